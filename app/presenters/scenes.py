@@ -1,0 +1,224 @@
+"""Frozen scenes: everything a view needs to draw one instant, and nothing else.
+
+Presenters make scenes, views draw them. No Qt here; colours are (red, green, blue) 0..255.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.recording.frame import Image
+
+Colour = tuple[int, int, int]
+Points = NDArray[np.float64]  # (n, 2)
+
+
+class Eye(Enum):
+    """Which camera a picture is of."""
+
+    LEFT = "left"
+    RIGHT = "right"
+
+
+@dataclass(frozen=True, slots=True)
+class PersonMark:
+    """A person in a picture.
+
+    Attributes:
+        track: id.
+        box: left, top, width, height in pixels of that eye as recorded.
+        label: what is written at the box, e.g. "4 red coat".
+        colour: the track's own.
+        selected: drawn with emphasis.
+        predicted: drawn dashed, nothing was seen of the person.
+        trail: (n, 2) foot points in pixels, oldest first.
+    """
+
+    track: int
+    box: tuple[float, float, float, float]
+    label: str
+    colour: Colour
+    selected: bool
+    predicted: bool
+    trail: Points
+
+
+@dataclass(frozen=True, slots=True)
+class PictureScene:
+    """One eye at one instant.
+
+    Attributes:
+        eye: which.
+        frame: frame number shown.
+        image: the picture as recorded; None while it is being read.
+        people: marks, the selected one last.
+        overlay: (height, width, 4) uint8 RGBA laid over the picture, or None.
+        grid: line segments (n, 2, 2) of the floor grid in pixels, or empty.
+        message: said in the middle where there is no picture.
+    """
+
+    eye: Eye
+    frame: int
+    image: Image | None
+    people: tuple[PersonMark, ...] = ()
+    overlay: NDArray[np.uint8] | None = None
+    grid: NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 2, 2)))
+    message: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class FloorPerson:
+    """A person seen from above.
+
+    Attributes:
+        position: x, y in metres. velocity: m/s; (0, 0) draws no direction.
+        trail: (n, 2) metres, oldest first.
+    """
+
+    track: int
+    label: str
+    position: tuple[float, float]
+    velocity: tuple[float, float]
+    colour: Colour
+    selected: bool
+    predicted: bool
+    trail: Points
+
+
+@dataclass(frozen=True, slots=True)
+class OverheadScene:
+    """The floor at one instant, in metres; x right, y forward (up on the screen).
+
+    Attributes:
+        particles: (n, 2) float32 metres. particle_colours: (n, 3) uint8 of their persons.
+        particle_weights: (n,) float32 0..1, relative to the person's heaviest: brightness.
+        measured: (m, 2) detections, drawn as black dots.
+        people: tracks.
+        field_of_view: polygon (k, 2) the left camera sees of the floor.
+        camera: x, y of the camera.
+        bounds: left, bottom, right, top in metres of what is worth showing.
+        preview: trails before (dashed) and after (solid) of an edit being previewed.
+        message: said where there is nothing to show, e.g. no calibration.
+    """
+
+    frame: int
+    particles: NDArray[np.float32]
+    particle_colours: NDArray[np.uint8]
+    particle_weights: NDArray[np.float32]
+    measured: Points
+    people: tuple[FloorPerson, ...]
+    field_of_view: Points
+    camera: tuple[float, float]
+    bounds: tuple[float, float, float, float]
+    preview: tuple[PreviewTrail, ...] = ()
+    message: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class PreviewTrail:
+    """A trail as it would be, or as it was, in a previewed edit."""
+
+    points: Points
+    colour: Colour
+    after: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Lane:
+    """A track on the timeline.
+
+    Attributes:
+        spans: (k, 3) int64 rows of first frame, end frame (half-open), predicted (0 or 1).
+        marks: frames with an edit on this track.
+    """
+
+    track: int
+    label: str
+    colour: Colour
+    selected: bool
+    spans: NDArray[np.int64]
+    marks: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class TimelineScene:
+    """Lanes, playhead and the overview of the whole recording.
+
+    Attributes:
+        frame_count, fps: of the recording. frame: the playhead.
+        lanes: a track each, by first frame.
+        activity: (frame_count,) people per frame, uint16.
+        loaded, tracked: half-open frame ranges.
+        cut: a frame with an edit being previewed, or None.
+    """
+
+    frame_count: int
+    fps: float
+    frame: int
+    lanes: tuple[Lane, ...]
+    activity: NDArray[np.uint16]
+    tracked: tuple[int, int] = (0, 0)
+    loaded: tuple[int, int] = (0, 0)
+    cut: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class TransportScene:
+    """The line between the views and the timeline."""
+
+    playing: bool
+    speed: float
+    frame: int
+    frame_count: int
+    time_s: float
+    tracker: str
+    status: str  # e.g. "live 43 fps", "tracked", "no tracker"
+
+
+@dataclass(frozen=True, slots=True)
+class TrackCard:
+    """The selected track in words."""
+
+    track: int
+    name: str
+    colour: Colour
+    first_frame: int
+    last_frame: int
+    frames_seen: int
+    frames_predicted: int
+    mean_confidence: float
+    attributes: tuple[tuple[str, str], ...]
+    notes: str
+
+
+@dataclass(frozen=True, slots=True)
+class HistoryItem:
+    """One edit in the history panel; undone edits are shown greyed."""
+
+    edit: int
+    text: str
+    when: str
+    author: str
+    frame: int
+    undone: bool
+
+
+@dataclass(frozen=True, slots=True)
+class EditPreview:
+    """An edit that waits for Enter.
+
+    Attributes:
+        title: e.g. "Swap 4 and 7 from frame 834 on".
+        scope: "from here on", "this range", "this frame".
+        details: lines that say what will change.
+        frame: the cut, moved by the arrow keys.
+    """
+
+    title: str
+    scope: str
+    details: tuple[str, ...]
+    frame: int

@@ -1,0 +1,1 @@
+"""Qt and pyqtgraph only: draw scenes, report gestures."""

@@ -1,0 +1,1 @@
+"""Icons, themes and default settings that ship with the program."""

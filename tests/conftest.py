@@ -1,0 +1,20 @@
+"""Fixtures shared by all rooms' tests."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+
+@pytest.fixture(scope="session")
+def shared_data() -> Path:
+    """The folder of test recordings that stands beside the checkout; skips where it is missing."""
+    named = os.environ.get("TRACKWRIGHT_DATA")
+    folder = Path(named) if named else Path(__file__).parents[2] / "shared" / "data"
+    if not folder.is_dir():
+        pytest.skip(f"no test recordings at {folder} (TRACKWRIGHT_DATA names another place)")
+    return folder

@@ -1,0 +1,1 @@
+"""Reversible edits of the tracks and their history."""

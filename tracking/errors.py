@@ -1,0 +1,43 @@
+"""The errors this library raises on purpose.
+
+Every message says in one line what is wrong, where, and what to do about it. Whatever else a
+library below raises is converted at the boundary where it is called.
+"""
+
+from __future__ import annotations
+
+
+class TrackwrightError(Exception):
+    """Root of all errors a user can do something about."""
+
+
+class RecordingError(TrackwrightError):
+    """A recording cannot be opened or a frame of it cannot be read."""
+
+
+class CalibrationError(TrackwrightError):
+    """A calibration is missing, unreadable or does not fit the recording."""
+
+
+class SettingsError(TrackwrightError):
+    """A tracker's setting is unknown or out of range."""
+
+
+class SessionError(TrackwrightError):
+    """A session file cannot be read or written."""
+
+
+class EditError(TrackwrightError):
+    """An edit does not apply to the tracks as they are."""
+
+
+class FormatError(TrackwrightError):
+    """A file of another format cannot be read or written."""
+
+
+class OutputError(TrackwrightError):
+    """A result cannot be written where it was asked for."""
+
+
+class CancelledError(TrackwrightError):
+    """The user stopped long work; nothing half-done was kept."""

@@ -1,0 +1,1 @@
+"""What is not background, and what of it is shadow."""

@@ -1,0 +1,1 @@
+"""Cameras, the floor and calibration files."""

@@ -1,0 +1,45 @@
+"""People seen in one frame, before anything is known of who they are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Detections:
+    """The people of one frame, a row each. All arrays have n rows.
+
+    Attributes:
+        box: (n, 4) left, top, width, height in 0-based pixels of the left image as recorded.
+        position: (n, 3) world metres; x, y where the person stands on the floor (the 3-D centre
+            of the region carried down), z the height of that centre above the floor.
+        size: (n, 2) real-world width and height of the region in metres.
+        merged: (n,) bool; larger than one person can be ([Kawashita2014] section 3.4), so it is
+            not to be used as an observation of one.
+        truncated: (n,) bool; the region touches the image's edge.
+        upper, lower: (n, h) hue histograms of the upper and the lower body, each summing to 1
+            ([Kawashita2012]).
+        middle: (n, hs) hue and saturation histogram of the region's middle, summing to 1
+            ([Kawashita2014]).
+        regions: (height, width) int32 of the *rectified* left image: 0 background, k the pixels
+            of row k - 1.
+    """
+
+    box: Floats
+    position: Floats
+    size: Floats
+    merged: NDArray[np.bool_]
+    truncated: NDArray[np.bool_]
+    upper: NDArray[np.float32]
+    lower: NDArray[np.float32]
+    middle: NDArray[np.float32]
+    regions: NDArray[np.int32]
+
+    def __len__(self) -> int:
+        """The number of people seen."""
+        return len(self.box)

@@ -1,0 +1,1 @@
+"""Recordings: frames by number, from every kind of source."""

@@ -1,0 +1,28 @@
+"""One instant of a recording."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Image = NDArray[np.uint8]
+"""(height, width, 3) in BGR order, as OpenCV has it; grey footage has three equal channels."""
+
+
+@dataclass(frozen=True, slots=True)
+class StereoFrame:
+    """Both eyes at one instant, as recorded (not rectified).
+
+    Attributes:
+        number: frame number in the recording, from 0.
+        time_s: seconds since the recording's first frame.
+        left: the left (or only) eye's picture.
+        right: the right eye's picture; None in a monocular recording.
+    """
+
+    number: int
+    time_s: float
+    left: Image
+    right: Image | None

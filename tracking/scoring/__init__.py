@@ -1,0 +1,1 @@
+"""Accuracy of tracks against truth."""

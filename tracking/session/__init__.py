@@ -1,0 +1,1 @@
+"""The session document, its file and its journal."""

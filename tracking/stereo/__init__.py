@@ -1,0 +1,1 @@
+"""Subtraction stereo: range inside the foreground."""

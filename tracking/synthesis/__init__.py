@@ -1,0 +1,1 @@
+"""Scenes of people rendered with exact truth."""

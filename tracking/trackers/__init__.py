@@ -1,0 +1,1 @@
+"""The published trackers, a module each, behind one protocol."""

@@ -1,0 +1,1 @@
+"""The columnar track table, runs and labels."""

@@ -1,0 +1,72 @@
+"""The columns of the tables of a run, with their types: one definition for memory and file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Columns = Mapping[str, NDArray[Any]]
+"""One 1-D array per column, all of equal length."""
+
+TRACK_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {
+        "frame": np.dtype(np.int32),  # from 0
+        "track": np.dtype(np.int32),  # positive, stable, never renumbered
+        "left": np.dtype(np.float64),  # px of the left image as recorded, 0-based
+        "top": np.dtype(np.float64),
+        "width": np.dtype(np.float64),
+        "height": np.dtype(np.float64),
+        "x": np.dtype(np.float64),  # m on the floor
+        "y": np.dtype(np.float64),
+        "vx": np.dtype(np.float64),  # m/s on the floor
+        "vy": np.dtype(np.float64),
+        "confidence": np.dtype(np.float32),  # 0 to 1
+        "visibility": np.dtype(np.float32),  # 0 to 1
+        "predicted": np.dtype(np.bool_),  # True: no detection matched in this frame
+    }
+)
+
+CORRECTED_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {**TRACK_COLUMNS, "source": np.dtype(np.uint8)}
+)
+"""A run's columns and where a row comes from: see `Source`."""
+
+DETECTION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {
+        "frame": np.dtype(np.int32),
+        "left": np.dtype(np.float64),
+        "top": np.dtype(np.float64),
+        "width": np.dtype(np.float64),
+        "height": np.dtype(np.float64),
+        "x": np.dtype(np.float64),
+        "y": np.dtype(np.float64),
+        "z": np.dtype(np.float64),
+        "track": np.dtype(np.int32),  # the track it was matched with; 0: none
+    }
+)
+
+PARTICLE_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {
+        "track": np.dtype(np.int32),
+        "x": np.dtype(np.float32),  # m on the floor
+        "y": np.dtype(np.float32),
+        "weight": np.dtype(np.float32),  # sums to 1 over a person's particles
+    }
+)
+
+
+class Source:
+    """Values of the corrected table's `source` column."""
+
+    TRACKER = 0
+    PERSON = 1
+    INTERPOLATED = 2
+
+
+def empty(columns: Mapping[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
+    """No rows of the given columns."""
+    return {name: np.zeros(0, dtype) for name, dtype in columns.items()}

@@ -1,0 +1,63 @@
+"""What a tracker found in a recording: immutable once made."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.tracks.columns import Columns
+
+
+@dataclass(frozen=True, slots=True)
+class Particles:
+    """The particles of consecutive frames, in one stretch of memory.
+
+    Attributes:
+        start: (frames + 1,) int64; the particles of frame i (counted from the recording's first
+            frame) are the rows start[i] to start[i + 1].
+        columns: `PARTICLE_COLUMNS`.
+    """
+
+    start: NDArray[np.int64]
+    columns: Columns
+
+    def of_frame(self, frame: int) -> dict[str, NDArray[Any]]:
+        """The columns of one frame's particles; empty where the frame was not tracked."""
+        if not 0 <= frame < len(self.start) - 1:
+            return {name: column[:0] for name, column in self.columns.items()}
+        rows = slice(int(self.start[frame]), int(self.start[frame + 1]))
+        return {name: column[rows] for name, column in self.columns.items()}
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """One tracker's result over a recording (or a stretch of it), never changed by edits.
+
+    Attributes:
+        tracker: name in the catalogue, e.g. "stereo-direction".
+        settings: the settings in force, as plain JSON values.
+        seed: of the random numbers.
+        frames: half-open range of frames that were tracked.
+        tracks, detections: `TRACK_COLUMNS` and `DETECTION_COLUMNS`, sorted by frame.
+        particles: what the overhead view shows.
+        associations: per matched pair the columns frame, track, distance, colour, direction,
+            total, margin (total cost of the next best choice less this one's); NaN where a cue was
+            not used.
+        software: name and version that made it.
+        detector: fingerprint of the failure detector, "" where none was used.
+    """
+
+    tracker: str
+    settings: Mapping[str, Any]
+    seed: int
+    frames: tuple[int, int]
+    tracks: Columns
+    detections: Columns
+    particles: Particles
+    associations: Columns = field(default_factory=dict)
+    software: str = ""
+    detector: str = ""
