@@ -213,12 +213,55 @@ class EditPreview:
 
     Attributes:
         title: e.g. "Swap 4 and 7 from frame 834 on".
-        scope: "from here on", "this range", "this frame".
+        scope: the one of `scopes` in force, e.g. "from here on".
         details: lines that say what will change.
         frame: the cut, moved by the arrow keys.
+        scopes: what can be chosen, e.g. "from here on", "this range", "this frame".
+        ready: False while the other person is still to be picked; Enter does nothing then.
+        hint: the keys that work now, e.g. "arrows move the frame, Enter does it, Esc leaves".
     """
 
     title: str
     scope: str
     details: tuple[str, ...]
     frame: int
+    scopes: tuple[str, ...] = ()
+    ready: bool = True
+    hint: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class CommandItem:
+    """A command as menus, the palette and the list of shortcuts show it.
+
+    Attributes:
+        command: id, e.g. "edit.swap". menu: "File", "Edit", ...; title: e.g. "Swap with...".
+        keys: in Qt's portable text, e.g. "Ctrl+Shift+Z"; the first is shown.
+        why_not: said where it is not enabled.
+    """
+
+    command: str
+    menu: str
+    title: str
+    keys: tuple[str, ...]
+    enabled: bool
+    why_not: str = ""
+    checked: bool | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RecentItem:
+    """A recording or session opened before."""
+
+    path: str
+    title: str
+    detail: str
+    exists: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class WelcomeScene:
+    """The first page: what can be opened. `notice` is said above, e.g. after a crash."""
+
+    recent: tuple[RecentItem, ...] = ()
+    notice: str = ""
