@@ -1,1 +1,15 @@
 """Cameras, the floor and calibration files."""
+
+from tracking.geometry.camera import Camera
+from tracking.geometry.ground import Ground
+from tracking.geometry.rectification import Rectification
+from tracking.geometry.stereo_calibration import StereoCalibration
+from tracking.geometry.view import View
+
+__all__ = [
+    "Camera",
+    "Ground",
+    "Rectification",
+    "StereoCalibration",
+    "View",
+]

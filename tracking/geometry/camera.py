@@ -1,0 +1,83 @@
+"""One pinhole camera with lens distortion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from tracking.errors import CalibrationError
+from tracking.geometry.lens import Floats, Lens
+
+DISTORTION_LENGTHS = (0, 4, 5, 8, 12, 14)
+"""Numbers of distortion coefficients that OpenCV's model knows."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Camera:
+    """A pinhole camera as OpenCV has it: x right, y down, z forward.
+
+    Attributes:
+        matrix: (3, 3) focal lengths and principal point in px; pixel centres at integers.
+        distortion: (k,) OpenCV's coefficients; empty or zero: none.
+        width, height: size in px of the images it takes.
+
+    Raises:
+        CalibrationError: a value has the wrong shape, is not finite or makes no camera.
+    """
+
+    matrix: Floats
+    distortion: Floats
+    width: int
+    height: int
+    lens: Lens = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        matrix = np.array(self.matrix, float)
+        distortion = np.array(self.distortion, float).ravel()
+        _check_matrix(matrix)
+        if distortion.size not in DISTORTION_LENGTHS or not np.isfinite(distortion).all():
+            raise CalibrationError(
+                f"calibration: {distortion.size} distortion coefficients are not one of "
+                f"{DISTORTION_LENGTHS} finite numbers; calibrate with OpenCV's pinhole model"
+            )
+        if self.width < 1 or self.height < 1:
+            raise CalibrationError(
+                f"calibration: an image of {self.width} x {self.height} px is none; "
+                "set image_width and image_height"
+            )
+        object.__setattr__(self, "matrix", matrix)
+        object.__setattr__(self, "distortion", distortion)
+        object.__setattr__(self, "lens", Lens.from_coefficients(distortion))
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of its images in px."""
+        return self.width, self.height
+
+    def undistort(self, points: Floats) -> Floats:
+        """Ideal rays (n, 2), x / z and y / z, of pixels (n, 2) as recorded."""
+        points = np.asarray(points, float).reshape(-1, 2)
+        y = (points[:, 1] - self.matrix[1, 2]) / self.matrix[1, 1]
+        x = (points[:, 0] - self.matrix[0, 2] - self.matrix[0, 1] * y) / self.matrix[0, 0]
+        return self.lens.undistort(np.column_stack((x, y)))
+
+    def project(self, points_camera: Floats) -> Floats:
+        """Pixels (n, 2) as recorded of points (n, 3) in camera axes; NaN at or behind it."""
+        points = np.asarray(points_camera, float).reshape(-1, 3)
+        depth = np.where(points[:, 2:] > 1e-9, points[:, 2:], np.nan)
+        shown = self.lens.distort(points[:, :2] / depth)
+        return shown @ self.matrix[:2, :2].T + self.matrix[:2, 2]
+
+
+def _check_matrix(matrix: Floats) -> None:
+    if matrix.shape != (3, 3) or not np.isfinite(matrix).all():
+        raise CalibrationError(
+            f"calibration: the camera matrix is {matrix.shape}, not 3 x 3 finite numbers"
+        )
+    upright = matrix[0, 0] > 0 and matrix[1, 1] > 0 and matrix[1, 0] == 0
+    if not upright or not np.array_equal(matrix[2], (0, 0, 1)):
+        raise CalibrationError(
+            "calibration: the camera matrix is not [fx s cx; 0 fy cy; 0 0 1] with positive "
+            "focal lengths; calibrate again"
+        )

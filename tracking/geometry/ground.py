@@ -1,0 +1,54 @@
+"""Where the floor is, seen from the left camera."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracking.errors import CalibrationError
+from tracking.geometry.lens import Floats
+
+
+@dataclass(frozen=True, slots=True)
+class Ground:
+    """The camera's place over the floor.
+
+    Attributes:
+        height_m: the left camera's centre above the floor.
+        tilt_deg: the optical axis below the horizon; 90 is straight down.
+        roll_deg: the camera turned about its optical axis, clockwise as it sees the world.
+
+    Raises:
+        CalibrationError: the height is not positive, or an angle is out of range.
+    """
+
+    height_m: float
+    tilt_deg: float
+    roll_deg: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.height_m) and self.height_m > 0):
+            raise CalibrationError(
+                f"ground: height is {self.height_m} m; give the camera's height above the floor"
+            )
+        if not -90 <= self.tilt_deg <= 90 or not -180 <= self.roll_deg <= 180:
+            raise CalibrationError(
+                f"ground: tilt {self.tilt_deg} or roll {self.roll_deg} is out of range; "
+                "tilt lies in -90..90 and roll in -180..180 degrees"
+            )
+
+    @property
+    def world_from_camera(self) -> tuple[Floats, Floats]:
+        """Rotation (3, 3) and translation (3,) from camera axes into the world, in metres.
+
+        World: origin on the floor below the camera, x right, y forward, z up. Looking straight
+        down, forward is the direction of the image's upper edge.
+        """
+        tilt, roll = np.deg2rad((self.tilt_deg, self.roll_deg))
+        right = np.array([1.0, 0.0, 0.0])
+        down = np.array([0.0, -np.sin(tilt), -np.cos(tilt)])
+        forward = np.array([0.0, np.cos(tilt), -np.sin(tilt)])
+        x_axis = right * np.cos(roll) + down * np.sin(roll)
+        y_axis = -right * np.sin(roll) + down * np.cos(roll)
+        return np.column_stack((x_axis, y_axis, forward)), np.array([0.0, 0.0, self.height_m])

@@ -1,0 +1,90 @@
+"""Two cameras and how they stand to each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracking.errors import CalibrationError
+from tracking.geometry.camera import Camera
+from tracking.geometry.lens import Floats
+
+_ROTATION_TOLERANCE = 1e-3
+_WIDEST_BASELINE_M = 20.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StereoCalibration:
+    """A stereo rig, or one calibrated camera.
+
+    Attributes:
+        left: the left (or only) camera.
+        right: the right camera; None in a monocular rig.
+        rotation: (3, 3), x_right = rotation @ x_left + translation.
+        translation: (3,) in metres; a right camera on the right has a negative first number.
+
+    Raises:
+        CalibrationError: the rotation is none, or the cameras do not stand side by side.
+    """
+
+    left: Camera
+    right: Camera | None
+    rotation: Floats
+    translation: Floats
+
+    def __post_init__(self) -> None:
+        rotation = _checked_rotation(np.array(self.rotation, float))
+        translation = np.array(self.translation, float).ravel()
+        if translation.shape != (3,) or not np.isfinite(translation).all():
+            raise CalibrationError("calibration: T is not three finite numbers")
+        object.__setattr__(self, "rotation", rotation)
+        object.__setattr__(self, "translation", translation)
+        if self.right is not None:
+            _check_side_by_side(rotation, translation)
+
+    @classmethod
+    def of_one(cls, camera: Camera) -> StereoCalibration:
+        """The calibration of a monocular recording."""
+        return cls(camera, None, np.eye(3), np.zeros(3))
+
+    @property
+    def baseline_m(self) -> float:
+        """Distance between the two camera centres; 0 with one camera."""
+        return float(np.linalg.norm(self.translation))
+
+    def check_size(self, size: tuple[int, int]) -> None:
+        """Raise CalibrationError if images of this size (width, height) do not fit it."""
+        for eye, camera in (("left", self.left), ("right", self.right)):
+            if camera is not None and camera.size != size:
+                raise CalibrationError(
+                    f"calibration: made for {camera.width} x {camera.height} px ({eye} camera), "
+                    f"the recording is {size[0]} x {size[1]}; give the calibration of this size"
+                )
+
+
+def _checked_rotation(rotation: Floats) -> Floats:
+    """The rotation, made exactly orthonormal where rounding in a file left it nearly so."""
+    if rotation.shape != (3, 3) or not np.isfinite(rotation).all():
+        raise CalibrationError("calibration: R is not 3 x 3 finite numbers")
+    error = np.abs(rotation @ rotation.T - np.eye(3)).max()
+    if error > _ROTATION_TOLERANCE or np.linalg.det(rotation) < 0:
+        raise CalibrationError("calibration: R is not a rotation; calibrate the stereo pair again")
+    if error < 1e-12:
+        return rotation
+    u, _, vt = np.linalg.svd(rotation)
+    return np.asarray(u @ vt, float)
+
+
+def _check_side_by_side(rotation: Floats, translation: Floats) -> None:
+    centre = -rotation.T @ translation
+    if not 1e-4 < np.linalg.norm(centre) < _WIDEST_BASELINE_M:
+        raise CalibrationError(
+            f"calibration: the cameras stand {np.linalg.norm(centre):g} m apart; "
+            "lengths (T) are in metres"
+        )
+    if centre[0] < abs(centre[1]) or centre[0] < abs(centre[2]):
+        raise CalibrationError(
+            "calibration: the right camera does not stand right of the left one; "
+            "exchange the eyes or calibrate them side by side"
+        )
