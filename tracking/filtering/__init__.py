@@ -1,1 +1,33 @@
-"""The particle filter, batched over people."""
+"""The particle filter, batched over people.
+
+The particles of all people stand in one array (people, N, 2) of metres on the floor, with their
+weights (people, N) beside it. Nothing here loops over particles or people.
+"""
+
+from tracking.filtering.association import Association, associate
+from tracking.filtering.direction import direction_cost, turning_angle
+from tracking.filtering.histograms import bhattacharyya_distance
+from tracking.filtering.particles import (
+    effective_share,
+    likelihood,
+    move,
+    resample,
+    scatter,
+    weigh,
+    weighted_mean,
+)
+
+__all__ = [
+    "Association",
+    "associate",
+    "bhattacharyya_distance",
+    "direction_cost",
+    "effective_share",
+    "likelihood",
+    "move",
+    "resample",
+    "scatter",
+    "turning_angle",
+    "weigh",
+    "weighted_mean",
+]

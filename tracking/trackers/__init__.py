@@ -1,1 +1,32 @@
 """The published trackers, a module each, behind one protocol."""
+
+from tracking.people.observation import Observation, Overlays
+from tracking.trackers.catalogue import (
+    TRACKERS,
+    TrackerSpec,
+    best_tracker,
+    parse_settings,
+    require,
+    tracker_named,
+)
+from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
+from tracking.trackers.settings import SettingField, settings_fields, settings_from, settings_values
+
+__all__ = [
+    "ASSOCIATION_COLUMNS",
+    "TRACKERS",
+    "Observation",
+    "Overlays",
+    "Perception",
+    "SettingField",
+    "StepResult",
+    "Tracker",
+    "TrackerSpec",
+    "best_tracker",
+    "parse_settings",
+    "require",
+    "settings_fields",
+    "settings_from",
+    "settings_values",
+    "tracker_named",
+]

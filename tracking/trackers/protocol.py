@@ -2,12 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Protocol
+
+import numpy as np
 
 from tracking.people.observation import Observation
 from tracking.recording.frame import StereoFrame
 from tracking.tracks.columns import Columns
+
+ASSOCIATION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {
+        "frame": np.dtype(np.int32),
+        "track": np.dtype(np.int32),
+        "distance": np.dtype(np.float32),  # Dd, m
+        "colour": np.dtype(np.float32),  # Dc
+        "direction": np.dtype(np.float32),  # Da; NaN where it was left out
+        "total": np.dtype(np.float32),  # D
+        "margin": np.dtype(np.float32),  # D of the best other choice less this one's; NaN: none
+    }
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +35,7 @@ class StepResult:
         tracks: `TRACK_COLUMNS` of this frame, sorted by track.
         detections: `DETECTION_COLUMNS` of this frame.
         particles: `PARTICLE_COLUMNS` of this frame, grouped by track.
-        associations: frame, track, distance, colour, direction, total, margin; a row a match.
+        associations: `ASSOCIATION_COLUMNS`; a row for each match.
     """
 
     frame: int
@@ -31,6 +47,9 @@ class StepResult:
 
 class Perception(Protocol):
     """Turns pictures into observations; holds the background model."""
+
+    def learn(self, frames: Sequence[StereoFrame]) -> None:
+        """Take the background from frames spread over the recording, before the first step."""
 
     def observe(self, frame: StereoFrame) -> Observation:
         """What is seen in the frame. Frames come in order."""

@@ -1,0 +1,61 @@
+"""Who is who: tracks and detections matched by the smallest total cost."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+Floats = NDArray[np.float64]
+_NEVER = 1e6
+
+
+@dataclass(frozen=True, slots=True)
+class Association:
+    """Pairs of tracks and detections; all arrays have one entry per pair, sorted by track.
+
+    Attributes:
+        track, detection: rows of the cost matrix and columns of it.
+        margin: by how much the total of all pairs would grow with the best other choice for this
+            pair: a free detection, a free track, or an exchange with another pair; NaN where
+            there is no other choice.
+    """
+
+    track: NDArray[np.intp]
+    detection: NDArray[np.intp]
+    margin: Floats
+
+
+def associate(cost: Floats, allowed: NDArray[np.bool_], left_out: float) -> Association:
+    """The pairs with the smallest total cost ([Kawashita2014] section 3.3).
+
+    Args:
+        cost: (tracks, detections) total D. allowed: the same shape; False is never a pair.
+        left_out: what it costs to leave a track without a detection.
+    """
+    tracks, detections = cost.shape
+    choices = np.full((tracks, detections + tracks), _NEVER)
+    choices[:, :detections] = np.where(allowed, cost, _NEVER)
+    choices[np.arange(tracks), detections + np.arange(tracks)] = left_out
+    rows, columns = linear_sum_assignment(choices)
+    real = columns < detections
+    track, detection = rows[real], columns[real]
+    margin = _margins(np.where(allowed, cost, np.inf), track, detection)
+    return Association(track, detection, margin)
+
+
+def _margins(cost: Floats, track: NDArray[np.intp], detection: NDArray[np.intp]) -> Floats:
+    """The growth of the total by the best single change that breaks each pair."""
+    own = cost[track, detection]
+    free_tracks = np.delete(cost, track, axis=0)[:, detection]
+    free_detections = np.delete(cost, detection, axis=1)[track]
+    best = np.minimum(
+        free_tracks.min(axis=0, initial=np.inf), free_detections.min(axis=1, initial=np.inf)
+    )
+    among = cost[np.ix_(track, detection)]
+    exchange = among + among.T - own[None, :]
+    np.fill_diagonal(exchange, np.inf)
+    best = np.minimum(best, exchange.min(axis=1, initial=np.inf))
+    return np.where(np.isinf(best), np.nan, best - own)

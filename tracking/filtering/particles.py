@@ -1,0 +1,99 @@
+"""The five steps of the particle filter but association, for all people at once."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Particles = NDArray[np.float32]  # (people, N, 2), metres on the floor
+Weights = NDArray[np.float32]  # (people, N), each row sums to 1
+
+
+def scatter(centre: Floats, spread_m: Floats, count: int, random: np.random.Generator) -> Particles:
+    """Put particles at random around each centre ([Kawashita2012] step 1).
+
+    Args:
+        centre: (people, 2) m. spread_m: (people,) standard deviation per axis.
+        count: particles for each person. random: where the noise comes from.
+    """
+    noise = random.standard_normal((len(centre), count, 2), dtype=np.float32)
+    noise *= spread_m.astype(np.float32)[:, None, None]
+    noise += centre.astype(np.float32)[:, None, :]
+    return noise
+
+
+def move(
+    particles: Particles, step: Floats, spread_m: Floats, random: np.random.Generator
+) -> Particles:
+    """Move each person's particles by one step, plus a random spread ([Kawashita2012] step 2).
+
+    Args:
+        particles: (people, N, 2) m. step: (people, 2) m, velocity times time.
+        spread_m: (people,) standard deviation per axis. random: where the noise comes from.
+    """
+    moved = scatter(step, spread_m, particles.shape[1], random)
+    moved += particles
+    return moved
+
+
+def likelihood(distance: NDArray[np.floating], sigma: Floats) -> NDArray[np.floating]:
+    """How likely a particle is at some distance from the measurement ([Kawashita2014] eq. 2).
+
+    `L = exp(-d^2 / (2 s^2)) / (sqrt(2 pi) s)`.
+
+    Args:
+        distance: (people, N) d, m. sigma: (people,) s, m.
+    """
+    spread = sigma[:, None].astype(distance.dtype)
+    return np.exp(-0.5 * (distance / spread) ** 2) / (np.sqrt(2.0 * np.pi) * spread)
+
+
+def weigh(particles: Particles, measured: Floats, sigma: Floats) -> Weights:
+    """Weights by the likelihood of each person's measurement, summing to 1 per person.
+
+    The likelihood is taken relative to the nearest particle's, which leaves the weights as they
+    are and keeps them from vanishing all together where a measurement is far from every particle.
+
+    Args:
+        particles: (people, N, 2) m. measured: (people, 2) m. sigma: (people,) s, m.
+    """
+    offset = particles - measured.astype(np.float32)[:, None, :]
+    squared = np.einsum("pnk,pnk->pn", offset, offset)
+    squared -= squared.min(axis=1, keepdims=True)
+    squared *= (-0.5 / sigma**2).astype(np.float32)[:, None]
+    weights = np.exp(squared, out=squared)
+    weights /= weights.sum(axis=1, keepdims=True)
+    return weights
+
+
+def weighted_mean(particles: Particles, weights: Weights) -> Floats:
+    """The estimate: (people, 2) m."""
+    return np.einsum("pnk,pn->pk", particles, weights).astype(np.float64)
+
+
+def effective_share(weights: Weights) -> Floats:
+    """The share of each person's particles that carry weight: 1 / (N sum w^2), in 1/N to 1."""
+    squares = np.einsum("pn,pn->p", weights, weights).astype(np.float64)
+    return 1.0 / (weights.shape[1] * squares)
+
+
+def resample(particles: Particles, weights: Weights, random: np.random.Generator) -> Particles:
+    """Multiply heavy particles and drop light ones ([Kawashita2012] step 5), systematically.
+
+    One random offset per person and N even steps through the running sum of its weights: each
+    particle is copied `N w` times, rounded up or down, and `N w` times on average.
+
+    Args:
+        particles: (people, N, 2). weights: (people, N), rows sum to 1.
+        random: where the offsets come from.
+    """
+    people, count = weights.shape
+    reached = np.cumsum(weights, axis=1, dtype=np.float64)
+    reached *= count / reached[:, -1:]
+    reached -= random.random((people, 1))
+    taken = np.ceil(reached, out=reached).astype(np.int64)
+    taken[:, -1] = count
+    copies = np.diff(taken, axis=1, prepend=0)
+    chosen = np.repeat(np.arange(people * count), copies.ravel())
+    return particles.reshape(-1, 2)[chosen].reshape(people, count, 2)

@@ -1,0 +1,177 @@
+"""A tracker over a recording, frame by frame: decode, rectify, see, follow, keep."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from types import TracebackType
+from typing import Any, TypeVar
+
+import numpy as np
+
+import tracking
+from tracking.errors import SettingsError
+from tracking.recording import Recording
+from tracking.trackers import (
+    ASSOCIATION_COLUMNS,
+    Observation,
+    Perception,
+    StepResult,
+    TrackerSpec,
+    best_tracker,
+    require,
+    settings_values,
+    tracker_named,
+)
+from tracking.tracks.columns import (
+    DETECTION_COLUMNS,
+    PARTICLE_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+    empty,
+)
+from tracking.tracks.run import Particles, Run
+
+T = TypeVar("T")
+
+BACKGROUND_SAMPLES = 24
+"""Frames spread over the recording that the background is learnt from before the first step."""
+
+
+def track(
+    recording: Recording,
+    tracker: str | None = None,
+    settings: Any = None,
+    seed: int = 0,
+    frames: tuple[int, int] | None = None,
+) -> Tracking:
+    """Start a tracker on a recording; nothing is read until the first step is asked for.
+
+    Args:
+        recording: where the frames come from; stays open until the tracking is closed.
+        tracker: name in the catalogue; None takes the best one for the recording.
+        settings: of the tracker's `settings_type`; None takes the defaults.
+        seed: of all random numbers; the same seed gives the same arrays, byte for byte.
+        frames: half-open range to track; None takes the whole recording.
+
+    Raises `SettingsError` for an unknown tracker or an empty range, `RecordingError` or
+    `CalibrationError` where the tracker cannot work on the recording.
+    """
+    spec = tracker_named(tracker or best_tracker(recording))
+    require(spec, recording)
+    start, stop = frames or (0, recording.frame_count)
+    if not 0 <= start < stop <= recording.frame_count:
+        raise SettingsError(
+            f"frames {start}:{stop} are not in the recording: "
+            f"choose a range within 0:{recording.frame_count}"
+        )
+    return Tracking(recording, spec, settings or spec.settings_type(), seed, (start, stop))
+
+
+class Tracking:
+    """A tracker at work: iterate for a `StepResult` a frame, close to cancel.
+
+    The background is learnt first, from frames spread over the whole recording, so that a range
+    that starts late and a scene that starts with people are seen like any other. All calls belong
+    to one thread.
+
+    Attributes:
+        frames: half-open range being tracked. done: frames of it tracked so far.
+        observation: what was seen in the last frame, with its overlays; None before the first.
+        stage_s: seconds spent so far in "learn", "decode", "perception" and "tracker".
+    """
+
+    def __init__(
+        self,
+        recording: Recording,
+        spec: TrackerSpec,
+        settings: Any,
+        seed: int,
+        frames: tuple[int, int],
+    ) -> None:
+        """See `track`."""
+        self.frames = frames
+        self.done = 0
+        self.observation: Observation | None = None
+        self.stage_s = {"learn": 0.0, "decode": 0.0, "perception": 0.0, "tracker": 0.0}
+        self._recording = recording
+        self._spec = spec
+        self._settings = settings
+        self._seed = seed
+        self._results: list[StepResult] = []
+        self._steps = self._work()
+
+    def __iter__(self) -> Iterator[StepResult]:
+        return self
+
+    def __next__(self) -> StepResult:
+        return next(self._steps)
+
+    def __enter__(self) -> Tracking:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Stop; what was tracked so far stays available from `run`."""
+        self._steps.close()
+
+    def run(self) -> Run:
+        """Everything tracked so far as one immutable run."""
+        results = self._results
+        return Run(
+            tracker=self._spec.name,
+            settings=settings_values(self._settings),
+            seed=self._seed,
+            frames=(self.frames[0], self.frames[0] + self.done),
+            tracks=_joined([result.tracks for result in results], TRACK_COLUMNS),
+            detections=_joined([result.detections for result in results], DETECTION_COLUMNS),
+            particles=_joined_particles(results, self._recording.frame_count),
+            associations=_joined([r.associations for r in results], ASSOCIATION_COLUMNS),
+            software=f"trackwright {tracking.__version__}",
+        )
+
+    def _work(self) -> Iterator[StepResult]:
+        perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
+        self._timed("learn", _learn, perception, self._recording)
+        pictures = self._recording.frames(*self.frames)
+        while (frame := self._timed("decode", next, pictures, None)) is not None:
+            self.observation = self._timed("perception", perception.observe, frame)
+            result = self._timed("tracker", tracker.step, self.observation)
+            self._results.append(result)
+            self.done += 1
+            yield result
+
+    def _timed(self, stage: str, work: Callable[..., T], *args: Any) -> T:
+        began = time.perf_counter()
+        done = work(*args)
+        self.stage_s[stage] += time.perf_counter() - began
+        return done
+
+
+def _learn(perception: Perception, recording: Recording) -> None:
+    """Show the perception frames spread evenly over the recording."""
+    count = min(BACKGROUND_SAMPLES, recording.frame_count)
+    numbers = np.linspace(0, recording.frame_count - 1, count).astype(int)
+    perception.learn([recording.read(int(number)) for number in numbers])
+
+
+def _joined(parts: Sequence[Columns], columns: Mapping[str, np.dtype[Any]]) -> Columns:
+    """The parts one below the other."""
+    if not parts:
+        return empty(columns)
+    return {name: np.concatenate([part[name] for part in parts]) for name in columns}
+
+
+def _joined_particles(results: Sequence[StepResult], frame_count: int) -> Particles:
+    """The particles of all steps, with one offset per frame of the recording."""
+    counts = np.zeros(frame_count + 1, np.int64)
+    for result in results:
+        counts[result.frame + 1] = len(result.particles["track"])
+    return Particles(np.cumsum(counts), _joined([r.particles for r in results], PARTICLE_COLUMNS))

@@ -1,0 +1,79 @@
+"""Who joins the people followed, who gets an id, and who is let go."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import scatter
+from tracking.geometry import View
+from tracking.people import Detections
+from tracking.trackers.population import Population
+from tracking.trackers.stereo_boxes import share_in_view
+from tracking.trackers.stereo_settings import StereoTrackerSettings
+
+_USUAL_STATURE_M = (1.7, 0.5)
+_PATIENCE_S = 0.15
+"""How long a newcomer may go unseen before it is taken for noise."""
+_OUT_OF_VIEW = 0.35
+"""Share of a body inside the picture below which somebody not seen has left it."""
+
+
+def newcomers(
+    people: Population,
+    seen: Detections,
+    colours: NDArray[np.float32],
+    free: NDArray[np.intp],
+    settings: StereoTrackerSettings,
+    random: np.random.Generator,
+) -> Population:
+    """People started at the detections nobody took ([Kawashita2012] step 1), without ids yet.
+
+    Args:
+        people: those followed, with their positions in this frame; a detection close to one that
+            was seen in it is another piece of the same body and starts nobody.
+        colours: (detections, cues, bins). free: the detections that may start somebody.
+    """
+    present = people.position[people.missed_s == 0.0]
+    offset = seen.position[free, None, :2] - present[None, :, :]
+    nearest = np.hypot(offset[..., 0], offset[..., 1]).min(axis=1, initial=np.inf)
+    rows = free[nearest >= settings.birth_distance_m]
+    count = len(rows)
+    measured = seen.position[rows, :2]
+    spread = np.full(count, settings.start_spread_m)
+    return Population(
+        track=np.zeros(count, np.int32),
+        particles=scatter(measured, spread, settings.particles, random),
+        weight=np.full((count, settings.particles), 1.0 / settings.particles, np.float32),
+        position=measured,
+        velocity=np.zeros((count, 2)),
+        matches=np.ones(count, np.int32),
+        missed_s=np.zeros(count),
+        seen_at=measured,
+        colour=colours[rows],
+        anchors=np.stack((np.full((count, 2), np.nan), measured), axis=1),
+        anchor_age_s=np.zeros(count),
+        stature=np.tile(_USUAL_STATURE_M, (count, 1)),
+        cut_off=seen.truncated[rows],
+        confidence=np.full(count, 0.5),
+    )
+
+
+def confirmed(people: Population, matches: int, last_id: int) -> tuple[Population, int]:
+    """Newcomers seen often enough get the next ids, so that ids have no gaps.
+
+    Returns the people and the last id given.
+    """
+    ready = np.flatnonzero((people.track == 0) & (people.matches >= matches))
+    ids = np.arange(last_id + 1, last_id + 1 + len(ready), dtype=np.int32)
+    return people.changed(ready, track=ids), last_id + len(ready)
+
+
+def still_there(
+    people: Population, settings: StereoTrackerSettings, view: View
+) -> NDArray[np.bool_]:
+    """Whether each person is followed on: (people,)."""
+    patience_s = np.where(people.cut_off, settings.lost_at_edge_s, settings.lost_after_s)
+    patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)
+    left = share_in_view(people, view) < _OUT_OF_VIEW
+    return (people.missed_s == 0.0) | ((people.missed_s <= patience_s) & ~left)

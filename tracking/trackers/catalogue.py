@@ -1,0 +1,111 @@
+"""The catalogue: every tracker that is built, by the name it has everywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+from tracking.errors import CalibrationError, RecordingError, SettingsError
+from tracking.recording import Recording
+from tracking.trackers import stereo_colour, stereo_direction
+from tracking.trackers.protocol import Perception, Tracker
+from tracking.trackers.settings import settings_from_text
+
+
+@dataclass(frozen=True, slots=True)
+class TrackerSpec:
+    """A tracker as the catalogue lists it.
+
+    Attributes:
+        name: on the command line and in sessions.
+        title: for people, one line.
+        paper: key of the source in the papers' list, e.g. "Kawashita2014".
+        needs_stereo, needs_calibration: of the recording.
+        settings_type: a frozen dataclass; see `settings_fields`.
+        build: (recording, settings, seed) -> perception and tracker, both at their start.
+    """
+
+    name: str
+    title: str
+    paper: str
+    needs_stereo: bool
+    needs_calibration: bool
+    settings_type: type
+    build: Callable[[Recording, Any, int], tuple[Perception, Tracker]]
+
+
+_BUILT = (
+    TrackerSpec(
+        name="stereo-direction",
+        title="Particle filter on subtraction stereo: distance, colour and walking direction",
+        paper="Kawashita2014",
+        needs_stereo=True,
+        needs_calibration=True,
+        settings_type=stereo_direction.StereoDirectionSettings,
+        build=stereo_direction.build,
+    ),
+    TrackerSpec(
+        name="stereo-colour",
+        title="Particle filter on subtraction stereo: distance and colour",
+        paper="Kawashita2012",
+        needs_stereo=True,
+        needs_calibration=True,
+        settings_type=stereo_colour.StereoColourSettings,
+        build=stereo_colour.build,
+    ),
+)
+
+TRACKERS: Mapping[str, TrackerSpec] = MappingProxyType({spec.name: spec for spec in _BUILT})
+"""The trackers that can be run, the best first."""
+
+_ANNOUNCED = ("three-part", "spheroid", "flow")
+
+
+def tracker_named(name: str) -> TrackerSpec:
+    """The tracker of that name; raises `SettingsError` that says what there is."""
+    if name in TRACKERS:
+        return TRACKERS[name]
+    why = "not built yet" if name in _ANNOUNCED else "unknown"
+    raise SettingsError(f"tracker {name} is {why}: available are {', '.join(TRACKERS)}")
+
+
+def best_tracker(recording: Recording) -> str:
+    """The name of the best tracker for a recording.
+
+    Raises `RecordingError` or `CalibrationError` where no tracker can work on it.
+    """
+    best = TRACKERS["stereo-direction"]
+    require(best, recording)
+    return best.name
+
+
+def require(spec: TrackerSpec, recording: Recording) -> None:
+    """Check that the tracker can work on the recording.
+
+    Raises `RecordingError` for a missing eye, `CalibrationError` for a missing calibration or floor.
+    """
+    if spec.needs_stereo and not recording.is_stereo:
+        raise RecordingError(
+            f"recording {recording.name} has one camera: {spec.name} needs two, and trackers for "
+            "one camera are not built yet"
+        )
+    if spec.needs_calibration and recording.calibration is None:
+        raise CalibrationError(
+            f"recording {recording.name} has no calibration: {spec.name} needs one, name it "
+            "under [calibration] in recording.toml or with --calibration"
+        )
+    if spec.needs_calibration and recording.ground is None:
+        raise CalibrationError(
+            f"recording {recording.name} does not say where the floor is: {spec.name} needs "
+            "height and tilt under [ground] in recording.toml or with --height and --tilt"
+        )
+
+
+def parse_settings(spec: TrackerSpec, texts: Mapping[str, str]) -> Any:
+    """The tracker's settings with some values given as text, e.g. {"particles": "700"}.
+
+    Raises `SettingsError`: unknown name, no value of its type, or out of range.
+    """
+    return settings_from_text(spec.settings_type, texts)

@@ -1,0 +1,108 @@
+"""Everybody a stereo tracker follows, one row a person."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Population:
+    """The people being followed, as arrays with one row a person; nothing is changed in place.
+
+    Attributes:
+        track: (people,) int32 id; 0 while a newcomer is not confirmed.
+        particles: (people, N, 2) float32 m on the floor.
+        weight: (people, N) float32, rows sum to 1.
+        position: (people, 2) m, the filter's estimate.
+        velocity: (people, 2) m/s.
+        matches: (people,) int32 frames matched so far.
+        missed_s: (people,) seconds since the last match; 0 while matched.
+        seen_at: (people, 2) m, the estimate at the last match.
+        colour: (people, cues, bins) float32 colour models, square roots not taken.
+        anchors: (people, 2, 2) m, the older and the newer past position that a direction is
+            taken between; NaN where there is none yet.
+        anchor_age_s: (people,) seconds since the newer anchor was set.
+        stature: (people, 2) m, body height and width.
+        cut_off: (people,) bool; the last detection touched the image's edge.
+        confidence: (people,) share of the recent past in which the person was matched.
+    """
+
+    track: NDArray[np.int32]
+    particles: NDArray[np.float32]
+    weight: NDArray[np.float32]
+    position: Floats
+    velocity: Floats
+    matches: NDArray[np.int32]
+    missed_s: Floats
+    seen_at: Floats
+    colour: NDArray[np.float32]
+    anchors: Floats
+    anchor_age_s: Floats
+    stature: Floats
+    cut_off: NDArray[np.bool_]
+    confidence: Floats
+
+    def __len__(self) -> int:
+        """The number of people followed, newcomers included."""
+        return len(self.track)
+
+    @property
+    def confirmed(self) -> NDArray[np.bool_]:
+        """(people,) whose track has an id."""
+        return self.track > 0
+
+    def select(self, rows: NDArray[Any]) -> Population:
+        """The people at these rows (indices or a mask)."""
+        return Population(*(getattr(self, name)[rows] for name in _NAMES))
+
+    def replace(self, **columns: NDArray[Any]) -> Population:
+        """The same people with some columns replaced."""
+        return dataclasses.replace(self, **columns)
+
+    def changed(self, rows: NDArray[np.intp], **values: NDArray[Any]) -> Population:
+        """The same people with new values at some rows of some columns."""
+        columns: dict[str, NDArray[Any]] = {}
+        for name, value in values.items():
+            column = getattr(self, name).copy()
+            column[rows] = value
+            columns[name] = column
+        return self.replace(**columns)
+
+
+_NAMES = tuple(field.name for field in dataclasses.fields(Population))
+
+
+def joined(populations: Sequence[Population]) -> Population:
+    """The people of all populations, in order."""
+    return Population(
+        *(np.concatenate([getattr(each, name) for each in populations]) for name in _NAMES)
+    )
+
+
+def nobody(particles: int, cues: int, bins: int) -> Population:
+    """A population without people, ready to be joined with."""
+    shapes: dict[str, tuple[tuple[int, ...], type]] = {
+        "track": ((), np.int32),
+        "particles": ((particles, 2), np.float32),
+        "weight": ((particles,), np.float32),
+        "position": ((2,), np.float64),
+        "velocity": ((2,), np.float64),
+        "matches": ((), np.int32),
+        "missed_s": ((), np.float64),
+        "seen_at": ((2,), np.float64),
+        "colour": ((cues, bins), np.float32),
+        "anchors": ((2, 2), np.float64),
+        "anchor_age_s": ((), np.float64),
+        "stature": ((2,), np.float64),
+        "cut_off": ((), np.bool_),
+        "confidence": ((), np.float64),
+    }
+    return Population(*(np.zeros((0, *shapes[name][0]), shapes[name][1]) for name in _NAMES))

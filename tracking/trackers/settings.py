@@ -1,0 +1,148 @@
+"""Settings of a tracker: told by their dataclass, read from text, checked at the door.
+
+A tracker's settings are a frozen dataclass whose field metadata holds `unit`, `range` and `help`.
+A field may itself be such a dataclass (the settings of an earlier stage); its fields are then
+named with a dot, e.g. `people.minimum_height_m`. The form, the command line and the checks below
+all come from that one description.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, get_type_hints
+
+from tracking.errors import SettingsError
+
+SettingValue = bool | int | float | str
+
+
+@dataclass(frozen=True, slots=True)
+class SettingField:
+    """One setting, described for a form, the command line or a page of documentation.
+
+    Attributes:
+        name: dotted where it belongs to an earlier stage.
+        type: bool, int, float or str.
+        default: in force where nothing else is asked for.
+        unit: "" for a pure number.
+        range: lowest and highest value allowed; None where any will do.
+        help: one line.
+    """
+
+    name: str
+    type: type
+    default: SettingValue
+    unit: str
+    range: tuple[float, float] | None
+    help: str
+
+
+def setting(default: Any, unit: str, allowed: tuple[float, float] | None, help: str) -> Any:
+    """A dataclass field with its description; see `SettingField`."""
+    return dataclasses.field(
+        default=default, metadata={"unit": unit, "range": allowed, "help": help}
+    )
+
+
+def settings_fields(settings_type: type) -> list[SettingField]:
+    """Every setting of a settings dataclass, those of nested stages with dotted names."""
+    return list(_fields(settings_type(), ""))
+
+
+def settings_values(settings: Any) -> dict[str, SettingValue]:
+    """The settings in force by their (dotted) names: plain JSON values, as a run keeps them."""
+    return {field.name: field.default for field in _fields(settings, "")}
+
+
+def settings_from(settings_type: type, values: Mapping[str, Any]) -> Any:
+    """The settings with some values replaced; raises `SettingsError` as `settings_from_text`."""
+    known = {field.name: field for field in settings_fields(settings_type)}
+    for name, value in values.items():
+        if name not in known:
+            raise SettingsError(_unknown(name, list(known)))
+        _check(known[name], value)
+    return _replaced(settings_type(), dict(values))
+
+
+def settings_from_text(settings_type: type, texts: Mapping[str, str]) -> Any:
+    """The settings with some values replaced by what the texts say.
+
+    Raises `SettingsError`: the name is unknown, the text is no value of its type, or it is out
+    of range; the message names the setting, what came and what is allowed.
+    """
+    known = {field.name: field for field in settings_fields(settings_type)}
+    values: dict[str, SettingValue] = {}
+    for name, text in texts.items():
+        if name not in known:
+            raise SettingsError(_unknown(name, list(known)))
+        values[name] = _parsed(known[name], text.strip())
+    return settings_from(settings_type, values)
+
+
+def _fields(settings: Any, prefix: str) -> Iterator[SettingField]:
+    hints = get_type_hints(type(settings))
+    for field in dataclasses.fields(settings):
+        value = getattr(settings, field.name)
+        if dataclasses.is_dataclass(value):
+            yield from _fields(value, f"{prefix}{field.name}.")
+            continue
+        about = field.metadata
+        hint = hints[field.name]
+        kind = hint if hint in (bool, int, float, str) else type(value)
+        allowed = about.get("range")
+        yield SettingField(
+            prefix + field.name, kind, value, about.get("unit", ""), allowed, about.get("help", "")
+        )
+
+
+def _replaced(settings: Any, values: Mapping[str, Any]) -> Any:
+    """A copy of the settings with dotted values put in."""
+    changes: dict[str, Any] = {}
+    for field in dataclasses.fields(settings):
+        inner = f"{field.name}."
+        nested = {k.removeprefix(inner): v for k, v in values.items() if k.startswith(inner)}
+        if nested:
+            changes[field.name] = _replaced(getattr(settings, field.name), nested)
+        elif field.name in values:
+            changes[field.name] = values[field.name]
+    return dataclasses.replace(settings, **changes)
+
+
+def _parsed(field: SettingField, text: str) -> SettingValue:
+    words = {"true": True, "yes": True, "on": True, "1": True}
+    words |= {"false": False, "no": False, "off": False, "0": False}
+    try:
+        return words[text.lower()] if field.type is bool else field.type(text)
+    except (KeyError, ValueError):
+        kinds = {bool: "true or false", int: "a whole number", float: "a number"}
+        message = f"setting {field.name}={text}: must be {kinds[field.type]}{_allowed(field)}"
+        raise SettingsError(message) from None
+
+
+def _check(field: SettingField, value: Any) -> None:
+    if field.type in (int, float) and not isinstance(value, bool):
+        fits = isinstance(value, int) or (field.type is float and isinstance(value, float))
+    else:
+        fits = type(value) is field.type
+    low, high = field.range or (-math.inf, math.inf)
+    if not fits or (isinstance(value, int | float) and not low <= value <= high):
+        kind = {int: "a whole number", float: "a number"}.get(field.type, field.type.__name__)
+        message = f"setting {field.name}={value}: must be {kind}{_allowed(field)}"
+        raise SettingsError(message)
+
+
+def _allowed(field: SettingField) -> str:
+    if field.range is None:
+        return ""
+    low, high = field.range
+    return f" from {low:g} to {high:g}" + (f" {field.unit}" if field.unit else "")
+
+
+def _unknown(name: str, known: list[str]) -> str:
+    near = difflib.get_close_matches(name, known, n=1, cutoff=0.4)
+    hint = f"did you mean {near[0]}?" if near else "the trackers command lists all settings"
+    return f"setting {name} is unknown: {hint}"

@@ -1,0 +1,128 @@
+"""The particle filter over people that both stereo trackers are."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import Association, associate, move, resample
+from tracking.geometry import View
+from tracking.people import Detections, StereoPerception
+from tracking.recording import Recording
+from tracking.trackers.births_and_ends import confirmed, newcomers, still_there
+from tracking.trackers.population import Population, joined, nobody
+from tracking.trackers.protocol import Observation, StepResult
+from tracking.trackers.stereo_cues import Costs, Cues, costs_of
+from tracking.trackers.stereo_result import step_result
+from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.trackers.stereo_update import Match, aged, matched
+
+Colours = NDArray[np.float32]
+_LONG_MISSED_S = 0.5
+"""People missed for longer choose after those who were just seen."""
+
+
+def see(recording: Recording, settings: StereoTrackerSettings) -> StereoPerception:
+    """The perception of a stereo tracker, at its start."""
+    return StereoPerception(
+        recording.rectification,
+        recording.ground,
+        recording.fps,
+        foreground=settings.foreground,
+        stereo=settings.stereo,
+        people=settings.people,
+    )
+
+
+class StereoTracker:
+    """Follows people over stereo observations with one particle set each.
+
+    The five steps of [Kawashita2012] and [Kawashita2014], for all people at once: predict,
+    cost of all pairs, associate, weigh with the matched detection, resample; new people are
+    initialised at what is left. What the two papers do differently is in their `Cues`.
+
+    Where we differ from the sources and why:
+        - a newcomer must be seen in several frames before it gets an id: noise is not a person;
+        - people seen a moment ago choose their detections before those missed for long, who
+          search wider: an old track does not take what belongs to a present one;
+        - a match far from all particles scatters them anew around it: the cloud had lost its
+          person, and resampling would leave it as one point;
+        - velocity is smoothed over several matches: one frame's movement is mostly noise;
+        - a person who is expected outside the picture, or was last seen at its edge, ends sooner.
+    """
+
+    def __init__(self, view: View, settings: StereoTrackerSettings, cues: Cues, seed: int) -> None:
+        """Nobody is followed yet; all randomness comes from the seed."""
+        self._view = view
+        self._settings = settings
+        self._cues = cues
+        self._random = np.random.default_rng(seed)
+        self._people: Population | None = None
+        self._last_id = 0
+        self._time_s = 0.0
+
+    @property
+    def settings(self) -> StereoTrackerSettings:
+        """The settings in force."""
+        return self._settings
+
+    def step(self, observation: Observation) -> StepResult:
+        """Take one frame further."""
+        seen = observation.people
+        colours = self._cues.seen(seen)
+        if self._people is None:
+            self._people = nobody(self._settings.particles, *colours.shape[1:])
+            self._time_s = observation.time_s
+        elapsed_s = observation.time_s - self._time_s
+        self._time_s = observation.time_s
+        measured = seen.position[:, :2]
+        expected = self._predicted(self._people, elapsed_s)
+        costs = costs_of(expected, measured, colours, self._cues, self._settings)
+        pairs = self._matched(expected, costs, ~seen.merged)
+        people = aged(expected, pairs.track, elapsed_s)
+        since_s = expected.missed_s[pairs.track] + elapsed_s
+        match = Match(pairs, seen, colours, since_s)
+        people = matched(people, match, self._cues, self._settings, self._random)
+        people = self._cues.walked(people, elapsed_s)
+        people, self._last_id = confirmed(people, self._settings.confirm_matches, self._last_id)
+        result = step_result(observation, people, pairs, costs, self._view)
+        self._people = self._carried(people, pairs, seen, colours)
+        return result
+
+    def _predicted(self, people: Population, elapsed_s: float) -> Population:
+        """Everybody moved at their velocity, with a spread that grows while they are missed."""
+        settings = self._settings
+        spread = settings.spread_m * np.sqrt(elapsed_s)
+        spreads = spread * (1.0 + settings.spread_growth * people.missed_s)
+        step = people.velocity * elapsed_s
+        return people.replace(
+            particles=move(people.particles, step, spreads, self._random),
+            position=people.position + step,
+        )
+
+    def _matched(self, people: Population, costs: Costs, usable: NDArray[np.bool_]) -> Association:
+        """Who is which detection: first those just seen, then newcomers and the long missed."""
+        present = people.confirmed & (people.missed_s < _LONG_MISSED_S)
+        free = usable.copy()
+        stages = []
+        for rows in (np.flatnonzero(present), np.flatnonzero(~present)):
+            columns = np.flatnonzero(free)
+            block = np.ix_(rows, columns)
+            found = associate(costs.total[block], costs.allowed[block], self._settings.cost_limit)
+            track, detection = rows[found.track], columns[found.detection]
+            free[detection] = False
+            stages.append((track, detection, found.margin))
+        track, detection, margin = (np.concatenate(parts) for parts in zip(*stages, strict=True))
+        order = np.argsort(track)
+        return Association(track[order], detection[order], margin[order])
+
+    def _carried(
+        self, people: Population, pairs: Association, seen: Detections, colours: Colours
+    ) -> Population:
+        """Who goes into the next frame: resampled, the lost left behind, newcomers joined."""
+        resampled = resample(people.particles, people.weight, self._random)
+        people = people.replace(particles=resampled)
+        free = ~seen.merged
+        free[pairs.detection] = False
+        new = newcomers(people, seen, colours, np.flatnonzero(free), self._settings, self._random)
+        return joined((people.select(still_there(people, self._settings, self._view)), new))

@@ -1,0 +1,68 @@
+"""The tracker of [Kawashita2012]: subtraction stereo, distance and the colour of two halves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people import Detections, StereoPerception
+from tracking.recording import Recording
+from tracking.trackers.population import Population
+from tracking.trackers.settings import setting
+from tracking.trackers.stereo import StereoTracker, see
+from tracking.trackers.stereo_settings import StereoTrackerSettings
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class StereoColourSettings(StereoTrackerSettings):
+    """Settings of `stereo-colour`."""
+
+    particles: int = setting(700, "", (10, 20000), "particles for each person")
+    cost_limit: float = setting(
+        1.6, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
+    )
+    model_frames: int = setting(
+        5, "", (1, 1000), "first frames of a person that its colours are the mean of"
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class HalvesOfFirstFrames:
+    """Hue of the upper and the lower body, each the mean over a person's first frames."""
+
+    settings: StereoColourSettings
+
+    def seen(self, people: Detections) -> NDArray[np.float32]:
+        """(detections, 2, bins) histograms."""
+        return np.stack((people.upper, people.lower), axis=1)
+
+    def updated(
+        self, model: NDArray[np.float32], seen: NDArray[np.float32], matches: NDArray[np.int32]
+    ) -> NDArray[np.float32]:
+        """The models after one more match; they stand still once the first frames are over.
+
+        Args:
+            model, seen: (people, 2, bins). matches: (people,) before this one.
+        """
+        share = np.where(matches < self.settings.model_frames, 1.0 / (matches + 1), 0.0)
+        return model + share.astype(np.float32)[:, None, None] * (seen - model)
+
+    def direction(self, people: Population, measured: Floats) -> Floats:
+        """The walking direction is no cue of this paper's: NaN for all pairs."""
+        return np.full((len(people), len(measured)), np.nan)
+
+    def walked(self, people: Population, elapsed_s: float) -> Population:  # noqa: ARG002
+        """Nothing is kept of where people walked."""
+        return people
+
+
+def build(
+    recording: Recording, settings: StereoColourSettings, seed: int
+) -> tuple[StereoPerception, StereoTracker]:
+    """Perception and tracker at their start."""
+    cues = HalvesOfFirstFrames(settings)
+    return see(recording, settings), StereoTracker(recording.view, settings, cues, seed)

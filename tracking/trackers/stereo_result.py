@@ -1,0 +1,110 @@
+"""A stereo tracker's frame as the columns of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import Association
+from tracking.geometry import View
+from tracking.people import Detections
+from tracking.trackers.population import Population
+from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Observation, StepResult
+from tracking.trackers.stereo_boxes import body_boxes, visibility
+from tracking.trackers.stereo_cues import Costs
+from tracking.tracks.columns import (
+    DETECTION_COLUMNS,
+    PARTICLE_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+)
+
+
+def step_result(
+    observation: Observation, people: Population, pairs: Association, costs: Costs, view: View
+) -> StepResult:
+    """The frame's result: confirmed people only, sorted by track."""
+    rows = np.flatnonzero(people.confirmed)
+    rows = rows[np.argsort(people.track[rows])]
+    shown = people.select(rows)
+    frame = observation.frame
+    return StepResult(
+        frame=frame,
+        tracks=_tracks(frame, shown, view),
+        detections=_detections(frame, observation.people, people, pairs),
+        particles=_particles(shown),
+        associations=_associations(frame, people, pairs, costs),
+    )
+
+
+def _tracks(frame: int, people: Population, view: View) -> Columns:
+    box = body_boxes(people, view)
+    range_m = np.hypot(people.position[:, 0], people.position[:, 1])
+    values = {
+        "frame": np.full(len(people), frame),
+        "track": people.track,
+        **_sides(box),
+        "x": people.position[:, 0],
+        "y": people.position[:, 1],
+        "vx": people.velocity[:, 0],
+        "vy": people.velocity[:, 1],
+        "confidence": people.confidence,
+        "visibility": visibility(box, range_m, view.camera.size),
+        "predicted": people.missed_s > 0.0,
+    }
+    return _typed(values, TRACK_COLUMNS)
+
+
+def _detections(frame: int, seen: Detections, people: Population, pairs: Association) -> Columns:
+    track = np.zeros(len(seen), np.int32)
+    track[pairs.detection] = people.track[pairs.track]
+    x, y, z = seen.position.T
+    values = {
+        "frame": np.full(len(seen), frame),
+        **_sides(seen.box),
+        "x": x,
+        "y": y,
+        "z": z,
+        "track": track,
+    }
+    return _typed(values, DETECTION_COLUMNS)
+
+
+def _particles(people: Population) -> Columns:
+    values = {
+        "track": np.repeat(people.track, people.weight.shape[1]),
+        "x": people.particles[..., 0].ravel(),
+        "y": people.particles[..., 1].ravel(),
+        "weight": people.weight.ravel(),
+    }
+    return _typed(values, PARTICLE_COLUMNS)
+
+
+def _associations(frame: int, people: Population, pairs: Association, costs: Costs) -> Columns:
+    """Matches of people with an id, sorted by track."""
+    track = people.track[pairs.track]
+    order = np.argsort(track, kind="stable")
+    order = order[track[order] > 0]
+    chosen = pairs.track[order], pairs.detection[order]
+    values = {
+        "frame": np.full(len(order), frame),
+        "track": track[order],
+        "distance": costs.distance[chosen],
+        "colour": costs.colour[chosen],
+        "direction": costs.direction[chosen],
+        "total": costs.total[chosen],
+        "margin": pairs.margin[order],
+    }
+    return _typed(values, ASSOCIATION_COLUMNS)
+
+
+def _sides(box: NDArray[np.float64]) -> Columns:
+    return dict(zip(("left", "top", "width", "height"), box.T, strict=True))
+
+
+def _typed(values: Columns, columns: Mapping[str, np.dtype[Any]]) -> Columns:
+    """The values in the columns' order and types."""
+    return {name: np.ascontiguousarray(values[name], dtype) for name, dtype in columns.items()}

@@ -1,0 +1,60 @@
+"""The settings the two stereo trackers share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from tracking.foreground import ForegroundSettings
+from tracking.people import PeopleSettings
+from tracking.stereo import StereoSettings
+from tracking.trackers.settings import setting
+
+
+@dataclass(frozen=True, slots=True)
+class StereoTrackerSettings:
+    """What a stereo tracker can be told; see the `help` of each field."""
+
+    particles: int = setting(500, "", (10, 20000), "particles for each person")
+    start_spread_m: float = setting(
+        0.25, "m", (0.01, 2.0), "spread of a newcomer's particles around the first detection"
+    )
+    spread_m: float = setting(
+        0.25, "m", (0.01, 3.0), "random spread of the particles after one second of prediction"
+    )
+    spread_growth: float = setting(
+        1.0, "1/s", (0.0, 10.0), "how much the spread grows with each second a person is missed"
+    )
+    sigma_near_m: float = setting(
+        0.15, "m", (0.01, 2.0), "likelihood's standard deviation close to the camera"
+    )
+    sigma_range: float = setting(
+        0.002, "m/m²", (0.0, 0.1), "growth of that deviation with the square of the range"
+    )
+    velocity_memory_s: float = setting(
+        0.4, "s", (0.05, 5.0), "time over which the velocity is smoothed"
+    )
+    gate_m: float = setting(
+        0.9, "m", (0.1, 5.0), "farthest a detection may lie from where a person is expected"
+    )
+    gate_growth: float = setting(
+        1.0, "1/s", (0.0, 10.0), "how much wider that is with each second a person is missed"
+    )
+    cost_limit: float = setting(
+        1.1, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
+    )
+    colour_weight: float = setting(1.0, "", (0.0, 10.0), "weight of the colour cue in the cost")
+    confirm_matches: int = setting(
+        4, "", (1, 100), "frames a newcomer must be seen in before it becomes a track"
+    )
+    birth_distance_m: float = setting(
+        0.5, "m", (0.0, 5.0), "no newcomer starts closer than this to somebody followed"
+    )
+    lost_after_s: float = setting(
+        2.0, "s", (0.05, 60.0), "time without a detection after which a track ends"
+    )
+    lost_at_edge_s: float = setting(
+        0.5, "s", (0.05, 60.0), "the same for a person last seen at the image's edge"
+    )
+    foreground: ForegroundSettings = field(default_factory=ForegroundSettings)
+    stereo: StereoSettings = field(default_factory=StereoSettings)
+    people: PeopleSettings = field(default_factory=PeopleSettings)

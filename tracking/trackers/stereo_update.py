@@ -1,0 +1,122 @@
+"""What a match, or its absence, does to the people followed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import Association, effective_share, scatter, weigh, weighted_mean
+from tracking.people import Detections
+from tracking.trackers.population import Population
+from tracking.trackers.stereo_cues import Cues
+from tracking.trackers.stereo_settings import StereoTrackerSettings
+
+Floats = NDArray[np.float64]
+_SCATTERED_SHARE = 0.01
+"""Below this share of particles that carry weight, the cloud has lost its person."""
+_FASTEST_M_PER_S = 3.0
+_CONFIDENCE_MEMORY_S = 0.5
+_STATURE_SHARE = 0.05
+"""What one more look changes of a body's height and width once it is known."""
+_HEIGHTS_M = (1.2, 2.1)
+_WIDTHS_M = (0.4, 0.8)
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """The people matched in a frame and what was seen of them.
+
+    Attributes:
+        pairs: rows of the population and of the detections.
+        seen: all detections. colours: (detections, cues, bins) of all.
+        since_s: (pairs,) seconds since each matched person's last match.
+    """
+
+    pairs: Association
+    seen: Detections
+    colours: NDArray[np.float32]
+    since_s: Floats
+
+
+def aged(people: Population, rows: NDArray[np.intp], elapsed_s: float) -> Population:
+    """Everybody one frame older: seconds missed, confidence; `rows` are those matched."""
+    missed_s = people.missed_s + elapsed_s
+    missed_s[rows] = 0.0
+    kept = np.exp(-elapsed_s / _CONFIDENCE_MEMORY_S)
+    confidence = people.confidence * kept
+    confidence[rows] += 1.0 - kept
+    weight = np.full_like(people.weight, 1.0 / people.weight.shape[1])
+    return people.replace(missed_s=missed_s, confidence=confidence, weight=weight)
+
+
+def matched(
+    people: Population,
+    match: Match,
+    cues: Cues,
+    settings: StereoTrackerSettings,
+    random: np.random.Generator,
+) -> Population:
+    """The matched people weighed with their detections, and what is learnt from them.
+
+    The predicted `position` of the population is still the expected one here.
+    """
+    rows, chosen = match.pairs.track, match.pairs.detection
+    mine = people.select(rows)
+    measured = match.seen.position[chosen, :2]
+    particles, weight = _weighed(mine.particles, measured, settings, random)
+    position = weighted_mean(particles, weight)
+    return people.changed(
+        rows,
+        particles=particles,
+        weight=weight,
+        position=position,
+        velocity=_velocity(mine, measured, match.since_s, settings.velocity_memory_s),
+        matches=mine.matches + 1,
+        seen_at=position,
+        colour=cues.updated(mine.colour, match.colours[chosen], mine.matches),
+        stature=_stature(mine, match.seen, chosen),
+        cut_off=match.seen.truncated[chosen],
+    )
+
+
+def _weighed(
+    particles: NDArray[np.float32],
+    measured: Floats,
+    settings: StereoTrackerSettings,
+    random: np.random.Generator,
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Particles and weights by the likelihood; lost clouds are scattered anew first."""
+    sigma = settings.sigma_near_m + settings.sigma_range * np.square(measured).sum(axis=1)
+    weight = weigh(particles, measured, sigma)
+    lost = np.flatnonzero(effective_share(weight) < _SCATTERED_SHARE)
+    particles = particles.copy()
+    particles[lost] = scatter(measured[lost], sigma[lost], particles.shape[1], random)
+    weight[lost] = weigh(particles[lost], measured[lost], sigma[lost])
+    return particles, weight
+
+
+def _velocity(people: Population, measured: Floats, since_s: Floats, memory_s: float) -> Floats:
+    """The velocity after a match: a line through the first few, then a fading memory.
+
+    The gains are those of the g-h filter: expanding memory while a person is new, critically
+    damped with time constant `memory_s` later.
+    """
+    count = people.matches + 2.0
+    new = 6.0 / (count * (count + 1.0))
+    settled = (1.0 - np.exp(-since_s / memory_s)) ** 2
+    gain = np.maximum(new, settled) / np.maximum(since_s, 1e-3)
+    velocity = people.velocity + gain[:, None] * (measured - people.position)
+    speed = np.hypot(velocity[:, 0], velocity[:, 1])
+    return velocity * np.minimum(1.0, _FASTEST_M_PER_S / np.maximum(speed, 1e-9))[:, None]
+
+
+def _stature(people: Population, seen: Detections, chosen: NDArray[np.intp]) -> Floats:
+    """Body height and width after one more look; people cut off by the edge teach nothing."""
+    share = np.maximum(_STATURE_SHARE, 1.0 / (people.matches + 3.0))
+    share[seen.truncated[chosen]] = 0.0
+    looked = np.column_stack(
+        (np.clip(seen.size[chosen, 1], *_HEIGHTS_M), np.clip(seen.size[chosen, 0], *_WIDTHS_M))
+    )
+    return people.stature + share[:, None] * (looked - people.stature)
