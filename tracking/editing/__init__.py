@@ -1,1 +1,36 @@
-"""Reversible edits of the tracks and their history."""
+"""Edits: pure planners, one reversible Change, one function that applies it, the log."""
+
+from tracking.editing.change import Change, LabelState, State, apply_change
+from tracking.editing.crossing import propose_swap_frame
+from tracking.editing.history import Entry, History
+from tracking.editing.identities import plan_merge, plan_reassign, plan_split, plan_swap
+from tracking.editing.labelling import (
+    plan_mark_reviewed,
+    plan_occluders,
+    plan_rename,
+    plan_set_attribute,
+    plan_set_notes,
+)
+from tracking.editing.rows import plan_delete, plan_draw_box, plan_move_box
+
+__all__ = [
+    "Change",
+    "Entry",
+    "History",
+    "LabelState",
+    "State",
+    "apply_change",
+    "plan_delete",
+    "plan_draw_box",
+    "plan_mark_reviewed",
+    "plan_merge",
+    "plan_move_box",
+    "plan_occluders",
+    "plan_reassign",
+    "plan_rename",
+    "plan_set_attribute",
+    "plan_set_notes",
+    "plan_split",
+    "plan_swap",
+    "propose_swap_frame",
+]

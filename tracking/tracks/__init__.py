@@ -1,1 +1,37 @@
 """The columnar track table, runs and labels."""
+
+from tracking.tracks.columns import (
+    ASSOCIATION_COLUMNS,
+    CORRECTED_COLUMNS,
+    DETECTION_COLUMNS,
+    PARTICLE_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+    Source,
+    empty,
+)
+from tracking.tracks.labels import Labels, Occluder, ReviewedRange, TrackLabel
+from tracking.tracks.run import Particles, Run
+from tracking.tracks.table import TrackTable, check_known
+from tracking.tracks.validation import check_tracks, checked_columns
+
+__all__ = [
+    "ASSOCIATION_COLUMNS",
+    "CORRECTED_COLUMNS",
+    "DETECTION_COLUMNS",
+    "PARTICLE_COLUMNS",
+    "TRACK_COLUMNS",
+    "Columns",
+    "Labels",
+    "Occluder",
+    "Particles",
+    "ReviewedRange",
+    "Run",
+    "Source",
+    "TrackLabel",
+    "TrackTable",
+    "check_known",
+    "check_tracks",
+    "checked_columns",
+    "empty",
+]

@@ -58,6 +58,18 @@ PARTICLE_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
     }
 )
 
+ASSOCIATION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {
+        "frame": np.dtype(np.int32),
+        "track": np.dtype(np.int32),
+        "distance": np.dtype(np.float64),  # costs per cue; NaN where the cue was not used
+        "colour": np.dtype(np.float64),
+        "direction": np.dtype(np.float64),
+        "total": np.dtype(np.float64),
+        "margin": np.dtype(np.float64),  # total cost of the next best choice less this one's
+    }
+)
+
 
 class Source:
     """Values of the corrected table's `source` column."""

@@ -1,0 +1,139 @@
+"""An edit as a value: what was, what will be, and one function that makes it so."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import EditError
+from tracking.tracks import (
+    CORRECTED_COLUMNS,
+    Columns,
+    Labels,
+    Occluder,
+    ReviewedRange,
+    TrackLabel,
+    TrackTable,
+    empty,
+)
+
+Stretches = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True)
+class LabelState:
+    """The labels a change touches, on one side of it.
+
+    Attributes:
+        tracks: labels by track; an empty label says that there is none.
+        occluders, reviewed: all of them, or None where the change does not touch them.
+    """
+
+    tracks: Mapping[int, TrackLabel] = field(default_factory=dict)
+    occluders: tuple[Occluder, ...] | None = None
+    reviewed: tuple[ReviewedRange, ...] | None = None
+
+
+def no_rows() -> Columns:
+    """No rows of the corrected table."""
+    return empty(CORRECTED_COLUMNS)
+
+
+def no_stretches() -> Stretches:
+    """No stretches."""
+    return np.zeros((0, 3), np.int64)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class State:
+    """What a change touches, on one side of it: before or after.
+
+    Attributes:
+        stretches: (k, 3) track, start, end: the rows in that half-open range of frames belong to
+            that track. Row i of one side and row i of the other have the same range.
+        rows: `CORRECTED_COLUMNS` of the rows that stand only on this side.
+        labels: the labels on this side.
+    """
+
+    stretches: Stretches = field(default_factory=no_stretches)
+    rows: Columns = field(default_factory=no_rows)
+    labels: LabelState = LabelState()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Change:
+    """One reversible edit.
+
+    Attributes:
+        kind: one word, e.g. "swap".
+        text: what is done, as people read it, e.g. "Swap 4 and 7 from frame 834 on".
+        frame: where to look at it.
+        before, after: the two sides.
+    """
+
+    kind: str
+    text: str
+    frame: int
+    before: State
+    after: State
+
+    @property
+    def inverse(self) -> Change:
+        """The change that undoes this one exactly."""
+        return replace(self, before=self.after, after=self.before)
+
+    @property
+    def tracks(self) -> tuple[int, ...]:
+        """The tracks it touches, ascending."""
+        touched: set[int] = set()
+        for side in (self.before, self.after):
+            touched.update(side.stretches[:, 0].tolist(), np.unique(side.rows["track"]).tolist())
+            touched.update(side.labels.tracks)
+        return tuple(sorted(touched))
+
+
+def apply_change(table: TrackTable, labels: Labels, change: Change) -> Labels:
+    """Change the table in place and return the new labels: all of it or nothing.
+
+    The only way tables and labels change. Raises EditError where the table or the labels are not
+    as they were when the change was planned.
+    """
+    changed = _relabelled(labels, change.before.labels, change.after.labels)
+    moves = _moves(change)
+    rows_out, rows_in = change.before.rows, change.after.rows
+    if len(moves) or len(rows_out["frame"]) or len(rows_in["frame"]):
+        table.rewrite(rows_out, moves, rows_in)
+    return changed
+
+
+def _moves(change: Change) -> Stretches:
+    before, after = change.before.stretches, change.after.stretches
+    if before.shape != after.shape or not np.array_equal(before[:, 1:], after[:, 1:]):
+        raise EditError(f"{change.text}: the two sides name different stretches of frames")
+    return np.column_stack([before[:, 0], after[:, 0], before[:, 1:]])
+
+
+def _relabelled(labels: Labels, before: LabelState, after: LabelState) -> Labels:
+    if before.tracks.keys() != after.tracks.keys():
+        raise EditError("the two sides of the edit name different tracks")
+    for track, label in before.tracks.items():
+        if labels.of_track(track) != label:
+            raise EditError(f"track {track}: its label is not what the edit was planned on")
+    changed = labels
+    for track, label in after.tracks.items():
+        changed = changed.with_track(track, label)
+    if after.occluders is not None:
+        _same(labels.occluders, before.occluders, "occluders")
+        changed = replace(changed, occluders=after.occluders)
+    if after.reviewed is not None:
+        _same(labels.reviewed, before.reviewed, "reviewed ranges")
+        changed = replace(changed, reviewed=after.reviewed)
+    return changed
+
+
+def _same(present: object, planned: object, what: str) -> None:
+    if present != planned:
+        raise EditError(f"the {what} are not what the edit was planned on")

@@ -1,0 +1,268 @@
+"""The corrected table: who is where in which frame.
+
+Made for ten million rows. A row lives in a slot whose frame and values never change; only the
+track a slot belongs to does (0: to none, the row is deleted). A change of identity is therefore
+a write of a few integers, a deletion likewise, and the values can be shared with the run they
+came from and with snapshots. Rows that are added stand behind the others, in the tail.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tracking.errors import EditError
+from tracking.tracks.columns import CORRECTED_COLUMNS, Columns, Source, empty
+from tracking.tracks.rewriting import Rewriting
+from tracking.tracks.validation import LARGEST_NUMBER, check_tracks, checked_columns
+
+Slots = NDArray[np.int64]
+_VALUES = tuple(name for name in CORRECTED_COLUMNS if name != "track")
+_SMALLEST_LONG_TAIL = 200_000
+
+
+class TrackTable:
+    """Rows of `CORRECTED_COLUMNS`, at most one a frame and track.
+
+    Reading is free to all; only `tracking.editing.apply_change` calls `rewrite`.
+    """
+
+    def __init__(
+        self, columns: Mapping[str, ArrayLike] | None = None, *, highest_track: int = 0
+    ) -> None:
+        """Take over columns sorted by frame, then track; the arrays are kept, never written to.
+
+        A run's columns do: `source` may be missing and is then the tracker. highest_track is the
+        highest id ever used, where that is higher than any in the columns.
+        Raises EditError for columns that are no table (see `checked_columns`, `check_tracks`).
+        """
+        given: dict[str, ArrayLike] = dict(empty(CORRECTED_COLUMNS) if columns is None else columns)
+        if "source" not in given and "frame" in given:
+            given["source"] = np.full(len(np.asarray(given["frame"])), Source.TRACKER, np.uint8)
+        checked = checked_columns(given, CORRECTED_COLUMNS)
+        check_tracks(checked)
+        self._revision = 0
+        self._highest_track = max(highest_track, int(checked["track"].max(initial=0)))
+        self._hold(checked)
+
+    def _hold(self, columns: dict[str, NDArray[Any]]) -> None:
+        """Start from sorted rows without a tail."""
+        self._base = {name: _read_only(columns[name]) for name in _VALUES}
+        self._tail = {name: self._base[name][:0] for name in _VALUES}
+        self._tail_order: Slots = np.zeros(0, np.int64)
+        self._track = columns["track"].copy()
+        self._sorted: dict[str, NDArray[Any]] | None = {
+            name: _read_only(columns[name]) for name in CORRECTED_COLUMNS
+        }
+        self._slots: dict[int, Slots] | None = None
+
+    # Reading
+
+    def __len__(self) -> int:
+        """The number of rows."""
+        return sum(len(slots) for slots in self._index.values())
+
+    @property
+    def revision(self) -> int:
+        """Goes up with every change; what was computed from the table is good while it stays."""
+        return self._revision
+
+    @property
+    def highest_track(self) -> int:
+        """The highest id ever used, also by tracks that are gone; ids are never used again."""
+        return self._highest_track
+
+    @property
+    def track_ids(self) -> tuple[int, ...]:
+        """The ids of all tracks with at least one row, ascending."""
+        return tuple(sorted(self._index))
+
+    @property
+    def frame_stop(self) -> int:
+        """One past the last frame with a row; 0 for an empty table."""
+        ends = [self.frame_range(track)[1] for track in self._index]
+        return max(ends, default=0)
+
+    def __contains__(self, track: object) -> bool:
+        """Whether the track has a row."""
+        return track in self._index
+
+    def of_frame(self, frame: int) -> dict[str, NDArray[Any]]:
+        """The rows of one frame, sorted by track; empty where nobody is."""
+        start, end = np.searchsorted(self._base["frame"], (frame, frame + 1))
+        slots = np.arange(start, end)
+        if len(self._tail_order):
+            frames = self._tail["frame"][self._tail_order]
+            first, last = np.searchsorted(frames, (frame, frame + 1))
+            slots = np.concatenate([slots, len(self._base["frame"]) + self._tail_order[first:last]])
+        tracks = self._track[slots]
+        order = np.argsort(tracks, kind="stable")
+        return self._rows(slots[order[np.count_nonzero(tracks == 0) :]])
+
+    def of_track(
+        self, track: int, start: int = 0, end: int | None = None
+    ) -> dict[str, NDArray[Any]]:
+        """The rows of one track in the half-open range of frames, sorted by frame."""
+        slots, frames = self._slots_and_frames(track)
+        first, last = np.searchsorted(frames, (start, LARGEST_NUMBER if end is None else end))
+        return self._rows(slots[first:last])
+
+    def frames_of_track(self, track: int) -> NDArray[np.int32]:
+        """The frames in which the track stands, ascending; empty for an unknown track."""
+        return self._slots_and_frames(track)[1]
+
+    def rows_of_track(self, track: int) -> int:
+        """How many rows the track has."""
+        return len(self._index.get(track, ()))
+
+    def frame_range(self, track: int) -> tuple[int, int]:
+        """First frame and one past the last of a track; (0, 0) for an unknown one."""
+        slots = self._index.get(track)
+        if slots is None:
+            return (0, 0)
+        first, last = self._value("frame", slots[[0, -1]])
+        return int(first), int(last) + 1
+
+    def activity(self, frame_count: int) -> NDArray[np.uint16]:
+        """(frame_count,) the number of people in each frame."""
+        frames = np.concatenate([self._base["frame"], self._tail["frame"]])[self._track > 0]
+        counts = np.bincount(frames[frames < frame_count], minlength=frame_count)
+        return np.minimum(counts, np.iinfo(np.uint16).max).astype(np.uint16)
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """All rows, sorted by frame then track: read-only arrays."""
+        if self._sorted is None:
+            self._sorted = self._sort()
+        return dict(self._sorted)
+
+    def snapshot(self) -> TrackTable:
+        """A table of its own with the rows of now; quick, the values are shared."""
+        copy = TrackTable.__new__(TrackTable)
+        copy._revision, copy._highest_track = self._revision, self._highest_track
+        copy._base, copy._tail, copy._tail_order = self._base, self._tail, self._tail_order
+        copy._track = self._track.copy()
+        copy._sorted = self._sorted
+        copy._slots = None if self._slots is None else dict(self._slots)
+        return copy
+
+    # Changing
+
+    def rewrite(self, out: Columns, moves: NDArray[np.int64], rows: Columns) -> None:
+        """Take rows out, hand stretches from track to track, put rows in; all or nothing.
+
+        Only `tracking.editing.apply_change` calls this.
+
+        Args:
+            out: `CORRECTED_COLUMNS` of rows that stand in the table with exactly these values.
+            moves: (k, 4) from track, to track, start, end: the rows of a track in that half-open
+                range go over to the other, all at once.
+            rows: `CORRECTED_COLUMNS` to put in.
+
+        Raises:
+            EditError: a row to take out is not there, a place is taken, or the moves could not be
+                undone exactly because the receiving track has rows of its own in the range.
+        """
+        added = checked_columns(rows, CORRECTED_COLUMNS, "rows to add")
+        plan = Rewriting(self._slots_and_frames)
+        plan.take_out(out, self._rows)
+        plan.move(moves)
+        plan.put_in(added, first_slot=len(self._track))
+        plan.check()
+        self._append(added)
+        for track, slots in plan.arriving():
+            self._track[slots] = track
+        for slots in plan.gone():
+            self._track[slots] = 0
+        self._index.update(plan.kept)
+        for track in [track for track, slots in plan.kept.items() if not len(slots)]:
+            del self._index[track]
+        self._highest_track = max([self._highest_track, *plan.kept])
+        self._revision += 1
+        self._sorted = None
+        self._shorten_tail()
+
+    def _append(self, rows: dict[str, NDArray[Any]]) -> None:
+        if not len(rows["frame"]):
+            return
+        self._tail = {
+            name: _read_only(np.concatenate([self._tail[name], rows[name]])) for name in _VALUES
+        }
+        self._tail_order = np.argsort(self._tail["frame"], kind="stable")
+        self._track = np.concatenate([self._track, np.zeros(len(rows["frame"]), np.int32)])
+
+    def _shorten_tail(self) -> None:
+        """Sort everything anew once the tail has grown long; seldom enough to cost nothing."""
+        if len(self._tail["frame"]) > max(_SMALLEST_LONG_TAIL, len(self._base["frame"]) // 4):
+            self._hold(self._sort())
+
+    def _sort(self) -> dict[str, NDArray[Any]]:
+        frames = np.concatenate([self._base["frame"], self._tail["frame"]]).astype(np.int64)
+        order = np.argsort((frames << 32) | self._track, kind="stable")
+        rows = self._rows(order[self._track[order] > 0])
+        return {name: _read_only(column) for name, column in rows.items()}
+
+    # Slots
+
+    @property
+    def _index(self) -> dict[int, Slots]:
+        """Per track its slots, by frame; made at first use."""
+        if self._slots is None:
+            self._slots = _slots_by_track(self._track)
+            if len(self._tail_order):
+                for track, slots in self._slots.items():
+                    order = np.argsort(self._value("frame", slots), kind="stable")
+                    self._slots[track] = slots[order]
+        return self._slots
+
+    def _slots_and_frames(self, track: int) -> tuple[Slots, NDArray[np.int32]]:
+        slots = self._index.get(track, np.zeros(0, np.int64))
+        return slots, self._value("frame", slots)
+
+    def _rows(self, slots: Slots) -> dict[str, NDArray[Any]]:
+        return {
+            name: self._track[slots] if name == "track" else self._value(name, slots)
+            for name in CORRECTED_COLUMNS
+        }
+
+    def _value(self, name: str, slots: Slots) -> NDArray[Any]:
+        base, tail = self._base[name], self._tail[name]
+        if not len(tail):
+            return base[slots]
+        in_tail = slots >= len(base)
+        values = np.empty(len(slots), base.dtype)
+        values[~in_tail] = base[slots[~in_tail]]
+        values[in_tail] = tail[slots[in_tail] - len(base)]
+        return values
+
+
+def _slots_by_track(tracks: NDArray[np.int32]) -> dict[int, Slots]:
+    """Group slot numbers by track, keeping their order within a track."""
+    # NumPy sorts 16-bit numbers by radix: two passes are far quicker than one sort of 32 bits.
+    order = np.argsort(tracks.astype(np.uint16), kind="stable")
+    if int(tracks.max(initial=0)) > np.iinfo(np.uint16).max:
+        order = order[np.argsort((tracks[order] >> 16).astype(np.uint16), kind="stable")]
+    ordered = tracks[order]
+    cuts = np.flatnonzero(ordered[1:] != ordered[:-1]) + 1
+    starts = np.concatenate([[0], cuts]) if len(ordered) else np.zeros(0, np.int64)
+    groups = zip(ordered[starts].tolist(), np.split(order, cuts), strict=False)
+    return {track: slots for track, slots in groups if track > 0}
+
+
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
+    view = array.view()
+    view.flags.writeable = False
+    return view
+
+
+def check_known(table: TrackTable, *tracks: int) -> None:
+    """Raise EditError where a track has no row."""
+    for track in tracks:
+        if track not in table:
+            known = table.track_ids
+            span = (
+                f"there are {len(known)}, from {known[0]} to {known[-1]}" if known else "no tracks"
+            )
+            raise EditError(f"track {track} is not in the table ({span})")
