@@ -1,6 +1,7 @@
 """Cameras, the floor and calibration files."""
 
 from tracking.geometry.camera import Camera
+from tracking.geometry.files import read_calibration, write_calibration
 from tracking.geometry.ground import Ground
 from tracking.geometry.rectification import Rectification
 from tracking.geometry.stereo_calibration import StereoCalibration
@@ -12,4 +13,6 @@ __all__ = [
     "Rectification",
     "StereoCalibration",
     "View",
+    "read_calibration",
+    "write_calibration",
 ]

@@ -104,7 +104,7 @@ class Lens:
         edge_factor = self.distorted[-1] / self.limit
         slope = np.where(beyond, edge_factor, slope)[:, None]
         factor = np.where(beyond[:, None], edge_factor, factor)
-        return outward * radial / slope + (miss - outward * radial) / factor
+        return np.asarray(outward * radial / slope + (miss - outward * radial) / factor)
 
 
 def _radial_factor(coefficients: Floats, radius: Floats) -> tuple[Floats, Floats]:

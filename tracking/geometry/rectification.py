@@ -213,7 +213,7 @@ class _Map:
         # Pixels behind the camera come from nowhere: far outside, so that they stay black.
         known = np.nan_to_num(recorded, nan=-1e4).astype(np.float32)
         known = known.clip(-1e4, 3e4).reshape(size[1], size[0], 2)
-        self._whole, self._fraction = cv2.convertMaps(known, None, cv2.CV_16SC2)
+        self._whole, self._fraction = cv2.convertMaps(known, np.empty(0, np.float32), cv2.CV_16SC2)
 
     def apply(self, image: Image) -> Image:
         """The image seen through the map."""

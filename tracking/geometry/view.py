@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -100,8 +101,7 @@ def _border(width: int, height: int) -> Floats:
     """Pixels (k, 2) along the image's outer edge, clockwise from the top left."""
     share = np.arange(_BORDER_POINTS) / _BORDER_POINTS
     corners = np.array([[0, 0], [width, 0], [width, height], [0, height], [0, 0]]) - 0.5
-    sides = zip(corners[:-1], corners[1:], strict=True)
-    return np.concatenate([a + share[:, None] * (b - a) for a, b in sides])
+    return np.concatenate([a + share[:, None] * (b - a) for a, b in pairwise(corners)])
 
 
 def _body(height_m: float, width_m: float) -> Floats:

@@ -1,0 +1,66 @@
+"""OpenCV's calibration files: M1 D1 M2 D2 R T by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tracking.errors import CalibrationError
+from tracking.geometry.camera import Camera
+from tracking.geometry.lens import Floats
+from tracking.geometry.stereo_calibration import StereoCalibration
+
+_SINGLE_NAMES = {"camera_matrix": "M1", "distortion_coefficients": "D1"}
+"""Names that OpenCV's sample for one camera writes, and ours."""
+
+
+def calibration_of_opencv(
+    values: Mapping[str, Any], where: Path, size: tuple[int, int] | None
+) -> StereoCalibration:
+    """The calibration of one file's values, or of an intrinsics and extrinsics pair's.
+
+    Args:
+        values: by name; matrices are 2-D arrays.
+        where: the file, for messages.
+        size: width and height to take where the file does not say them.
+    """
+    values = {_SINGLE_NAMES.get(name, name): value for name, value in values.items()}
+    size = _size(values, where, size)
+    left = _camera(values, "1", where, size)
+    if not {"M2", "D2", "R", "T"} & set(values):
+        return StereoCalibration.of_one(left)
+    right = _camera(values, "2", where, size)
+    return StereoCalibration(
+        left, right, _matrix(values, "R", where), _matrix(values, "T", where).ravel()
+    )
+
+
+def _camera(values: Mapping[str, Any], eye: str, where: Path, size: tuple[int, int]) -> Camera:
+    distortion = _matrix(values, f"D{eye}", where) if f"D{eye}" in values else np.zeros(0)
+    return Camera(_matrix(values, f"M{eye}", where), distortion, *size)
+
+
+def _matrix(values: Mapping[str, Any], name: str, where: Path) -> Floats:
+    value = values.get(name)
+    if not isinstance(value, np.ndarray):
+        raise CalibrationError(
+            f"{where}: {name} is missing or no matrix; a calibration needs M1 D1 M2 D2 R T "
+            "(one camera: M1 D1)"
+        )
+    return value
+
+
+def _size(values: Mapping[str, Any], where: Path, size: tuple[int, int] | None) -> tuple[int, int]:
+    if "image_width" not in values and "image_height" not in values:
+        if size is not None:
+            return size
+        raise CalibrationError(f"{where}: says no image size; add image_width and image_height")
+    try:
+        return int(values["image_width"]), int(values["image_height"])
+    except (KeyError, TypeError, ValueError) as error:
+        raise CalibrationError(
+            f"{where}: image_width and image_height are not both whole numbers"
+        ) from error
