@@ -1,1 +1,7 @@
-"""What is not background, and what of it is shadow."""
+"""Foreground: the background learnt and subtracted, shadows removed."""
+
+from tracking.foreground.background import BackgroundModel, Subtraction
+from tracking.foreground.settings import ForegroundSettings
+from tracking.foreground.shadow import ShadowRemover
+
+__all__ = ["BackgroundModel", "ForegroundSettings", "ShadowRemover", "Subtraction"]

@@ -1,1 +1,8 @@
 """Regions of the foreground as people."""
+
+from tracking.people.detections import Detections
+from tracking.people.observation import Observation, Overlays
+from tracking.people.perception import StereoPerception
+from tracking.people.settings import PeopleSettings
+
+__all__ = ["Detections", "Observation", "Overlays", "PeopleSettings", "StereoPerception"]

@@ -1,0 +1,176 @@
+"""What one eye sees where nobody is: learnt, adapted, and subtracted."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.foreground.first_look import commonest_picture
+from tracking.foreground.gain import brightness_ratio
+from tracking.foreground.settings import ForegroundSettings
+
+Picture = NDArray[np.uint8]
+Mask = NDArray[np.uint8]
+
+_SMALLEST_GAIN_STEP = 0.012
+_NOISE_AT_FIRST = 2.0
+_OPENING = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
+
+
+@dataclass(frozen=True, slots=True)
+class Subtraction:
+    """One eye's picture beside its background.
+
+    Attributes:
+        picture: (height, width, 3) the lightly smoothed picture.
+        background: (height, width, 3) what would be seen without people, at the same exposure.
+        mask: (height, width) uint8, 255 where the two differ, else 0.
+        scene_changed: too much differs for people to be told from the change; mask is empty.
+    """
+
+    picture: Picture
+    background: Picture
+    mask: Mask
+    scene_changed: bool
+
+
+class BackgroundModel:
+    """A running mean and deviation per pixel and channel of one fixed eye.
+
+    Slow changes are followed, a change of exposure is taken out at once as one factor, and what
+    stays still without being a person is absorbed after a while. Pixels protected by the caller
+    (people, as told by stereo) are left alone, so that standing people do not melt.
+
+    Frames are given in order: `subtract`, then `update` with the same frame's verdict.
+    """
+
+    def __init__(self, fps: float, settings: ForegroundSettings | None = None) -> None:
+        self._settings = settings or ForegroundSettings()
+        self._every = max(1, round(fps / self._settings.updates_hz))
+        self._period_s = self._every / fps
+        self._mean: NDArray[np.float32] | None = None
+        self._primed = False
+        self._frames = 0
+        self._changed_updates = 0
+
+    def learn(self, pictures: Sequence[Picture]) -> None:
+        """Start from the commonest look of pictures spread over some time, people or not.
+
+        Args:
+            pictures: at least one (height, width, 3), in any order.
+        """
+        picture, deviation = commonest_picture(pictures)
+        self._start(picture)
+        self._noise = np.maximum(deviation, _NOISE_AT_FIRST).astype(np.float32)
+        self._refresh()
+        self._primed = True
+
+    def subtract(self, picture: Picture) -> Subtraction:
+        """Compare a picture with the background, its exposure taken out.
+
+        Args:
+            picture: (height, width, 3) uint8.
+        """
+        smooth = cv2.blur(picture, (3, 3))
+        if self._mean is None:
+            self._start(smooth)
+        self._follow_exposure(smooth)
+        difference = _largest_channel(cv2.absdiff(smooth, self._background))
+        mask = cv2.compare(difference, self._limit, cv2.CMP_GT)
+        cv2.morphologyEx(mask, cv2.MORPH_OPEN, _OPENING, dst=mask)
+        share = cv2.countNonZero(mask) / mask.size
+        changed = share > self._settings.scene_change
+        if changed:
+            mask[:] = 0
+        return Subtraction(smooth, self._background, mask, changed)
+
+    def update(self, seen: Subtraction, people: Mask | None = None) -> None:
+        """Let the background follow what was seen; does its work only every few frames.
+
+        Args:
+            seen: of this frame.
+            people: (height, width) uint8, non-zero where the picture must not be learnt.
+        """
+        self._frames += 1
+        if self._frames % self._every and self._frames > 1:
+            return
+        if seen.scene_changed:
+            self._restart_after_change(seen.picture)
+            return
+        self._changed_updates = 0
+        self._adapt(seen)
+        self._absorb(seen, people)
+        self._refresh()
+
+    def _start(self, picture: Picture) -> None:
+        self._mean = picture.astype(np.float32)
+        self._noise = np.full(picture.shape[:2], _NOISE_AT_FIRST, np.float32)
+        self._candidate = picture.copy()
+        self._stillness_s = np.zeros(picture.shape[:2], np.float32)
+        self._refresh()
+
+    def _refresh(self) -> None:
+        """Make the 8-bit pictures that subtraction compares with."""
+        self._background = cv2.convertScaleAbs(self._mean)
+        limit = cv2.convertScaleAbs(self._noise, alpha=self._settings.noise_factor)
+        self._limit = cv2.max(limit, np.full_like(limit, round(self._settings.threshold)))
+
+    def _follow_exposure(self, picture: Picture) -> None:
+        """Scale the model where the whole picture became brighter or darker."""
+        ratio = brightness_ratio(picture, self._background)
+        if abs(ratio - 1) > _SMALLEST_GAIN_STEP:
+            # The mean is kept unclipped, so what was overexposed comes back as it was.
+            assert self._mean is not None
+            self._mean *= np.float32(ratio)
+            self._background = cv2.convertScaleAbs(self._mean)
+
+    def _restart_after_change(self, picture: Picture) -> None:
+        """Forget the background when a change of the whole scene lasts."""
+        self._changed_updates += 1
+        patience_s = 2.0 if self._primed else 0.0
+        if self._changed_updates * self._period_s > patience_s:
+            self._start(picture)
+            self._changed_updates = 0
+
+    def _adapt(self, seen: Subtraction) -> None:
+        """Follow slow changes where there is no foreground."""
+        rate = 1 - np.exp(-self._period_s / self._settings.adapt_s)
+        still = cv2.bitwise_not(cv2.dilate(seen.mask, _OPENING))
+        difference = _largest_channel(cv2.absdiff(seen.picture, self._background))
+        cv2.accumulateWeighted(seen.picture, self._mean, rate, mask=still)
+        cv2.accumulateWeighted(difference, self._noise, rate, mask=still)
+
+    def _absorb(self, seen: Subtraction, people: Mask | None) -> None:
+        """Take foreground that keeps still and is nobody into the background."""
+        moved = cv2.compare(
+            _largest_channel(cv2.absdiff(seen.picture, self._candidate)), self._limit, cv2.CMP_GT
+        )
+        calm = cv2.bitwise_or(moved, cv2.bitwise_not(seen.mask)).view(bool)
+        np.copyto(self._candidate, seen.picture, where=(moved > 0)[..., None])
+        self._stillness_s += np.float32(self._period_s)
+        self._stillness_s[calm] = 0
+        needed_s = np.float32(self._absorb_after_s())
+        settled = self._stillness_s > needed_s
+        if people is not None:
+            lasting = self._stillness_s > self._settings.absorb_person_s
+            settled &= (people == 0) | lasting
+        if settled.any():
+            assert self._mean is not None
+            self._mean[settled] = seen.picture[settled]
+            self._noise[settled] = _NOISE_AT_FIRST
+
+    def _absorb_after_s(self) -> float:
+        learning = not self._primed and self._frames * self._period_s < (
+            self._settings.learn_s * self._every
+        )
+        return self._settings.absorb_s / 10 if learning else self._settings.absorb_s
+
+
+def _largest_channel(picture: Picture) -> Mask:
+    """(height, width) maximum over the three channels."""
+    blue, green, red = cv2.split(picture)
+    return np.asarray(cv2.max(cv2.max(blue, green), red), np.uint8)

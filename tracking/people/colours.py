@@ -1,0 +1,79 @@
+"""Colour histograms of people."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people.settings import PeopleSettings
+
+Histogram = NDArray[np.float32]
+
+_UPPER = (0.15, 0.5)
+_LOWER = (0.5, 0.85)
+_MIDDLE_ACROSS = 0.6
+"""Bands of a region's box, as shares of its height and width."""
+
+
+def colour_histograms(
+    hue_saturation: NDArray[np.uint8],
+    labels: NDArray[np.uint8],
+    boxes: Sequence[tuple[int, int, int, int]],
+    settings: PeopleSettings,
+) -> tuple[Histogram, Histogram, Histogram]:
+    """Hue of the upper body and of the lower body, and hue with saturation of the middle.
+
+    [Kawashita2012] takes hue histograms from two rectangles placed from the region's centre,
+    [Kawashita2014] hue and saturation from the region's middle, its edge being unreliable. Only the
+    region's own pixels count. Each pixel weighs as much as it is colourful: grey has no hue.
+
+    Args:
+        hue_saturation: (rows, columns, 2) uint8, hue 0 to 179 and saturation.
+        labels: (rows, columns) uint8, k + 1 for the pixels of region k.
+        boxes: left, top, width, height of each region in the same pixels.
+
+    Returns:
+        (k, hue_bins), (k, hue_bins) and (k, hue_bins * saturation_bins), each row summing to 1.
+    """
+    count = len(boxes)
+    upper = np.full((count, settings.hue_bins), 1 / settings.hue_bins, np.float32)
+    lower = upper.copy()
+    bins = settings.hue_bins * settings.saturation_bins
+    middle = np.full((count, bins), 1 / bins, np.float32)
+    for k, box in enumerate(boxes):
+        hue, saturation, height = _inner_pixels(hue_saturation, labels, k + 1, box)
+        weight = saturation.astype(np.float32) + 1
+        above = (height >= _UPPER[0]) & (height < _UPPER[1])
+        below = (height >= _LOWER[0]) & (height < _LOWER[1])
+        hue_bin = hue.astype(np.intp) * settings.hue_bins // 180
+        _fill(upper[k], hue_bin[above], weight[above])
+        _fill(lower[k], hue_bin[below], weight[below])
+        level = saturation.astype(np.intp) * settings.saturation_bins // 256
+        both = hue_bin * settings.saturation_bins + level
+        inner = above | below
+        _fill(middle[k], both[inner], np.ones(np.count_nonzero(inner), np.float32))
+    return upper, lower, middle
+
+
+def _inner_pixels(
+    hue_saturation: NDArray[np.uint8],
+    labels: NDArray[np.uint8],
+    label: int,
+    box: tuple[int, int, int, int],
+) -> tuple[NDArray[np.uint8], NDArray[np.uint8], NDArray[np.float32]]:
+    """Hue, saturation and height (0 top, 1 bottom) of a region's pixels off its sides."""
+    left, top, width, height = box
+    edge = int(width * (1 - _MIDDLE_ACROSS) / 2)
+    cut = np.s_[top : top + height, left + edge : left + width - edge]
+    v, u = np.nonzero(labels[cut] == label)
+    picked = hue_saturation[cut][v, u]
+    return picked[:, 0], picked[:, 1], ((v + 0.5) / max(height, 1)).astype(np.float32)
+
+
+def _fill(histogram: Histogram, bins: NDArray[np.intp], weight: NDArray[np.float32]) -> None:
+    """Replace an even histogram by that of the values, if there are any."""
+    total = float(weight.sum())
+    if total > 0:
+        histogram[:] = np.bincount(bins, weight, len(histogram)) / total

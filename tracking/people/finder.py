@@ -1,0 +1,171 @@
+"""From range inside the foreground to people with box, place and colours."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import CalibrationError
+from tracking.geometry import Rectification, View
+from tracking.people.boxes import full_body_boxes, hidden_sides, region_boxes
+from tracking.people.colours import colour_histograms
+from tracking.people.detections import Detections
+from tracking.people.plan_view import SurfacePoints, find_people, surface_points
+from tracking.people.regions import Extent, assign_points, measure, paint
+from tracking.people.settings import PeopleSettings
+from tracking.stereo import SightLines
+
+GRID = 2
+"""Working pixels between the places where people are looked for."""
+_FEET_SEEN_M = 0.25
+_HEIGHTS_M = (1.2, 2.1)
+
+
+class PeopleFinder:
+    """Tells people apart in range, gives them their pixels and measures them.
+
+    Args:
+        rectification: of the recording; its ground must be known.
+        lines: sight lines of the rectified left eye at the working scale.
+        settings: of people.
+
+    Raises:
+        CalibrationError: nobody said where the floor is.
+    """
+
+    def __init__(
+        self, rectification: Rectification, lines: SightLines, settings: PeopleSettings
+    ) -> None:
+        if rectification.ground is None:
+            raise CalibrationError(
+                "calibration: the floor is unknown; give [ground] height and tilt"
+            )
+        self._rectification = rectification
+        self._view = View(rectification.calibration.left, rectification.ground)
+        self._lines = lines
+        self._rays = np.ascontiguousarray(lines.rays[::GRID, ::GRID])
+        self._eye = lines.centre[:2].astype(np.float32)
+        self._settings = settings
+
+    def points(self, disparity: NDArray[np.float32]) -> SurfacePoints:
+        """The matched surface on the grid.
+
+        Args:
+            disparity: (height, width) working px, NaN where unknown.
+        """
+        grid = np.ascontiguousarray(disparity[::GRID, ::GRID])
+        return surface_points(
+            grid, self._lines, self._rays, GRID * GRID, self._settings.disparity_noise_px
+        )
+
+    def find(
+        self,
+        points: SurfacePoints,
+        body: NDArray[np.uint8],
+        picture: NDArray[np.uint8],
+    ) -> Detections:
+        """The people of one frame.
+
+        Args:
+            points: of this frame.
+            body: (height, width) uint8, non-zero in foreground that is no shadow.
+            picture: (height, width, 3) the left eye, both at the working scale.
+        """
+        settings = self._settings
+        high = points.world[:, 2] > settings.lowest_m
+        places = find_people(points.chosen(high), self._eye, settings)
+        owner = assign_points(places, points, self._eye, settings)
+        # What lies on the floor and looks like shadow is nobody's foot.
+        owner[~high & (body[::GRID, ::GRID].ravel()[points.pixel] == 0)] = -1
+        extent = measure(len(places), owner, points, self._eye)
+        real = (extent.high >= settings.least_height_m) & (extent.area >= settings.least_area_m2)
+        owner = _renumbered(owner, real)
+        grid_body = np.ascontiguousarray(body[::GRID, ::GRID])
+        labels = paint(owner, points, grid_body)
+        kept = Extent(*(getattr(extent, name)[real] for name in Extent.__slots__))
+        return self._describe(places[real], kept, labels, picture)
+
+    def _describe(
+        self,
+        places: NDArray[np.float32],
+        extent: Extent,
+        labels: NDArray[np.uint8],
+        picture: NDArray[np.uint8],
+    ) -> Detections:
+        settings = self._settings
+        boxes = region_boxes(labels, len(places))
+        hidden, truncated = hidden_sides(labels, boxes, extent.middle[:, :2] - self._eye)
+        hidden[:, 3] |= extent.low > _FEET_SEEN_M
+        position = self._positions(places, extent)
+        colours = cv2.cvtColor(np.ascontiguousarray(picture[::GRID, ::GRID]), cv2.COLOR_BGR2HSV)
+        upper, lower, middle = colour_histograms(colours[..., :2], labels, boxes, settings)
+        seen = self._recorded_boxes(boxes)
+        width = np.maximum(extent.width, 0)
+        return Detections(
+            box=full_body_boxes(seen, self._standing_boxes(position, extent, hidden), hidden),
+            position=position,
+            size=np.stack((width, extent.high), axis=1).astype(np.float64),
+            merged=self._merged(extent),
+            truncated=truncated,
+            upper=upper,
+            lower=lower,
+            middle=middle,
+            regions=self._full_size(labels),
+        )
+
+    def _positions(self, places: NDArray[np.float32], extent: Extent) -> NDArray[np.float64]:
+        """(k, 3) the person's axis: behind the surface that faces the camera."""
+        sight = places - self._eye
+        distance = np.hypot(sight[:, 0], sight[:, 1])
+        drop = self._lines.centre[2] - extent.middle[:, 2]
+        level = distance / np.maximum(np.hypot(distance, drop), 1e-6)
+        step = self._settings.body_depth_m * level / np.maximum(distance, 1e-6)
+        axis = places + sight * step[:, None]
+        return np.concatenate((axis, extent.middle[:, 2:]), axis=1).astype(np.float64)
+
+    def _standing_boxes(
+        self, position: NDArray[np.float64], extent: Extent, hidden: NDArray[np.bool_]
+    ) -> NDArray[np.float64]:
+        """(k, 4) boxes of bodies of the measured height, or the usual one where no top is seen."""
+        width = self._settings.body_width_m
+        heights = np.where(
+            hidden[:, 1], self._settings.body_height_m, np.clip(extent.high, *_HEIGHTS_M)
+        )
+        rows = [
+            self._view.box_of_person(xy[None], float(height), width)
+            for xy, height in zip(position[:, :2], heights, strict=True)
+        ]
+        return np.concatenate(rows) if rows else np.zeros((0, 4))
+
+    def _merged(self, extent: Extent) -> NDArray[np.bool_]:
+        """[Kawashita2014] section 3.4: larger than one person by the set ratio."""
+        ratio, settings = self._settings.merged_ratio, self._settings
+        wide = extent.width > ratio * settings.body_width_m
+        high = extent.high - extent.low > ratio * settings.body_height_m
+        return np.asarray(wide | high, np.bool_)
+
+    def _recorded_boxes(self, boxes: list[tuple[int, int, int, int]]) -> NDArray[np.float64]:
+        """(k, 4) boxes of the grid as boxes of the recorded picture."""
+        if not boxes:
+            return np.zeros((0, 4))
+        scale = GRID * self._lines.shrink
+        left, top, width, height = np.array(boxes, np.float64).T * scale
+        share = np.array((0, 0.5, 1))
+        u = left[:, None] + width[:, None] * share
+        v = top[:, None] + height[:, None] * share
+        outline = np.stack(np.broadcast_arrays(u[:, :, None], v[:, None, :]), axis=-1)
+        recorded = self._rectification.recorded_from_rectified(outline.reshape(-1, 2) - 0.5)
+        corners = recorded.reshape(len(boxes), 9, 2)
+        low, high = corners.min(axis=1), corners.max(axis=1)
+        return np.concatenate((low, high - low), axis=1)
+
+    def _full_size(self, labels: NDArray[np.uint8]) -> NDArray[np.int32]:
+        size = self._rectification.size
+        return cv2.resize(labels, size, interpolation=cv2.INTER_NEAREST).astype(np.int32)
+
+
+def _renumbered(owner: NDArray[np.intp], kept: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """The owners counted among those kept; -1 for the others."""
+    number = np.where(kept, np.cumsum(kept) - 1, -1)
+    return np.concatenate((number, [-1]))[owner]

@@ -1,0 +1,141 @@
+"""Subtraction stereo from end to end: a stereo frame in, an observation out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import RecordingError
+from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
+from tracking.geometry import Rectification
+from tracking.people.detections import Detections
+from tracking.people.finder import PeopleFinder
+from tracking.people.observation import Observation, Overlays
+from tracking.people.settings import PeopleSettings
+from tracking.recording.frame import Image, StereoFrame
+from tracking.stereo import SightLines, StereoSettings, SubtractionStereo
+
+Mask = NDArray[np.uint8]
+
+_WIDEST_PX = 800
+"""Wider pictures are shrunk by a whole number before anything is done with them."""
+_PROTECTED_MARGIN_PX = 8
+
+
+class StereoPerception:
+    """Turns stereo frames into people on the floor; holds both eyes' background models.
+
+    Each frame passes the stages `rectify`, `subtract`, `match` and `find`; `remember` then lets
+    the backgrounds follow. `observe` does all of them; they are public so that each can be timed.
+
+    Args:
+        rectification: of the recording; its ground must be known.
+        fps: frames a second of the recording.
+        foreground, stereo, people: settings; None for the usual ones.
+
+    Raises:
+        CalibrationError: the rectification does not know where the floor is.
+    """
+
+    def __init__(
+        self,
+        rectification: Rectification,
+        fps: float,
+        foreground: ForegroundSettings | None = None,
+        stereo: StereoSettings | None = None,
+        people: PeopleSettings | None = None,
+    ) -> None:
+        self._rectification = rectification
+        self._shrink = -(-rectification.size[0] // _WIDEST_PX)
+        lines = SightLines(rectification, self._shrink)
+        self._eyes = (BackgroundModel(fps, foreground), BackgroundModel(fps, foreground))
+        self._shadows = ShadowRemover(foreground)
+        self._stereo = SubtractionStereo(lines, stereo)
+        self._finder = PeopleFinder(rectification, lines, people or PeopleSettings())
+
+    def learn(self, frames: Iterable[StereoFrame]) -> None:
+        """Learn both backgrounds from frames spread over some time, before the first `observe`.
+
+        Not needed, but it spares the ghosts of people who stand in the very first frames.
+        Some twenty frames, each a second or more from the next, do well.
+        """
+        pairs = [self.rectify(frame) for frame in frames]
+        for background, pictures in zip(self._eyes, zip(*pairs, strict=True), strict=True):
+            background.learn(pictures)
+
+    def observe(self, frame: StereoFrame) -> Observation:
+        """What is seen in the frame. Frames come in order.
+
+        Raises:
+            RecordingError: the frame has no right eye.
+        """
+        left, right = self.subtract(*self.rectify(frame))
+        shadow = self._shadows.shadows(left)
+        disparity = self.match(left, right)
+        people = self.find(left, shadow, disparity)
+        self.remember(left, right, people)
+        overlays = self._overlays(left.mask, shadow, disparity)
+        return Observation(frame.number, frame.time_s, people, overlays)
+
+    def rectify(self, frame: StereoFrame) -> tuple[Image, Image]:
+        """Both eyes rectified, at the working scale."""
+        if frame.right is None:
+            raise RecordingError(
+                f"frame {frame.number}: there is no right eye; choose a tracker for one camera"
+            )
+        left, right = self._rectification.rectify(frame.left, frame.right)
+        if self._shrink == 1:
+            return left, right
+        size = (left.shape[1] // self._shrink, left.shape[0] // self._shrink)
+        return (
+            np.asarray(cv2.resize(left, size, interpolation=cv2.INTER_AREA), np.uint8),
+            np.asarray(cv2.resize(right, size, interpolation=cv2.INTER_AREA), np.uint8),
+        )
+
+    def subtract(self, left: Image, right: Image) -> tuple[Subtraction, Subtraction]:
+        """Both eyes against their backgrounds."""
+        return self._eyes[0].subtract(left), self._eyes[1].subtract(right)
+
+    def match(self, left: Subtraction, right: Subtraction) -> NDArray[np.float32]:
+        """(height, width) disparity of the left eye's foreground in working px, else NaN."""
+        grey = [cv2.cvtColor(eye.picture, cv2.COLOR_BGR2GRAY) for eye in (left, right)]
+        return self._stereo.match(grey[0], grey[1], left.mask, right.mask)
+
+    def find(self, left: Subtraction, shadow: Mask, disparity: NDArray[np.float32]) -> Detections:
+        """The people in the foreground."""
+        body = cv2.subtract(left.mask, shadow)
+        return self._finder.find(self._finder.points(disparity), body, left.picture)
+
+    def remember(self, left: Subtraction, right: Subtraction, people: Detections) -> None:
+        """Let both backgrounds follow what was seen, except where people are."""
+        for eye, seen, protected in zip(
+            self._eyes, (left, right), self._protected(people, left.mask.shape), strict=True
+        ):
+            eye.update(seen, protected)
+
+    def _protected(self, people: Detections, shape: tuple[int, ...]) -> tuple[Mask, Mask]:
+        """Masks of both eyes that cover the people generously."""
+        masks = (np.zeros(shape, np.uint8), np.zeros(shape, np.uint8))
+        shift = self._rectification.disparity_from_world(people.position) / self._shrink
+        for k in range(len(people)):
+            x, y, width, height = cv2.boundingRect(cv2.compare(people.regions, k + 1, cv2.CMP_EQ))
+            low = np.array((x, y)) // self._shrink - _PROTECTED_MARGIN_PX
+            high = np.array((x + width, y + height)) // self._shrink + _PROTECTED_MARGIN_PX
+            for mask, moved in zip(masks, (0, round(float(shift[k]))), strict=True):
+                rows = slice(max(low[1], 0), max(high[1], 0))
+                columns = slice(max(low[0] - moved, 0), max(high[0] - moved, 0))
+                mask[rows, columns] = 255
+        return masks
+
+    def _overlays(self, mask: Mask, shadow: Mask, disparity: NDArray[np.float32]) -> Overlays:
+        shown = cv2.addWeighted(mask, 1.0, shadow, -0.5, 0)
+        if self._shrink > 1:
+            size = self._rectification.size
+            shown = cv2.resize(shown, size, interpolation=cv2.INTER_NEAREST)
+            disparity = cv2.resize(disparity, size, interpolation=cv2.INTER_NEAREST) * np.float32(
+                self._shrink
+            )
+        return Overlays(np.asarray(shown, np.uint8), np.asarray(disparity, np.float32))

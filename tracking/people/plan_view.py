@@ -1,0 +1,156 @@
+"""People as clusters of 3-D points seen from above."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people.settings import PeopleSettings
+from tracking.stereo import SightLines
+
+Floats = NDArray[np.float32]
+_SEED_CELL_M = 0.2
+_MOST_POINTS = 4000
+_MOST_SEEDS = 80
+_STEPS = 5
+
+
+@dataclass(frozen=True, slots=True)
+class SurfacePoints:
+    """Points of what was matched, a row each.
+
+    Attributes:
+        pixel: (n,) flat index into the grid of disparities they come from.
+        world: (n, 3) metres.
+        area: (n,) m² of surface, seen squarely, that the pixel covers.
+        range_noise: (n,) m, the spread of the distance from the camera.
+    """
+
+    pixel: NDArray[np.intp]
+    world: Floats
+    area: Floats
+    range_noise: Floats
+
+    def chosen(self, rows: NDArray[np.bool_] | slice) -> SurfacePoints:
+        """Some of the points."""
+        return SurfacePoints(
+            self.pixel[rows], self.world[rows], self.area[rows], self.range_noise[rows]
+        )
+
+
+def surface_points(
+    disparity: Floats, lines: SightLines, rays: Floats, pixel_area: float, noise_px: float
+) -> SurfacePoints:
+    """The world points of a grid of disparities.
+
+    Args:
+        disparity: (rows, columns) px, NaN where unknown.
+        lines: of the eye.
+        rays: (rows, columns, 3) those of `lines` at the grid's places.
+        pixel_area: working pixels a grid place stands for.
+        noise_px: spread of disparity.
+    """
+    pixel = np.flatnonzero(np.isfinite(disparity))
+    depth = lines.depth(disparity.ravel()[pixel])
+    world = depth[:, None] * rays.reshape(-1, 3)[pixel]
+    world += lines.centre.astype(np.float32)
+    area = (depth / np.float32(lines.focal)) ** 2 * np.float32(pixel_area)
+    noise = depth**2 * np.float32(noise_px / lines.focal_baseline)
+    return SurfacePoints(pixel, world, area, noise)
+
+
+def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) -> Floats:
+    """(k, 2) places on the floor where people stand, seen surface's middle, best first.
+
+    Mean shift over the points from above, with a kernel of a person's breadth that is drawn out
+    along the line of sight by the noise of range ([Kawashita2014] labels the foreground picture
+    instead; labels alone join everybody who overlaps in the picture, although range tells them
+    apart).
+
+    Args:
+        points: of the foreground, those near the floor left out.
+        eye: (2,) the floor point below the camera.
+        settings: of people.
+    """
+    if len(points.area) == 0:
+        return np.zeros((0, 2), np.float32)
+    thinned = points.chosen(slice(None, None, -(-len(points.area) // _MOST_POINTS)))
+    share = np.float32(points.area.sum() / max(float(thinned.area.sum()), 1e-9))
+    places = _seeds(thinned, share, settings)
+    mass = np.zeros(len(places), np.float32)
+    for _ in range(_STEPS):
+        weight = _kernel(places, thinned, eye, settings) * thinned.area
+        mass = weight.sum(axis=1)
+        places = (weight @ thinned.world[:, :2]) / np.maximum(mass, 1e-9)[:, None]
+    return _distinct(places, mass * share, thinned, eye, settings)
+
+
+def apart(places: Floats, points: Floats, spread: Floats, eye: Floats, width_m: float) -> Floats:
+    """(k, n) squared distance of points from places, in units of a person's breadth.
+
+    Along the line of sight the unit is longer by the noise of range.
+
+    Args:
+        places: (k, 2) m. points: (n, 2) m. spread: (n,) m noise of range of the points.
+        eye: (2,) m. width_m: the unit across.
+    """
+    from_eye = points - eye
+    distance = np.maximum(np.hypot(from_eye[:, 0], from_eye[:, 1]), 1e-3)
+    along = from_eye / distance[:, None]
+    # Straight below the camera, noise of range is noise of height: it moves nobody on the floor.
+    to_eye = places - eye
+    radial = distance[None] - to_eye @ along.T
+    across = to_eye @ np.stack((-along[:, 1], along[:, 0]))
+    unit = np.sqrt(width_m**2 + spread**2)
+    return np.asarray((radial / unit) ** 2 + (across / np.float32(width_m)) ** 2, np.float32)
+
+
+def _kernel(places: Floats, points: SurfacePoints, eye: Floats, settings: PeopleSettings) -> Floats:
+    width = settings.body_width_m * 0.4
+    squared = apart(places, points.world[:, :2], points.range_noise, eye, width)
+    return np.exp(np.float32(-0.5) * squared)
+
+
+def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -> Floats:
+    """(k, 2) local maxima of a coarse map of surface per floor cell."""
+    low = points.world[:, :2].min(axis=0) - _SEED_CELL_M
+    cell = ((points.world[:, :2] - low) / _SEED_CELL_M).astype(np.intp)
+    columns, rows = (cell.max(axis=0) + 2).tolist()
+    flat = cell[:, 1] * columns + cell[:, 0]
+    surface = np.bincount(flat, points.area * share, rows * columns).astype(np.float32)
+    surface = cv2.blur(surface.reshape(rows, columns), (3, 3), borderType=cv2.BORDER_CONSTANT) * 9
+    peak = (surface >= cv2.dilate(surface, np.ones((3, 3), np.uint8))) & (
+        surface > settings.least_area_m2 / 2
+    )
+    y, x = np.nonzero(peak)
+    best = np.argsort(-surface[y, x], kind="stable")[:_MOST_SEEDS]
+    return (np.stack((x[best], y[best]), axis=1) + 0.5).astype(np.float32) * _SEED_CELL_M + low
+
+
+def _distinct(
+    places: Floats, mass: Floats, points: SurfacePoints, eye: Floats, settings: PeopleSettings
+) -> Floats:
+    """The places with enough surface, each once."""
+    order = np.argsort(-mass, kind="stable")
+    order = order[mass[order] > settings.least_area_m2]
+    kept: list[int] = []
+    noise_at = _noise_at(places, points, eye)
+    for i in order.tolist():
+        if kept:
+            close = apart(
+                places[kept], places[i : i + 1], noise_at[i : i + 1], eye, settings.body_width_m
+            )
+            if float(close.min()) < 0.8:
+                continue
+        kept.append(i)
+    return places[kept]
+
+
+def _noise_at(places: Floats, points: SurfacePoints, eye: Floats) -> Floats:
+    """(k,) m noise of range at places, by the points' own growth with distance."""
+    distance = np.hypot(*(points.world[:, :2] - eye).T)
+    growth = np.median(points.range_noise / np.maximum(distance, 0.5) ** 2)
+    return np.asarray(growth * (np.hypot(*(places - eye).T)) ** 2, np.float32)
