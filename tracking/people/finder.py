@@ -6,8 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.errors import CalibrationError
-from tracking.geometry import Rectification, View
+from tracking.geometry import Ground, Rectification, View
 from tracking.people.boxes import full_body_boxes, hidden_sides, region_boxes
 from tracking.people.colours import colour_histograms
 from tracking.people.detections import Detections
@@ -26,23 +25,21 @@ class PeopleFinder:
     """Tells people apart in range, gives them their pixels and measures them.
 
     Args:
-        rectification: of the recording; its ground must be known.
+        rectification: of the recording.
+        ground: where the floor is.
         lines: sight lines of the rectified left eye at the working scale.
         settings: of people.
-
-    Raises:
-        CalibrationError: nobody said where the floor is.
     """
 
     def __init__(
-        self, rectification: Rectification, lines: SightLines, settings: PeopleSettings
+        self,
+        rectification: Rectification,
+        ground: Ground,
+        lines: SightLines,
+        settings: PeopleSettings,
     ) -> None:
-        if rectification.ground is None:
-            raise CalibrationError(
-                "calibration: the floor is unknown; give [ground] height and tilt"
-            )
         self._rectification = rectification
-        self._view = View(rectification.calibration.left, rectification.ground)
+        self._view = View(rectification.calibration.left, ground)
         self._lines = lines
         self._rays = np.ascontiguousarray(lines.rays[::GRID, ::GRID])
         self._eye = lines.centre[:2].astype(np.float32)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
-from tracking.geometry import Rectification
+from tracking.geometry import Ground, Rectification
 from tracking.people.detections import Detections
 from tracking.people.finder import PeopleFinder
 from tracking.people.observation import Observation, Overlays
@@ -32,17 +32,16 @@ class StereoPerception:
     the backgrounds follow. `observe` does all of them; they are public so that each can be timed.
 
     Args:
-        rectification: of the recording; its ground must be known.
+        rectification: of the recording.
+        ground: where the floor is.
         fps: frames a second of the recording.
         foreground, stereo, people: settings; None for the usual ones.
-
-    Raises:
-        CalibrationError: the rectification does not know where the floor is.
     """
 
     def __init__(
         self,
         rectification: Rectification,
+        ground: Ground,
         fps: float,
         foreground: ForegroundSettings | None = None,
         stereo: StereoSettings | None = None,
@@ -54,7 +53,7 @@ class StereoPerception:
         self._eyes = (BackgroundModel(fps, foreground), BackgroundModel(fps, foreground))
         self._shadows = ShadowRemover(foreground)
         self._stereo = SubtractionStereo(lines, stereo)
-        self._finder = PeopleFinder(rectification, lines, people or PeopleSettings())
+        self._finder = PeopleFinder(rectification, ground, lines, people or PeopleSettings())
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn both backgrounds from frames spread over some time, before the first `observe`.
