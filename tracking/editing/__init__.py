@@ -12,6 +12,7 @@ from tracking.editing.labelling import (
     plan_set_notes,
 )
 from tracking.editing.rows import plan_delete, plan_draw_box, plan_move_box
+from tracking.editing.text import state_as_text, state_from_text
 
 __all__ = [
     "Change",
@@ -33,4 +34,6 @@ __all__ = [
     "plan_split",
     "plan_swap",
     "propose_swap_frame",
+    "state_as_text",
+    "state_from_text",
 ]

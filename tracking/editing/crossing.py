@@ -69,7 +69,7 @@ def _places(rows_a: Columns, rows_b: Columns) -> tuple[Floats, Floats]:
 
 def _cost(frames: NDArray[np.int32], a: Floats, b: Floats) -> Floats:
     """(n,) the lower, the likelier the two changed over between the frame before and this one."""
-    apart = np.linalg.norm(a - b, axis=1)
+    apart = _length(a - b)
     meeting = np.minimum(apart, np.concatenate([apart[:1], apart[:-1]]))
     if len(frames) < 3:
         return meeting
@@ -106,4 +106,9 @@ def _walks(frames: NDArray[np.int32], places: Floats) -> tuple[Floats, Floats]:
 def _jump(led: Floats, came: Floats) -> Floats:
     """(n,) how far place and walk on both sides of a cut are from each other."""
     apart = led - came
-    return np.linalg.norm(apart[:, :2], axis=1) + np.linalg.norm(apart[:, 2:], axis=1)
+    return _length(apart[:, :2]) + _length(apart[:, 2:])
+
+
+def _length(vectors: Floats) -> Floats:
+    lengths: Floats = np.linalg.norm(vectors, axis=1)
+    return lengths

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from tracking.editing.change import Change
+from tracking.editing.text import state_as_text, state_from_text
 from tracking.errors import EditError
 
 
@@ -17,7 +18,8 @@ class Entry:
         id: from 1, in the order the edits were made.
         time: UTC, ISO 8601 to the millisecond.
         author: who made it.
-        change: what was done.
+        kind, text, frame: of the change; one word, a line as people read it, where to look at it.
+        before, after: the two sides of the change as text (see `state_as_text`).
         undone: whether it is taken back.
         abandoned: taken back, and then something else was done: it cannot be redone.
     """
@@ -25,24 +27,22 @@ class Entry:
     id: int
     time: str
     author: str
-    change: Change
+    kind: str
+    text: str
+    frame: int
+    before: str
+    after: str
     undone: bool = False
     abandoned: bool = False
 
     @property
-    def kind(self) -> str:
-        """One word."""
-        return self.change.kind
+    def change(self) -> Change:
+        """What was done. It is kept as text and read anew each time: a log may be long.
 
-    @property
-    def text(self) -> str:
-        """What was done, as people read it."""
-        return self.change.text
-
-    @property
-    def frame(self) -> int:
-        """Where to look at it."""
-        return self.change.frame
+        Raises EditError where the text is no change, as in a damaged file.
+        """
+        before, after = state_from_text(self.before), state_from_text(self.after)
+        return Change(self.kind, self.text, self.frame, before, after)
 
 
 class History:
@@ -85,15 +85,21 @@ class History:
         """The edit redo makes again next."""
         return self._entries[self._undone[-1]] if self._undone else None
 
-    def add(self, change: Change, time: str, author: str) -> Entry:
+    def draft(self, change: Change, time: str, author: str) -> Entry:
+        """The entry a change will have once it is added."""
+        before, after = state_as_text(change.before), state_as_text(change.after)
+        number = len(self._entries) + 1
+        return Entry(number, time, author, change.kind, change.text, change.frame, before, after)
+
+    def add(self, entry: Entry) -> None:
         """Log a change that was made; what was undone before cannot be redone any more."""
+        if entry.id != len(self._entries) + 1 or entry.undone:
+            raise EditError(f"edit {entry.id} is not the next of the log")
         for at in self._undone:
             self._entries[at] = replace(self._entries[at], abandoned=True)
         self._undone.clear()
-        entry = Entry(len(self._entries) + 1, time, author, change)
         self._done.append(len(self._entries))
         self._entries.append(entry)
-        return entry
 
     def mark_undone(self) -> Entry:
         """Log that the last edit in force was taken back."""

@@ -23,7 +23,7 @@ def plan_rename(
     table: TrackTable, labels: Labels, track: int, name: str, frame: int | None = None
 ) -> Change:
     """Name a track; "" takes the name away. frame: where to look at it, else its first."""
-    name = " ".join(name.split())
+    name = " ".join(_writable(name).split())
     label = replace(labels.of_track(track), name=name)
     text = f'Name {track} "{name}"' if name else f"Take the name of {track} away"
     return _relabel(table, labels, track, label, ("rename", text), frame)
@@ -38,13 +38,13 @@ def plan_set_attribute(
     frame: int | None = None,
 ) -> Change:
     """Set one of a track's own fields; None takes it away."""
-    key = key.strip()
+    key = _writable(key).strip()
     if not key:
         raise EditError(f"track {track}: an attribute needs a name")
     attributes = dict(labels.of_track(track).attributes)
     attributes.pop(key, None)
     if value is not None:
-        attributes[key] = value
+        attributes[key] = _writable(value)
     label = replace(labels.of_track(track), attributes=dict(sorted(attributes.items())))
     text = f"Take {key} of {track} away" if value is None else f"Set {key} of {track} to {value}"
     return _relabel(table, labels, track, label, ("attribute", text), frame)
@@ -54,7 +54,7 @@ def plan_set_notes(
     table: TrackTable, labels: Labels, track: int, notes: str, frame: int | None = None
 ) -> Change:
     """Write a track's notes anew."""
-    label = replace(labels.of_track(track), notes=notes)
+    label = replace(labels.of_track(track), notes=_writable(notes))
     return _relabel(table, labels, track, label, ("notes", f"Write notes on {track}"), frame)
 
 
@@ -65,6 +65,7 @@ def plan_occluders(labels: Labels, occluders: Sequence[Occluder], frame: int = 0
     """
     for occluder in occluders:
         corners = np.asarray(occluder.polygon, float)
+        _writable(occluder.name)
         if corners.ndim != 2 or len(corners) < 3 or not np.isfinite(corners).all():
             raise EditError(f"occluder {occluder.name!r}: a polygon of three or more is needed")
     new = tuple(occluders)
@@ -94,6 +95,17 @@ def plan_mark_reviewed(labels: Labels, track: int, start: int, end: int) -> Chan
         State(labels=LabelState(reviewed=labels.reviewed)),
         State(labels=LabelState(reviewed=new)),
     )
+
+
+def _writable(text: str) -> str:
+    """The text, refused where a file could not hold it."""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise EditError(f"{text!r} holds half a character; type it anew") from None
+    if "\0" in text:
+        raise EditError(f"{text!r} holds a zero character; leave it out")
+    return text
 
 
 def _joined(ranges: Sequence[ReviewedRange]) -> tuple[ReviewedRange, ...]:

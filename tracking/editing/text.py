@@ -1,0 +1,132 @@
+"""One side of a change as text and back: what the journal and the session's log hold.
+
+JSON; the values of rows, which must come back bit for bit, as the bytes of one column after the
+other, little-endian, compressed with zlib and written in base64.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+import zlib
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from tracking.editing.change import LabelState, State, no_rows, no_stretches
+from tracking.errors import EditError
+from tracking.tracks import (
+    CORRECTED_COLUMNS,
+    Columns,
+    Occluder,
+    ReviewedRange,
+    TrackLabel,
+    check_tracks,
+)
+
+LARGEST_TEXT = 2**28
+LARGEST_ROWS = 20_000_000
+_ROW_BYTES = sum(dtype.itemsize for dtype in CORRECTED_COLUMNS.values())
+
+
+def state_as_text(state: State) -> str:
+    """The state as JSON; parts that touch nothing are left out."""
+    parts: dict[str, Any] = {}
+    if len(state.stretches):
+        parts["stretches"] = state.stretches.tolist()
+    if len(state.rows["frame"]):
+        parts["rows"] = _rows_as_json(state.rows)
+    labels = _labels_as_json(state.labels)
+    if labels:
+        parts["labels"] = labels
+    return json.dumps(parts, separators=(",", ":"))
+
+
+def state_from_text(text: str) -> State:
+    """The state a text was made from. Raises EditError where it is none, or absurdly large."""
+    if len(text) > LARGEST_TEXT:
+        raise EditError(f"an edit of {len(text)} characters is larger than any real one")
+    try:
+        parts = json.loads(text)
+        stretches = np.array(parts.get("stretches", no_stretches()), np.int64).reshape(-1, 3)
+        rows = _rows_from_json(parts["rows"]) if "rows" in parts else no_rows()
+        return State(stretches, rows, _labels_from_json(parts.get("labels", {})))
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError, OverflowError) as why:
+        raise EditError(f"an edit in the log cannot be read: {why}") from why
+
+
+def _rows_as_json(rows: Columns) -> dict[str, Any]:
+    plain = b"".join(
+        rows[name].astype(dtype.newbyteorder("<"), copy=False).tobytes()
+        for name, dtype in CORRECTED_COLUMNS.items()
+    )
+    packed = base64.b64encode(zlib.compress(plain, 1)).decode("ascii")
+    return {"count": len(rows["frame"]), "columns": packed}
+
+
+def _rows_from_json(parts: Mapping[str, Any]) -> Columns:
+    count = int(parts["count"])
+    if not 0 <= count <= LARGEST_ROWS:
+        raise EditError(f"an edit of {count} rows is larger than any real one")
+    plain = _inflated(str(parts["columns"]), count * _ROW_BYTES)
+    rows, at = {}, 0
+    for name, dtype in CORRECTED_COLUMNS.items():
+        column = np.frombuffer(plain, dtype.newbyteorder("<"), count, at)
+        rows[name] = column.astype(dtype, copy=False)
+        at += column.nbytes
+    check_tracks(rows, "an edit in the log")
+    return rows
+
+
+def _inflated(packed: str, size: int) -> bytes:
+    """Exactly size bytes; never inflates more than one beyond."""
+    try:
+        plain = zlib.decompressobj().decompress(base64.b64decode(packed, validate=True), size + 1)
+    except (binascii.Error, zlib.error) as why:
+        raise EditError(f"the rows of an edit in the log are damaged: {why}") from why
+    if len(plain) != size:
+        raise EditError(f"the rows of an edit in the log are damaged: not {size} bytes")
+    return plain
+
+
+def _labels_as_json(labels: LabelState) -> dict[str, Any]:
+    parts: dict[str, Any] = {}
+    if labels.tracks:
+        parts["tracks"] = {
+            str(track): {
+                "name": label.name,
+                "attributes": dict(label.attributes),
+                "notes": label.notes,
+            }
+            for track, label in labels.tracks.items()
+        }
+    if labels.occluders is not None:
+        parts["occluders"] = [[item.name, item.polygon] for item in labels.occluders]
+    if labels.reviewed is not None:
+        parts["reviewed"] = [[seen.track, seen.start, seen.end] for seen in labels.reviewed]
+    return parts
+
+
+def _labels_from_json(parts: Mapping[str, Any]) -> LabelState:
+    tracks = {
+        int(track): TrackLabel(
+            str(label["name"]),
+            {str(key): str(value) for key, value in label["attributes"].items()},
+            str(label["notes"]),
+        )
+        for track, label in parts.get("tracks", {}).items()
+    }
+    occluders = reviewed = None
+    if "occluders" in parts:
+        occluders = tuple(
+            Occluder(str(name), tuple((float(u), float(v)) for u, v in polygon))
+            for name, polygon in parts["occluders"]
+        )
+    if "reviewed" in parts:
+        reviewed = tuple(
+            ReviewedRange(int(track), int(start), int(end))
+            for track, start, end in parts["reviewed"]
+        )
+    return LabelState(tracks, occluders, reviewed)
