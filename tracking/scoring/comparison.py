@@ -1,0 +1,93 @@
+"""Truth and result side by side, with the don't-cares gone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracking.scoring.assignment import assign
+from tracking.scoring.matching import EPS, Candidates, Frames, Match, candidates
+from tracking.scoring.table import Flags, Integers, ScoringTable
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """What every measure starts from.
+
+    Attributes:
+        truth, result: the rows that count.
+        person: (n,) number from 0 of a truth row's person.
+        identity: (m,) number from 0 of a result row's track.
+        people, identities: how many there are.
+        frames: the frames with rows on both sides.
+        pairs: rows of one frame that are at all alike.
+        threshold: pairs at least this alike may be one person.
+    """
+
+    truth: ScoringTable
+    result: ScoringTable
+    person: Integers
+    identity: Integers
+    people: int
+    identities: int
+    frames: Frames
+    pairs: Candidates
+    threshold: float
+
+    @property
+    def one_sided(self) -> bool:
+        """Nothing is there to compare: the truth or the result has no rows."""
+        return not len(self.truth) or not len(self.result)
+
+    def couples(self, pairs: Candidates) -> Integers:
+        """(k,) one number for a pair's person and track together: person * identities + track."""
+        person = self.person[pairs.rows.truth]
+        return person * self.identities + self.identity[pairs.rows.result]
+
+    def frames_of_people(self) -> Integers:
+        """(people,) in how many frames each person stands."""
+        return np.bincount(self.person, minlength=self.people)
+
+    def frames_of_identities(self) -> Integers:
+        """(identities,) in how many frames each track of the result stands."""
+        return np.bincount(self.identity, minlength=self.identities)
+
+
+def compare(truth: ScoringTable, result: ScoringTable, match: Match) -> Comparison:
+    """Put the rows that count side by side.
+
+    A result row that is matched with a don't-care (at the threshold, among all rows of the frame)
+    is dropped, then the don't-cares are.
+    """
+    match.require(truth)
+    if not truth.counted.all():
+        result = result.rows(_not_on_dont_cares(truth, result, match))
+        truth = truth.rows(truth.counted)
+    frames = Frames.shared(truth, result)
+    people, person = np.unique(truth.track, return_inverse=True)
+    identities, identity = np.unique(result.track, return_inverse=True)
+    return Comparison(
+        truth=truth,
+        result=result,
+        person=person,
+        identity=identity,
+        people=len(people),
+        identities=len(identities),
+        frames=frames,
+        pairs=candidates(truth, result, frames, match),
+        threshold=match.threshold,
+    )
+
+
+def _not_on_dont_cares(truth: ScoringTable, result: ScoringTable, match: Match) -> Flags:
+    """(m,) False for result rows that are matched with a don't-care."""
+    frames = Frames.shared(truth, result)
+    pairs = candidates(truth, result, frames, match)
+    pairs = pairs.some(pairs.similarity >= match.threshold - EPS)
+    concerned = np.unique(pairs.frame[~truth.counted[pairs.rows.truth]])
+    pairs = pairs.some(np.isin(pairs.frame, concerned))
+    chosen = pairs.some(assign(pairs, pairs.similarity, frames))
+    kept = np.ones(len(result), bool)
+    kept[chosen.rows.result[~truth.counted[chosen.rows.truth]]] = False
+    return kept

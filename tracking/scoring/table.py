@@ -1,0 +1,91 @@
+"""The columns a comparison needs, checked at the door."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.tracks.columns import Columns
+
+Integers = NDArray[np.int64]
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class ScoringTable:
+    """Tracks to be compared, sorted by frame; rows of one frame keep their order.
+
+    Attributes:
+        frame: (n,) from 0.
+        track: (n,) ids.
+        box: (n, 4) left, top, width, height in pixels, 0-based; NaN where unknown.
+        position: (n, 2) x, y on the floor in metres; NaN where unknown.
+        counted: (n,) False marks a don't-care.
+    """
+
+    frame: Integers
+    track: Integers
+    box: Floats
+    position: Floats
+    counted: Flags
+
+    @classmethod
+    def of(cls, columns: Columns, *, dont_cares: bool = False) -> ScoringTable:
+        """The table of a session's or a file's columns.
+
+        Args:
+            columns: `frame, track, left, top, width, height` and, where known, `x, y`.
+            dont_cares: rows with `confidence` 0 are don't-cares, as in MOT text used as truth.
+
+        Raises:
+            FormatError: an id stands twice in one frame.
+        """
+        order = np.argsort(columns["frame"], kind="stable")
+        counted = np.ones(len(order), bool)
+        if dont_cares and "confidence" in columns:
+            counted = columns["confidence"][order] != 0
+        table = cls(
+            frame=columns["frame"][order].astype(np.int64),
+            track=columns["track"][order].astype(np.int64),
+            box=_stacked(columns, ("left", "top", "width", "height"), order),
+            position=_stacked(columns, ("x", "y"), order),
+            counted=counted,
+        )
+        table._refuse_repeated()
+        return table
+
+    def __len__(self) -> int:
+        """The number of rows."""
+        return len(self.frame)
+
+    def rows(self, kept: Flags) -> ScoringTable:
+        """The table of some of its rows."""
+        return ScoringTable(
+            self.frame[kept],
+            self.track[kept],
+            self.box[kept],
+            self.position[kept],
+            self.counted[kept],
+        )
+
+    def _refuse_repeated(self) -> None:
+        order = np.lexsort((self.track, self.frame))
+        frame, track = self.frame[order], self.track[order]
+        repeated = np.flatnonzero((np.diff(frame) == 0) & (np.diff(track) == 0))
+        if len(repeated):
+            first = repeated[0]
+            raise FormatError(
+                f"track {track[first]} stands twice in frame {frame[first]} (from 0); "
+                "remove one of its rows"
+            )
+
+
+def _stacked(columns: Columns, names: tuple[str, ...], order: Integers) -> Floats:
+    """(n, k) the named columns side by side; NaN where the columns are missing."""
+    if not all(name in columns for name in names):
+        return np.full((len(order), len(names)), np.nan)
+    return np.stack([columns[name][order].astype(np.float64) for name in names], axis=1)
