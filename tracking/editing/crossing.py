@@ -70,14 +70,15 @@ def _places(rows_a: Columns, rows_b: Columns) -> tuple[Floats, Floats]:
 def _cost(frames: NDArray[np.int32], a: Floats, b: Floats) -> Floats:
     """(n,) the lower, the likelier the two changed over between the frame before and this one."""
     apart = _length(a - b)
-    meeting = np.minimum(apart, np.concatenate([apart[:1], apart[:-1]]))
+    meeting: Floats = np.minimum(apart, np.concatenate([apart[:1], apart[:-1]]))
     if len(frames) < 3:
         return meeting
     led_a, came_a = _walks(frames, a)
     led_b, came_b = _walks(frames, b)
     kept = _jump(led_a, came_a) + _jump(led_b, came_b)
     changed = _jump(led_a, came_b) + _jump(led_b, came_a)
-    return changed - kept + _NEARNESS * meeting
+    cost: Floats = changed - kept + _NEARNESS * meeting
+    return cost
 
 
 def _walks(frames: NDArray[np.int32], places: Floats) -> tuple[Floats, Floats]:

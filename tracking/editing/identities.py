@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.editing.change import Change, LabelState, State, Stretches, no_rows
 from tracking.errors import EditError
-from tracking.tracks import Columns, Labels, TrackLabel, TrackTable, check_known
+from tracking.tracks import Columns, Labels, TrackLabel, TrackTable, between, check_known
 
 Keep = Literal["first", "second"]
 
@@ -127,8 +127,7 @@ def _stop(table: TrackTable, start: int, end: int | None, *tracks: int) -> int:
 
 
 def _within(frames: NDArray[np.int32], start: int, stop: int) -> NDArray[np.int32]:
-    first, last = np.searchsorted(frames, (start, stop))
-    return frames[first:last]
+    return frames[between(frames, start, stop)]
 
 
 def _stretch(table: TrackTable, track: int, start: int, stop: int) -> Stretches:

@@ -13,7 +13,7 @@ from tracking.tracks.columns import (
 from tracking.tracks.labels import Labels, Occluder, ReviewedRange, TrackLabel
 from tracking.tracks.run import Particles, Run
 from tracking.tracks.table import TrackTable, check_known
-from tracking.tracks.validation import check_tracks, checked_columns
+from tracking.tracks.validation import between, check_tracks, checked_columns
 
 __all__ = [
     "ASSOCIATION_COLUMNS",
@@ -30,6 +30,7 @@ __all__ = [
     "Source",
     "TrackLabel",
     "TrackTable",
+    "between",
     "check_known",
     "check_tracks",
     "checked_columns",

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import EditError
 from tracking.tracks.columns import CORRECTED_COLUMNS, Columns
-from tracking.tracks.validation import check_tracks, is_sorted_strictly
+from tracking.tracks.validation import between, check_tracks, is_sorted_strictly
 
 Slots = NDArray[np.int64]
 Frames = NDArray[np.int32]
@@ -19,7 +19,7 @@ class Rewriting:
     """Which slots leave and join which track, with the checks that make it reversible.
 
     Attributes:
-        kept: the new slots, by frame, of every track that changes.
+        kept: the new slots and their frames, by frame, of every track that changes.
     """
 
     def __init__(self, look_up: Callable[[int], tuple[Slots, Frames]]) -> None:
@@ -30,7 +30,7 @@ class Rewriting:
         self._arriving: dict[int, list[tuple[Slots, Frames]]] = {}
         self._gone: list[Slots] = []
         self._receiving: list[tuple[int, int, int, int]] = []
-        self.kept: dict[int, Slots] = {}
+        self.kept: dict[int, tuple[Slots, Frames]] = {}
 
     def take_out(self, rows: Columns, read: Callable[[Slots], Columns]) -> None:
         """Mark rows for removal; they must stand in the table exactly as given."""
@@ -54,12 +54,12 @@ class Rewriting:
         """Hand the rows of each stretch over."""
         for source, target, start, end in moves.tolist():
             slots, frames = self._of(source)
-            first, last = np.searchsorted(frames, (start, end)).tolist()
-            if source == target or target < 1 or first == last:
+            inside = between(frames, start, end)
+            if source == target or target < 1 or inside.start == inside.stop:
                 raise EditError(f"track {source} has nothing to give in frames {start} to {end}")
-            self._leave(source, np.arange(first, last))
-            self._arrive(target, slots[first:last], frames[first:last])
-            self._receiving.append((target, start, end, last - first))
+            self._leave(source, np.arange(inside.start, inside.stop))
+            self._arrive(target, slots[inside], frames[inside])
+            self._receiving.append((target, start, end, inside.stop - inside.start))
 
     def put_in(self, rows: Columns, first_slot: int) -> None:
         """Add rows, which get slots from first_slot on."""
@@ -72,12 +72,10 @@ class Rewriting:
 
     def check(self) -> None:
         """Work out `kept`; raise EditError where the change does not fit or could not be undone."""
-        frames_of = {}
-        for track in self._before:
-            self.kept[track], frames_of[track] = self._joined(track)
+        self.kept = {track: self._joined(track) for track in self._before}
         for target, start, end, count in self._receiving:
-            first, last = np.searchsorted(frames_of[target], (start, end)).tolist()
-            if last - first != count:
+            inside = between(self.kept[target][1], start, end)
+            if inside.stop - inside.start != count:
                 raise EditError(f"track {target} has rows of its own in frames {start} to {end}")
 
     def arriving(self) -> Iterator[tuple[int, Slots]]:

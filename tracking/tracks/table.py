@@ -17,11 +17,14 @@ from numpy.typing import ArrayLike, NDArray
 from tracking.errors import EditError
 from tracking.tracks.columns import CORRECTED_COLUMNS, Columns, Source, empty
 from tracking.tracks.rewriting import Rewriting
-from tracking.tracks.validation import LARGEST_NUMBER, check_tracks, checked_columns
+from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, checked_columns
 
 Slots = NDArray[np.int64]
+Frames = NDArray[np.int32]
 _VALUES = tuple(name for name in CORRECTED_COLUMNS if name != "track")
 _SMALLEST_LONG_TAIL = 200_000
+_NO_SLOTS: Slots = np.zeros(0, np.int64)
+_NO_FRAMES: Frames = np.zeros(0, np.int32)
 
 
 class TrackTable:
@@ -57,13 +60,13 @@ class TrackTable:
         self._sorted: dict[str, NDArray[Any]] | None = {
             name: _read_only(columns[name]) for name in CORRECTED_COLUMNS
         }
-        self._slots: dict[int, Slots] | None = None
+        self._slots: dict[int, tuple[Slots, Frames]] | None = None
 
     # Reading
 
     def __len__(self) -> int:
         """The number of rows."""
-        return sum(len(slots) for slots in self._index.values())
+        return sum(len(slots) for slots, _ in self._index.values())
 
     @property
     def revision(self) -> int:
@@ -92,12 +95,12 @@ class TrackTable:
 
     def of_frame(self, frame: int) -> dict[str, NDArray[Any]]:
         """The rows of one frame, sorted by track; empty where nobody is."""
-        start, end = np.searchsorted(self._base["frame"], (frame, frame + 1))
-        slots = np.arange(start, end)
+        inside = between(self._base["frame"], frame, frame + 1)
+        slots = np.arange(inside.start, inside.stop)
         if len(self._tail_order):
             frames = self._tail["frame"][self._tail_order]
-            first, last = np.searchsorted(frames, (frame, frame + 1))
-            slots = np.concatenate([slots, len(self._base["frame"]) + self._tail_order[first:last]])
+            late = self._tail_order[between(frames, frame, frame + 1)]
+            slots = np.concatenate([slots, len(self._base["frame"]) + late])
         tracks = self._track[slots]
         order = np.argsort(tracks, kind="stable")
         return self._rows(slots[order[np.count_nonzero(tracks == 0) :]])
@@ -106,25 +109,22 @@ class TrackTable:
         self, track: int, start: int = 0, end: int | None = None
     ) -> dict[str, NDArray[Any]]:
         """The rows of one track in the half-open range of frames, sorted by frame."""
-        slots, frames = self._slots_and_frames(track)
-        first, last = np.searchsorted(frames, (start, LARGEST_NUMBER if end is None else end))
-        return self._rows(slots[first:last])
+        slots, frames = self._of(track)
+        stop = LARGEST_NUMBER if end is None else end
+        return self._rows(slots[between(frames, start, stop)])
 
     def frames_of_track(self, track: int) -> NDArray[np.int32]:
         """The frames in which the track stands, ascending; empty for an unknown track."""
-        return self._slots_and_frames(track)[1]
+        return self._of(track)[1]
 
     def rows_of_track(self, track: int) -> int:
         """How many rows the track has."""
-        return len(self._index.get(track, ()))
+        return len(self._of(track)[0])
 
     def frame_range(self, track: int) -> tuple[int, int]:
         """First frame and one past the last of a track; (0, 0) for an unknown one."""
-        slots = self._index.get(track)
-        if slots is None:
-            return (0, 0)
-        first, last = self._value("frame", slots[[0, -1]])
-        return int(first), int(last) + 1
+        frames = self._of(track)[1]
+        return (int(frames[0]), int(frames[-1]) + 1) if len(frames) else (0, 0)
 
     def activity(self, frame_count: int) -> NDArray[np.uint16]:
         """(frame_count,) the number of people in each frame."""
@@ -166,7 +166,7 @@ class TrackTable:
                 undone exactly because the receiving track has rows of its own in the range.
         """
         added = checked_columns(rows, CORRECTED_COLUMNS, "rows to add")
-        plan = Rewriting(self._slots_and_frames)
+        plan = Rewriting(self._of)
         plan.take_out(out, self._rows)
         plan.move(moves)
         plan.put_in(added, first_slot=len(self._track))
@@ -177,7 +177,7 @@ class TrackTable:
         for slots in plan.gone():
             self._track[slots] = 0
         self._index.update(plan.kept)
-        for track in [track for track, slots in plan.kept.items() if not len(slots)]:
+        for track in [track for track, (slots, _) in plan.kept.items() if not len(slots)]:
             del self._index[track]
         self._highest_track = max([self._highest_track, *plan.kept])
         self._revision += 1
@@ -207,19 +207,16 @@ class TrackTable:
     # Slots
 
     @property
-    def _index(self) -> dict[int, Slots]:
-        """Per track its slots, by frame; made at first use."""
+    def _index(self) -> dict[int, tuple[Slots, Frames]]:
+        """Per track its slots and their frames, by frame; made at first use."""
         if self._slots is None:
-            self._slots = _slots_by_track(self._track)
-            if len(self._tail_order):
-                for track, slots in self._slots.items():
-                    order = np.argsort(self._value("frame", slots), kind="stable")
-                    self._slots[track] = slots[order]
+            frames = np.concatenate([self._base["frame"], self._tail["frame"]])
+            order = np.argsort(frames, kind="stable") if len(self._tail_order) else None
+            self._slots = _by_track(self._track, frames, order)
         return self._slots
 
-    def _slots_and_frames(self, track: int) -> tuple[Slots, NDArray[np.int32]]:
-        slots = self._index.get(track, np.zeros(0, np.int64))
-        return slots, self._value("frame", slots)
+    def _of(self, track: int) -> tuple[Slots, Frames]:
+        return self._index.get(track, (_NO_SLOTS, _NO_FRAMES))
 
     def _rows(self, slots: Slots) -> dict[str, NDArray[Any]]:
         return {
@@ -238,17 +235,21 @@ class TrackTable:
         return values
 
 
-def _slots_by_track(tracks: NDArray[np.int32]) -> dict[int, Slots]:
-    """Group slot numbers by track, keeping their order within a track."""
+def _by_track(
+    tracks: NDArray[np.int32], frames: Frames, by_frame: Slots | None
+) -> dict[int, tuple[Slots, Frames]]:
+    """Group slots and frames by track; by_frame: the slots' order, None where they are in order."""
     # NumPy sorts 16-bit numbers by radix: two passes are far quicker than one sort of 32 bits.
-    order = np.argsort(tracks.astype(np.uint16), kind="stable")
+    order = np.arange(len(tracks)) if by_frame is None else by_frame
+    order = order[np.argsort(tracks[order].astype(np.uint16), kind="stable")]
     if int(tracks.max(initial=0)) > np.iinfo(np.uint16).max:
         order = order[np.argsort((tracks[order] >> 16).astype(np.uint16), kind="stable")]
     ordered = tracks[order]
     cuts = np.flatnonzero(ordered[1:] != ordered[:-1]) + 1
-    starts = np.concatenate([[0], cuts]) if len(ordered) else np.zeros(0, np.int64)
-    groups = zip(ordered[starts].tolist(), np.split(order, cuts), strict=False)
-    return {track: slots for track, slots in groups if track > 0}
+    starts = np.concatenate([[0], cuts])[: len(ordered)]
+    slots, places = np.split(order, cuts), np.split(frames[order], cuts)
+    groups = zip(ordered[starts].tolist(), zip(slots, places, strict=True), strict=False)
+    return {track: group for track, group in groups if track > 0}
 
 
 def _read_only(array: NDArray[Any]) -> NDArray[Any]:

@@ -79,3 +79,11 @@ def check_tracks(columns: Columns, what: str = "table") -> None:
 def is_sorted_strictly(numbers: NDArray[Any]) -> bool:
     """Whether each number is larger than the one before."""
     return bool(np.all(numbers[1:] > numbers[:-1]))
+
+
+def between(frames: NDArray[np.int32], start: int, end: int) -> slice:
+    """Where ascending frames lie in the half-open range, as a slice with start and stop."""
+    # Bounds of the frames' own type: of any other, NumPy would first convert all the frames.
+    bounds = np.clip([start, end], 0, LARGEST_NUMBER).astype(np.int32)
+    first, last = np.searchsorted(frames, bounds)
+    return slice(int(first), int(last))
