@@ -1,0 +1,135 @@
+"""What was done, newest first; any point can be gone back to."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QModelIndex, QPoint, QRect, QSize, Qt, Signal
+from PySide6.QtGui import QFontMetrics, QPainter
+from PySide6.QtWidgets import (
+    QListWidget,
+    QListWidgetItem,
+    QMenu,
+    QStackedLayout,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QWidget,
+)
+
+from app.presenters.scenes import HistoryItem
+from app.views.icons import IconButton
+from app.views.parts import EmptyState, Panel
+from app.views.theme import load_theme, scaled_font
+
+_ITEM = Qt.ItemDataRole.UserRole
+_PAD = 6
+
+
+class HistoryPanel(Panel):
+    """Draws the history, a tuple of :class:`HistoryItem`, oldest first.
+
+    Signals:
+        undo_asked(), redo_asked(): the buttons.
+        frame_sought(int): an entry was clicked; to the frame it changed.
+        goto_asked(int): undo, or redo, until this edit is the last one done.
+    """
+
+    undo_asked = Signal()
+    redo_asked = Signal()
+    frame_sought = Signal(int)
+    goto_asked = Signal(int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(self.tr("History"), parent)
+        self._items: tuple[HistoryItem, ...] = ()
+        self._undo = IconButton("undo", self.tr("Undo"), "Ctrl+Z", self)
+        self._undo.clicked.connect(self.undo_asked)
+        self._redo = IconButton("redo", self.tr("Redo"), "Ctrl+Shift+Z", self)
+        self._redo.clicked.connect(self.redo_asked)
+        self.add_to_heading(self._undo)
+        self.add_to_heading(self._redo)
+        self._list = QListWidget(self)
+        self._list.setAccessibleName(self.tr("Edits, newest first"))
+        self._list.setUniformItemSizes(True)
+        self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._list.setItemDelegate(_EditDelegate(self._list))
+        self._list.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self._list.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self._list.customContextMenuRequested.connect(self._open_menu)
+        self._list.itemClicked.connect(lambda item: self.frame_sought.emit(_edit_of(item).frame))
+        self._list.itemDoubleClicked.connect(lambda item: self.goto_asked.emit(_edit_of(item).edit))
+        self._empty = EmptyState("history", parent=self)
+        self._empty.say(self.tr("No edits yet"), self.tr("What you correct is listed here."))
+        self._stack = QStackedLayout()
+        self._stack.addWidget(self._empty)
+        self._stack.addWidget(self._list)
+        self.layout_body(self._stack)
+        self.show_scene(())
+
+    def show_scene(self, items: tuple[HistoryItem, ...]) -> None:
+        """Show another history."""
+        self._undo.setEnabled(any(not item.undone for item in items))
+        self._redo.setEnabled(any(item.undone for item in items))
+        self._stack.setCurrentIndex(1 if items else 0)
+        if items == self._items:
+            return
+        self._items = items
+        self._list.clear()
+        for item in reversed(items):
+            row = QListWidgetItem(item.text)
+            row.setData(_ITEM, item)
+            row.setToolTip(self.tr("{0}\n{1}, {2}").format(item.text, item.when, item.author))
+            self._list.addItem(row)
+
+    def _open_menu(self, at: QPoint) -> None:
+        row = self._list.itemAt(at)
+        if row is None:
+            return
+        item = _edit_of(row)
+        menu = QMenu(self._list)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        text = self.tr("Redo to here") if item.undone else self.tr("Undo to here")
+        menu.addAction(text).triggered.connect(lambda: self.goto_asked.emit(item.edit))
+        go = self.tr("Go to frame {0}").format(item.frame)
+        menu.addAction(go).triggered.connect(lambda: self.frame_sought.emit(item.frame))
+        menu.popup(self._list.viewport().mapToGlobal(at))
+
+
+def _edit_of(row: QListWidgetItem) -> HistoryItem:
+    item = row.data(_ITEM)
+    assert isinstance(item, HistoryItem)
+    return item
+
+
+class _EditDelegate(QStyledItemDelegate):
+    """Two lines an edit: what, and when by whom; undone ones greyed and struck out."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:  # type: ignore[override] # noqa: ARG002, N802
+        small = QFontMetrics(scaled_font(option.font, 0.85))
+        return QSize(40, option.fontMetrics.height() + small.height() + 2 * _PAD)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:  # type: ignore[override]
+        item = index.data(_ITEM)
+        assert isinstance(item, HistoryItem)
+        theme = load_theme("dark" if option.palette.window().color().lightness() < 128 else "light")
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if option.state & (QStyle.StateFlag.State_MouseOver | QStyle.StateFlag.State_Selected):
+            painter.setPen(Qt.PenStyle.NoPen)
+            selected = option.state & QStyle.StateFlag.State_Selected
+            painter.setBrush(theme.selection if selected else theme.hover)
+            painter.drawRoundedRect(option.rect.adjusted(0, 1, 0, -1), 5, 5)
+        inner = option.rect.adjusted(8, _PAD, -8, -_PAD)
+        font = scaled_font(option.font, 1.0)
+        font.setStrikeOut(item.undone)
+        painter.setFont(font)
+        painter.setPen(theme.text_faint if item.undone else theme.text)
+        metrics = QFontMetrics(font)
+        first = QRect(inner.left(), inner.top(), inner.width(), metrics.height())
+        shown = metrics.elidedText(item.text, Qt.TextElideMode.ElideRight, first.width())
+        painter.drawText(first, Qt.AlignmentFlag.AlignLeft, shown)
+        painter.setFont(scaled_font(option.font, 0.85))
+        painter.setPen(theme.text_faint if item.undone else theme.text_muted)
+        second = inner.adjusted(0, metrics.height(), 0, 0)
+        detail = "  \u00b7  ".join(part for part in (item.when, item.author) if part)
+        painter.drawText(second, Qt.AlignmentFlag.AlignLeft, detail)
+        painter.restore()

@@ -1,0 +1,204 @@
+"""The floor from above: particles, measured positions, people, where they walk."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+from app.presenters.scenes import FloorPerson, OverheadScene
+from app.views.canvas import Canvas
+from app.views.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
+from app.views.labels import draw_message, draw_plate, place_plates, plate_rect
+from app.views.marks import draw_fading_trail
+from app.views.particles import particle_image
+from app.views.theme import Theme, faded, scaled_font
+from app.views.viewport import polygon
+
+_PICK_REACH_PX = 22.0
+_PERSON_RADIUS_M = 0.22
+_ARROW_S = 0.8  # an arrow shows where somebody is after this time
+_LONGEST_ARROW_PX = 70.0
+_STANDING_M_S = 0.05
+
+
+class OverheadView(Canvas):
+    """Draws an :class:`OverheadScene`; forward is up.
+
+    Signals:
+        track_picked(int): the nearest person to a click, 0 where nobody is near.
+        floor_clicked(float, float): where a click was, in metres.
+    """
+
+    track_picked = Signal(int)
+    floor_clicked = Signal(float, float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(upward=True, parent=parent)
+        self._scene: OverheadScene | None = None
+        self.setContentsMargins(12, 12, 12, 12)
+        self.setAccessibleName(self.tr("Overhead view"))
+
+    def show_scene(self, scene: OverheadScene) -> None:
+        """Draw another instant."""
+        before = self._scene
+        self._scene = scene
+        if before is None or (before.bounds != scene.bounds and self._fitted):
+            self.fit()
+        self.update()
+
+    def content(self) -> QRectF:
+        """The bounds of the scene, in metres."""
+        if self._scene is None or self._scene.message:
+            return QRectF()
+        left, bottom, right, top = self._scene.bounds
+        return QRectF(left, bottom, right - left, top - bottom)
+
+    def clicked_at(self, at: QPointF) -> None:
+        """Report who and where."""
+        if self.content().isEmpty():
+            return
+        person = self._person_at(at)
+        self.track_picked.emit(person.track if person is not None else 0)
+        place = self.viewport.to_content(at)
+        self.floor_clicked.emit(place.x(), place.y())
+
+    def name_at(self, at: QPointF) -> str:
+        """The person near the cursor and where they stand."""
+        person = self._person_at(at)
+        if person is None:
+            return ""
+        text = self.tr("{0} at {1:.1f}, {2:.1f} m, {3:.1f} m/s")
+        return text.format(person.label, *person.position, float(np.hypot(*person.velocity)))
+
+    def _person_at(self, at: QPointF) -> FloorPerson | None:
+        if self._scene is None or self._scene.message:
+            return None
+        reach = max(_PICK_REACH_PX, self._radius() + 4)
+        near = [
+            (QLineF(self.viewport.point(*person.position), at).length(), person)
+            for person in self._scene.people
+        ]
+        hits = [hit for hit in near if hit[0] <= reach]
+        return min(hits, key=lambda hit: hit[0])[1] if hits else None
+
+    def _radius(self) -> float:
+        return min(max(_PERSON_RADIUS_M * self.viewport.scale, 6.0), 40.0)
+
+    def paint(self, painter: QPainter, theme: Theme) -> None:
+        """Floor, trails, particles, measured positions, people, plates; in this order."""
+        area, scene = QRectF(self.rect()), self._scene
+        if scene is None or scene.message:
+            text = scene.message if scene is not None else ""
+            draw_message(painter, area, text, theme)
+            return
+        painter.setFont(scaled_font(self.font(), 0.85))
+        draw_grid(painter, area, self.viewport, theme)
+        draw_field_of_view(painter, scene.field_of_view, self.viewport, theme)
+        draw_camera(painter, scene.camera, self.viewport, theme)
+        self._draw_trails(painter, scene, theme)
+        self._draw_particles(painter, scene)
+        for person in scene.people:
+            self._draw_person(painter, person, theme)
+        self._draw_measured(painter, scene, theme)
+        self._draw_preview(painter, scene, theme)
+        self._draw_plates(painter, scene, theme, area)
+        painter.setFont(scaled_font(self.font(), 0.85))
+        draw_scale_bar(painter, area, self.viewport, theme, self.tr("m"))
+
+    def _draw_trails(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
+        for person in scene.people:
+            points = self.viewport.to_widget(person.trail)
+            width = 3.0 if person.selected else 2.0
+            draw_fading_trail(painter, points, theme.track(person.colour), width)
+
+    def _draw_particles(self, painter: QPainter, scene: OverheadScene) -> None:
+        if not len(scene.particles):
+            return
+        ratio = self.devicePixelRatioF()
+        image, left, top = particle_image(
+            self.viewport.to_widget(scene.particles) * ratio,
+            scene.particle_colours,
+            scene.particle_weights,
+            (round(self.width() * ratio), round(self.height() * ratio)),
+            radius_px=1.5 * ratio,
+        )
+        if not image.isNull():
+            image.setDevicePixelRatio(ratio)
+            painter.drawImage(QPointF(left / ratio, top / ratio), image)
+
+    def _draw_person(self, painter: QPainter, person: FloorPerson, theme: Theme) -> None:
+        at, radius = self.viewport.point(*person.position), self._radius()
+        colour = theme.track(person.colour)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if person.selected:
+            for width, opacity in ((14.0, 0.10), (9.0, 0.18), (5.0, 0.25)):
+                painter.setPen(QPen(faded(colour, opacity), width))
+                painter.drawEllipse(at, radius, radius)
+        pen = QPen(colour, 3.0 if person.selected else 1.8)
+        if person.predicted:
+            pen.setDashPattern([3.0, 2.0])
+        painter.setPen(pen)
+        painter.drawEllipse(at, radius, radius)
+        self._draw_arrow(painter, person, at, colour)
+
+    def _draw_arrow(
+        self, painter: QPainter, person: FloorPerson, at: QPointF, colour: QColor
+    ) -> None:
+        """From the ring outwards, the way the person walks; longer where faster."""
+        speed = float(np.hypot(*person.velocity))
+        if not speed > _STANDING_M_S:
+            return
+        along = QPointF(person.velocity[0] / speed, -person.velocity[1] / speed)
+        across = QPointF(-along.y(), along.x())
+        length = min(speed * _ARROW_S * self.viewport.scale, _LONGEST_ARROW_PX)
+        start = at + along * self._radius()
+        tip = at + along * (self._radius() + max(length, 10.0))
+        neck = tip - along * 7.0
+        painter.setPen(QPen(colour, 2.2 if person.selected else 1.8))
+        painter.drawLine(start, neck)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        painter.drawPolygon(QPolygonF([tip, neck + across * 4.0, neck - across * 4.0]))
+
+    def _draw_measured(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
+        painter.setPen(QPen(theme.measured_rim, 1.2))
+        painter.setBrush(theme.measured)
+        for x, y in self.viewport.to_widget(scene.measured).tolist():
+            painter.drawEllipse(QPointF(x, y), 3.2, 3.2)
+
+    def _draw_preview(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        for trail in scene.preview:
+            points = polygon(self.viewport.to_widget(trail.points))
+            colour = theme.track(trail.colour)
+            if trail.after:
+                painter.setPen(QPen(faded(theme.sunken, 0.8), 6.0))
+                painter.drawPolyline(points)
+            pen = QPen(colour if trail.after else faded(colour, 0.75), 3.0 if trail.after else 1.8)
+            if not trail.after:
+                pen.setDashPattern([4.0, 3.0])
+            painter.setPen(pen)
+            painter.drawPolyline(points)
+
+    def _draw_plates(
+        self, painter: QPainter, scene: OverheadScene, theme: Theme, area: QRectF
+    ) -> None:
+        painter.setFont(scaled_font(self.font(), 0.92, bold=True))
+        metrics, radius = QFontMetricsF(painter.font()), self._radius()
+        ordered = sorted(scene.people, key=lambda person: not person.selected)
+        wanted = [
+            plate_rect(
+                metrics,
+                one.label,
+                self.viewport.point(*one.position) + QPointF(radius + 3, -radius),
+            )
+            for one in ordered
+        ]
+        shown = area.adjusted(4, 4, -4, -4)
+        placed = list(zip(ordered, place_plates(wanted, shown), strict=True))
+        for person, rect in reversed(placed):
+            if area.contains(self.viewport.point(*person.position)):
+                colour = theme.track(person.colour)
+                draw_plate(painter, rect, person.label, colour, person.selected)

@@ -1,0 +1,151 @@
+"""One eye's picture with the people marked on it."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
+from PySide6.QtWidgets import QWidget
+
+from app.presenters.scenes import Eye, PersonMark, PictureScene
+from app.views.canvas import Canvas
+from app.views.labels import draw_message, draw_note, plate_rect
+from app.views.marks import draw_people
+from app.views.theme import Theme, scaled_font
+from tracking.recording.frame import Image
+
+_PICK_REACH_PX = 10.0
+
+
+class PictureView(Canvas):
+    """Draws a :class:`PictureScene`.
+
+    Signals:
+        track_picked(int): a person was clicked, the nearest where boxes lie over each other;
+            0 for a click beside all people.
+        picture_clicked(float, float): where a click was, in pixels as recorded.
+    """
+
+    track_picked = Signal(int)
+    picture_clicked = Signal(float, float)
+
+    def __init__(self, eye: Eye, parent: QWidget | None = None) -> None:
+        super().__init__(upward=False, parent=parent)
+        self._scene = PictureScene(eye, 0, None)
+        self._image = QImage()
+        self._overlay = QImage()
+        self._eye_name = ""
+        self._rename()
+
+    def show_scene(self, scene: PictureScene) -> None:
+        """Draw another instant."""
+        before, previous = self._image.size(), self._scene
+        self._scene = scene
+        if scene.image is not previous.image or self._image.isNull():
+            self._image = _from_bgr(scene.image)
+        if scene.overlay is not previous.overlay:
+            self._overlay = _from_rgba(scene.overlay)
+        if scene.eye is not previous.eye:
+            self._rename()
+        if self._image.size() != before:
+            self.fit()
+        self.update()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Follow the language."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._rename()
+
+    def _rename(self) -> None:
+        left = self._scene.eye is Eye.LEFT
+        self._eye_name = self.tr("Left eye") if left else self.tr("Right eye")
+        self.setAccessibleName(self._eye_name)
+
+    def content(self) -> QRectF:
+        """The picture; its first pixel's centre lies at (0, 0)."""
+        if self._image.isNull():
+            return QRectF()
+        return QRectF(-0.5, -0.5, self._image.width(), self._image.height())
+
+    def clicked_at(self, at: QPointF) -> None:
+        """Report who and where."""
+        if self._image.isNull():
+            return
+        person = self._person_at(at)
+        self.track_picked.emit(person.track if person is not None else 0)
+        place = self.viewport.to_content(at)
+        self.picture_clicked.emit(place.x(), place.y())
+
+    def name_at(self, at: QPointF) -> str:
+        """The person's label under the cursor."""
+        person = self._person_at(at)
+        if person is None:
+            return ""
+        return self.tr("{0} (predicted)").format(person.label) if person.predicted else person.label
+
+    def _person_at(self, at: QPointF) -> PersonMark | None:
+        """The person whose box is hit; of several, the one whose middle is nearest."""
+        reach = _PICK_REACH_PX
+        hits = []
+        for person in self._scene.people:
+            rect = self.viewport.rect(QRectF(*person.box))
+            if rect.adjusted(-reach, -reach, reach, reach).contains(at):
+                outside = 0.0 if rect.contains(at) else 1e6
+                hits.append((outside + QLineF(rect.center(), at).length(), person))
+        return min(hits, key=lambda hit: hit[0])[1] if hits else None
+
+    def paint(self, painter: QPainter, theme: Theme) -> None:
+        """Picture, overlay, grid, people, the eye's name."""
+        area = QRectF(self.rect())
+        if self._image.isNull():
+            draw_message(painter, area, self._scene.message, theme)
+            return
+        self._draw_image(painter)
+        self._draw_grid(painter)
+        painter.setFont(scaled_font(self.font(), 0.92, bold=True))
+        shown = area.intersected(self.viewport.rect(self.content()))
+        draw_people(painter, self._scene.people, self.viewport, shown)
+        if self._scene.message:
+            draw_message(painter, area, self._scene.message, theme)
+        painter.setFont(scaled_font(self.font(), 0.92))
+        rect = plate_rect(QFontMetricsF(painter.font()), self._eye_name, QPointF(0, 0))
+        rect.moveTopLeft(QPointF(8, 8))
+        draw_note(painter, rect, self._eye_name, theme)
+
+    def _draw_image(self, painter: QPainter) -> None:
+        target = self.viewport.rect(self.content())
+        shrunk_or_near = self.viewport.scale < 3.0
+        hint = QPainter.RenderHint.SmoothPixmapTransform
+        painter.setRenderHint(hint, shrunk_or_near)
+        painter.drawImage(target, self._image)
+        if not self._overlay.isNull():
+            painter.drawImage(target, self._overlay)
+
+    def _draw_grid(self, painter: QPainter) -> None:
+        segments = np.asarray(self._scene.grid, np.float64)
+        if not len(segments):
+            return
+        ends = self.viewport.to_widget(segments.reshape(-1, 2)).reshape(-1, 4)
+        ends = ends[np.isfinite(ends).all(axis=1)]
+        painter.setPen(QPen(QColor(255, 255, 255, 90), 1.0))
+        painter.drawLines([QLineF(*row) for row in ends.tolist()])
+
+
+def _from_bgr(image: Image | None) -> QImage:
+    """A picture of our own, so that the frame cache may drop its array."""
+    if image is None:
+        return QImage()
+    rows, columns = image.shape[:2]
+    packed = np.ascontiguousarray(image)
+    shared = QImage(packed.data, columns, rows, 3 * columns, QImage.Format.Format_BGR888)
+    return shared.convertToFormat(QImage.Format.Format_RGB32)
+
+
+def _from_rgba(overlay: Image | None) -> QImage:
+    if overlay is None:
+        return QImage()
+    rows, columns = overlay.shape[:2]
+    packed = np.ascontiguousarray(overlay)
+    shared = QImage(packed.data, columns, rows, 4 * columns, QImage.Format.Format_RGBA8888)
+    return shared.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)

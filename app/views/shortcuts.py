@@ -1,0 +1,92 @@
+"""F1: every key, by menu."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QDialog,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.presenters.scenes import CommandItem
+from app.views.command_palette import key_label
+from app.views.parts import heading, quiet
+
+_COLUMNS = 3
+
+
+class ShortcutsDialog(QDialog):
+    """All commands that have keys, grouped; a line above narrows them down."""
+
+    def __init__(self, items: tuple[CommandItem, ...], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._items = tuple(item for item in items if item.keys)
+        self.setWindowTitle(self.tr("Keyboard shortcuts"))
+        self._find = QLineEdit(self)
+        self._find.setPlaceholderText(self.tr("Find a command or a key"))
+        self._find.setAccessibleName(self.tr("Find a command or a key"))
+        self._find.setClearButtonEnabled(True)
+        self._find.textChanged.connect(self.narrow)
+        self._scroll = QScrollArea(self)
+        self._scroll.setWidgetResizable(True)
+        self._scroll.setFrameShape(QFrame.Shape.NoFrame)
+        self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(16, 16, 16, 16)
+        rows.setSpacing(12)
+        rows.addWidget(self._find)
+        rows.addWidget(self._scroll, 1)
+        letter = self.fontMetrics().averageCharWidth()
+        self.resize(_COLUMNS * 44 * letter, 34 * self.fontMetrics().height())
+        self.narrow("")
+
+    def narrow(self, typed: str) -> None:
+        """Show only commands whose title or key holds what is typed."""
+        wanted = typed.strip().lower()
+        groups: dict[str, list[CommandItem]] = {}
+        for item in self._items:
+            if wanted in f"{item.title} {' '.join(item.keys)}".lower():
+                groups.setdefault(item.menu, []).append(item)
+        self._scroll.setWidget(self._page(groups))
+
+    def _page(self, groups: dict[str, list[CommandItem]]) -> QWidget:
+        """Groups in columns, each into the one that is shortest so far."""
+        page = QWidget(self._scroll)
+        across = QHBoxLayout(page)
+        across.setContentsMargins(0, 0, 8, 0)
+        across.setSpacing(32)
+        columns = [QVBoxLayout() for _ in range(_COLUMNS)]
+        heights = [0] * _COLUMNS
+        for menu, items in groups.items():
+            shortest = heights.index(min(heights))
+            columns[shortest].addLayout(self._group(menu, items, page))
+            columns[shortest].addSpacing(12)
+            heights[shortest] += len(items) + 2
+        for column in columns:
+            column.addStretch(1)
+            across.addLayout(column, 1)
+        if not groups:
+            columns[0].insertWidget(0, quiet(self.tr("Nothing is called like that."), page))
+        return page
+
+    def _group(self, menu: str, items: list[CommandItem], page: QWidget) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setVerticalSpacing(4)
+        grid.setColumnStretch(0, 1)
+        grid.addWidget(heading(menu, page), 0, 0, 1, 2)
+        for line, item in enumerate(items, start=1):
+            grid.addWidget(QLabel(item.title, page), line, 0)
+            keys = QHBoxLayout()
+            keys.setSpacing(4)
+            keys.addStretch(1)
+            for key in item.keys:
+                keys.addWidget(key_label(key, page))
+            grid.addLayout(keys, line, 1)
+        return grid

@@ -1,0 +1,168 @@
+"""Dark and light: colours as data, laid over Qt's palette and a small stylesheet.
+
+The palette is the one truth: a widget asks :func:`theme_of` while painting, and is repainted by
+Qt itself when the look changes.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass, fields
+from enum import Enum
+from functools import cache
+from importlib.resources import files
+from string import Template
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
+from PySide6.QtWidgets import QApplication, QWidget
+
+from app.presenters.scenes import Colour
+
+
+class Look(Enum):
+    """What the user chose."""
+
+    SYSTEM = "system"
+    LIGHT = "light"
+    DARK = "dark"
+
+
+@dataclass(frozen=True, slots=True)
+class Theme:
+    """The colours of one look, named by what they are for; see `resources/themes`."""
+
+    name: str
+    window: QColor
+    surface: QColor
+    raised: QColor
+    sunken: QColor
+    line: QColor
+    line_strong: QColor
+    text: QColor
+    text_muted: QColor
+    text_faint: QColor
+    accent: QColor
+    accent_fill: QColor
+    accent_text: QColor
+    hover: QColor
+    pressed: QColor
+    selection: QColor
+    good: QColor
+    warning: QColor
+    danger: QColor
+    grid: QColor
+    grid_major: QColor
+    measured: QColor
+    measured_rim: QColor
+    shadow: QColor
+
+    @property
+    def is_dark(self) -> bool:
+        """Whether light text stands on a dark ground."""
+        return self.window.lightness() < 128
+
+    def track(self, colour: Colour) -> QColor:
+        """A track's colour, moved towards the middle where the ground would swallow it."""
+        own = QColor(*colour)
+        hue, saturation, lightness = own.hslHueF(), own.hslSaturationF(), own.lightnessF()
+        bound = max(lightness, 0.5) if self.is_dark else min(lightness, 0.46)
+        return own if bound == lightness else QColor.fromHslF(max(hue, 0.0), saturation, bound)
+
+
+@cache
+def load_theme(name: str) -> Theme:
+    """Read `dark` or `light` from the resources."""
+    text = (files("resources") / "themes" / f"{name}.toml").read_text(encoding="utf-8")
+    table = tomllib.loads(text)
+    return Theme(table["name"], **{key: QColor(code) for key, code in table["colours"].items()})
+
+
+def theme_of(widget: QWidget) -> Theme:
+    """The theme that fits the widget's palette as it is now."""
+    ground = widget.palette().color(QPalette.ColorRole.Window)
+    return load_theme("dark" if ground.lightness() < 128 else "light")
+
+
+def apply_look(application: QApplication, look: Look) -> Theme:
+    """Give the program a look; SYSTEM takes what the desktop says now.
+
+    Call it again when `QStyleHints.colorSchemeChanged` fires to follow the desktop.
+    """
+    theme = load_theme(_theme_name(look))
+    application.setStyle("Fusion")
+    application.setPalette(_palette(theme))
+    application.setStyleSheet(stylesheet(theme))
+    return theme
+
+
+def _theme_name(look: Look) -> str:
+    if look is not Look.SYSTEM:
+        return look.value
+    scheme = QGuiApplication.styleHints().colorScheme()
+    return "dark" if scheme is Qt.ColorScheme.Dark else "light"
+
+
+def stylesheet(theme: Theme) -> str:
+    """The stylesheet with the theme's colours filled in."""
+    text = (files("resources") / "themes" / "style.qss").read_text(encoding="utf-8")
+    colours = {
+        one.name: colour.name()
+        for one in fields(theme)
+        if isinstance(colour := getattr(theme, one.name), QColor)
+    }
+    filled: str = Template(text).substitute(colours)
+    return filled
+
+
+def _palette(theme: Theme) -> QPalette:
+    role = QPalette.ColorRole
+    palette = QPalette(theme.raised, theme.window)
+    for roles, colour in (
+        ((role.Window,), theme.window),
+        ((role.Base,), theme.surface),
+        ((role.AlternateBase, role.Button, role.ToolTipBase), theme.raised),
+        ((role.WindowText, role.Text, role.ButtonText, role.ToolTipText), theme.text),
+        ((role.PlaceholderText,), theme.text_faint),
+        ((role.Highlight, role.Accent), theme.accent_fill),
+        ((role.HighlightedText, role.BrightText), theme.accent_text),
+        ((role.Link,), theme.accent),
+        ((role.Mid, role.Dark), theme.line_strong),
+        ((role.Light, role.Midlight), theme.line),
+        ((role.Shadow,), theme.shadow),
+    ):
+        for one in roles:
+            palette.setColor(one, colour)
+    for one in (role.WindowText, role.Text, role.ButtonText):
+        palette.setColor(QPalette.ColorGroup.Disabled, one, theme.text_faint)
+    return palette
+
+
+def scaled_font(font: QFont, factor: float, bold: bool = False) -> QFont:
+    """The font at another size, with figures of equal width so that numbers do not jump."""
+    changed = QFont(font)
+    if font.pointSizeF() > 0:
+        changed.setPointSizeF(font.pointSizeF() * factor)
+    else:
+        changed.setPixelSize(max(1, round(font.pixelSize() * factor)))
+    if bold:
+        changed.setWeight(QFont.Weight.DemiBold)
+    changed.setFeature(QFont.Tag("tnum"), 1)
+    return changed
+
+
+def faded(colour: QColor, opacity: float) -> QColor:
+    """The colour with its alpha times `opacity` (0..1)."""
+    other = QColor(colour)
+    other.setAlphaF(colour.alphaF() * opacity)
+    return other
+
+
+def ink_on(ground: QColor) -> QColor:
+    """Black or white, whichever reads better on the ground (WCAG relative luminance)."""
+    linear = [
+        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
+        for part in (ground.redF(), ground.greenF(), ground.blueF())
+    ]
+    luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    return QColor(16, 18, 20) if luminance > 0.18 else QColor(255, 255, 255)

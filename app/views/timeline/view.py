@@ -1,0 +1,49 @@
+"""Lanes and overview put together."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFrame, QVBoxLayout, QWidget
+
+from app.presenters.scenes import TimelineScene
+from app.views.timeline.overview import OverviewStrip
+from app.views.timeline.tracks_area import TracksArea
+
+
+class TimelineView(QFrame):
+    """Draws a :class:`TimelineScene`; only what changed is drawn anew.
+
+    Signals:
+        frame_sought(int): a click or drag on ruler, lanes or overview.
+        track_picked(int): a click on a lane, 0 beside all.
+        cut_moved(int): the cut of a previewed edit was dragged to a frame.
+    """
+
+    frame_sought = Signal(int)
+    track_picked = Signal(int)
+    cut_moved = Signal(int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.area = TracksArea(self)
+        self.overview = OverviewStrip(self)
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.setSpacing(0)
+        rows.addWidget(self.area, 1)
+        rows.addWidget(self.overview)
+        self.area.axis_changed.connect(self.overview.show_window)
+        self.area.frame_sought.connect(self.frame_sought)
+        self.area.track_picked.connect(self.track_picked)
+        self.area.cut_moved.connect(self.cut_moved)
+        self.overview.frame_sought.connect(self.frame_sought)
+        self._selected = 0
+
+    def show_scene(self, scene: TimelineScene) -> None:
+        """Draw another instant; a newly selected track is scrolled to."""
+        self.area.show_scene(scene)
+        self.overview.show_scene(scene)
+        selected = next((lane.track for lane in scene.lanes if lane.selected), 0)
+        if selected != self._selected:
+            self._selected = selected
+            self.area.reveal(selected)
