@@ -48,6 +48,15 @@ class PersonMark:
 
 
 @dataclass(frozen=True, slots=True)
+class PreviewTrail:
+    """A trail as it would be, or as it was, in a previewed edit."""
+
+    points: Points
+    colour: Colour
+    after: bool
+
+
+@dataclass(frozen=True, slots=True)
 class PictureScene:
     """One eye at one instant.
 
@@ -59,6 +68,7 @@ class PictureScene:
         overlay: (height, width, 4) uint8 RGBA laid over the picture, or None.
         grid: line segments (n, 2, 2) of the floor grid in pixels, or empty.
         message: said in the middle where there is no picture.
+        preview: trails in pixels before (dashed) and after (solid) of an edit being previewed.
     """
 
     eye: Eye
@@ -68,6 +78,7 @@ class PictureScene:
     overlay: NDArray[np.uint8] | None = None
     grid: NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 2, 2)))
     message: str = ""
+    preview: tuple[PreviewTrail, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,15 +127,6 @@ class OverheadScene:
     bounds: tuple[float, float, float, float]
     preview: tuple[PreviewTrail, ...] = ()
     message: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class PreviewTrail:
-    """A trail as it would be, or as it was, in a previewed edit."""
-
-    points: Points
-    colour: Colour
-    after: bool
 
 
 @dataclass(frozen=True, slots=True)

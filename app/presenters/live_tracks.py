@@ -1,0 +1,97 @@
+"""What a tracker at work has found so far."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.shown import Spans, joined
+from tracking.trackers import StepResult
+from tracking.tracks import DETECTION_COLUMNS, PARTICLE_COLUMNS, TRACK_COLUMNS, Columns, empty
+
+
+class LiveTracks:
+    """Results of a tracker at work, kept frame by frame as they come in order."""
+
+    def __init__(self) -> None:
+        self._steps: list[StepResult] = []
+        self._first = 0
+        self._spans: dict[int, list[list[int]]] = {}
+
+    def extend(self, results: Iterable[StepResult]) -> None:
+        """Take further frames."""
+        for step in results:
+            if not self._steps:
+                self._first = step.frame
+            self._steps.append(step)
+            predicted = step.tracks["predicted"].tolist()
+            for track, lost in zip(step.tracks["track"].tolist(), predicted, strict=True):
+                self._lengthen(track, step.frame, int(lost))
+
+    @property
+    def frames(self) -> tuple[int, int]:
+        """The frames tracked so far."""
+        return self._first, self._first + len(self._steps)
+
+    @property
+    def ids(self) -> Sequence[int]:
+        """All tracks so far."""
+        return sorted(self._spans)
+
+    def of_frame(self, frame: int) -> Columns:
+        """The frame's rows; none where it was not tracked yet."""
+        step = self._step(frame)
+        return empty(TRACK_COLUMNS) if step is None else step.tracks
+
+    def recent(self, frame: int, back: int) -> Columns:
+        """The rows of the frame's people, from `back` frames before it."""
+        rows = self._rows(frame - back, frame + 1)
+        mine = np.isin(rows["track"], self.of_frame(frame)["track"])
+        return {name: column[mine] for name, column in rows.items()}
+
+    def of_track(self, track: int) -> Columns:
+        """The rows of a track."""
+        spans = self._spans.get(track)
+        if not spans:
+            return empty(TRACK_COLUMNS)
+        rows = self._rows(spans[0][0], spans[-1][1])
+        mine = rows["track"] == track
+        return {name: column[mine] for name, column in rows.items()}
+
+    def detections(self, frame: int) -> Columns:
+        """What was measured in the frame."""
+        step = self._step(frame)
+        return empty(DETECTION_COLUMNS) if step is None else step.detections
+
+    def particles(self, frame: int) -> Columns:
+        """The frame's particles."""
+        step = self._step(frame)
+        return empty(PARTICLE_COLUMNS) if step is None else step.particles
+
+    def spans(self) -> dict[int, Spans]:
+        """The stretches so far."""
+        return {track: np.array(rows, np.int64) for track, rows in self._spans.items()}
+
+    def activity(self, frame_count: int) -> NDArray[np.uint16]:
+        """People per frame so far."""
+        people = np.zeros(frame_count, np.uint16)
+        counts = [len(step.tracks["track"]) for step in self._steps]
+        people[self._first : self._first + len(counts)] = counts
+        return people
+
+    def _rows(self, start: int, stop: int) -> Columns:
+        low, high = (min(max(0, n - self._first), len(self._steps)) for n in (start, stop))
+        return joined([step.tracks for step in self._steps[low:high]])
+
+    def _step(self, frame: int) -> StepResult | None:
+        index = frame - self._first
+        return self._steps[index] if 0 <= index < len(self._steps) else None
+
+    def _lengthen(self, track: int, frame: int, predicted: int) -> None:
+        spans = self._spans.setdefault(track, [])
+        if spans and spans[-1][1] == frame and spans[-1][2] == predicted:
+            spans[-1][1] = frame + 1
+        else:
+            spans.append([frame, frame + 1, predicted])

@@ -1,0 +1,65 @@
+"""Track card, history and transport line in words."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+import numpy as np
+
+from app.presenters.palette import colour_of_track
+from app.presenters.scenes import HistoryItem, TrackCard
+from app.presenters.shown import ShownTracks
+from tracking.editing import History
+from tracking.tracks import TrackLabel
+
+
+def track_card(tracks: ShownTracks, track: int, label: TrackLabel) -> TrackCard | None:
+    """The card of a track; None where it has no rows."""
+    rows = tracks.of_track(track)
+    if not len(rows["frame"]):
+        return None
+    predicted = int(np.count_nonzero(rows["predicted"]))
+    confidence = rows["confidence"][np.isfinite(rows["confidence"])]
+    return TrackCard(
+        track=track,
+        name=label.name,
+        colour=colour_of_track(track),
+        first_frame=int(rows["frame"][0]),
+        last_frame=int(rows["frame"][-1]),
+        frames_seen=len(rows["frame"]) - predicted,
+        frames_predicted=predicted,
+        mean_confidence=float(confidence.mean()) if len(confidence) else float("nan"),
+        attributes=tuple(label.attributes.items()),
+        notes=label.notes,
+    )
+
+
+def history_items(history: History) -> tuple[HistoryItem, ...]:
+    """The log as the panel shows it: edits that cannot be redone any more are left out."""
+    return tuple(
+        HistoryItem(
+            entry.id, entry.text, _local(entry.time), entry.author, entry.frame, entry.undone
+        )
+        for entry in history
+        if not entry.abandoned
+    )
+
+
+def marks_by_track(history: History) -> dict[int, tuple[int, ...]]:
+    """For each track the frames where an edit in force touched it."""
+    marks: dict[int, list[int]] = {}
+    for entry in history:
+        if not entry.undone:
+            for track in entry.change.tracks:
+                marks.setdefault(track, []).append(entry.frame)
+    return {track: tuple(sorted(set(frames))) for track, frames in marks.items()}
+
+
+def _local(time: str) -> str:
+    """An ISO time as the user's clock shows it: today only the hour, else the day too."""
+    try:
+        moment = datetime.fromisoformat(time).astimezone()
+    except ValueError:
+        return time
+    today = datetime.now().astimezone().date()
+    return moment.strftime("%H:%M:%S" if moment.date() == today else "%Y-%m-%d %H:%M")

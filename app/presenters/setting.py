@@ -1,0 +1,47 @@
+"""What a frame's scenes are made from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from app.presenters.scenes import PreviewTrail
+from app.presenters.shown import ShownTracks
+
+
+@dataclass(frozen=True, slots=True)
+class Pictured:
+    """What is laid over the pictures: the user's choice."""
+
+    grid: bool = False
+    particles: bool = False
+    trails: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Instant:
+    """One instant as all views show it.
+
+    Attributes:
+        frame: number. tracks: where people come from. names: of tracks that have one.
+        selected: track id, 0 for nobody. other: the second person of an edit, 0 for nobody.
+        preview: trails on the floor (m) of an edit that waits.
+        picture_preview: the same in pixels of the left eye.
+    """
+
+    frame: int
+    tracks: ShownTracks
+    names: Mapping[int, str] = field(default_factory=dict)
+    selected: int = 0
+    other: int = 0
+    preview: tuple[PreviewTrail, ...] = ()
+    picture_preview: tuple[PreviewTrail, ...] = ()
+
+    def label(self, track: int) -> str:
+        """The id, and the name where there is one."""
+        name = self.names.get(track, "")
+        return f"{track} {name}" if name else str(track)
+
+    def is_chosen(self, track: int) -> bool:
+        """Whether the track is drawn with emphasis."""
+        return track in (self.selected, self.other) and track > 0

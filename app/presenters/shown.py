@@ -1,0 +1,57 @@
+"""The tracks that are shown: those of a session, or those a tracker is just making."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.tracks import TRACK_COLUMNS, Columns, empty
+
+Spans = NDArray[np.int64]
+"""(k, 3) rows of first frame, end frame (half-open), predicted (0 or 1)."""
+
+
+class ShownTracks(Protocol):
+    """What the views ask of tracks, wherever they come from."""
+
+    @property
+    def frames(self) -> tuple[int, int]:
+        """The half-open range of frames that a tracker went through."""
+
+    @property
+    def ids(self) -> Sequence[int]:
+        """All tracks."""
+
+    def of_frame(self, frame: int) -> Columns:
+        """`TRACK_COLUMNS` of a frame, sorted by track."""
+
+    def recent(self, frame: int, back: int) -> Columns:
+        """`TRACK_COLUMNS` of the frame's people in it and `back` frames before.
+
+        The rows of one track stand by frame.
+        """
+
+    def of_track(self, track: int) -> Columns:
+        """`TRACK_COLUMNS` of a track, sorted by frame."""
+
+    def detections(self, frame: int) -> Columns:
+        """`DETECTION_COLUMNS` of a frame."""
+
+    def particles(self, frame: int) -> Columns:
+        """`PARTICLE_COLUMNS` of a frame, grouped by track."""
+
+    def spans(self) -> dict[int, Spans]:
+        """For each track the stretches it was measured or predicted in."""
+
+    def activity(self, frame_count: int) -> NDArray[np.uint16]:
+        """(frame_count,) people per frame."""
+
+
+def joined(parts: Sequence[Columns]) -> Columns:
+    """`TRACK_COLUMNS` of several tables one behind the other."""
+    if not parts:
+        return empty(TRACK_COLUMNS)
+    return {name: np.concatenate([part[name] for part in parts]) for name in TRACK_COLUMNS}

@@ -1,0 +1,88 @@
+"""The timeline's lanes, made again only where something changed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.palette import colour_of_track
+from app.presenters.scenes import Lane, TimelineScene
+from app.presenters.setting import Instant
+from app.presenters.shown import ShownTracks, Spans
+
+
+class TimelinePresenter:
+    """Makes timeline scenes of one recording.
+
+    `lanes` and `activity` of the scene stay the same objects until the tracks, their names, the
+    marks or the selection change, so that a view repaints the playhead alone while playing.
+    """
+
+    def __init__(self, frame_count: int, fps: float) -> None:
+        self._frame_count = frame_count
+        self._fps = fps
+        self._spans: dict[int, Spans] = {}
+        self._marks: dict[int, tuple[int, ...]] = {}
+        self._activity: NDArray[np.uint16] = np.zeros(frame_count, np.uint16)
+        self._lanes: tuple[Lane, ...] = ()
+        self._drawn_for: tuple[object, ...] = ()
+        self._version = 0
+
+    def take(self, tracks: ShownTracks, marks: Mapping[int, tuple[int, ...]]) -> None:
+        """Take all lanes anew."""
+        self._spans = tracks.spans()
+        self._marks = dict(marks)
+        self._activity = tracks.activity(self._frame_count)
+        self._version += 1
+
+    def take_changed(
+        self,
+        changed: Iterable[int],
+        spans: Mapping[int, Spans],
+        activity: NDArray[np.uint16],
+        marks: Mapping[int, tuple[int, ...]],
+    ) -> None:
+        """Take the lanes of some tracks anew; those without spans go."""
+        for track in changed:
+            if track in spans:
+                self._spans[track] = spans[track]
+            else:
+                self._spans.pop(track, None)
+        self._activity = activity
+        self._marks = dict(marks)
+        self._version += 1
+
+    def scene(
+        self, playhead: int, instant: Instant, loaded: tuple[int, int], cut: int | None
+    ) -> TimelineScene:
+        """The timeline with its playhead."""
+        wanted = (self._version, instant.selected, instant.other, instant.names)
+        if wanted != self._drawn_for:
+            self._drawn_for = wanted
+            self._lanes = self._make_lanes(instant)
+        return TimelineScene(
+            frame_count=self._frame_count,
+            fps=self._fps,
+            frame=playhead,
+            lanes=self._lanes,
+            activity=self._activity,
+            tracked=instant.tracks.frames,
+            loaded=loaded,
+            cut=cut,
+        )
+
+    def _make_lanes(self, instant: Instant) -> tuple[Lane, ...]:
+        by_start = sorted(self._spans, key=lambda track: (int(self._spans[track][0, 0]), track))
+        return tuple(
+            Lane(
+                track=track,
+                label=instant.label(track),
+                colour=colour_of_track(track),
+                selected=instant.is_chosen(track),
+                spans=self._spans[track],
+                marks=self._marks.get(track, ()),
+            )
+            for track in by_start
+        )

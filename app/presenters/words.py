@@ -1,0 +1,42 @@
+"""Words shown to people, translatable although presenters know no Qt.
+
+The program installs Qt's translator at start; without one, the English text is shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+_translate: Callable[[str], str] | None = None
+
+
+def use_translator(translate: Callable[[str], str] | None) -> None:
+    """Let `translate` turn the English text into the user's language; None: English."""
+    global _translate
+    _translate = translate
+
+
+def tr(text: str, **values: object) -> str:
+    """The text in the user's language, with its {named} places filled."""
+    words = _translate(text) if _translate is not None else text
+    return words.format(**values) if values else words
+
+
+def time_text(seconds: float) -> str:
+    """Minutes, seconds and hundredths, e.g. "00:41.70"; with hours where there are any."""
+    hundredths = round(max(0.0, seconds) * 100)
+    minutes, rest = divmod(hundredths, 6000)
+    hours, minutes = divmod(minutes, 60)
+    clock = f"{minutes:02d}:{rest // 100:02d}.{rest % 100:02d}"
+    return f"{hours}:{clock}" if hours else clock
+
+
+def duration_text(seconds: float) -> str:
+    """A short rounded duration for people who wait: "8 s", "3 min", "1 h 5 min"."""
+    whole = max(1, round(seconds))
+    if whole < 60:
+        return tr("{n} s", n=whole)
+    minutes = round(whole / 60)
+    if minutes < 60:
+        return tr("{n} min", n=minutes)
+    return tr("{h} h {n} min", h=minutes // 60, n=minutes % 60)

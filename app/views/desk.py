@@ -1,0 +1,237 @@
+"""One open recording on the workspace: draws what is due and passes gestures on."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from app.presenters.commands import Situation
+from app.presenters.document import Document
+from app.presenters.scenes import Eye, TransportScene
+from app.presenters.setting import Pictured
+from app.presenters.words import tr
+from app.views.editing import Editing
+from app.views.live import LiveTracking
+from app.views.playback import Playback
+from app.views.workspace import Workspace
+from tracking.errors import TrackwrightError
+from tracking.trackers import StepResult, best_tracker
+
+
+class Desk(QObject):
+    """Holds the document, the playback and the tracker at work of one open recording.
+
+    Signals: `changed()`, commands may be enabled or disabled by now; `failed(error)`;
+    `said(text)`; `tracked(run)`, the tracker at work came to its end with a `Run`.
+    """
+
+    changed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+    tracked = Signal(object)
+
+    def __init__(self, document: Document, workspace: Workspace, parent: QObject) -> None:
+        super().__init__(parent)
+        self.document = document
+        self.playback = Playback(document.recording, self)
+        self.editing = Editing(document, self.playback, self)
+        self.live = LiveTracking(document.recording, self)
+        self.pictured = Pictured()
+        self.eyes = "left"
+        self._workspace = workspace
+        self._best, self._why_no_tracking = _best_tracker(document)
+        self._connect_parts()
+        self._connect_views()
+
+    def _connect_parts(self) -> None:
+        self.playback.wait_at = self._last_tracked
+        self.playback.shown.connect(self.draw_instant)
+        self.playback.moved.connect(self.draw_playhead)
+        self.playback.failed.connect(self.failed)
+        self.editing.changed.connect(self.draw)
+        self.editing.failed.connect(self.failed)
+        self.editing.said.connect(self.said)
+        self.live.tracked.connect(self._take_live)
+        self.live.finished.connect(self._end_live)
+        self.live.failed.connect(self._fail_live)
+
+    def _connect_views(self) -> None:
+        """Gestures of the views; each connection ends with this object."""
+        desk, view = self, self._workspace
+        for picker in (view.left, view.right, view.overhead, view.timeline):
+            picker.track_picked.connect(desk.editing.pick)
+        view.timeline.frame_sought.connect(desk.playback.go)
+        view.timeline.cut_moved.connect(desk.editing.put_cut)
+        view.transport.play_toggled.connect(desk.toggle)
+        view.transport.frame_sought.connect(desk.playback.go)
+        view.transport.stepped.connect(desk.playback.step)
+        view.transport.speed_chosen.connect(desk.playback.set_speed)
+        view.card.name_edited.connect(desk.editing.rename)
+        view.card.notes_edited.connect(desk.editing.write_notes)
+        view.card.attributes_edited.connect(desk.editing.set_attributes)
+        view.card.frame_sought.connect(desk.playback.go)
+        view.history.undo_asked.connect(desk.editing.undo)
+        view.history.redo_asked.connect(desk.editing.redo)
+        view.history.frame_sought.connect(desk.playback.go)
+        view.history.goto_asked.connect(desk.editing.go_to_edit)
+        view.preview.confirmed.connect(desk.editing.confirm)
+        view.preview.cancelled.connect(desk.editing.leave)
+        view.preview.cut_moved.connect(desk.editing.move_cut)
+        view.preview.scope_chosen.connect(desk.editing.choose_scope)
+
+    def close(self) -> None:
+        """End all threads and let the recording go."""
+        self.live.close()
+        self.playback.close()
+        if self.document.session is not None:
+            self.document.session.close()
+        self.document.recording.close()
+
+    # what can be done
+
+    @property
+    def situation(self) -> Situation:
+        """What commands depend on."""
+        document, session = self.document, self.document.session
+        recording = document.recording
+        return Situation(
+            recording=True,
+            session=session is not None,
+            tracks=bool(document.tracks.ids),
+            selected=bool(document.selection),
+            editing=document.flow is not None,
+            live=self.live.running,
+            can_undo=session is not None and session.history.next_undo is not None,
+            can_redo=session is not None and session.history.next_redo is not None,
+            stereo=recording.is_stereo,
+            truth=recording.truth_path is not None,
+            calibrated=recording.view is not None,
+            can_track=bool(self._best),
+            why_no_tracking=self._why_no_tracking,
+            read_only=session is not None and session.read_only,
+        )
+
+    @property
+    def best_tracker(self) -> str:
+        """The tracker that play starts; "" where none can work on the recording."""
+        return self._best
+
+    # playing and tracking
+
+    def toggle(self) -> None:
+        """Play or pause; the first play puts the best tracker to work."""
+        if self._never_tracked and self._best and not self.playback.clock.playing:
+            self.track(self._best)
+        self.playback.toggle()
+
+    @property
+    def _never_tracked(self) -> bool:
+        return self.document.session is None and not self.live.running
+
+    def track(self, tracker: str, settings: Any = None, seed: int = 0) -> None:
+        """Put a tracker to work; what it finds is shown as it comes."""
+        self.document.begin_live()
+        self.live.start(tracker, settings, seed)
+        self.draw()
+
+    def _last_tracked(self) -> int | None:
+        """Where playing waits for the tracker, so that people are seen with their picture."""
+        until = self.document.tracked_until
+        if self.live.running and self.playback.clock.frame <= until:
+            return max(until - 1, 0)
+        return None
+
+    def _take_live(self, results: tuple[StepResult, ...]) -> None:
+        self.document.take_live(results)
+        if results[0].frame <= self.playback.number <= results[-1].frame:
+            self.draw_instant()
+        self.draw_playhead()
+        self.changed.emit()
+
+    def _end_live(self, run: object) -> None:
+        self.tracked.emit(run)
+        self.draw()
+
+    def _fail_live(self, error: Exception) -> None:
+        self.draw()
+        self.failed.emit(error)
+
+    # drawing
+
+    def set_eyes(self, mode: str) -> None:
+        """Show "left", "both" or "anaglyph"."""
+        self.eyes = mode if self.document.recording.is_stereo else "left"
+        self._workspace.show_eyes(self.eyes, self.document.recording.is_stereo)
+        self.draw_instant()
+        self.changed.emit()
+
+    def set_pictured(self, pictured: Pictured) -> None:
+        """Lay other things over the pictures."""
+        self.pictured = pictured
+        self.draw_instant()
+        self.changed.emit()
+
+    def draw(self) -> None:
+        """Draw everything."""
+        view, document = self._workspace, self.document
+        self.draw_instant()
+        self.draw_playhead()
+        view.card.show_scene(document.card())
+        view.history.show_scene(document.history())
+        view.preview.show_scene(document.planned.scene if document.planned else None)
+        self.changed.emit()
+
+    def draw_instant(self) -> None:
+        """Draw the pictures and the floor: the same frame in all of them."""
+        view, document, frame = self._workspace, self.document, self.playback.frame
+        instant = document.instant(self.playback.number)
+        pictures = document.pictures
+        if self.eyes == "anaglyph":
+            view.left.show_scene(pictures.anaglyph(frame, instant, self.pictured))
+        else:
+            view.left.show_scene(pictures.scene(Eye.LEFT, frame, instant, self.pictured))
+        if self.eyes == "both":
+            view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
+        view.overhead.show_scene(document.overhead.scene(instant))
+
+    def draw_playhead(self) -> None:
+        """Draw the timeline and the transport line."""
+        clock = self.playback.clock
+        self._workspace.timeline.show_scene(
+            self.document.timeline(clock.frame, self.playback.number)
+        )
+        self._workspace.transport.show_scene(
+            TransportScene(
+                playing=clock.playing,
+                speed=abs(clock.rate) if clock.playing else clock.speed,
+                frame=clock.frame,
+                frame_count=clock.frame_count,
+                time_s=clock.frame / clock.fps,
+                tracker=self._tracker_name(),
+                status=self._status(),
+            )
+        )
+
+    def _tracker_name(self) -> str:
+        if self.live.running:
+            return self.live.tracker
+        session = self.document.session
+        if session is not None and session.runs:
+            return session.runs[-1].tracker
+        return self._best
+
+    def _status(self) -> str:
+        if self.live.running:
+            return self.live.status
+        if self.document.session is not None:
+            return tr("tracked")
+        return tr("play to track") if self._best else tr("no tracker")
+
+
+def _best_tracker(document: Document) -> tuple[str, str]:
+    """The best tracker's name, or why there is none."""
+    try:
+        return best_tracker(document.recording), ""
+    except TrackwrightError as error:
+        return "", str(error)

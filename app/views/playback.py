@@ -1,0 +1,127 @@
+"""Playing an open recording: the clock driven by wall time, frames fetched as they are due."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
+
+from app.background import FrameReader
+from app.presenters.clock import PlaybackClock
+from tracking.recording import Recording, StereoFrame
+
+CACHE_BYTES = 400 * 2**20
+_TICK_MS = 8
+
+
+class Playback(QObject):
+    """The clock of one recording and the frame that is shown.
+
+    `frame` is what all views show: both eyes of one instant. While the reader is busy it may stand
+    behind `clock.frame`, the playhead. Signals: `shown()`, another frame is there; `moved()`, the
+    playhead, the speed or playing changed; `failed(error)`, a frame cannot be read.
+    """
+
+    shown = Signal()
+    moved = Signal()
+    failed = Signal(object)
+
+    def __init__(self, recording: Recording, parent: QObject) -> None:
+        super().__init__(parent)
+        self.clock = PlaybackClock(recording.frame_count, recording.fps)
+        self.frame: StereoFrame | None = None
+        self.wait_at: Callable[[], int | None] = lambda: None
+        self._ticket = 0
+        self._reader = FrameReader(recording, CACHE_BYTES, self)
+        self._reader.ready.connect(self._take, Qt.ConnectionType.QueuedConnection)
+        self._reader.failed.connect(self._tell_failure, Qt.ConnectionType.QueuedConnection)
+        self._since_tick = QElapsedTimer()
+        self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._tick)
+
+    @property
+    def number(self) -> int:
+        """The frame shown; the playhead's while none is."""
+        return self.clock.frame if self.frame is None else self.frame.number
+
+    def go(self, frame: int) -> None:
+        """Go to a frame; playing goes on from there."""
+        self.clock.seek(frame)
+        self._changed()
+
+    def step(self, frames: int) -> None:
+        """Pause and go some frames on or back."""
+        self.clock.step(frames)
+        self._changed()
+
+    def toggle(self) -> None:
+        """Play or pause."""
+        self.clock.toggle()
+        self._changed()
+
+    def pause(self) -> None:
+        """Stay here."""
+        self.clock.pause()
+        self._changed()
+
+    def shuttle(self, direction: int) -> None:
+        """J (-1), K (0), L (1)."""
+        self.clock.shuttle(direction)
+        self._changed()
+
+    def set_speed(self, speed: float) -> None:
+        """Choose a speed."""
+        self.clock.set_speed(speed)
+        self._changed()
+
+    def change_speed(self, steps: int) -> None:
+        """Faster (1) or slower (-1)."""
+        self.clock.change_speed(steps)
+        self._changed()
+
+    def close(self) -> None:
+        """Stop the timer and the reader's thread."""
+        self._timer.stop()
+        self._reader.close()
+
+    def _changed(self) -> None:
+        if self.clock.playing and not self._timer.isActive():
+            self._since_tick.start()
+            self._timer.start()
+        elif not self.clock.playing:
+            self._timer.stop()
+        self._fetch()
+        self.moved.emit()
+
+    def _tick(self) -> None:
+        elapsed_s = self._since_tick.restart() / 1000.0
+        if self.clock.advance(elapsed_s, self.wait_at()):
+            self._fetch()
+            self.moved.emit()
+        if not self.clock.playing:
+            self._changed()
+
+    def _fetch(self) -> None:
+        """Show the frame that is due, at once where it is at hand; have the next ones read."""
+        due = self.clock.frame
+        if self.frame is not None and self.frame.number == due:
+            return
+        at_hand = self._reader.cached(due)
+        self._ticket = self._reader.request(due, 1 if self.clock.rate >= 0 else -1)
+        if at_hand is not None:
+            self._show(at_hand)
+
+    def _take(self, ticket: int, frame: StereoFrame) -> None:
+        """Show a frame that was read, also one asked for a moment ago while more is coming."""
+        if ticket == self._ticket or self.clock.playing:
+            self._show(frame)
+
+    def _show(self, frame: StereoFrame) -> None:
+        if self.frame is None or self.frame.number != frame.number:
+            self.frame = frame
+            self.shown.emit()
+
+    def _tell_failure(self, _frame: int, error: Exception) -> None:
+        self.clock.pause()
+        self._changed()
+        self.failed.emit(error)

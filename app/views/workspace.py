@@ -1,0 +1,93 @@
+"""Everything on the window's page for an open recording, laid out."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
+
+from app.presenters.scenes import Eye
+from app.views.eye_switch import EyeSwitch
+from app.views.history_panel import HistoryPanel
+from app.views.overhead import OverheadView
+from app.views.picture import PictureView
+from app.views.preview_bar import PreviewBar
+from app.views.remembered import Remembered
+from app.views.review_panel import ReviewPanel
+from app.views.timeline import TimelineView
+from app.views.track_panel import TrackPanel
+from app.views.transport import TransportBar
+
+_EYE_SWITCH_AT = 8
+
+
+class Workspace(QWidget):
+    """The pictures, the floor, the side panels, transport and timeline."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.left = PictureView(Eye.LEFT, self)
+        self.right = PictureView(Eye.RIGHT, self)
+        self.eye_switch = EyeSwitch(self.left)
+        self.overhead = OverheadView(self)
+        self.review = ReviewPanel(self)
+        self.card = TrackPanel(self)
+        self.history = HistoryPanel(self)
+        self.preview = PreviewBar(self)
+        self.transport = TransportBar(self)
+        self.timeline = TimelineView(self)
+        self._splitters: dict[str, QSplitter] = {}
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
+        side = self._split(
+            "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (2, 5, 3)
+        )
+        top = self._split(
+            "top", Qt.Orientation.Horizontal, (eyes, self.overhead, side), (11, 10, 6)
+        )
+        upper = QWidget(self)
+        column = QVBoxLayout(upper)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(top, 1)
+        column.addWidget(self.preview)
+        column.addWidget(self.transport)
+        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (7, 2))
+        page = QVBoxLayout(self)
+        page.setContentsMargins(0, 0, 0, 0)
+        page.addWidget(whole)
+
+    def _split(
+        self,
+        name: str,
+        orientation: Qt.Orientation,
+        parts: tuple[QWidget, ...],
+        shares: tuple[int, ...],
+    ) -> QSplitter:
+        splitter = QSplitter(orientation, self)
+        splitter.setChildrenCollapsible(False)
+        for at, (part, share) in enumerate(zip(parts, shares, strict=True)):
+            splitter.addWidget(part)
+            splitter.setStretchFactor(at, share)
+        splitter.setSizes([100 * share for share in shares])
+        self._splitters[name] = splitter
+        return splitter
+
+    def show_eyes(self, mode: str, stereo: bool) -> None:
+        """Lay out for "left", "both" or "anaglyph"."""
+        self.right.setVisible(mode == "both" and stereo)
+        self.eye_switch.show_scene(mode, stereo)
+        self.eye_switch.setVisible(stereo)
+
+    def remember(self, remembered: Remembered) -> None:
+        """Keep how the parts are laid out."""
+        for name, splitter in self._splitters.items():
+            remembered.set_state(f"workspace/{name}", splitter.saveState())
+
+    def restore(self, remembered: Remembered) -> None:
+        """Lay the parts out as they were."""
+        for name, splitter in self._splitters.items():
+            state = remembered.state(f"workspace/{name}")
+            if state is not None:
+                splitter.restoreState(state)

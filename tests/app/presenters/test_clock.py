@@ -1,0 +1,113 @@
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.presenters.clock import PlaybackClock
+
+
+@pytest.fixture
+def clock() -> PlaybackClock:
+    return PlaybackClock(frame_count=100, fps=20.0)
+
+
+def test_a_second_of_wall_time_plays_as_many_frames_as_the_recording_has_a_second(clock):
+    clock.play()
+    for _ in range(10):
+        clock.advance(0.1)
+    assert clock.frame == 20
+
+
+def test_frames_are_dropped_when_a_tick_comes_late(clock):
+    clock.play()
+    assert clock.advance(0.25)
+    assert clock.frame == 5
+
+
+def test_after_a_long_stall_playback_goes_on_where_it_was(clock):
+    clock.play()
+    clock.advance(3.0)
+    assert clock.frame == 10
+
+
+def test_a_paused_clock_stands_still(clock):
+    assert not clock.advance(1.0)
+    assert clock.frame == 0
+
+
+def test_playback_stops_at_the_last_frame_and_plays_again_from_the_start(clock):
+    clock.seek(97)
+    clock.play()
+    clock.advance(0.5)
+    assert (clock.frame, clock.playing) == (99, False)
+    clock.play()
+    assert (clock.frame, clock.playing) == (0, True)
+
+
+def test_playing_waits_at_a_frame_without_pausing(clock):
+    clock.play()
+    clock.advance(0.5, wait_at=3)
+    assert (clock.frame, clock.playing) == (3, True)
+
+
+def test_a_playhead_past_the_waiting_place_is_not_pulled_back(clock):
+    clock.seek(50)
+    clock.play()
+    clock.advance(0.1, wait_at=3)
+    assert clock.frame == 50
+
+
+def test_stepping_pauses(clock):
+    clock.play()
+    clock.step(10)
+    assert (clock.frame, clock.playing) == (10, False)
+    clock.step(-1)
+    assert clock.frame == 9
+
+
+def test_the_shuttle_doubles_its_pace_with_each_press_and_turns_round(clock):
+    clock.seek(50)
+    clock.shuttle(1)
+    assert clock.rate == 1.0
+    clock.shuttle(1)
+    assert clock.rate == 2.0
+    clock.shuttle(-1)
+    assert clock.rate == -1.0
+    clock.advance(0.5)
+    assert clock.frame == 40
+    clock.shuttle(0)
+    assert not clock.playing
+
+
+def test_shuttling_back_stops_at_the_start(clock):
+    clock.seek(5)
+    clock.shuttle(-1)
+    clock.advance(0.5)
+    assert (clock.frame, clock.playing) == (0, False)
+
+
+def test_speed_goes_up_and_down_the_steps_and_stays_in_range(clock):
+    clock.change_speed(1)
+    assert clock.speed == 2.0
+    clock.change_speed(-5)
+    assert clock.speed == 0.25
+    clock.set_speed(99)
+    assert clock.speed == 8.0
+
+
+@given(
+    st.lists(
+        st.one_of(
+            st.tuples(st.just("advance"), st.floats(0, 2)),
+            st.tuples(st.just("seek"), st.integers(-500, 500)),
+            st.tuples(st.just("shuttle"), st.sampled_from([-1, 0, 1])),
+            st.tuples(st.just("step"), st.integers(-50, 50)),
+        ),
+        max_size=30,
+    ),
+    st.integers(1, 200),
+)
+def test_the_frame_is_always_within_the_recording(steps, frame_count):
+    clock = PlaybackClock(frame_count, 25.0)
+    for name, value in steps:
+        getattr(clock, name)(value)
+        assert 0 <= clock.frame < frame_count

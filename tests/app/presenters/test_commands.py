@@ -1,0 +1,83 @@
+from collections import Counter
+
+from app.presenters.commands import BY_NAME, COMMANDS, MENUS, Situation, command_items
+
+
+def _enabled(now: Situation) -> set[str]:
+    return {item.command for item in command_items(now, frozenset()) if item.enabled}
+
+
+def test_no_two_commands_share_a_name_or_a_key():
+    assert len(BY_NAME) == len(COMMANDS)
+    keys = Counter(key for command in COMMANDS for key in command.keys)
+    assert [key for key, count in keys.items() if count > 1] == []
+
+
+def test_every_command_stands_in_a_known_menu():
+    assert {command.menu for command in COMMANDS} <= set(MENUS)
+
+
+def test_the_keys_are_those_of_the_window_page():
+    wanted = {
+        "play.toggle": "Space",
+        "play.next": "Right",
+        "play.previous": "Left",
+        "play.next10": "Shift+Right",
+        "play.next_second": "Ctrl+Right",
+        "play.back": "J",
+        "play.stop": "K",
+        "play.forward": "L",
+        "play.start": "Home",
+        "play.end": "End",
+        "play.goto": "G",
+        "tracks.next": "Tab",
+        "tracks.swap": "X",
+        "tracks.split": "S",
+        "tracks.merge": "M",
+        "tracks.end_here": "Del",
+        "help.keys": "F1",
+        "edit.commands": "Ctrl+K",
+        "edit.undo": "Ctrl+Z",
+        "edit.redo": "Ctrl+Shift+Z",
+        "file.save": "Ctrl+S",
+    }
+    assert {name: BY_NAME[name].keys[0] for name in wanted} == wanted
+
+
+def test_n_p_and_i_are_kept_free_for_suspicions_and_interpolation():
+    taken = {key for command in COMMANDS for key in command.keys}
+    assert not taken & {"N", "P", "I"}
+
+
+def test_without_a_recording_only_opening_and_help_are_enabled():
+    enabled = _enabled(Situation())
+    assert {"file.open", "file.demo", "help.keys", "edit.commands"} <= enabled
+    assert not enabled & {"play.toggle", "file.save", "tracks.swap", "tracks.track"}
+
+
+def test_correcting_needs_a_session_and_a_selected_person():
+    seen = Situation(recording=True, session=True, tracks=True)
+    assert "tracks.swap" not in _enabled(seen)
+    chosen = Situation(recording=True, session=True, tracks=True, selected=True)
+    assert {"tracks.swap", "tracks.split", "tracks.merge", "tracks.end_here"} <= _enabled(chosen)
+
+
+def test_while_a_tracker_is_at_work_nothing_is_corrected_and_the_reason_is_said():
+    live = Situation(recording=True, tracks=True, selected=True, live=True)
+    items = {item.command: item for item in command_items(live, frozenset())}
+    assert not items["tracks.swap"].enabled
+    assert items["tracks.swap"].why_not == "stop tracking first, then correct"
+    assert items["tracks.stop"].enabled
+
+
+def test_a_read_only_session_is_not_corrected():
+    now = Situation(recording=True, session=True, tracks=True, selected=True, read_only=True)
+    assert "tracks.swap" not in _enabled(now)
+    assert "file.export_mot" in _enabled(now)
+
+
+def test_checked_commands_are_ticked():
+    items = {i.command: i for i in command_items(Situation(), frozenset({"view.grid"}))}
+    assert items["view.grid"].checked is True
+    assert items["view.trails"].checked is False
+    assert items["file.open"].checked is None

@@ -1,0 +1,37 @@
+import numpy as np
+
+from app.presenters.palette import NOBODY, TRACK_COLOURS, colour_of_track, colours_of_tracks
+
+# Machado, Oliveira and Fernandes 2009, severity 1.0: what red- and green-blind people see.
+_PROTAN = np.array([[0.152, 1.053, -0.205], [0.115, 0.786, 0.099], [-0.004, -0.048, 1.052]])
+_DEUTAN = np.array([[0.367, 0.861, -0.228], [0.280, 0.673, 0.047], [-0.012, 0.043, 0.969]])
+_XYZ_FROM_RGB = np.array(
+    [[0.4125, 0.3576, 0.1804], [0.2127, 0.7152, 0.0722], [0.0193, 0.1192, 0.9503]]
+)
+
+
+def _lab(linear: np.ndarray) -> np.ndarray:
+    xyz = np.clip(linear, 0, 1) @ _XYZ_FROM_RGB.T / (0.9505, 1.0, 1.0888)
+    f = np.where(xyz > 0.008856, np.cbrt(xyz), 7.787 * xyz + 16 / 116)
+    x, y, z = f.T
+    return np.column_stack((116 * y - 16, 500 * (x - y), 200 * (y - z)))
+
+
+def test_an_id_has_the_same_colour_alone_and_among_others():
+    ids = np.arange(0, 40, dtype=np.int32)
+    many = colours_of_tracks(ids)
+    assert [tuple(row) for row in many.tolist()] == [colour_of_track(int(one)) for one in ids]
+
+
+def test_nobody_is_grey():
+    assert colour_of_track(0) == NOBODY
+    assert colours_of_tracks(np.array([0, -3], np.int32)).tolist() == [list(NOBODY)] * 2
+
+
+def test_the_first_eight_colours_stay_apart_for_the_colour_blind():
+    values = np.array(TRACK_COLOURS[:8]) / 255.0
+    linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    for sight in (np.eye(3), _PROTAN, _DEUTAN):
+        seen = _lab(linear @ sight.T)
+        apart = np.linalg.norm(seen[:, None] - seen[None], axis=2)
+        assert apart[~np.eye(8, dtype=bool)].min() > 20

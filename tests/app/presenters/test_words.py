@@ -1,0 +1,28 @@
+from app.presenters import words
+
+
+def test_places_in_a_text_are_filled():
+    assert words.tr("Swap {a} with...", a=4) == "Swap 4 with..."
+
+
+def test_an_installed_translator_is_asked():
+    words.use_translator({"Open...": "開く..."}.get)
+    try:
+        assert words.tr("Open...") == "開く..."
+    finally:
+        words.use_translator(None)
+    assert words.tr("Open...") == "Open..."
+
+
+def test_times_are_said_as_on_a_clock():
+    assert words.time_text(41.7) == "00:41.70"
+    assert words.time_text(3725.5) == "1:02:05.50"
+
+
+def test_durations_are_rounded_for_people_who_wait():
+    assert [words.duration_text(s) for s in (0.2, 42, 180, 3900)] == [
+        "1 s",
+        "42 s",
+        "3 min",
+        "1 h 5 min",
+    ]
