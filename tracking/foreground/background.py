@@ -88,6 +88,11 @@ class BackgroundModel:
             mask[:] = 0
         return Subtraction(smooth, self._background, mask, changed)
 
+    @property
+    def update_is_due(self) -> bool:
+        """Whether the next `update` will look at its frame."""
+        return self._frames % self._every == 0
+
     def update(self, seen: Subtraction, people: Mask | None = None) -> None:
         """Let the background follow what was seen; does its work only every few frames.
 
@@ -95,8 +100,9 @@ class BackgroundModel:
             seen: of this frame.
             people: (height, width) uint8, non-zero where the picture must not be learnt.
         """
+        due = self.update_is_due
         self._frames += 1
-        if self._frames % self._every and self._frames > 1:
+        if not due:
             return
         if seen.scene_changed:
             self._restart_after_change(seen.picture)
@@ -164,9 +170,8 @@ class BackgroundModel:
             self._noise[settled] = _NOISE_AT_FIRST
 
     def _absorb_after_s(self) -> float:
-        learning = not self._primed and self._frames * self._period_s < (
-            self._settings.learn_s * self._every
-        )
+        elapsed_s = self._frames * self._period_s / self._every
+        learning = not self._primed and elapsed_s < self._settings.learn_s
         return self._settings.absorb_s / 10 if learning else self._settings.absorb_s
 
 

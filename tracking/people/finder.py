@@ -13,10 +13,8 @@ from tracking.people.detections import Detections
 from tracking.people.plan_view import SurfacePoints, find_people, surface_points
 from tracking.people.regions import Extent, assign_points, measure, paint
 from tracking.people.settings import PeopleSettings
-from tracking.stereo import SightLines
+from tracking.stereo import STEP, SightLines
 
-GRID = 2
-"""Working pixels between the places where people are looked for."""
 _FEET_SEEN_M = 0.25
 _HEIGHTS_M = (1.2, 2.1)
 
@@ -41,7 +39,7 @@ class PeopleFinder:
         self._rectification = rectification
         self._view = View(rectification.calibration.left, ground)
         self._lines = lines
-        self._rays = np.ascontiguousarray(lines.rays[::GRID, ::GRID])
+        self._rays = np.ascontiguousarray(lines.rays[::STEP, ::STEP])
         self._eye = lines.centre[:2].astype(np.float32)
         self._settings = settings
 
@@ -49,11 +47,10 @@ class PeopleFinder:
         """The matched surface on the grid.
 
         Args:
-            disparity: (height, width) working px, NaN where unknown.
+            disparity: (rows, columns) working px, of `SubtractionStereo`.
         """
-        grid = np.ascontiguousarray(disparity[::GRID, ::GRID])
         return surface_points(
-            grid, self._lines, self._rays, GRID * GRID, self._settings.disparity_noise_px
+            disparity, self._lines, self._rays, STEP * STEP, self._settings.disparity_noise_px
         )
 
     def find(
@@ -74,11 +71,11 @@ class PeopleFinder:
         places = find_people(points.chosen(high), self._eye, settings)
         owner = assign_points(places, points, self._eye, settings)
         # What lies on the floor and looks like shadow is nobody's foot.
-        owner[~high & (body[::GRID, ::GRID].ravel()[points.pixel] == 0)] = -1
+        owner[~high & (body[::STEP, ::STEP].ravel()[points.pixel] == 0)] = -1
         extent = measure(len(places), owner, points, self._eye)
         real = (extent.high >= settings.least_height_m) & (extent.area >= settings.least_area_m2)
         owner = _renumbered(owner, real)
-        grid_body = np.ascontiguousarray(body[::GRID, ::GRID])
+        grid_body = np.ascontiguousarray(body[::STEP, ::STEP])
         labels = paint(owner, points, grid_body)
         kept = Extent(*(getattr(extent, name)[real] for name in Extent.__slots__))
         return self._describe(places[real], kept, labels, picture)
@@ -95,7 +92,7 @@ class PeopleFinder:
         hidden, truncated = hidden_sides(labels, boxes, extent.middle[:, :2] - self._eye)
         hidden[:, 3] |= extent.low > _FEET_SEEN_M
         position = self._positions(places, extent)
-        colours = cv2.cvtColor(np.ascontiguousarray(picture[::GRID, ::GRID]), cv2.COLOR_BGR2HSV)
+        colours = cv2.cvtColor(np.ascontiguousarray(picture[::STEP, ::STEP]), cv2.COLOR_BGR2HSV)
         upper, lower, middle = colour_histograms(colours[..., :2], labels, boxes, settings)
         seen = self._recorded_boxes(boxes)
         width = np.maximum(extent.width, 0)
@@ -146,7 +143,7 @@ class PeopleFinder:
         """(k, 4) boxes of the grid as boxes of the recorded picture."""
         if not boxes:
             return np.zeros((0, 4))
-        scale = GRID * self._lines.shrink
+        scale = STEP * self._lines.shrink
         left, top, width, height = np.array(boxes, np.float64).T * scale
         share = np.array((0, 0.5, 1))
         u = left[:, None] + width[:, None] * share

@@ -99,7 +99,7 @@ class StereoPerception:
         return self._eyes[0].subtract(left), self._eyes[1].subtract(right)
 
     def match(self, left: Subtraction, right: Subtraction) -> NDArray[np.float32]:
-        """(height, width) disparity of the left eye's foreground in working px, else NaN."""
+        """(rows, columns) disparity of the left eye's foreground, of `SubtractionStereo`."""
         grey = [cv2.cvtColor(eye.picture, cv2.COLOR_BGR2GRAY) for eye in (left, right)]
         return self._stereo.match(grey[0], grey[1], left.mask, right.mask)
 
@@ -110,10 +110,11 @@ class StereoPerception:
 
     def remember(self, left: Subtraction, right: Subtraction, people: Detections) -> None:
         """Let both backgrounds follow what was seen, except where people are."""
-        for eye, seen, protected in zip(
-            self._eyes, (left, right), self._protected(people, left.mask.shape), strict=True
-        ):
-            eye.update(seen, protected)
+        protected: tuple[Mask | None, Mask | None] = (None, None)
+        if self._eyes[0].update_is_due:
+            protected = self._protected(people, left.mask.shape)
+        for eye, seen, mask in zip(self._eyes, (left, right), protected, strict=True):
+            eye.update(seen, mask)
 
     def _protected(self, people: Detections, shape: tuple[int, ...]) -> tuple[Mask, Mask]:
         """Masks of both eyes that cover the people generously."""
@@ -131,10 +132,9 @@ class StereoPerception:
 
     def _overlays(self, mask: Mask, shadow: Mask, disparity: NDArray[np.float32]) -> Overlays:
         shown = cv2.addWeighted(mask, 1.0, shadow, -0.5, 0)
+        size = self._rectification.size
         if self._shrink > 1:
-            size = self._rectification.size
             shown = cv2.resize(shown, size, interpolation=cv2.INTER_NEAREST)
-            disparity = cv2.resize(disparity, size, interpolation=cv2.INTER_NEAREST) * np.float32(
-                self._shrink
-            )
-        return Overlays(np.asarray(shown, np.uint8), np.asarray(disparity, np.float32))
+        ranged = cv2.resize(disparity, size, interpolation=cv2.INTER_NEAREST)
+        ranged *= np.float32(self._shrink)
+        return Overlays(np.asarray(shown, np.uint8), np.asarray(ranged, np.float32))

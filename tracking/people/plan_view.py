@@ -12,10 +12,15 @@ from tracking.people.settings import PeopleSettings
 from tracking.stereo import SightLines
 
 Floats = NDArray[np.float32]
-_SEED_CELL_M = 0.2
+_SEED_CELL_M = 0.12
+_SEED_SHARE = 0.75
 _MOST_POINTS = 4000
 _MOST_SEEDS = 80
+_KERNEL = 0.28
+"""Standard deviation of the mean-shift kernel, as a share of a person's breadth."""
 _STEPS = 5
+_SAME_PERSON = 0.5
+"""Squared distance of two places, in units of a person's breadth, below which they are one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +114,7 @@ def apart(places: Floats, points: Floats, spread: Floats, eye: Floats, width_m: 
 
 
 def _kernel(places: Floats, points: SurfacePoints, eye: Floats, settings: PeopleSettings) -> Floats:
-    width = settings.body_width_m * 0.4
+    width = settings.body_width_m * _KERNEL
     squared = apart(places, points.world[:, :2], points.range_noise, eye, width)
     return np.exp(np.float32(-0.5) * squared)
 
@@ -123,7 +128,7 @@ def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -
     surface = np.bincount(flat, points.area * share, rows * columns).astype(np.float32)
     surface = cv2.blur(surface.reshape(rows, columns), (3, 3), borderType=cv2.BORDER_CONSTANT) * 9
     peak = (surface >= cv2.dilate(surface, np.ones((3, 3), np.uint8))) & (
-        surface > settings.least_area_m2 / 2
+        surface > _SEED_SHARE * settings.least_area_m2
     )
     y, x = np.nonzero(peak)
     best = np.argsort(-surface[y, x], kind="stable")[:_MOST_SEEDS]
@@ -143,7 +148,7 @@ def _distinct(
             close = apart(
                 places[kept], places[i : i + 1], noise_at[i : i + 1], eye, settings.body_width_m
             )
-            if float(close.min()) < 0.8:
+            if float(close.min()) < _SAME_PERSON:
                 continue
         kept.append(i)
     return places[kept]

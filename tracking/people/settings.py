@@ -10,7 +10,7 @@ class PeopleSettings:
     """What a person looks like in metres."""
 
     least_area_m2: float = field(
-        default=0.08,
+        default=0.04,
         metadata={
             "unit": "m²",
             "range": (0.01, 1.0),
@@ -42,7 +42,7 @@ class PeopleSettings:
         },
     )
     body_depth_m: float = field(
-        default=0.12,
+        default=0.07,
         metadata={
             "unit": "m",
             "range": (0.0, 0.4),

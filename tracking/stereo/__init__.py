@@ -2,6 +2,6 @@
 
 from tracking.stereo.settings import StereoSettings
 from tracking.stereo.sight_lines import SightLines
-from tracking.stereo.subtraction import SubtractionStereo
+from tracking.stereo.subtraction import STEP, SubtractionStereo
 
-__all__ = ["SightLines", "StereoSettings", "SubtractionStereo"]
+__all__ = ["STEP", "SightLines", "StereoSettings", "SubtractionStereo"]
