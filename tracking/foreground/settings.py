@@ -74,7 +74,7 @@ class ForegroundSettings:
         },
     )
     shadow_threshold: float = field(
-        default=0.16,
+        default=0.42,
         metadata={
             "unit": "",
             "range": (0.0, 1.0),
@@ -82,11 +82,11 @@ class ForegroundSettings:
         },
     )
     shadow_texture: float = field(
-        default=0.5,
+        default=0.45,
         metadata={"unit": "", "range": (0.0, 1.0), "help": "alpha: weight of the texture"},
     )
     shadow_hue: float = field(
-        default=0.4,
+        default=0.45,
         metadata={"unit": "", "range": (0.0, 1.0), "help": "beta: weight of the hue"},
     )
     shadow_constant: float = field(

@@ -9,10 +9,18 @@ from numpy.typing import NDArray
 from tracking.foreground.background import Subtraction
 from tracking.foreground.settings import ForegroundSettings
 
-_WINDOW = (7, 7)
+Picture = NDArray[np.uint8]
+Scores = NDArray[np.float32]
+
+_SMALL = np.ones((3, 3), np.uint8)
+_WIDE = np.ones((5, 5), np.uint8)
 _TEXTURE_FULL = 0.12
-_HUE_FULL_DEG = 40.0
-_GREY_SATURATION = 25.0
+"""Change of the logarithm of the ratio of light, per pixel, that no shadow shows."""
+_HUE_FULL = 0.06
+"""Distance in the plane of hue and saturation, as shares of light, that no shadow shows."""
+_DARK_OFFSET = 6
+"""Grey levels added before a ratio is taken, so that noise in the dark does not count."""
+_LOGARITHM = np.log(np.arange(256, dtype=np.float32) + _DARK_OFFSET)
 
 
 class ShadowRemover:
@@ -21,56 +29,82 @@ class ShadowRemover:
     [Kawashita2014] eq. 1: theta = alpha Psi + beta Lambda + (1 - alpha - beta) eta where the
     picture is darker than the background, infinite elsewhere; below a threshold it is shadow.
 
-    Psi is the mean difference, over a window, between the picture and the background dimmed by
-    the window's own ratio of light, as a share of that light. Lambda is the difference of hue as
-    a share of 40 degrees, faded out where either is grey; in grey footage it carries nothing.
-    Differences from the source: both terms are bounded by 1 so that the weights compare, and
-    what is darker than a shadow can be (`shadow_darkest`) scores infinite too. Scores are
-    taken at half resolution, for speed.
+    Psi: how much the ratio of light to the background changes from pixel to pixel nearby; in a
+    shadow it is the same all over. Lambda: distance in the plane of hue and saturation. A bare
+    difference of hue, as in the source, is noise where colours are pale, as floors are; weighed by
+    saturation it fades out by itself. Both are bounded by 1. In grey footage Lambda carries
+    nothing and its weight goes to Psi. What is darker than a shadow can be (`shadow_darkest`)
+    scores infinite too. Scores are taken at half resolution, for speed.
     """
 
     def __init__(self, settings: ForegroundSettings | None = None) -> None:
         self._settings = settings or ForegroundSettings()
 
-    def score(self, seen: Subtraction) -> NDArray[np.float32]:
-        """(height // 2, width // 2) theta, infinite where no shadow is possible."""
-        picture, background = _half(seen.picture), _half(seen.background)
-        light = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY).astype(np.float32)
-        usual = cv2.cvtColor(background, cv2.COLOR_BGR2GRAY).astype(np.float32) + 1
-        ratio = cv2.blur(light, _WINDOW) / cv2.blur(usual, _WINDOW)
+    def score(self, picture: Picture, background: Picture) -> Scores:
+        """(height, width) theta, infinite where no shadow is possible.
+
+        Args:
+            picture, background: (height, width, 3) at half resolution.
+        """
         settings = self._settings
         alpha, beta = settings.shadow_texture, settings.shadow_hue
-        theta = alpha * _texture(light, usual, ratio) + beta * _hue(picture, background)
-        theta += (1 - alpha - beta) * settings.shadow_constant
-        theta[(light >= usual) | (ratio < settings.shadow_darkest)] = np.inf
-        return np.asarray(theta, np.float32)
+        light = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY)
+        usual = cv2.cvtColor(background, cv2.COLOR_BGR2GRAY)
+        ratio = cv2.subtract(cv2.LUT(light, _LOGARITHM), cv2.LUT(usual, _LOGARITHM))
+        theta = np.full(light.shape, (1 - alpha - beta) * settings.shadow_constant, np.float32)
+        if _is_grey(picture):
+            theta += np.float32(alpha + beta) * _texture(ratio)
+        else:
+            theta += np.float32(alpha) * _texture(ratio)
+            theta += np.float32(beta) * _hue(picture, background)
+        theta[(light >= usual) | (ratio < np.log(settings.shadow_darkest))] = np.inf
+        return theta
 
     def shadows(self, seen: Subtraction) -> NDArray[np.uint8]:
         """(height, width) uint8, 255 where the foreground is shadow."""
-        height, width = seen.mask.shape
-        dark = (self.score(seen) < self._settings.shadow_threshold).astype(np.uint8) * 255
+        shadow = np.zeros_like(seen.mask)
+        x, y, width, height = cv2.boundingRect(seen.mask)
+        if width < 2 or height < 2:
+            return shadow
+        box = np.s_[y : y + height, x : x + width]
+        theta = self.score(_half(seen.picture[box]), _half(seen.background[box]))
+        dark = (theta < self._settings.shadow_threshold).astype(np.uint8) * 255
         full = cv2.resize(dark, (width, height), interpolation=cv2.INTER_NEAREST)
-        return np.asarray(cv2.bitwise_and(full, seen.mask), np.uint8)
+        shadow[box] = cv2.bitwise_and(full, seen.mask[box])
+        return shadow
 
 
-def _half(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def _half(picture: Picture) -> Picture:
     size = (picture.shape[1] // 2, picture.shape[0] // 2)
     return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), np.uint8)
 
 
-def _texture(
-    light: NDArray[np.float32], usual: NDArray[np.float32], ratio: NDArray[np.float32]
-) -> NDArray[np.float32]:
-    """Psi, 0 to 1."""
-    rest = cv2.blur(cv2.absdiff(light, ratio * usual), _WINDOW)
-    return np.asarray(np.minimum(rest / (_TEXTURE_FULL * (light + 8)), 1), np.float32)
+def _is_grey(picture: Picture) -> bool:
+    return bool(np.array_equal(picture[::4, ::4, 0], picture[::4, ::4, 2]))
 
 
-def _hue(picture: NDArray[np.uint8], background: NDArray[np.uint8]) -> NDArray[np.float32]:
+def _texture(log_ratio: NDArray[np.float32]) -> Scores:
+    """Psi, 0 to 1; the least of the neighbourhood, so that a shadow's own edge does not count."""
+    change = np.zeros_like(log_ratio)
+    change[:, 1:] = cv2.absdiff(log_ratio[:, 1:], log_ratio[:, :-1])
+    change[1:] += cv2.absdiff(log_ratio[1:], log_ratio[:-1])
+    least = cv2.erode(cv2.blur(change, _SMALL.shape), _WIDE)
+    return np.asarray(cv2.min(least * np.float32(1 / _TEXTURE_FULL), 1.0), np.float32)
+
+
+def _hue(picture: Picture, background: Picture) -> Scores:
     """Lambda, 0 to 1."""
-    now = cv2.cvtColor(picture, cv2.COLOR_BGR2HSV)
-    usual = cv2.cvtColor(background, cv2.COLOR_BGR2HSV)
-    apart = cv2.absdiff(now[..., 0], usual[..., 0]).astype(np.float32) * 2
-    apart = np.minimum(apart, 360 - apart)
-    colourful = np.minimum(now[..., 1], usual[..., 1]).astype(np.float32) / _GREY_SATURATION
-    return np.asarray(np.minimum(apart / _HUE_FULL_DEG, 1) * np.minimum(colourful, 1), np.float32)
+    (blue, red), (usual_blue, usual_red) = _chroma(picture), _chroma(background)
+    apart = cv2.magnitude(cv2.subtract(blue, usual_blue), cv2.subtract(red, usual_red))
+    smooth = cv2.blur(apart, _SMALL.shape)
+    return np.asarray(cv2.min(smooth * np.float32(1 / _HUE_FULL), 1.0), np.float32)
+
+
+def _chroma(picture: Picture) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Blue's and red's share of the light."""
+    blue, green, red = cv2.split(picture.astype(np.float32) + np.float32(_DARK_OFFSET))
+    light = cv2.add(cv2.add(blue, green), red)
+    return (
+        np.asarray(cv2.divide(blue, light), np.float32),
+        np.asarray(cv2.divide(red, light), np.float32),
+    )
