@@ -1,1 +1,1 @@
-"""The command line."""
+"""The command line: what is typed is turned into calls of the library, results into text."""

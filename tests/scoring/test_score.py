@@ -157,10 +157,12 @@ def test_rows_without_a_position_match_nobody_on_the_floor() -> None:
 
 
 @pytest.mark.parametrize("match", [FloorMatch(), BoxMatch()], ids=["floor", "box"])
-def test_truth_without_what_is_matched_is_refused(match: Match) -> None:
-    nowhere = table([(0, 1, math.nan, math.nan)])
+def test_a_side_without_what_is_matched_is_refused(match: Match) -> None:
+    nowhere, somewhere = table([(0, 1, math.nan, math.nan)]), table([(0, 1, 0, 0)])
     with pytest.raises(FormatError, match="the truth has no"):
-        score(nowhere, nowhere, match)
+        score(nowhere, somewhere, match)
+    with pytest.raises(FormatError, match="the result has no"):
+        score(somewhere, nowhere, match)
 
 
 @pytest.mark.parametrize("wrong", [0.0, -1.0, math.nan, math.inf])

@@ -60,7 +60,8 @@ def compare(truth: ScoringTable, result: ScoringTable, match: Match) -> Comparis
     A result row that is matched with a don't-care (at the threshold, among all rows of the frame)
     is dropped, then the don't-cares are.
     """
-    match.require(truth)
+    match.require(truth, "truth")
+    match.require(result, "result")
     if not truth.counted.all():
         result = result.rows(_not_on_dont_cares(truth, result, match))
         truth = truth.rows(truth.counted)

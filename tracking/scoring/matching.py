@@ -25,8 +25,8 @@ class Match(Protocol):
     def similarity(self, truth: ScoringTable, result: ScoringTable, pairs: Rows) -> Floats:
         """(k,) 0 to 1 for each pair of rows; 0 where it cannot be said."""
 
-    def require(self, truth: ScoringTable) -> None:
-        """Refuse truth that has nothing to be matched by."""
+    def require(self, table: ScoringTable, side: str) -> None:
+        """Refuse a table whose rows have nothing to be matched by; `side` is its name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,10 +66,10 @@ class BoxMatch:
         real = (a_area > EPS) & (b_area > EPS) & (union > EPS)  # False for NaN
         return np.asarray(np.divide(shared, union, out=np.zeros(len(union)), where=real))
 
-    def require(self, truth: ScoringTable) -> None:
+    def require(self, table: ScoringTable, side: str) -> None:
         """Boxes are asked for."""
-        if len(truth) and np.isnan(truth.box).any(axis=1).all():
-            raise FormatError("the truth has no boxes; match by floor distance (--match floor)")
+        if len(table) and np.isnan(table.box).any(axis=1).all():
+            raise FormatError(f"the {side} has no boxes; match by floor distance (--match floor)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,10 +94,10 @@ class FloorMatch:
         alike = np.maximum(0.0, 1.0 - distance_m / (2.0 * self.radius_m))
         return np.where(np.isnan(alike), 0.0, alike)
 
-    def require(self, truth: ScoringTable) -> None:
+    def require(self, table: ScoringTable, side: str) -> None:
         """Positions are asked for."""
-        if len(truth) and np.isnan(truth.position).any(axis=1).all():
-            raise FormatError("the truth has no floor positions; match by boxes (--match box)")
+        if len(table) and np.isnan(table.position).any(axis=1).all():
+            raise FormatError(f"the {side} has no floor positions; match by boxes (--match box)")
 
 
 @dataclass(frozen=True, slots=True)

@@ -97,7 +97,7 @@ def score(
         frames: length of the recording, if it is known to be longer than the tracks.
 
     Raises:
-        FormatError: the truth has nothing to be matched by.
+        FormatError: a side has nothing to be matched by.
     """
     comparison = compare(truth, result, match or BoxMatch())
     matched = clear_matches(comparison)

@@ -1,0 +1,194 @@
+"""The commands and their options.
+
+What a command does stands in the module of its name and is imported when the command runs, so
+that help comes at once and no command waits for libraries it does not use.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.cli import options
+
+program = typer.Typer(
+    name="trackwright",
+    help="A workbench for people tracked in recorded stereo footage.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+Recording = Annotated[
+    Path | None, typer.Argument(help="A recording's folder, a video or an image folder.")
+]
+
+
+@program.callback()
+def every_command(
+    debug: Annotated[bool, typer.Option("--debug", help="Show the traceback of an error.")] = False,
+) -> None:
+    """A workbench for people tracked in recorded stereo footage."""
+
+
+@program.command()
+def demo(
+    out: Annotated[
+        Path | None, typer.Option("--out", help="Where to make it.", show_default="data folder")
+    ] = None,
+    no_gui: Annotated[bool, typer.Option("--no-gui", help="Do not open the window.")] = False,
+    json: options.Json = False,
+) -> None:
+    """Make the built-in stereo recording, track it and open the window on it."""
+    from app.cli.demo import run_demo
+
+    run_demo(out, gui=not no_gui, as_json=json)
+
+
+@program.command(name="open")
+def open_window(
+    path: Annotated[Path | None, typer.Argument(help="A recording or a session.")] = None,
+    left: options.Left = None,
+    right: options.Right = None,
+    calibration: options.Calibration = None,
+    height: options.Height = None,
+    tilt: options.Tilt = None,
+    roll: options.Roll = None,
+    fps: options.Fps = None,
+    layout: options.Layout = None,
+    first: options.First = None,
+    allow_outside: options.Outside = False,
+) -> None:
+    """Open the window."""
+    from app.cli.open_window import run_open
+    from app.cli.recordings import Bare
+
+    eyes = Bare(left, right, calibration, height, tilt, roll, fps, layout, first, allow_outside)
+    run_open(path, eyes)
+
+
+@program.command()
+def info(
+    path: Annotated[Path | None, typer.Argument(help="A recording or a session.")] = None,
+    left: options.Left = None,
+    right: options.Right = None,
+    calibration: options.Calibration = None,
+    height: options.Height = None,
+    tilt: options.Tilt = None,
+    roll: options.Roll = None,
+    fps: options.Fps = None,
+    layout: options.Layout = None,
+    first: options.First = None,
+    allow_outside: options.Outside = False,
+    json: options.Json = False,
+) -> None:
+    """Say what a recording or a session holds."""
+    from app.cli.info import run_info
+    from app.cli.recordings import Bare
+
+    eyes = Bare(left, right, calibration, height, tilt, roll, fps, layout, first, allow_outside)
+    run_info(path, eyes, as_json=json)
+
+
+@program.command()
+def synth(
+    out: Annotated[Path, typer.Argument(help="The recording's folder, made by this command.")],
+    scene: Annotated[str, typer.Option(help="Which kind of place.")],
+    seconds: Annotated[float, typer.Option(min=0.1, help="How long.")] = 20.0,
+    people: Annotated[
+        int | None, typer.Option(min=0, help="How many.", show_default="the scene's")
+    ] = None,
+    seed: options.Seed = 0,
+    force: options.Force = False,
+    json: options.Json = False,
+) -> None:
+    """Render a stereo recording of people with exact truth."""
+    from app.cli.synth import run_synth
+
+    run_synth(out, scene, seconds, people, seed, force=force, as_json=json)
+
+
+@program.command()
+def trackers(json: options.Json = False) -> None:
+    """List the trackers and their settings."""
+    from app.cli.trackers import run_trackers
+
+    run_trackers(as_json=json)
+
+
+@program.command()
+def track(
+    out: Annotated[Path, typer.Option("--out", "-o", help="The session to make: NAME.h5.")],
+    recording: Recording = None,
+    tracker: Annotated[
+        str | None, typer.Option(help="Its name.", show_default="best for the recording")
+    ] = None,
+    setting: Annotated[
+        list[str] | None, typer.Option("--set", help="KEY=VALUE, see trackers.")
+    ] = None,
+    frames: Annotated[
+        str | None, typer.Option(help="A:B, from 0, B not included.", show_default="all")
+    ] = None,
+    seed: options.Seed = 0,
+    detector: Annotated[Path | None, typer.Option(help="A failure detector made by train.")] = None,
+    force: options.Force = False,
+    left: options.Left = None,
+    right: options.Right = None,
+    calibration: options.Calibration = None,
+    height: options.Height = None,
+    tilt: options.Tilt = None,
+    roll: options.Roll = None,
+    fps: options.Fps = None,
+    layout: options.Layout = None,
+    first: options.First = None,
+    allow_outside: options.Outside = False,
+    json: options.Json = False,
+) -> None:
+    """Run a tracker over a recording."""
+    from app.cli.recordings import Bare
+    from app.cli.track import Order, run_track
+
+    eyes = Bare(left, right, calibration, height, tilt, roll, fps, layout, first, allow_outside)
+    order = Order(tracker, tuple(setting or ()), frames, seed, detector)
+    run_track(recording, eyes, out, order, force=force, as_json=json)
+
+
+@program.command()
+def score(
+    result: Annotated[Path, typer.Argument(help="A session or MOT text.")],
+    truth: Annotated[
+        Path, typer.Option("--truth", help="A session, MOT text or a recording with truth.txt.")
+    ],
+    match: Annotated[
+        str, typer.Option(help="Pair people by box (overlap) or floor (distance).")
+    ] = "box",
+    radius: Annotated[
+        float, typer.Option(help="Greatest distance on the floor, m; with --match floor.")
+    ] = 0.5,
+    report: Annotated[Path | None, typer.Option(help="A folder for a report.")] = None,
+    json: options.Json = False,
+) -> None:
+    """Measure a result against truth."""
+    from app.cli.score import run_score
+
+    run_score(result, truth, match, radius, report, as_json=json)
+
+
+@program.command()
+def export(
+    session: Annotated[Path, typer.Argument(help="A session.")],
+    out: Annotated[Path, typer.Option("--out", "-o", help="The file to make.")],
+    file_format: Annotated[str, typer.Option("--format", help="mot.")],
+    run: Annotated[
+        int | None,
+        typer.Option(min=0, help="A tracker's run, from 0.", show_default="the corrected tracks"),
+    ] = None,
+    json: options.Json = False,
+) -> None:
+    """Write a session's tracks for other tools."""
+    from app.cli.export import run_export
+
+    run_export(session, out, file_format, run, as_json=json)

@@ -1,0 +1,62 @@
+"""Options that several commands share."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+_BARE = "Without recording.toml"
+
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout.")]
+Force = Annotated[bool, typer.Option("--force", help="Replace what already stands there.")]
+Seed = Annotated[int, typer.Option(min=0, help="Of all random numbers.")]
+
+Left = Annotated[
+    Path | None,
+    typer.Option("--left", help="The left or only eye: a video.", rich_help_panel=_BARE),
+]
+Right = Annotated[
+    Path | None, typer.Option("--right", help="The right eye: a video.", rich_help_panel=_BARE)
+]
+Calibration = Annotated[
+    list[Path] | None,
+    typer.Option("--calibration", help="A calibration file; twice for two.", rich_help_panel=_BARE),
+]
+Height = Annotated[
+    float | None,
+    typer.Option("--height", help="Of the left camera over the floor, m.", rich_help_panel=_BARE),
+]
+Tilt = Annotated[
+    float | None,
+    typer.Option("--tilt", help="Of its axis below the horizon, degrees.", rich_help_panel=_BARE),
+]
+Roll = Annotated[
+    float | None,
+    typer.Option("--roll", help="About its axis, clockwise, degrees.", rich_help_panel=_BARE),
+]
+Fps = Annotated[
+    float | None,
+    typer.Option("--fps", help="Frames a second, for images.", rich_help_panel=_BARE),
+]
+Layout = Annotated[
+    str | None,
+    typer.Option(
+        "--layout", help="Both eyes in one: side-by-side or top-bottom.", rich_help_panel=_BARE
+    ),
+]
+First = Annotated[
+    str | None,
+    typer.Option(
+        "--first", help="Which eye comes first there: left or right.", rich_help_panel=_BARE
+    ),
+]
+Outside = Annotated[
+    bool,
+    typer.Option(
+        "--allow-outside",
+        help="Follow paths out of the recording's folder.",
+        rich_help_panel=_BARE,
+    ),
+]

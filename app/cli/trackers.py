@@ -1,0 +1,52 @@
+"""`trackers`: what can be run, with every setting."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from app.cli.output import print_json
+from tracking.trackers import TRACKERS, SettingField, TrackerSpec, settings_fields
+
+
+def run_trackers(*, as_json: bool) -> None:
+    """Print the catalogue."""
+    if as_json:
+        print_json({"trackers": [_as_json(spec) for spec in TRACKERS.values()]})
+        return
+    for number, spec in enumerate(TRACKERS.values()):
+        print("\n" * (number > 0) + f"{spec.name}  {spec.title} [{spec.paper}]")
+        print(f"  needs: {', '.join(_needs(spec)) or 'one camera'}")
+        for field in settings_fields(spec.settings_type):
+            print(_line(field))
+
+
+def _as_json(spec: TrackerSpec) -> dict[str, Any]:
+    return {
+        "name": spec.name,
+        "title": spec.title,
+        "paper": spec.paper,
+        "needs_stereo": spec.needs_stereo,
+        "needs_calibration": spec.needs_calibration,
+        "settings": [
+            {
+                "name": field.name,
+                "type": field.type.__name__,
+                "default": field.default,
+                "unit": field.unit,
+                "range": None if field.range is None else list(field.range),
+                "help": field.help,
+            }
+            for field in settings_fields(spec.settings_type)
+        ],
+    }
+
+
+def _needs(spec: TrackerSpec) -> list[str]:
+    asked = (("two eyes", spec.needs_stereo), ("a calibration", spec.needs_calibration))
+    return [name for name, needed in asked if needed]
+
+
+def _line(field: SettingField) -> str:
+    limits = f", {field.range[0]:g} to {field.range[1]:g}" if field.range else ""
+    value = f"{field.name}={field.default}"
+    return f"  {value:<44} {field.help} ({field.unit or field.type.__name__}{limits})"
