@@ -20,7 +20,10 @@ _LOG_BYTES = 1 << 20
 def told(work: Callable[[], object], *, debug: bool) -> int:
     """Do the work; the exit status, with at most one line on stderr unless `debug`."""
     try:
-        work()
+        try:
+            work()
+        finally:
+            sys.stdout.flush()
     except SystemExit as stop:
         return stop.code if isinstance(stop.code, int) else DONE if stop.code is None else FAILED
     except KeyboardInterrupt:

@@ -33,7 +33,7 @@ def say(message: str) -> None:
 def progress(what: str) -> Iterator[Progress]:
     """A progress bar on stderr while the block runs; nothing where nobody watches."""
     if not sys.stderr.isatty():
-        yield lambda done, total: None
+        yield lambda *_: None
         return
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn

@@ -1,0 +1,115 @@
+"""Every way a command can end, as a status and a line."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from app.__main__ import run
+from app.cli.failure import told
+from tracking.errors import RecordingError
+
+
+def raises(error: BaseException) -> Callable[[], None]:
+    def work() -> None:
+        raise error
+
+    return work
+
+
+@pytest.fixture(autouse=True)
+def log_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr("platformdirs.user_log_dir", lambda *_, **__: str(tmp_path / "log"))
+    return tmp_path / "log"
+
+
+def test_done_is_silent(capsys: pytest.CaptureFixture[str]) -> None:
+    assert told(lambda: None, debug=False) == 0
+    assert capsys.readouterr() == ("", "")
+
+
+def test_an_expected_error_is_one_line(
+    capsys: pytest.CaptureFixture[str], log_folder: Path
+) -> None:
+    assert told(raises(RecordingError("left.mp4\nhas no frames")), debug=False) == 1
+    assert capsys.readouterr().err == "trackwright: left.mp4 has no frames\n"
+    assert not log_folder.exists()
+
+
+def test_debug_shows_the_traceback(capsys: pytest.CaptureFixture[str]) -> None:
+    assert told(raises(RecordingError("left.mp4 has no frames")), debug=True) == 1
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_a_bug_is_said_to_be_one_and_logged(
+    capsys: pytest.CaptureFixture[str], log_folder: Path
+) -> None:
+    assert told(raises(ZeroDivisionError("by nothing")), debug=False) == 1
+    err = capsys.readouterr().err
+    assert "this is a bug in trackwright: ZeroDivisionError: by nothing" in err
+    assert err.count("\n") == 1
+    assert "Traceback" in (log_folder / "errors.log").read_text()
+
+
+def test_a_bug_is_told_where_no_log_can_be_kept(
+    capsys: pytest.CaptureFixture[str], log_folder: Path
+) -> None:
+    log_folder.write_text("a file where the folder should be")
+    assert told(raises(ZeroDivisionError("by nothing")), debug=False) == 1
+    assert "--debug" in capsys.readouterr().err
+
+
+def test_an_interruption_is_status_130(capsys: pytest.CaptureFixture[str]) -> None:
+    assert told(raises(KeyboardInterrupt()), debug=False) == 130
+    assert capsys.readouterr().err == "trackwright: stopped; nothing half-done was kept\n"
+
+
+def test_missing_memory_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert told(raises(MemoryError()), debug=False) == 1
+    assert "not enough memory" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["count", "train", "import", "batch"])
+def test_commands_to_come_say_so(capsys: pytest.CaptureFixture[str], name: str) -> None:
+    assert run([name, "anything"]) == 2
+    assert capsys.readouterr().err == f"trackwright: {name} is not built yet\n"
+
+
+@pytest.mark.parametrize("words", [["nonsense"], ["score"], ["trackers", "--nonsense"], []])
+def test_misuse_is_status_2(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
+    assert run(words) == 2
+
+
+@pytest.mark.parametrize(
+    "name", ["demo", "open", "info", "synth", "trackers", "track", "score", "export"]
+)
+def test_every_command_explains_itself(capsys: pytest.CaptureFixture[str], name: str) -> None:
+    assert run([name, "--help"]) == 0
+    assert f"trackwright {name}" in capsys.readouterr().out
+
+
+def test_help_needs_no_heavy_library() -> None:
+    code = (
+        "import sys; from app.__main__ import run; run(['--help']);"
+        "print([m for m in ('numpy', 'cv2', 'PySide6', 'av', 'h5py') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert done.stdout.rstrip().endswith("[]")
+
+
+def test_a_closed_pipe_ends_quietly(tmp_path: Path) -> None:
+    rows = "".join(f"{n},1,1,1,5,5,1,-1,-1,-1\n" for n in range(1, 50))
+    (tmp_path / "truth.txt").write_text(rows)
+    command = f"{sys.executable} -m app score truth.txt --truth truth.txt | true"
+    done = subprocess.run(
+        ["bash", "-c", command],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        env={"PYTHONPATH": str(Path(__file__).parents[3]), "PATH": "/usr/bin:/bin"},
+    )
+    assert done.stderr == ""
