@@ -14,7 +14,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QToolTip, QWidget
 
-from app.views.theme import Theme, theme_of
+from app.views.theme import Theme, current_theme
 from app.views.viewport import Viewport
 
 _ZOOM_PER_NOTCH = 1.2
@@ -100,7 +100,7 @@ class Canvas(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802
         """Ground, then content."""
-        theme = theme_of(self)
+        theme = current_theme()
         painter = QPainter(self)
         painter.fillRect(event.rect(), theme.sunken)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QFrame,
-    QHBoxLayout,
-    QLabel,
     QLineEdit,
     QListWidget,
     QListWidgetItem,
@@ -16,10 +14,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.scenes import CommandItem
+from app.views.command_list import ITEM, CommandDelegate, row_height
 from app.views.parts import quiet
 from app.views.theme import scaled_font
 
-_ID = Qt.ItemDataRole.UserRole
 _MOST_SHOWN = 60
 _ROWS = 10
 
@@ -81,6 +79,10 @@ class CommandPalette(QFrame):
         self._edit.installEventFilter(self)
         self._list = QListWidget(self)
         self._list.setAccessibleName(self.tr("Commands found"))
+        self._list.setItemDelegate(CommandDelegate(self._list))
+        self._list.setProperty("rows", True)
+        self._list.setUniformItemSizes(True)
+        self._list.setMouseTracking(True)
         self._list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.itemClicked.connect(self._run)
@@ -96,8 +98,8 @@ class CommandPalette(QFrame):
 
     def open_over(self, window: QWidget) -> None:
         """Appear in the upper middle of a window, empty and ready to type."""
-        line = self.fontMetrics().height() + 14
-        width = min(64 * self.fontMetrics().averageCharWidth(), window.width() - 32)
+        line = row_height(self.fontMetrics())
+        width = min(96 * self.fontMetrics().averageCharWidth(), window.width() - 32)
         self.resize(width, min((_ROWS + 2) * line, window.height() - 32))
         left = (window.width() - self.width()) // 2
         self.move(window.mapToGlobal(QPoint(left, max(16, window.height() // 8))))
@@ -109,17 +111,14 @@ class CommandPalette(QFrame):
     def _search(self, typed: str) -> None:
         self._list.clear()
         for item in best_commands(typed, self._items):
-            row = QListWidgetItem()
-            row.setData(_ID, item)
-            line = _CommandLine(item, self._list)
-            row.setSizeHint(QSize(10, line.sizeHint().height()))
+            row = QListWidgetItem(item.title)
+            row.setData(ITEM, item)
             self._list.addItem(row)
-            self._list.setItemWidget(row, line)
         self._list.setCurrentRow(0)
         self._none.setVisible(self._list.count() == 0)
 
     def _run(self, row: QListWidgetItem | None) -> None:
-        item = row.data(_ID) if row is not None else None
+        item = row.data(ITEM) if row is not None else None
         if isinstance(item, CommandItem) and item.enabled:
             self.hide()
             self.run_asked.emit(item.command)
@@ -141,33 +140,3 @@ class CommandPalette(QFrame):
                 self.hide()
                 return True
         return super().eventFilter(watched, event)
-
-
-class _CommandLine(QWidget):
-    """Title, menu and key of a command."""
-
-    def __init__(self, item: CommandItem, parent: QWidget) -> None:
-        super().__init__(parent)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(10, 5, 10, 5)
-        row.setSpacing(8)
-        title = QLabel(item.title, self)
-        title.setEnabled(item.enabled)
-        row.addWidget(title)
-        row.addWidget(
-            quiet(item.menu if item.enabled else item.why_not or item.menu, self, "faint")
-        )
-        row.addStretch(1)
-        if item.keys:
-            row.addWidget(key_label(item.keys[0], self))
-
-
-def key_label(keys: str, parent: QWidget) -> QLabel:
-    """A key as it is written on this machine, drawn like a key."""
-    native = QKeySequence(keys, QKeySequence.SequenceFormat.PortableText).toString(
-        QKeySequence.SequenceFormat.NativeText
-    )
-    label = QLabel(native or keys, parent)
-    label.setProperty("role", "key")
-    label.setFont(scaled_font(parent.font(), 0.88))
-    return label

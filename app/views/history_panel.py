@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, QPoint, QRect, QSize, Qt, Signal
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QFontMetrics, QPainter
 from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QMenu,
     QStackedLayout,
-    QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QWidget,
 )
 
 from app.presenters.scenes import HistoryItem
+from app.views.command_list import draw_row_ground
 from app.views.icons import IconButton
 from app.views.parts import EmptyState, Panel
-from app.views.theme import load_theme, scaled_font
+from app.views.theme import current_theme, scaled_font
 
 _ITEM = Qt.ItemDataRole.UserRole
 _PAD = 6
@@ -49,7 +49,9 @@ class HistoryPanel(Panel):
         self.add_to_heading(self._redo)
         self._list = QListWidget(self)
         self._list.setAccessibleName(self.tr("Edits, newest first"))
+        self._list.setProperty("rows", True)
         self._list.setUniformItemSizes(True)
+        self._list.setMouseTracking(True)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.setItemDelegate(_EditDelegate(self._list))
         self._list.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
@@ -103,33 +105,34 @@ def _edit_of(row: QListWidgetItem) -> HistoryItem:
 class _EditDelegate(QStyledItemDelegate):
     """Two lines an edit: what, and when by whom; undone ones greyed and struck out."""
 
-    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:  # type: ignore[override] # noqa: ARG002, N802
+    def sizeHint(  # noqa: N802 - Qt's name
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> QSize:
+        del index
         small = QFontMetrics(scaled_font(option.font, 0.85))
-        return QSize(40, option.fontMetrics.height() + small.height() + 2 * _PAD)
+        return QSize(64, QFontMetrics(option.font).height() + small.height() + 2 * _PAD)
 
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:  # type: ignore[override]
-        item = index.data(_ITEM)
-        assert isinstance(item, HistoryItem)
-        theme = load_theme("dark" if option.palette.window().color().lightness() < 128 else "light")
+    def paint(
+        self,
+        painter: QPainter,
+        option: QStyleOptionViewItem,
+        index: QModelIndex | QPersistentModelIndex,
+    ) -> None:
+        item: HistoryItem = index.data(_ITEM)
+        theme = current_theme()
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        if option.state & (QStyle.StateFlag.State_MouseOver | QStyle.StateFlag.State_Selected):
-            painter.setPen(Qt.PenStyle.NoPen)
-            selected = option.state & QStyle.StateFlag.State_Selected
-            painter.setBrush(theme.selection if selected else theme.hover)
-            painter.drawRoundedRect(option.rect.adjusted(0, 1, 0, -1), 5, 5)
+        draw_row_ground(painter, option)
         inner = option.rect.adjusted(8, _PAD, -8, -_PAD)
         font = scaled_font(option.font, 1.0)
         font.setStrikeOut(item.undone)
         painter.setFont(font)
         painter.setPen(theme.text_faint if item.undone else theme.text)
         metrics = QFontMetrics(font)
-        first = QRect(inner.left(), inner.top(), inner.width(), metrics.height())
-        shown = metrics.elidedText(item.text, Qt.TextElideMode.ElideRight, first.width())
-        painter.drawText(first, Qt.AlignmentFlag.AlignLeft, shown)
+        shown = metrics.elidedText(item.text, Qt.TextElideMode.ElideRight, inner.width())
+        painter.drawText(inner, Qt.AlignmentFlag.AlignTop, shown)
         painter.setFont(scaled_font(option.font, 0.85))
         painter.setPen(theme.text_faint if item.undone else theme.text_muted)
-        second = inner.adjusted(0, metrics.height(), 0, 0)
         detail = "  \u00b7  ".join(part for part in (item.when, item.author) if part)
-        painter.drawText(second, Qt.AlignmentFlag.AlignLeft, detail)
+        painter.drawText(inner, Qt.AlignmentFlag.AlignBottom, detail)
         painter.restore()

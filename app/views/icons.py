@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QGuiApplication, QIcon, QPainter, QPalette, QP
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QToolButton, QWidget
 
-from app.views.theme import theme_of
+from app.views.theme import current_theme
 
 _SIZES_PX = (16, 20, 24, 32, 48, 64)
 
@@ -55,9 +55,18 @@ def application_icon() -> QIcon:
 class IconButton(QToolButton):
     """A tool button whose icon follows the theme; its name is told to screen readers."""
 
-    def __init__(self, drawing: str, name: str, key: str = "", parent: QWidget | None = None):
+    def __init__(
+        self,
+        drawing: str,
+        name: str,
+        key: str = "",
+        parent: QWidget | None = None,
+        primary: bool = False,
+    ) -> None:
         super().__init__(parent)
         self._icon_name = drawing
+        self._primary = primary
+        self.setProperty("primary", primary)
         self.setAccessibleName(name)
         self.setToolTip(f"{name}  ({key})" if key else name)
         self.setIconSize(QSize(20, 20))
@@ -77,4 +86,6 @@ class IconButton(QToolButton):
             self._recolour()
 
     def _recolour(self) -> None:
-        self.setIcon(icon(self._icon_name, theme_of(self).text))
+        theme = current_theme()
+        colour = theme.accent_text if self._primary else theme.text
+        self.setIcon(icon(self._icon_name, colour))

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QVBoxLayout, QWidget
 
 from app.views.icons import pixmap
-from app.views.theme import scaled_font, theme_of
+from app.views.theme import current_theme, scaled_font
 
 
 class Panel(QFrame):
@@ -110,6 +110,6 @@ class EmptyState(QWidget):
 
     def _recolour(self) -> None:
         ratio = self.devicePixelRatioF()
-        drawn = pixmap(self._drawing, theme_of(self).text_faint, round(28 * ratio))
+        drawn = pixmap(self._drawing, current_theme().text_faint, round(28 * ratio))
         drawn.setDevicePixelRatio(ratio)
         self._icon.setPixmap(drawn)

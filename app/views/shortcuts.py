@@ -16,8 +16,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.scenes import CommandItem
-from app.views.command_palette import key_label
+from app.views.command_list import native_keys
 from app.views.parts import heading, quiet
+from app.views.theme import scaled_font
 
 _COLUMNS = 3
 
@@ -63,11 +64,13 @@ class ShortcutsDialog(QDialog):
         across.setContentsMargins(0, 0, 8, 0)
         across.setSpacing(32)
         columns = [QVBoxLayout() for _ in range(_COLUMNS)]
+        for column in columns:
+            column.setSpacing(0)
         heights = [0] * _COLUMNS
         for menu, items in groups.items():
             shortest = heights.index(min(heights))
             columns[shortest].addLayout(self._group(menu, items, page))
-            columns[shortest].addSpacing(12)
+            columns[shortest].addSpacing(20)
             heights[shortest] += len(items) + 2
         for column in columns:
             column.addStretch(1)
@@ -78,6 +81,7 @@ class ShortcutsDialog(QDialog):
 
     def _group(self, menu: str, items: list[CommandItem], page: QWidget) -> QGridLayout:
         grid = QGridLayout()
+        grid.setContentsMargins(0, 0, 0, 0)
         grid.setVerticalSpacing(4)
         grid.setColumnStretch(0, 1)
         grid.addWidget(heading(menu, page), 0, 0, 1, 2)
@@ -90,3 +94,11 @@ class ShortcutsDialog(QDialog):
                 keys.addWidget(key_label(key, page))
             grid.addLayout(keys, line, 1)
         return grid
+
+
+def key_label(keys: str, parent: QWidget) -> QLabel:
+    """A key drawn like a key."""
+    label = QLabel(native_keys(keys), parent)
+    label.setProperty("role", "key")
+    label.setFont(scaled_font(parent.font(), 0.88))
+    return label

@@ -1,7 +1,7 @@
 """Dark and light: colours as data, laid over Qt's palette and a small stylesheet.
 
-The palette is the one truth: a widget asks :func:`theme_of` while painting, and is repainted by
-Qt itself when the look changes.
+The palette is the one truth: a widget asks :func:`current_theme` while painting, and Qt itself
+repaints it when the look changes.
 """
 
 from __future__ import annotations
@@ -15,9 +15,11 @@ from string import Template
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 
 from app.presenters.scenes import Colour
+
+_LEAST_CONTRAST = 1.9  # of a line or a bar against its ground
 
 
 class Look(Enum):
@@ -63,11 +65,13 @@ class Theme:
         return self.window.lightness() < 128
 
     def track(self, colour: Colour) -> QColor:
-        """A track's colour, moved towards the middle where the ground would swallow it."""
+        """A track's colour, moved towards the text's where the ground would swallow it."""
         own = QColor(*colour)
-        hue, saturation, lightness = own.hslHueF(), own.hslSaturationF(), own.lightnessF()
-        bound = max(lightness, 0.5) if self.is_dark else min(lightness, 0.46)
-        return own if bound == lightness else QColor.fromHslF(max(hue, 0.0), saturation, bound)
+        for share in (0.0, 0.15, 0.3, 0.45, 0.6):
+            moved = _mixed(own, self.text, share)
+            if contrast(moved, self.sunken) >= _LEAST_CONTRAST:
+                return moved
+        return self.text
 
 
 @cache
@@ -78,9 +82,12 @@ def load_theme(name: str) -> Theme:
     return Theme(table["name"], **{key: QColor(code) for key, code in table["colours"].items()})
 
 
-def theme_of(widget: QWidget) -> Theme:
-    """The theme that fits the widget's palette as it is now."""
-    ground = widget.palette().color(QPalette.ColorRole.Window)
+def current_theme() -> Theme:
+    """The theme that fits the program's palette as it is now.
+
+    Not a widget's own palette: the stylesheet puts a button's ground in there.
+    """
+    ground = QGuiApplication.palette().color(QPalette.ColorRole.Window)
     return load_theme("dark" if ground.lightness() < 128 else "light")
 
 
@@ -97,10 +104,9 @@ def apply_look(application: QApplication, look: Look) -> Theme:
 
 
 def _theme_name(look: Look) -> str:
-    if look is not Look.SYSTEM:
-        return look.value
-    scheme = QGuiApplication.styleHints().colorScheme()
-    return "dark" if scheme is Qt.ColorScheme.Dark else "light"
+    desktop_dark = QGuiApplication.styleHints().colorScheme() is Qt.ColorScheme.Dark
+    dark = look is Look.DARK or (look is Look.SYSTEM and desktop_dark)
+    return "dark" if dark else "light"
 
 
 def stylesheet(theme: Theme) -> str:
@@ -159,10 +165,28 @@ def faded(colour: QColor, opacity: float) -> QColor:
 
 
 def ink_on(ground: QColor) -> QColor:
-    """Black or white, whichever reads better on the ground (WCAG relative luminance)."""
+    """Black or white, whichever reads better on the ground."""
+    dark, light = QColor(16, 18, 20), QColor(255, 255, 255)
+    return max(dark, light, key=lambda ink: contrast(ink, ground))
+
+
+def contrast(one: QColor, other: QColor) -> float:
+    """How well two colours are told apart, 1 to 21 [WCAG 2.1, contrast ratio]."""
+    low, high = sorted((_luminance(one), _luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def _luminance(colour: QColor) -> float:
     linear = [
         part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
-        for part in (ground.redF(), ground.greenF(), ground.blueF())
+        for part in (colour.redF(), colour.greenF(), colour.blueF())
     ]
-    luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-    return QColor(16, 18, 20) if luminance > 0.18 else QColor(255, 255, 255)
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def _mixed(one: QColor, other: QColor, share: float) -> QColor:
+    return QColor.fromRgbF(
+        one.redF() + share * (other.redF() - one.redF()),
+        one.greenF() + share * (other.greenF() - one.greenF()),
+        one.blueF() + share * (other.blueF() - one.blueF()),
+    )

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 from app.presenters.scenes import TrackCard
 from app.views.attributes import AttributesTable
 from app.views.parts import EmptyState, Panel, Swatch, heading, quiet
-from app.views.theme import scaled_font, theme_of
+from app.views.theme import current_theme, scaled_font
 
 
 class NameEdit(QLineEdit):
@@ -193,7 +193,7 @@ class TrackPanel(Panel):
         if card is None or card == before:
             return
         other = before is None or before.track != card.track
-        self._swatch.set_colour(theme_of(self).track(card.colour))
+        self._swatch.set_colour(current_theme().track(card.colour))
         self._id.setText(str(card.track))
         self._first.setText(str(card.first_frame))
         self._last.setText(str(card.last_frame))

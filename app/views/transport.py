@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from app.presenters.scenes import TransportScene
 from app.views.icons import IconButton
 from app.views.parts import Swatch, quiet
-from app.views.theme import scaled_font, theme_of
+from app.views.theme import current_theme, scaled_font
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
 
@@ -83,7 +83,7 @@ class TransportBar(QFrame):
         self._build_state(row)
 
     def _build_buttons(self, row: QHBoxLayout) -> None:
-        self._play = IconButton("play", self.tr("Play"), self.tr("Space"), self)
+        self._play = IconButton("play", self.tr("Play"), self.tr("Space"), self, primary=True)
         self._play.clicked.connect(self.play_toggled)
         first = IconButton("first", self.tr("First frame"), self.tr("Home"), self)
         first.clicked.connect(lambda: self.frame_sought.emit(0))
@@ -185,7 +185,7 @@ class TransportBar(QFrame):
             self._colour_light()
 
     def _colour_light(self) -> None:
-        theme = theme_of(self)
+        theme = current_theme()
         status = self._scene.status if self._scene is not None else ""
         live = status.startswith("live")
         self._light.set_colour(theme.good if live else theme.line_strong)

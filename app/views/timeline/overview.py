@@ -18,7 +18,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.scenes import TimelineScene
-from app.views.theme import Theme, faded, theme_of
+from app.views.theme import Theme, current_theme, faded
 from app.views.timeline.axis import TimeAxis
 
 
@@ -79,7 +79,7 @@ class OverviewStrip(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
         """Activity from its picture, then window and playhead."""
-        theme, painter = theme_of(self), QPainter(self)
+        theme, painter = current_theme(), QPainter(self)
         ratio = self.devicePixelRatioF()
         if self._drawn is None or self._drawn.size() != self.size() * ratio:
             self._drawn = self._draw_still(theme, ratio)

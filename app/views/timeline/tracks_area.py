@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QScrollBar, QToolTip, QWidget
 
 from app.presenters.scenes import Lane, TimelineScene
 from app.views.labels import draw_message
-from app.views.theme import Theme, faded, scaled_font, theme_of
+from app.views.theme import Theme, current_theme, faded, scaled_font
 from app.views.timeline.axis import TimeAxis, ticks
 from app.views.timeline.lanes import draw_lane
 
@@ -141,7 +141,7 @@ class TracksArea(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
         """Lanes from their picture, then what moves."""
-        theme, painter = theme_of(self), QPainter(self)
+        theme, painter = current_theme(), QPainter(self)
         ratio = self.devicePixelRatioF()
         if self._drawn is None or self._drawn.size() != self.size() * ratio:
             self._drawn = self._draw_still(theme, ratio)
@@ -179,6 +179,8 @@ class TracksArea(QWidget):
                 continue
             painter.setPen(QPen(theme.line, 1.0))
             painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
+            if x + 4 + metrics.horizontalAdvance(max(text, str(frame), key=len)) > self.width():
+                continue
             painter.setPen(theme.text_muted)
             painter.drawText(QPointF(x + 4, 3 + metrics.ascent()), text)
             painter.setPen(theme.text_faint)
