@@ -57,11 +57,11 @@ class BoxMatch:
         Corners are added up from pixel 1, the convention of MOTChallenge's files: the sums round
         as they do for tools that read those, so an overlap on the threshold is on it here too.
         """
-        a_low, a_high = (corner[pairs.truth] for corner in _corners(truth.box))
-        b_low, b_high = (corner[pairs.result] for corner in _corners(result.box))
+        a_low, a_high = _corners(truth.box[pairs.truth])
+        b_low, b_high = _corners(result.box[pairs.result])
         overlap = np.maximum(np.minimum(a_high, b_high) - np.maximum(a_low, b_low), 0)
         shared = overlap[:, 0] * overlap[:, 1]
-        a_area, b_area = np.prod(a_high - a_low, axis=1), np.prod(b_high - b_low, axis=1)
+        a_area, b_area = _area(a_high - a_low), _area(b_high - b_low)
         union = a_area + b_area - shared
         real = (a_area > EPS) & (b_area > EPS) & (union > EPS)  # False for NaN
         return np.asarray(np.divide(shared, union, out=np.zeros(len(union)), where=real))
@@ -201,3 +201,7 @@ def _corners(box: Floats) -> tuple[Floats, Floats]:
     """(n, 2) upper left and lower right corners, counted from pixel 1."""
     low = box[:, :2] + 1.0
     return low, low + box[:, 2:]
+
+
+def _area(size: Floats) -> Floats:
+    return np.asarray(size[:, 0] * size[:, 1])
