@@ -1,1 +1,17 @@
-"""Scenes of people rendered with exact truth."""
+"""Scenes of walking people, rendered for two eyes with exact truth."""
+
+from tracking.synthesis.scene import Scene
+from tracking.synthesis.scenes import SCENES, FloorSpec, LampSpec, SceneSpec, WallSpec
+from tracking.synthesis.truth import SceneTruth
+from tracking.synthesis.writing import render_recording
+
+__all__ = [
+    "SCENES",
+    "FloorSpec",
+    "LampSpec",
+    "Scene",
+    "SceneSpec",
+    "SceneTruth",
+    "WallSpec",
+    "render_recording",
+]

@@ -1,0 +1,139 @@
+"""Everybody in a scene: ways, steps, bodies and clothes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.synthesis.body import TUBES, bodies, profile_of
+from tracking.synthesis.crowd import Walk, walk
+from tracking.synthesis.figures import Figures
+from tracking.synthesis.gait import Steps, steps_of
+from tracking.synthesis.itineraries import plan_itineraries
+from tracking.synthesis.rig import Rig
+from tracking.synthesis.scenes import SceneSpec
+from tracking.synthesis.skeleton import Posture, skeleton_of
+from tracking.synthesis.wardrobe import ATLAS, PATCHES, random_outfit, texture
+
+Floats = NDArray[np.float64]
+Float32s = NDArray[np.float32]
+
+LEVELS = 3
+"""Each person's texture is kept in this many sizes, each half of the one before."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cast:
+    """The people of a recording; the index of a person is the id less one.
+
+    Attributes:
+        figures: bodies, a row per person.
+        walks, steps: per person; None for who never sets off.
+        textures: (k, 3) texels of all people and sizes, linear, blue, green, red.
+    """
+
+    figures: Figures
+    walks: tuple[Walk | None, ...]
+    steps: tuple[Steps | None, ...]
+    textures: Float32s
+
+    @classmethod
+    def of_scene(
+        cls, spec: SceneSpec, rig: Rig, people: int, frames: int, fps: float, seed: int
+    ) -> Cast:
+        """Cast a scene; equal arguments give equal people."""
+        plans = plan_itineraries(spec, rig, people, frames / fps, np.random.default_rng((seed, 1)))
+        walks = walk(spec, plans, frames, fps)
+        rng = np.random.default_rng((seed, 2))
+        figures = Figures.at_random(people, rng)
+        starts = rng.uniform(0, 1, people)
+        steps = tuple(
+            None if way is None else steps_of(way, float(figures.height_m[i]), fps, starts[i])
+            for i, way in enumerate(walks)
+        )
+        textures = _textures(figures, uniform=spec.uniform, seed=seed)
+        return cls(figures, walks, steps, textures)
+
+    def on_floor(self, frame: int) -> NDArray[np.intp]:
+        """Indices of who is there in a frame, in view or not."""
+        there = [way is not None and frame in way.frames for way in self.walks]
+        return np.flatnonzero(there)
+
+    def position(self, people: NDArray[np.intp], frame: int) -> Floats:
+        """World x, y (n, 2) of people in a frame in which they are there."""
+        return self.posture(people, frame).position
+
+    def posture(self, people: NDArray[np.intp], frame: int) -> Posture:
+        """What people who are there do in a frame."""
+        walks = [self._walk(person) for person in people]
+        rows = [frame - way.first_frame for way in walks]
+        steps = [self._steps(person) for person in people]
+        moving = {
+            name: np.array([getattr(s, name)[row] for s, row in zip(steps, rows, strict=True)])
+            for name in Steps.__dataclass_fields__
+        }
+        return Posture(
+            position=np.array([w.position[row] for w, row in zip(walks, rows, strict=True)]),
+            heading=np.array([w.heading[row] for w, row in zip(walks, rows, strict=True)]),
+            **moving,
+        )
+
+    def surfaces(self, people: NDArray[np.intp], frame: int) -> tuple[Floats, Floats]:
+        """Vertices and normals (n, v, 3) of people who are there in a frame."""
+        figures = self.figures.of(people)
+        return bodies(figures, skeleton_of(figures, self.posture(people, frame)))
+
+    def _walk(self, person: int | np.intp) -> Walk:
+        way = self.walks[person]
+        assert way is not None  # only asked for people who are there
+        return way
+
+    def _steps(self, person: int | np.intp) -> Steps:
+        steps = self.steps[person]
+        assert steps is not None
+        return steps
+
+
+def texture_coordinates() -> Float32s:
+    """Column and row (v, 2) of each of a body's vertices in the person's texture."""
+    coordinates = []
+    for shape in TUBES:
+        top, left, height, width = PATCHES[shape.patch]
+        down = profile_of(shape.name)
+        across = np.linspace(0.0, 1.0, shape.segments + 1)
+        # Half a texel in from the edge: the neighbours in the texture are other clothes.
+        column = left + 0.5 + across * (width - 1)
+        row = top + 0.5 + down * (height - 1)
+        grid = np.stack(np.meshgrid(column, row), axis=-1)
+        coordinates.append(grid.reshape(-1, 2))
+    return np.concatenate(coordinates).astype(np.float32)
+
+
+def level_layout() -> tuple[NDArray[np.int32], NDArray[np.int32], int]:
+    """First texel and row length of each size of a texture, and the texels per person."""
+    rows, columns = ATLAS
+    sizes = [(rows >> level) * (columns >> level) for level in range(LEVELS)]
+    starts = np.concatenate(([0], np.cumsum(sizes)[:-1])).astype(np.int32)
+    strides = np.array([columns >> level for level in range(LEVELS)], np.int32)
+    return starts, strides, sum(sizes)
+
+
+def _textures(figures: Figures, *, uniform: bool, seed: int) -> Float32s:
+    texels = []
+    for person in range(len(figures)):
+        rng = np.random.default_rng((seed, 3, person))
+        outfit = random_outfit(
+            rng,
+            long_hair=bool(figures.hair[person] > 0.55),
+            coat=bool(figures.skirt[person] > 0 and figures.flare[person] < 0.8),
+            uniform=uniform,
+        )
+        image = texture(outfit, rng)
+        for _ in range(LEVELS):
+            texels.append(image.reshape(-1, 3))
+            half = image.shape[1] // 2, image.shape[0] // 2
+            image = cv2.resize(image, half, interpolation=cv2.INTER_AREA)
+    return np.concatenate(texels) if texels else np.zeros((1, 3), np.float32)

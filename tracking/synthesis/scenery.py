@@ -1,0 +1,87 @@
+"""What stands still: floor, walls and pillars, drawn once for each eye."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.synthesis.materials import Floor, wall_colour
+from tracking.synthesis.rig import NEAREST_M, Rig
+from tracking.synthesis.scenes import SceneSpec, WallSpec
+
+Floats = NDArray[np.float64]
+Float32s = NDArray[np.float32]
+
+_OVERSAMPLING = 3
+_FARTHEST_M = 60.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Backdrop:
+    """The unlit-by-people background of one eye.
+
+    Attributes:
+        light: (height, width, 3) linear, blue, green, red.
+        floor: (height, width, 1) share of the pixel that is floor.
+    """
+
+    light: Float32s
+    floor: Float32s
+
+
+def backdrop(spec: SceneSpec, rig: Rig, eye: int, seed: int) -> Backdrop:
+    """The floor and walls as an eye sees them, smoothed over the pixel."""
+    width, height = rig.size
+    floor = Floor(spec, seed)
+    light = np.empty((height, width, 3), np.float32)
+    share = np.empty((height, width, 1), np.float32)
+    rows_at_once = max(1, 65536 // width)
+    for top in range(0, height, rows_at_once):
+        rows = min(rows_at_once, height - top)
+        fine_light, fine_floor = _band(spec, rig, eye, floor, (top, rows), seed)
+        light[top : top + rows] = cv2.resize(
+            fine_light, (width, rows), interpolation=cv2.INTER_AREA
+        )
+        share[top : top + rows, :, 0] = cv2.resize(
+            fine_floor, (width, rows), interpolation=cv2.INTER_AREA
+        )
+    return Backdrop(light, share)
+
+
+def _band(
+    spec: SceneSpec, rig: Rig, eye: int, floor: Floor, band: tuple[int, int], seed: int
+) -> tuple[Float32s, Float32s]:
+    """Colour and floor mask of some rows, at several samples a pixel."""
+    width, _ = rig.size
+    top, rows = band
+    step = 1.0 / _OVERSAMPLING
+    u = (np.arange(width * _OVERSAMPLING) + 0.5) * step - 0.5
+    v = (np.arange(rows * _OVERSAMPLING) + 0.5) * step - 0.5 + top
+    rays = rig.rays(np.stack(np.meshgrid(u, v), axis=-1))
+    centre = rig.eye_centre(eye)
+    with np.errstate(divide="ignore"):
+        nearest = np.where(rays[..., 2] < 0, -centre[2] / rays[..., 2], np.inf)
+    nearest = np.minimum(nearest, _FARTHEST_M / np.maximum(rays[..., 1], 0.1))
+    colour = floor.colour((centre + rays * nearest[..., None])[..., :2])
+    is_floor = np.ones(nearest.shape, np.float32)
+    for index, wall in enumerate(spec.walls):
+        away = _distance(wall, centre, rays)
+        hit = (away > NEAREST_M) & (away < nearest)
+        if hit.any():
+            points = centre + rays[hit] * away[hit][:, None]
+            along = points[:, 0 if wall.axis == "y" else 1]
+            colour[hit] = wall_colour(wall.kind, along, points[:, 2], seed + index)
+            is_floor[hit] = 0.0
+            nearest = np.where(hit, away, nearest)
+    return colour, is_floor
+
+
+def _distance(wall: WallSpec, centre: Floats, rays: Floats) -> Floats:
+    """How many ray lengths away a wall is."""
+    axis = 0 if wall.axis == "x" else 1
+    ray = rays[..., axis]
+    along = np.where(np.abs(ray) > 1e-9, ray, 1e-9)
+    return np.asarray((wall.place_m - centre[axis]) / along)

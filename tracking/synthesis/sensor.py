@@ -1,0 +1,55 @@
+"""What a camera adds to the light it is given: vignetting, gain, noise, 8 bits."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.recording.frame import Image
+
+Float32s = NDArray[np.float32]
+
+_GAINS = (1.0, 0.965)  # the eyes are never quite alike
+_OFFSETS = (0.0, 0.4)  # grey levels
+_VIGNETTE = 0.09  # darkening in the corners
+_READ_NOISE = 0.9  # grey levels
+_SHOT_NOISE = 0.011  # variance per grey level
+_BANK = 1 << 22
+
+
+class Sensor:
+    """One eye's sensor."""
+
+    def __init__(self, size: tuple[int, int], eye: int, seed: int) -> None:
+        """A sensor for images of `size` (width, height); eye 0 is left, 1 right."""
+        self._size, self._eye, self._seed = size, eye, seed
+        self._response = self._light_response()
+        rng = np.random.default_rng((seed, 77, eye))
+        # Drawing fresh noise costs more than all the rest: each frame reads this from elsewhere.
+        self._noise = rng.standard_normal(_BANK, dtype=np.float32)
+        levels = np.arange(256, dtype=np.float32)
+        self._spread = np.sqrt(_READ_NOISE**2 + _SHOT_NOISE * levels)
+
+    def expose(self, light: Float32s, frame: int) -> Image:
+        """The 8-bit picture of light (height, width, 3), 0..1 and linear, in a frame."""
+        grey = cv2.multiply(light, self._response)
+        np.sqrt(np.maximum(grey, 0.0, out=grey), out=grey)
+        grey *= 255.0
+        if _OFFSETS[self._eye]:
+            grey += _OFFSETS[self._eye]
+        mean = cv2.convertScaleAbs(grey)
+        rng = np.random.default_rng((self._seed, self._eye, frame))
+        count = grey.size
+        first = int(rng.integers(0, max(len(self._noise) - count, 1)))
+        noise = np.resize(self._noise[first : first + count], grey.shape)
+        grey += noise * cv2.LUT(mean, self._spread)
+        return np.asarray(cv2.convertScaleAbs(np.maximum(grey, 0.0, out=grey)), np.uint8)
+
+    def _light_response(self) -> Float32s:
+        """Gain and vignetting (height, width, 3)."""
+        width, height = self._size
+        x = np.linspace(-1, 1, width)[None] * width / np.hypot(width, height)
+        y = np.linspace(-1, 1, height)[:, None] * height / np.hypot(width, height)
+        falloff = _GAINS[self._eye] * (1.0 - _VIGNETTE * (x**2 + y**2))
+        return np.repeat(falloff.astype(np.float32)[..., None], 3, axis=2)

@@ -1,0 +1,179 @@
+"""Joints of walking people: legs by inverse kinematics from the feet, arms swinging against them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.synthesis.figures import Figures
+
+Floats = NDArray[np.float64]
+
+UP = np.array([0.0, 0.0, 1.0])
+
+_HIP = 0.517  # heights of joints as shares of body height
+_SHOULDER = 0.806
+_THIGH, _SHANK = 0.245, 0.248
+_UPPER_ARM, _FOREARM = 0.172, 0.147
+_ANKLE = 0.042
+_BALL, _HEEL = 0.062, 0.062  # from the foot's middle
+_ANKLE_BACK = 0.034
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Posture:
+    """What people do in one frame, a row per person; feet are left, right.
+
+    Attributes:
+        position: (n, 2) world metres. heading: (n,) radians.
+        foot: (n, 2, 2); yaw, lift_m, pitch: (n, 2); phase, pace: (n,), as `Steps` has them.
+    """
+
+    position: Floats
+    heading: Floats
+    foot: Floats
+    yaw: Floats
+    lift_m: Floats
+    pitch: Floats
+    phase: Floats
+    pace: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Skeleton:
+    """World positions of joints, (n, 3), and of pairs left, right, (n, 2, 3); metres.
+
+    Attributes:
+        pelvis: between the hip joints.
+        forward, chest_forward, head_forward: (n, 3) unit vectors, level.
+        lean: (n, 3) how far the body leans per metre of height.
+        hip, knee, ankle, shoulder, elbow, wrist: joints.
+        toe: (n, 2, 3) unit vectors from heel to toe; sole: unit vectors up from the sole.
+    """
+
+    pelvis: Floats
+    forward: Floats
+    chest_forward: Floats
+    head_forward: Floats
+    lean: Floats
+    hip: Floats
+    knee: Floats
+    ankle: Floats
+    shoulder: Floats
+    elbow: Floats
+    wrist: Floats
+    toe: Floats
+    sole: Floats
+
+
+def skeleton_of(figures: Figures, posture: Posture) -> Skeleton:
+    """The joints of people in a posture."""
+    height, pace = figures.height_m, posture.pace
+    sway = np.cos(2 * np.pi * posture.phase)
+    forward = level(posture.heading + 0.10 * pace * -sway)
+    chest_forward = level(posture.heading + 0.13 * pace * sway)
+    pelvis = _pelvis(posture, height)
+    lean = forward * (0.02 + 0.05 * pace)[:, None]
+    ankle, toe, sole = _feet(posture, height)
+    gap = left_of(forward)[:, None] * np.array([0.05, -0.05])[None, :, None]
+    hip = pelvis[:, None] + gap * height[:, None, None]
+    knee, ankle = _legs(hip, ankle, forward, toe, height)
+    rise = (_SHOULDER - _HIP) * height[:, None]
+    chest = pelvis + UP * rise + lean * rise
+    side = np.array([0.098, -0.098])[None, :, None] * (figures.shoulders * height)[:, None, None]
+    shoulder = chest[:, None] + left_of(chest_forward)[:, None] * side
+    elbow, wrist = _arms(shoulder, chest_forward, figures, posture)
+    return Skeleton(
+        pelvis=pelvis,
+        forward=forward,
+        chest_forward=chest_forward,
+        head_forward=level(posture.heading + 0.25 * np.sin(0.9 * posture.phase + height * 40)),
+        lean=lean,
+        hip=hip,
+        knee=knee,
+        ankle=ankle,
+        shoulder=shoulder,
+        elbow=elbow,
+        wrist=wrist,
+        toe=toe,
+        sole=sole,
+    )
+
+
+def level(angle: Floats) -> Floats:
+    """Level unit vectors (..., 3) in directions (...) given in radians."""
+    return np.stack((np.cos(angle), np.sin(angle), np.zeros_like(angle)), axis=-1)
+
+
+def left_of(forward: Floats) -> Floats:
+    """Level unit vectors (..., 3) to the left of others."""
+    return np.stack((-forward[..., 1], forward[..., 0], np.zeros(forward.shape[:-1])), axis=-1)
+
+
+def _pelvis(posture: Posture, height: Floats) -> Floats:
+    """The pelvis goes up and down twice a stride, lowest when both feet are on the floor."""
+    bob = -0.010 * posture.pace * np.cos(4 * np.pi * (posture.phase - 0.05))
+    z = (_HIP - 0.012 * posture.pace + bob) * height
+    sway = 0.012 * posture.pace * np.sin(2 * np.pi * (posture.phase - 0.05))
+    place = posture.position + left_of(level(posture.heading))[:, :2] * (sway * height)[:, None]
+    return np.column_stack((place, z))
+
+
+def _feet(posture: Posture, height: Floats) -> tuple[Floats, Floats, Floats]:
+    """Ankles and the directions of toes and out of the soles; feet roll over heel and ball."""
+    ahead = level(posture.yaw)
+    cos, sin = np.cos(posture.pitch)[..., None], np.sin(posture.pitch)[..., None]
+    toe = ahead * cos - UP * sin
+    sole = ahead * sin + UP * cos
+    size = height[:, None, None]
+    middle = np.concatenate((posture.foot, posture.lift_m[..., None]), axis=-1)
+    on_ball = middle + ahead * _BALL * size - toe * (_BALL + _ANKLE_BACK) * size
+    on_heel = middle - ahead * _HEEL * size + toe * (_HEEL - _ANKLE_BACK) * size
+    ankle = np.where(posture.pitch[..., None] > 0, on_ball, on_heel) + sole * _ANKLE * size
+    return ankle, toe, sole
+
+
+def _legs(
+    hip: Floats, ankle: Floats, forward: Floats, toe: Floats, height: Floats
+) -> tuple[Floats, Floats]:
+    """Knees and ankles (n, 2, 3); an ankle out of reach comes as near as the leg is long."""
+    thigh, shank = _THIGH * height[:, None], _SHANK * height[:, None]
+    gap = ankle - hip
+    length = np.linalg.norm(gap, axis=-1)
+    reach = np.minimum(length, 0.998 * (thigh + shank))
+    along = gap / length[..., None]
+    ankle = hip + along * reach[..., None]
+    share = (reach**2 + thigh**2 - shank**2) / (2 * reach)
+    out = np.sqrt(np.maximum(thigh**2 - share**2, 0.0))
+    bend = forward[:, None] + 0.6 * toe
+    bend = bend - (bend * along).sum(-1, keepdims=True) * along
+    bend /= np.maximum(np.linalg.norm(bend, axis=-1, keepdims=True), 1e-6)
+    return hip + along * share[..., None] + bend * out[..., None], ankle
+
+
+def _arms(
+    shoulder: Floats, forward: Floats, figures: Figures, posture: Posture
+) -> tuple[Floats, Floats]:
+    """Elbows and wrists (n, 2, 3)."""
+    turn = 2 * np.pi * (posture.phase[:, None] + np.array([0.0, 0.5]))
+    # The arm is back when the leg of its side is ahead.
+    swing = 0.06 - 0.42 * posture.pace[:, None] * np.cos(turn)
+    bend = 0.22 + 0.22 * posture.pace[:, None] * (1 - np.cos(turn))
+    holds = figures.phone[:, None] * np.array([0.0, 1.0])
+    swing = swing * (1 - holds) + holds * 0.45
+    bend = bend * (1 - holds) + holds * 1.75
+    outward = left_of(forward)[:, None] * np.array([1.0, -1.0])[None, :, None]
+    upper = _hanging(forward[:, None], outward, swing, 0.11)
+    lower = _hanging(forward[:, None], outward, swing + bend, 0.02 - 0.2 * holds)
+    size = figures.height_m[:, None, None]
+    elbow = shoulder + upper * _UPPER_ARM * size
+    return elbow, elbow + lower * _FOREARM * size
+
+
+def _hanging(forward: Floats, outward: Floats, swing: Floats, spread: Floats | float) -> Floats:
+    """Unit vectors that hang down, swung forward and spread outward by angles in radians."""
+    tilt = np.asarray(spread, float)[..., None] * np.ones_like(swing)[..., None]
+    hanging = forward * np.sin(swing)[..., None] - UP * np.cos(swing)[..., None]
+    return np.asarray(hanging * np.cos(tilt) + outward * np.sin(tilt))

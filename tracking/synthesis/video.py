@@ -1,0 +1,88 @@
+"""Writes pictures into a video file."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from types import TracebackType
+
+import av
+from av.codec.codec import UnknownCodecError
+
+from tracking.errors import OutputError
+from tracking.recording.frame import Image
+
+_ENCODERS = (
+    # The fine noise of a sensor is part of what trackers have to live with: hardly compressed.
+    ("libx264", {"crf": "17", "preset": "veryfast", "bf": "0", "threads": "1"}),
+    ("mpeg4", {"qscale": "3", "flags": "+qscale"}),
+)
+_FRAMES_TO_A_KEY = 20
+
+
+class VideoWriter:
+    """One eye's video, frame after frame; a context manager."""
+
+    def __init__(self, path: Path, size: tuple[int, int], fps: float) -> None:
+        """Begin a video of images of `size` (width, height).
+
+        Raises:
+            OutputError: no encoder is there, or the file cannot be made.
+        """
+        self._path = path
+        encoder, options = _encoder()
+        try:
+            self._container = av.open(str(path), "w", format="mp4")
+        except OSError as error:
+            raise _failed(path, error) from error
+        rate = Fraction(fps).limit_denominator(1001)
+        self._stream = self._container.add_stream(encoder, rate=rate, options=options)
+        self._stream.width, self._stream.height = size
+        self._stream.pix_fmt = "yuv420p"
+        self._stream.gop_size = _FRAMES_TO_A_KEY
+        self._next = 0
+
+    def write(self, image: Image) -> None:
+        """Append a picture; OutputError where the disk is full."""
+        frame = av.VideoFrame.from_ndarray(image, format="bgr24")
+        frame.pts = self._next
+        self._next += 1
+        self._mux(frame)
+
+    def _mux(self, frame: av.VideoFrame | None) -> None:
+        try:
+            self._container.mux(self._stream.encode(frame))
+        except OSError as error:
+            raise _failed(self._path, error) from error
+
+    def __enter__(self) -> VideoWriter:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if kind is None:
+            self._mux(None)
+        try:
+            self._container.close()
+        except OSError as closing:
+            if kind is None:
+                raise _failed(self._path, closing) from closing
+
+
+def _encoder() -> tuple[str, dict[str, str]]:
+    for name, options in _ENCODERS:
+        try:
+            av.Codec(name, "w")
+        except UnknownCodecError:
+            continue
+        return name, options
+    raise OutputError("no video encoder (libx264, mpeg4) is there; install av from a wheel")
+
+
+def _failed(path: Path, error: OSError) -> OutputError:
+    reason = error.strerror or str(error)
+    return OutputError(f"cannot write {path}: {reason}; choose another place or make room")

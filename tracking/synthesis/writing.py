@@ -1,0 +1,200 @@
+"""Writes a scene as a recording folder, with its truth beside it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from tracking.errors import CancelledError, OutputError, SettingsError
+from tracking.formats import write_mot
+from tracking.geometry import write_calibration
+from tracking.recording.manifest import Manifest, write_manifest
+from tracking.synthesis.body import PARTS
+from tracking.synthesis.scene import FPS, VGA, Scene
+from tracking.synthesis.scenes import SCENES, SceneSpec
+from tracking.synthesis.truth import CARED_FOR, SceneTruth
+from tracking.synthesis.video import VideoWriter
+
+Progress = Callable[[int, int], None]
+"""Told frames done and frames in all."""
+
+MOST_PEOPLE, LONGEST_S = 200, 3600.0
+
+
+def render_recording(
+    folder: Path,
+    scene: str | SceneSpec,
+    seconds: float | None = None,
+    people: int | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancelled: Callable[[], bool] | None = None,
+    *,
+    size: tuple[int, int] = VGA,
+    fps: float = FPS,
+) -> Path:
+    """Render a scene into a recording folder with exact truth.
+
+    Nothing stands under `folder` before all of it is written.
+
+    Args:
+        folder: where; missing or empty.
+        scene: a name in `SCENES`, or a scene of one's own.
+        seconds, people: length and number of passers-by; the scene's own if None.
+        seed: equal seeds give equal pictures and truth.
+        progress: called after each frame.
+        cancelled: asked before each frame; True stops.
+        size: width and height of the images in px, even.
+        fps: frames a second.
+
+    Returns:
+        The folder.
+
+    Raises:
+        SettingsError: there is no such scene, or a number is out of range.
+        OutputError: the folder holds something or cannot be written.
+        CancelledError: `cancelled` said so.
+    """
+    spec = _spec_of(scene)
+    _check(seconds, people, size, fps)
+    part = _begin(folder)
+    try:
+        rendered = Scene(spec, people, seed, seconds=seconds, size=size, fps=fps)
+        _write(part, rendered, seed, progress, cancelled)
+        _finish(part, folder)
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+    return folder
+
+
+def _spec_of(scene: str | SceneSpec) -> SceneSpec:
+    if isinstance(scene, SceneSpec):
+        return scene
+    if scene not in SCENES:
+        raise SettingsError(f"there is no scene {scene!r}; choose one of {', '.join(SCENES)}")
+    return SCENES[scene]
+
+
+def _check(seconds: float | None, people: int | None, size: tuple[int, int], fps: float) -> None:
+    if seconds is not None and not 0 < seconds <= LONGEST_S:
+        raise SettingsError(f"seconds is {seconds:g}; give more than 0 and up to {LONGEST_S:g}")
+    if people is not None and not 0 <= people <= MOST_PEOPLE:
+        raise SettingsError(f"people is {people}; give 0 to {MOST_PEOPLE}")
+    if not all(32 <= side <= 4096 and side % 2 == 0 for side in size):
+        raise SettingsError(f"size is {size[0]} x {size[1]}; give even numbers from 32 to 4096")
+    if not 1 <= fps <= 240:
+        raise SettingsError(f"fps is {fps:g}; give 1 to 240")
+
+
+def _begin(folder: Path) -> Path:
+    """An empty folder beside the one asked for, to be renamed in the end."""
+    try:
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise OutputError(f"{folder} is there and not an empty folder; choose another name")
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        return Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".part", dir=folder.parent))
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+
+
+def _finish(part: Path, folder: Path) -> None:
+    mask = os.umask(0o022)
+    os.umask(mask)
+    part.chmod(0o777 & ~mask)  # a temporary folder is its maker's alone
+    if folder.is_dir():
+        folder.rmdir()
+    part.rename(folder)
+
+
+def _write(
+    folder: Path,
+    scene: Scene,
+    seed: int,
+    progress: Progress | None,
+    cancelled: Callable[[], bool] | None,
+) -> None:
+    truths: list[SceneTruth] = []
+    size = scene.rig.size
+    with (
+        VideoWriter(folder / "left.mp4", size, scene.fps) as left,
+        VideoWriter(folder / "right.mp4", size, scene.fps) as right,
+    ):
+        for number in range(scene.frames):
+            if cancelled is not None and cancelled():
+                raise CancelledError("rendering was stopped; nothing was kept")
+            frame, truth = scene.frame(number)
+            left.write(frame.left)
+            if frame.right is not None:
+                right.write(frame.right)
+            truths.append(truth)
+            if progress is not None:
+                progress(number + 1, scene.frames)
+    _write_truth(folder, truths)
+    _write_descriptions(folder, scene, seed)
+
+
+def _write_descriptions(folder: Path, scene: Scene, seed: int) -> None:
+    write_calibration(folder / "calibration.yaml", scene.rig.calibration)
+    manifest = Manifest(
+        name=f"{scene.spec.name} {seed}",
+        left="left.mp4",
+        right="right.mp4",
+        fps=scene.fps,
+        calibration=("calibration.yaml",),
+        ground=scene.rig.view.ground,
+    )
+    write_manifest(folder, manifest)
+
+
+def _write_truth(folder: Path, truths: list[SceneTruth]) -> None:
+    counts = [len(truth) for truth in truths]
+    frame = np.repeat(np.arange(len(truths), dtype=np.int32), counts)
+    box = np.concatenate([truth.box for truth in truths])
+    position = np.concatenate([truth.position for truth in truths])
+    visibility = np.concatenate([truth.visibility for truth in truths])
+    columns = {
+        "frame": frame,
+        "track": np.concatenate([truth.track for truth in truths]),
+        "left": box[:, 0].round(2),
+        "top": box[:, 1].round(2),
+        "width": box[:, 2].round(2),
+        "height": box[:, 3].round(2),
+        "confidence": (visibility >= CARED_FOR).astype(np.float64),
+        "x": position[:, 0].round(4),
+        "y": position[:, 1].round(4),
+        "z": np.zeros(len(frame)),
+    }
+    write_mot(folder / "truth.txt", columns)
+    _write_visibility(folder / "visibility.csv", truths)
+    _write_parts(folder / "truth_parts.csv", truths)
+
+
+def _write_visibility(path: Path, truths: list[SceneTruth]) -> None:
+    with path.open("w", encoding="utf-8", newline="\n") as stream:
+        stream.write("frame,id,visibility\n")
+        for frame, truth in enumerate(truths):
+            for track, share in zip(truth.track, truth.visibility, strict=True):
+                stream.write(f"{frame},{track},{share:.4f}\n")
+
+
+def _write_parts(path: Path, truths: list[SceneTruth]) -> None:
+    with path.open("w", encoding="utf-8", newline="\n") as stream:
+        stream.write("frame,id,part,left,top,width,height,visible_pixels\n")
+        for frame, truth in enumerate(truths):
+            for row, track in enumerate(truth.track):
+                for part, name in enumerate(PARTS):
+                    box = ",".join(f"{value:.2f}" for value in truth.part_box[row, part])
+                    pixels = truth.part_pixels[row, part]
+                    stream.write(f"{frame},{track},{name},{box},{pixels}\n")
+
+
+def _unwritable(folder: Path, error: OSError) -> OutputError:
+    reason = error.strerror or str(error)
+    return OutputError(f"cannot write {folder}: {reason}; choose another place")
