@@ -31,8 +31,8 @@ def score_of(result: Tracks, truth: Tracks, match: Match | None = None) -> Score
     `conf` 0 in MOT text marks a don't-care; in a session nothing does.
     """
     return score(
-        ScoringTable.of(truth.columns, dont_cares=truth.is_text),
-        ScoringTable.of(result.columns),
+        ScoringTable.from_columns(truth.columns, dont_cares=truth.is_text),
+        ScoringTable.from_columns(result.columns),
         match,
         max(result.frames, truth.frames),
     )

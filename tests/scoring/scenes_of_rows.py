@@ -17,7 +17,7 @@ def table(rows: Iterable[Row], dont_cares: Iterable[tuple[int, int]] = ()) -> Sc
     rows = sorted(rows)
     ignored = set(dont_cares)
     places = np.array([row[2:] for row in rows], np.float64).reshape(-1, 2)
-    return ScoringTable.of(
+    return ScoringTable.from_columns(
         {
             "frame": np.array([row[0] for row in rows], np.int32),
             "track": np.array([row[1] for row in rows], np.int32),
@@ -72,7 +72,7 @@ def _boxes(rows: dict[tuple[int, int], tuple[float, ...]]) -> ScoringTable:
     keys = sorted(rows)
     values = np.array([rows[key] for key in keys], np.float64).reshape(-1, 5)
     names = ("left", "top", "width", "height", "confidence")
-    return ScoringTable.of(
+    return ScoringTable.from_columns(
         {
             "frame": np.array([key[0] for key in keys], np.int32),
             "track": np.array([key[1] for key in keys], np.int32),

@@ -25,7 +25,7 @@ def as_table(rows: dict[Any, Any]) -> ScoringTable:
     columns: dict[str, NDArray[Any]] = dict(zip(names, boxes, strict=True))
     columns["frame"], columns["track"] = np.array(keys).T
     columns["confidence"] = np.array([rows[k][1] for k in keys])
-    return ScoringTable.of(columns, dont_cares=True)
+    return ScoringTable.from_columns(columns, dont_cares=True)
 
 
 @settings(max_examples=300, deadline=None)

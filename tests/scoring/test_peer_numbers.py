@@ -84,6 +84,6 @@ def test_public_pairs_score_as_in_trackeval(
     shared_data: Path, name: str, expected: tuple[float, ...]
 ) -> None:
     folder = shared_data / "scoring" / name
-    truth = ScoringTable.of(read_mot(folder / "truth.txt"), dont_cares=True)
-    result = ScoringTable.of(read_mot(folder / "result.txt"))
+    truth = ScoringTable.from_columns(read_mot(folder / "truth.txt"), dont_cares=True)
+    result = ScoringTable.from_columns(read_mot(folder / "result.txt"))
     assert_equals(score(truth, result), expected)

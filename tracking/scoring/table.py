@@ -34,7 +34,7 @@ class ScoringTable:
     counted: Flags
 
     @classmethod
-    def of(cls, columns: Columns, *, dont_cares: bool = False) -> ScoringTable:
+    def from_columns(cls, columns: Columns, *, dont_cares: bool = False) -> ScoringTable:
         """The table of a session's or a file's columns.
 
         Args:
