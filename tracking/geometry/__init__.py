@@ -1,7 +1,7 @@
 """Cameras, the floor and calibration files."""
 
 from tracking.geometry.camera import Camera
-from tracking.geometry.files import read_calibration, write_calibration
+from tracking.geometry.files import calibration_text, read_calibration, write_calibration
 from tracking.geometry.ground import Ground
 from tracking.geometry.rectification import Rectification
 from tracking.geometry.stereo_calibration import StereoCalibration
@@ -13,6 +13,7 @@ __all__ = [
     "Rectification",
     "StereoCalibration",
     "View",
+    "calibration_text",
     "read_calibration",
     "write_calibration",
 ]

@@ -1,1 +1,30 @@
 """Recordings: frames by number, from every kind of source."""
+
+from tracking.recording.fingerprint import Fingerprint
+from tracking.recording.frame import Image, StereoFrame
+from tracking.recording.manifest import (
+    MANIFEST_NAME,
+    Manifest,
+    format_manifest,
+    parse_manifest,
+    read_manifest,
+    write_manifest,
+)
+from tracking.recording.opening import open_recording
+from tracking.recording.options import OpenOptions
+from tracking.recording.recording import Recording
+
+__all__ = [
+    "MANIFEST_NAME",
+    "Fingerprint",
+    "Image",
+    "Manifest",
+    "OpenOptions",
+    "Recording",
+    "StereoFrame",
+    "format_manifest",
+    "open_recording",
+    "parse_manifest",
+    "read_manifest",
+    "write_manifest",
+]

@@ -51,3 +51,8 @@ def _values(path: Path, text: str) -> dict[str, Any]:
     if text.lstrip()[:1] == "<":
         return parse_xml(text, path)
     return parse_yaml(text, path)
+
+
+def calibration_text(paths: Sequence[Path]) -> str:
+    """The text of calibration files, one after the other, to be kept beside what used them."""
+    return "\n".join(read_text(path) for path in paths)

@@ -1,0 +1,67 @@
+"""What a recording's calibration and floor give, checked against its pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from tracking.geometry import (
+    Ground,
+    Rectification,
+    StereoCalibration,
+    View,
+    calibration_text,
+    read_calibration,
+)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Calibrated:
+    """Cameras and floor of a recording; None where not known.
+
+    Attributes:
+        calibration: of the eyes the recording has.
+        view: the left eye on the floor.
+        rectification: of two calibrated eyes.
+        text: the calibration files as read.
+        notes: oddities, in words.
+    """
+
+    calibration: StereoCalibration | None
+    view: View | None
+    rectification: Rectification | None
+    text: str
+    notes: tuple[str, ...]
+
+
+def read_calibrated(
+    files: Sequence[Path], size: tuple[int, int], stereo: bool, ground: Ground | None
+) -> Calibrated:
+    """Read a recording's calibration files and fit them to its pictures.
+
+    Args:
+        files: none, one or two.
+        size: width and height of one eye in px.
+        stereo: whether the recording has two eyes.
+        ground: where the floor is; None where unknown.
+
+    Raises:
+        CalibrationError: unreadable, or made for pictures of another size.
+    """
+    if not files:
+        return Calibrated(None, None, None, "", ())
+    calibration = read_calibration(files, size)
+    calibration.check_size(size)
+    notes: tuple[str, ...] = ()
+    if not stereo and calibration.right is not None:
+        calibration = StereoCalibration.of_one(calibration.left)
+    if stereo and calibration.right is None:
+        notes = (f"{files[0].name}: calibrates the left eye only; there is no depth",)
+    return Calibrated(
+        calibration,
+        View(calibration.left, ground) if ground is not None else None,
+        Rectification(calibration, ground) if calibration.right is not None else None,
+        calibration_text(files),
+        notes,
+    )

@@ -1,0 +1,144 @@
+"""Both eyes of a recording, from two sources, one, or one that holds both."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal, Protocol
+
+import numpy as np
+
+from tracking.errors import RecordingError
+from tracking.recording.frame import Image
+from tracking.recording.pairing import pair_eyes
+from tracking.recording.pictures import PictureSource
+
+Layout = Literal["side-by-side", "top-bottom"]
+Side = Literal["left", "right"]
+ImagePair = tuple[Image, Image | None]
+
+
+class Eyes(Protocol):
+    """Pairs of pictures by number."""
+
+    @property
+    def frame_count(self) -> int:
+        """The number of pairs."""
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of one eye's pictures in px."""
+
+    @property
+    def is_stereo(self) -> bool:
+        """Whether there is a right eye."""
+
+    @property
+    def sources(self) -> tuple[PictureSource, ...]:
+        """What the pictures come from, the left (or only) one first."""
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Oddities of the pairing, in words."""
+
+    def read(self, number: int) -> ImagePair:
+        """One pair; right is None with one eye."""
+
+    def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
+        """Pairs start to stop (half-open) in order."""
+
+
+class OneEye:
+    """A monocular recording; see `Eyes`."""
+
+    def __init__(self, source: PictureSource) -> None:
+        self.sources: tuple[PictureSource, ...] = (source,)
+        self.frame_count = source.frame_count
+        self.size = source.size
+        self.is_stereo = False
+        self.notes: tuple[str, ...] = ()
+
+    def read(self, number: int) -> ImagePair:
+        """One picture, and no right one."""
+        return self.sources[0].read(number), None
+
+    def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
+        """Pictures start to stop in order."""
+        for image in self.sources[0].pictures(start, stop):
+            yield image, None
+
+
+class TwoEyes:
+    """A source for each eye; see `Eyes`.
+
+    Raises:
+        RecordingError: the eyes differ in size.
+    """
+
+    def __init__(self, left: PictureSource, right: PictureSource) -> None:
+        if left.size != right.size:
+            raise RecordingError(
+                f"the eyes differ in size: {left.name} is {left.size[0]} x {left.size[1]} px, "
+                f"{right.name} {right.size[0]} x {right.size[1]}; give two of one size"
+            )
+        pairing = pair_eyes(left, right)
+        self.sources: tuple[PictureSource, ...] = (left, right)
+        self.is_stereo = True
+        self.frame_count = len(pairing.right)
+        self.size = left.size
+        self.notes = pairing.notes
+        self._right_number = pairing.right
+
+    def read(self, number: int) -> ImagePair:
+        """One pair."""
+        left, right = self.sources
+        return left.read(number), right.read(int(self._right_number[number]))
+
+    def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
+        """Pairs start to stop in order; both sources are read once."""
+        if stop <= start:
+            return
+        wanted = self._right_number[start:stop]
+        first, last = int(wanted[0]), int(wanted[-1])
+        lefts = self.sources[0].pictures(start, stop)
+        rights = enumerate(self.sources[1].pictures(first, last + 1), first)
+        number, right = next(rights)
+        for left, target in zip(lefts, wanted, strict=True):
+            while number < target:
+                number, right = next(rights)
+            yield left, right
+
+
+class SplitEyes:
+    """One source whose pictures hold both eyes; see `Eyes`.
+
+    Raises:
+        RecordingError: the picture cannot be halved.
+    """
+
+    def __init__(self, source: PictureSource, layout: Layout, first: Side) -> None:
+        width, height = source.size
+        self._beside = layout == "side-by-side"
+        self._left_first = first == "left"
+        if (width if self._beside else height) < 2:
+            raise RecordingError(f"{source.name}: {width} x {height} px cannot hold both eyes")
+        self.sources: tuple[PictureSource, ...] = (source,)
+        self.is_stereo = True
+        self.frame_count = source.frame_count
+        self.size = (width // 2, height) if self._beside else (width, height // 2)
+        self.notes: tuple[str, ...] = ()
+
+    def read(self, number: int) -> ImagePair:
+        """One picture, cut into its eyes."""
+        return self._cut(self.sources[0].read(number))
+
+    def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
+        """Pictures start to stop in order, cut into their eyes."""
+        for image in self.sources[0].pictures(start, stop):
+            yield self._cut(image)
+
+    def _cut(self, image: Image) -> ImagePair:
+        width, height = self.size
+        one = image[:height, :width]
+        two = image[:height, width : 2 * width] if self._beside else image[height : 2 * height]
+        left, right = (one, two) if self._left_first else (two, one)
+        return np.ascontiguousarray(left), np.ascontiguousarray(right)

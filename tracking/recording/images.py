@@ -1,0 +1,155 @@
+"""A folder of images as pictures by number."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import RecordingError
+from tracking.recording.frame import Image
+
+IMAGE_SUFFIXES = frozenset(
+    (".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff", ".webp")
+)
+_NUMBER = re.compile(r"(\d+)")
+
+
+def image_files(files: Sequence[Path]) -> list[Path]:
+    """Those that are images, in natural order: 2 before 10."""
+    images = [file for file in files if file.suffix.lower() in IMAGE_SUFFIXES]
+    return sorted(images, key=_natural)
+
+
+def frame_numbers(files: Sequence[Path]) -> list[int] | None:
+    """The number each file name ends in; None unless all have one and no two the same."""
+    found = [_NUMBER.findall(file.stem) for file in files]
+    if not all(found):
+        return None
+    numbers = [int(digits[-1]) for digits in found]
+    return numbers if len(set(numbers)) == len(numbers) else None
+
+
+class ImageSource:
+    """Pictures that are a file each; see `PictureSource`.
+
+    Args:
+        files: the images in order.
+        name: what to call them in messages.
+
+    Raises:
+        RecordingError: there are none, or none of the first ones can be read.
+    """
+
+    def __init__(self, files: Sequence[Path], name: str) -> None:
+        if not files:
+            raise RecordingError(f"{name}: no images found; check the folder or the pattern")
+        self.name = name
+        self._files = tuple(files)
+        self._size = self._usual_size()
+        self._lost: set[int] = set()
+
+    @property
+    def frame_count(self) -> int:
+        """The number of images."""
+        return len(self._files)
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in px."""
+        return self._size
+
+    @property
+    def fps(self) -> float | None:
+        """None: images have no rate."""
+        return None
+
+    @property
+    def times_s(self) -> NDArray[np.float64] | None:
+        """None: images have no times."""
+        return None
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The images."""
+        return self._files
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Numbers missing among the file names, and images found broken up to now."""
+        notes = []
+        numbers = frame_numbers(self._files)
+        gaps = numbers[-1] - numbers[0] + 1 - len(numbers) if numbers else 0
+        if 0 < gaps < self.frame_count:
+            notes.append(
+                f"{self.name}: {gaps} numbers are missing among the images; frames are counted "
+                "image by image"
+            )
+        if self._lost:
+            notes.append(
+                f"{self.name}: {len(self._lost)} images cannot be read or have another size "
+                f"(first {self._files[min(self._lost)].name}); the picture before is shown"
+            )
+        return tuple(notes)
+
+    def read(self, number: int) -> Image:
+        """One image; a broken one is shown as the last good one before it."""
+        if not 0 <= number < self.frame_count:
+            raise RecordingError(
+                f"{self.name}: frame {number} is not among 0 to {self.frame_count - 1}"
+            )
+        for candidate in (*range(number, -1, -1), *range(number + 1, self.frame_count)):
+            image = self._good(candidate)
+            if image is not None:
+                return image
+        raise RecordingError(f"{self.name}: none of the images can be read; check the files")
+
+    def pictures(self, start: int, stop: int) -> Iterator[Image]:
+        """Images start to stop (half-open) in order."""
+        for number in range(start, stop):
+            yield self.read(number)
+
+    def close(self) -> None:
+        """Nothing is held open."""
+
+    def _good(self, number: int) -> Image | None:
+        if number in self._lost:
+            return None
+        image = _decoded(self._files[number])
+        if image is not None and image.shape[1::-1] == self._size:
+            return image
+        self._lost.add(number)
+        return None
+
+    def _usual_size(self) -> tuple[int, int]:
+        """The size most of a few images have: the first may be of another kind."""
+        last = len(self._files) - 1
+        sample = sorted({min(number, last) for number in (0, 1, 2, last // 2, last)})
+        images = [_decoded(self._files[number]) for number in sample]
+        sizes = Counter(image.shape[1::-1] for image in images if image is not None)
+        if not sizes:
+            raise RecordingError(
+                f"{self._files[0]}: cannot be read as an image; check the files of {self.name}"
+            )
+        width, height = sizes.most_common(1)[0][0]
+        return width, height
+
+
+def _decoded(file: Path) -> Image | None:
+    """The image in BGR, 8 bits; None where it cannot be read."""
+    try:
+        content = np.fromfile(file, np.uint8)
+        image = cv2.imdecode(content, cv2.IMREAD_COLOR) if content.size else None
+    except (OSError, cv2.error):
+        return None
+    return None if image is None else np.asarray(image, np.uint8)
+
+
+def _natural(file: Path) -> list[tuple[int, str]]:
+    parts = _NUMBER.split(file.name)
+    return [(int(part), "") if part.isdigit() else (-1, part.lower()) for part in parts]

@@ -1,0 +1,263 @@
+"""recording.toml: what a recording folder holds."""
+
+from __future__ import annotations
+
+import math
+import os
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+from tracking.errors import CalibrationError, OutputError, RecordingError
+from tracking.geometry import Ground
+from tracking.recording.eyes import Layout, Side
+
+MANIFEST_NAME = "recording.toml"
+FORMAT = 1
+_T = TypeVar("_T", bound=str)
+_MAX_BYTES = 64 * 1024
+_LAYOUTS: tuple[Layout, ...] = ("side-by-side", "top-bottom")
+_SIDES: tuple[Side, ...] = ("left", "right")
+_KNOWN: Mapping[str, frozenset[str]] = {
+    "": frozenset(("format", "name", "fps", "left", "right", "stereo", "calibration", "ground")),
+    "left": frozenset(("source",)),
+    "right": frozenset(("source",)),
+    "stereo": frozenset(("source", "layout", "first")),
+    "calibration": frozenset(("file",)),
+    "ground": frozenset(("height", "tilt", "roll")),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Manifest:
+    """What a recording is made of. Sources and files are relative to the recording's folder.
+
+    Attributes:
+        name: for people.
+        left: a video, an image folder or a glob of images; the only eye if `right` is None.
+        right: the right eye's source; None: monocular, or both eyes in `left` (see `layout`).
+        layout: how both eyes lie in `left`; None: `left` holds one eye.
+        first: the eye on the left or at the top, where `layout` is given.
+        fps: frames a second; None: as the video says.
+        calibration: one file, or a pair; empty: not calibrated.
+        ground: where the floor is; None: unknown.
+        unknown: keys that mean nothing here.
+    """
+
+    name: str
+    left: str
+    right: str | None = None
+    layout: Layout | None = None
+    first: Side = "left"
+    fps: float | None = None
+    calibration: tuple[str, ...] = ()
+    ground: Ground | None = None
+    unknown: tuple[str, ...] = ()
+
+
+def read_manifest(folder: Path) -> Manifest:
+    """The manifest of a recording folder.
+
+    Raises:
+        RecordingError: missing, too large, or not what contract and TOML ask for.
+    """
+    return parse_manifest(manifest_text(folder), str(folder / MANIFEST_NAME), folder.name)
+
+
+def manifest_text(folder: Path) -> str:
+    """The text of a folder's recording.toml; RecordingError where it cannot be read."""
+    path = folder / MANIFEST_NAME
+    try:
+        if path.stat().st_size > _MAX_BYTES:
+            raise RecordingError(f"{path}: larger than {_MAX_BYTES // 1024} KiB; not a manifest")
+        return path.read_text("utf-8-sig")
+    except OSError as error:
+        raise RecordingError(f"{path}: cannot be read ({error.strerror}); check it") from error
+    except UnicodeDecodeError as error:
+        raise RecordingError(f"{path}: not text in UTF-8; save it again as UTF-8") from error
+
+
+def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
+    """The manifest in a text.
+
+    Args:
+        text: TOML.
+        where: its path, for messages.
+        fallback_name: the name where it gives none.
+    """
+    try:
+        content = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
+        raise RecordingError(f"{where}: not readable as TOML ({error})") from error
+    table = _Table(content, where)
+    if table.get("format", int, FORMAT) != FORMAT:
+        raise RecordingError(
+            f"{where}: format {content['format']} is not known, only {FORMAT}; update trackwright"
+        )
+    left, right, layout, first = _sources(table)
+    return Manifest(
+        name=table.get("name", str, fallback_name),
+        left=left,
+        right=right,
+        layout=layout,
+        first=first,
+        fps=_fps(table),
+        calibration=_calibration(table),
+        ground=_ground(table),
+        unknown=_unknown(content),
+    )
+
+
+def format_manifest(manifest: Manifest) -> str:
+    """The text of recording.toml; reading it gives the manifest again."""
+    lines = [f"format = {FORMAT}", f"name = {_quoted(manifest.name)}"]
+    if manifest.fps is not None:
+        lines.append(f"fps = {manifest.fps!r}")
+    if manifest.layout is not None:
+        lines += ["", "[stereo]", f"source = {_quoted(manifest.left)}"]
+        lines += [f"layout = {_quoted(manifest.layout)}", f"first = {_quoted(manifest.first)}"]
+    else:
+        lines += ["", "[left]", f"source = {_quoted(manifest.left)}"]
+    if manifest.right is not None:
+        lines += ["", "[right]", f"source = {_quoted(manifest.right)}"]
+    if manifest.calibration:
+        files = [_quoted(file) for file in manifest.calibration]
+        listed = files[0] if len(files) == 1 else f"[{', '.join(files)}]"
+        lines += ["", "[calibration]", f"file = {listed}"]
+    if manifest.ground is not None:
+        ground = manifest.ground
+        lines += ["", "[ground]", f"height = {float(ground.height_m)!r}"]
+        lines += [f"tilt = {float(ground.tilt_deg)!r}", f"roll = {float(ground.roll_deg)!r}"]
+    return "\n".join(lines) + "\n"
+
+
+def write_manifest(folder: Path, manifest: Manifest) -> None:
+    """Write a folder's recording.toml, whole or not at all; OutputError where that fails."""
+    path = folder / MANIFEST_NAME
+    unfinished = folder / f".{MANIFEST_NAME}.unfinished"
+    try:
+        unfinished.write_text(format_manifest(manifest), "utf-8")
+        os.replace(unfinished, path)  # noqa: PTH105 - the call that is atomic, by its name
+    except OSError as error:
+        raise OutputError(
+            f"{path}: cannot be written ({error.strerror}); choose another folder"
+        ) from error
+
+
+class _Table:
+    """A TOML table whose values are asked for by type."""
+
+    def __init__(self, values: Mapping[str, Any], where: str, section: str = "") -> None:
+        self._values, self._where, self._section = values, where, section
+
+    def __contains__(self, key: str) -> bool:
+        return key in self._values
+
+    def section(self, key: str) -> _Table:
+        """A table below this one."""
+        return _Table(self.get(key, dict, {}), self._where, key)
+
+    def get(self, key: str, kind: type, default: Any) -> Any:
+        """A value of the kind; `float` takes whole numbers as well."""
+        value = self._values.get(key, default)
+        if kind is float and isinstance(value, int) and not isinstance(value, bool):
+            value = float(value)
+        if key in self._values and (type(value) is not kind):
+            raise self.error(key, f"must be {_KIND_NAMES[kind]}")
+        return value
+
+    def error(self, key: str, problem: str) -> RecordingError:
+        """What is wrong with a key."""
+        place = f"[{self._section}] {key}" if self._section else key
+        return RecordingError(f"{self._where}: {place} {problem}")
+
+
+_KIND_NAMES: Mapping[type, str] = {
+    int: "a whole number",
+    float: "a number",
+    str: "a text",
+    dict: "a table",
+    list: "a list",
+}
+
+
+def _sources(table: _Table) -> tuple[str, str | None, Layout | None, Side]:
+    if "stereo" in table:
+        if "left" in table or "right" in table:
+            raise table.error("stereo", "stands beside [left] or [right]; keep one of the two")
+        stereo = table.section("stereo")
+        layout = _choice(stereo, "layout", _LAYOUTS, _LAYOUTS[0])
+        return _source(stereo), None, layout, _choice(stereo, "first", _SIDES, "left")
+    if "left" not in table:
+        raise table.error("left", "is missing; say where the pictures are: [left] source = ...")
+    right = _source(table.section("right")) if "right" in table else None
+    return _source(table.section("left")), right, None, "left"
+
+
+def _source(table: _Table) -> str:
+    source: str = table.get("source", str, "")
+    if not source:
+        raise table.error("source", "is missing; name a video, or images such as left/*.png")
+    return source
+
+
+def _choice(table: _Table, key: str, choices: tuple[_T, ...], default: _T) -> _T:
+    value = table.get(key, str, default)
+    for choice in choices:
+        if choice == value:
+            return choice
+    raise table.error(key, f"must be one of {', '.join(choices)}")
+
+
+def _fps(table: _Table) -> float | None:
+    fps: float | None = table.get("fps", float, None)
+    if fps is not None and not (math.isfinite(fps) and 0 < fps <= 10_000):
+        raise table.error("fps", "must be more than 0 frames a second")
+    return fps
+
+
+def _calibration(table: _Table) -> tuple[str, ...]:
+    if "calibration" not in table:
+        return ()
+    section = table.section("calibration")
+    try:
+        files = [section.get("file", str, "")]
+    except RecordingError:
+        files = section.get("file", list, [])
+    if not 1 <= len(files) <= 2 or not all(isinstance(file, str) and file for file in files):
+        raise section.error("file", "must be one file name, or a list of two")
+    return tuple(files)
+
+
+def _ground(table: _Table) -> Ground | None:
+    if "ground" not in table:
+        return None
+    section = table.section("ground")
+    for key in ("height", "tilt"):
+        if key not in section:
+            raise section.error(key, "is missing; give height in metres and tilt in degrees")
+    try:
+        return Ground(
+            section.get("height", float, 0.0),
+            section.get("tilt", float, 0.0),
+            section.get("roll", float, 0.0),
+        )
+    except CalibrationError as error:
+        raise section.error("height", f"and tilt make no floor: {error}") from error
+
+
+def _unknown(content: Mapping[str, Any]) -> tuple[str, ...]:
+    unknown = [key for key in content if key not in _KNOWN[""]]
+    for section, values in content.items():
+        if section in _KNOWN and isinstance(values, dict):
+            unknown += [f"{section}.{key}" for key in values if key not in _KNOWN[section]]
+    return tuple(unknown)
+
+
+def _quoted(text: str) -> str:
+    """A TOML basic string."""
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    plain = "".join(c if c.isprintable() else f"\\U{ord(c):08x}" for c in escaped)
+    return f'"{plain}"'

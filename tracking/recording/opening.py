@@ -1,0 +1,49 @@
+"""Opening whatever a recording may be."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tracking.recording.calibrated import read_calibrated
+from tracking.recording.eyes import Eyes, OneEye, SplitEyes, TwoEyes
+from tracking.recording.locate import Located, locate
+from tracking.recording.options import OpenOptions
+from tracking.recording.places import open_pictures, place_inside
+from tracking.recording.recording import Recording
+
+
+def open_recording(path: Path, options: OpenOptions | None = None) -> Recording:
+    """Open a recording.
+
+    Args:
+        path: a folder with recording.toml, a bare video, an image folder, a KITTI sequence
+            folder, or a folder with left and right videos or image folders. With `options.left`
+            given it only names the recording.
+        options: what to take instead of what the recording says.
+
+    Raises:
+        RecordingError: missing, unreadable, empty, or eyes that do not belong together.
+        CalibrationError: the calibration is unreadable or does not fit the pictures.
+    """
+    options = options or OpenOptions()
+    located = locate(path, options)
+    inside = located.trusted or options.allow_outside
+    eyes = _open_eyes(located, inside)
+    files = list(options.calibration) or [
+        place_inside(located.folder, file, inside) for file in located.manifest.calibration
+    ]
+    calibrated = read_calibrated(files, eyes.size, eyes.is_stereo, located.manifest.ground)
+    return Recording(located, eyes, calibrated)
+
+
+def _open_eyes(located: Located, allow_outside: bool) -> Eyes:
+    manifest = located.manifest
+    left = open_pictures(place_inside(located.folder, manifest.left, allow_outside), manifest.left)
+    if manifest.layout is not None:
+        return SplitEyes(left, manifest.layout, manifest.first)
+    if manifest.right is None:
+        return OneEye(left)
+    right = open_pictures(
+        place_inside(located.folder, manifest.right, allow_outside), manifest.right
+    )
+    return TwoEyes(left, right)

@@ -1,0 +1,56 @@
+"""What a caller may say about a recording beside, or instead of, its manifest."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from tracking.errors import RecordingError
+from tracking.geometry import Ground
+from tracking.recording.eyes import Layout, Side
+
+
+@dataclass(frozen=True, slots=True)
+class OpenOptions:
+    """Options of the commands that open a recording; what is None is taken from the recording.
+
+    Attributes:
+        left, right: a video, an image folder or a glob of images for each eye.
+        calibration: the calibration file, or a pair of files.
+        height_m, tilt_deg, roll_deg: where the floor is; see `Ground`.
+        fps: frames a second; it counts, whatever the recording says.
+        layout: how both eyes lie in one video.
+        first: the eye on the left or at the top of it.
+        allow_outside: a manifest may name files outside its folder.
+    """
+
+    left: Path | None = None
+    right: Path | None = None
+    calibration: tuple[Path, ...] = ()
+    height_m: float | None = None
+    tilt_deg: float | None = None
+    roll_deg: float | None = None
+    fps: float | None = None
+    layout: Layout | None = None
+    first: Side | None = None
+    allow_outside: bool = False
+
+    def ground(self, told: Ground | None) -> Ground | None:
+        """The floor, with what the options say in place of what the recording says.
+
+        Raises:
+            RecordingError: one of height and tilt is given and the other one is not known.
+        """
+        if self.height_m is None and self.tilt_deg is None and self.roll_deg is None:
+            return told
+        height, tilt, roll = (
+            (told.height_m, told.tilt_deg, told.roll_deg) if told else (None, None, 0.0)
+        )
+        height = height if self.height_m is None else self.height_m
+        tilt = tilt if self.tilt_deg is None else self.tilt_deg
+        if height is None or tilt is None:
+            raise RecordingError(
+                "ground: the floor needs both the camera's height and its tilt; give --height "
+                "and --tilt"
+            )
+        return Ground(height, tilt, roll if self.roll_deg is None else self.roll_deg)

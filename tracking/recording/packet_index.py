@@ -1,0 +1,195 @@
+"""Which packet of a video becomes which frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TypeAlias
+
+import av
+import numpy as np
+from av.codec.context import Flags
+from av.container import InputContainer
+from av.packet import Packet
+from av.video.stream import VideoStream
+from numpy.typing import NDArray
+
+from tracking.errors import RecordingError
+
+VideoPacket: TypeAlias = "Packet[VideoStream]"
+
+PacketStamp = tuple[int | None, int | None]
+"""Decoding timestamp and byte position: what a packet is known by after a seek."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PacketIndex:
+    """All packets of one video stream, in the order they are stored (and decoded).
+
+    Attributes:
+        number: (p,) frame number of each packet, from 0 in the order of presentation; -1 for a
+            packet that shows nothing (cut off by an edit list, or before the first whole picture).
+        keyframes: (k,) indices of packets at which decoding can begin.
+        stamps: of each keyframe packet.
+        times_s: (frame_count,) seconds since the first frame; None where the stream has none.
+        left_out: frames at the beginning that cannot be decoded.
+    """
+
+    number: NDArray[np.int64]
+    keyframes: NDArray[np.int64]
+    stamps: tuple[PacketStamp, ...]
+    times_s: NDArray[np.float64] | None
+    left_out: int
+
+    @property
+    def frame_count(self) -> int:
+        """The number of frames shown."""
+        return int(self.number.max(initial=-1)) + 1
+
+    def start_for(self, number: int) -> int:
+        """The last keyframe packet that is shown no later than the frame.
+
+        Frames stored behind a keyframe but shown before it (open groups of pictures) cannot be
+        decoded from this one: for them it is the keyframe before.
+        """
+        shown = self.number[self.keyframes]
+        able = np.flatnonzero((shown >= 0) & (shown <= number))
+        return int(self.keyframes[able[-1]]) if able.size else 0
+
+    def start_before(self, packet: int) -> int | None:
+        """The keyframe packet before the given one; None at the beginning."""
+        earlier = self.keyframes[self.keyframes < packet]
+        return int(earlier[-1]) if earlier.size else None
+
+
+def open_video(where: str) -> tuple[InputContainer, VideoStream]:
+    """A video's container and its first video stream, decoded on the calling thread.
+
+    Raises:
+        RecordingError: missing, not a video, or a list that names other files.
+    """
+    try:
+        # Only plain files: a playlist could fetch from anywhere.
+        container = av.open(f"file:{where}", options={"protocol_whitelist": "file"})
+    except (av.error.FFmpegError, OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "unknown contents"
+        raise RecordingError(
+            f"{where}: not a video that can be read ({reason}); check the file"
+        ) from error
+    if not container.streams.video or container.format.name in ("hls", "concat", "dash", "sdp"):
+        container.close()
+        raise RecordingError(f"{where}: holds no video of its own; give the video file")
+    stream = container.streams.video[0]
+    # One thread keeps frames in step with packets, and leaves the other cores to other eyes.
+    stream.codec_context.thread_count = 1
+    return container, stream
+
+
+def video_packets(container: InputContainer, stream: VideoStream) -> Iterator[VideoPacket]:
+    """The stream's packets that carry data, up to the end or to where the file breaks off."""
+    try:
+        for packet in container.demux(stream):
+            if packet.size:
+                yield packet
+    except av.error.FFmpegError:
+        # Cut short while it was written: what came before is still good.
+        return
+
+
+def index_video(where: str) -> PacketIndex:
+    """Read all packets of a video once; decodes only where it does not tell the order.
+
+    Raises:
+        RecordingError: the video cannot be read, or holds nothing to decode.
+    """
+    container, stream = open_video(where)
+    with container:
+        packets = [_facts(packet) for packet in video_packets(container, stream)]
+        trusted = _tells_order(container, stream, packets)
+        time_base = float(stream.time_base or 1)
+    keyframes = [i for i, packet in enumerate(packets) if packet.key]
+    if not keyframes:
+        raise RecordingError(f"{where}: holds no picture that can be decoded; record it again")
+    if trusted:
+        shown = np.array([packet.pts for packet in packets], float)
+        number, left_out = _ranked(shown, packets, keyframes[0])
+        times = np.sort(shown[number >= 0]) * time_base
+    else:
+        number, left_out, times = _order_by_decoding(where, len(packets)), 0, None
+    return PacketIndex(
+        number,
+        np.array(keyframes),
+        tuple((packets[i].dts, packets[i].position) for i in keyframes),
+        None if times is None else times - times[0],
+        left_out,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Facts:
+    pts: int | None
+    dts: int | None
+    position: int | None
+    key: bool
+    hidden: bool
+
+
+def _facts(packet: VideoPacket) -> _Facts:
+    return _Facts(packet.pts, packet.dts, packet.pos, packet.is_keyframe, packet.is_discard)
+
+
+def _tells_order(container: InputContainer, stream: VideoStream, packets: list[_Facts]) -> bool:
+    """Whether presentation times can be believed.
+
+    AVI has none; what FFmpeg makes up for it is right only where frames are not reordered, which
+    shows as times that simply count on.
+    """
+    shown = [packet.pts for packet in packets]
+    if None in shown:
+        return False
+    reordered = any(a > b for a, b in pairwise(p for p in shown if p is not None))
+    return not (
+        container.format.name == "avi" and stream.codec_context.has_b_frames and not reordered
+    )
+
+
+def _ranked(
+    shown: NDArray[np.float64], packets: list[_Facts], first_key: int
+) -> tuple[NDArray[np.int64], int]:
+    """Frame numbers by presentation time, and how many frames at the beginning are left out."""
+    visible = np.array([not packet.hidden for packet in packets])
+    whole = np.arange(len(packets)) >= first_key
+    if not packets[first_key].hidden:
+        whole &= shown >= shown[first_key]
+    kept = np.flatnonzero(visible & whole)
+    number = np.full(len(packets), -1, np.int64)
+    number[kept[np.argsort(shown[kept], kind="stable")]] = np.arange(len(kept))
+    return number, int((visible & ~whole).sum())
+
+
+def _order_by_decoding(where: str, count: int) -> NDArray[np.int64]:
+    """Frame numbers of packets found by decoding all of them, each marked with its place."""
+    container, stream = open_video(where)
+    stream.codec_context.flags |= Flags.copy_opaque
+    places: list[int] = []
+    with container:
+        for place, packet in enumerate(video_packets(container, stream)):
+            packet.opaque = place
+            places += _marks(decoded(stream, packet))
+        places += _marks(decoded(stream, None))
+    number = np.full(count, -1, np.int64)
+    number[places] = np.arange(len(places))
+    return number
+
+
+def _marks(frames: list[av.VideoFrame]) -> list[int]:
+    return [frame.opaque for frame in frames if isinstance(frame.opaque, int)]
+
+
+def decoded(stream: VideoStream, packet: VideoPacket | None) -> list[av.VideoFrame]:
+    """The frames a packet completes, or those left at the end; none from a broken packet."""
+    try:
+        return stream.codec_context.decode(packet)
+    except av.error.FFmpegError:
+        return []

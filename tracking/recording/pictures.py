@@ -1,0 +1,53 @@
+"""What every source of pictures gives, whatever it is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.recording.frame import Image
+
+
+class PictureSource(Protocol):
+    """Pictures by number, from 0; all of one size. Reads may come from several threads."""
+
+    @property
+    def name(self) -> str:
+        """What it is called in messages."""
+
+    @property
+    def frame_count(self) -> int:
+        """The number of pictures."""
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in px."""
+
+    @property
+    def fps(self) -> float | None:
+        """Pictures a second as the source says; None where it does not."""
+
+    @property
+    def times_s(self) -> NDArray[np.float64] | None:
+        """(frame_count,) seconds since the first picture; None where the source has no times."""
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The files it is made of, in order."""
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Oddities found up to now, in words."""
+
+    def read(self, number: int) -> Image:
+        """One picture. A broken one is shown as the last good one before it, and told."""
+
+    def pictures(self, start: int, stop: int) -> Iterator[Image]:
+        """Pictures start to stop (half-open) in order, read apart from `read`."""
+
+    def close(self) -> None:
+        """Let go of files."""

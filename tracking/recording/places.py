@@ -1,0 +1,70 @@
+"""Paths that a recording names, kept inside its folder."""
+
+from __future__ import annotations
+
+from pathlib import Path, PurePosixPath, PureWindowsPath
+
+from tracking.errors import RecordingError
+from tracking.recording.images import IMAGE_SUFFIXES, ImageSource, image_files
+from tracking.recording.pictures import PictureSource
+from tracking.recording.video import VideoSource
+
+_GLOB_SIGNS = "*?["
+
+
+def place_inside(folder: Path, named: str, allow_outside: bool) -> Path:
+    """The path a manifest names, relative to the recording's folder.
+
+    Raises:
+        RecordingError: it is absolute or climbs out, also by a link, and that is not allowed.
+    """
+    path = folder / named.replace("\\", "/")
+    if allow_outside:
+        return path
+    absolute = PurePosixPath(named).is_absolute() or PureWindowsPath(named).anchor
+    fixed = path.parent if _is_pattern(named) else path
+    if absolute or ".." in path.relative_to(folder).parts or not _lies_in(fixed, folder):
+        raise RecordingError(
+            f"{folder}: its manifest names {named!r} outside the folder; move the file inside, "
+            "or allow outside files where you trust the recording"
+        )
+    return path
+
+
+def open_pictures(path: Path, name: str) -> PictureSource:
+    """The pictures at a path: a video, one image, an image folder or a glob of images.
+
+    Args:
+        path: where they are.
+        name: what to call them in messages.
+
+    Raises:
+        RecordingError: nothing is there, or it cannot be read.
+    """
+    if _is_pattern(path.name) and not path.exists():
+        return ImageSource(image_files(_matching(path)), name)
+    if path.is_dir():
+        return ImageSource(image_files([file for file in path.iterdir() if file.is_file()]), name)
+    if path.suffix.lower() in IMAGE_SUFFIXES and path.is_file():
+        return ImageSource([path], name)
+    return VideoSource(path, name)
+
+
+def _matching(pattern: Path) -> list[Path]:
+    fixed = pattern.parent
+    while _is_pattern(fixed.name):
+        fixed = fixed.parent
+    if not fixed.is_dir():
+        raise RecordingError(f"{pattern}: there is no folder {fixed}; check the path")
+    return [file for file in fixed.glob(pattern.relative_to(fixed).as_posix()) if file.is_file()]
+
+
+def _is_pattern(name: str) -> bool:
+    return any(sign in name for sign in _GLOB_SIGNS)
+
+
+def _lies_in(path: Path, folder: Path) -> bool:
+    try:
+        return path.resolve().is_relative_to(folder.resolve())
+    except (OSError, RuntimeError):
+        return False

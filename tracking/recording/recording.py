@@ -1,0 +1,179 @@
+"""A recording: both eyes by frame number, with what is known of cameras and floor."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from threading import Lock
+from types import TracebackType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import RecordingError
+from tracking.geometry import Ground, Rectification, StereoCalibration, View
+from tracking.recording.calibrated import Calibrated
+from tracking.recording.eyes import Eyes
+from tracking.recording.fingerprint import Fingerprint, fingerprint
+from tracking.recording.frame import StereoFrame
+from tracking.recording.locate import Located
+from tracking.recording.oddities import first_frame_note
+
+
+class Recording:
+    """An opened recording; made by `open_recording`.
+
+    Frames are exact and counted from 0. Both eyes of a frame are of the same instant: by number,
+    or where an eye lost frames and its times tell, by time (see `pair_eyes`). `read` may be called
+    from several threads.
+
+    Attributes:
+        path: what was opened.
+        folder: what the paths of its manifest are relative to.
+        name: for people.
+        fps: frames a second; the manifest's counts before the video's.
+        frame_count: the number of frames; of two eyes that differ, the shorter one's.
+        size: width and height of one eye's pictures in px.
+        calibration, ground, view, rectification: None where not known; a rectification needs two
+            calibrated eyes, a view a calibrated left eye and the floor.
+        manifest_text, calibration_text: as read; the manifest's is made up where there is none.
+        truth_path: the truth.txt beside the manifest; None without one.
+    """
+
+    def __init__(self, located: Located, eyes: Eyes, calibrated: Calibrated) -> None:
+        self.path: Path = located.path
+        self.folder: Path = located.folder
+        self.name: str = located.manifest.name
+        self.frame_count: int = eyes.frame_count
+        self.size: tuple[int, int] = eyes.size
+        self.fps: float = _rate(located, eyes)
+        self.calibration: StereoCalibration | None = calibrated.calibration
+        self.ground: Ground | None = located.manifest.ground
+        self.view: View | None = calibrated.view
+        self.rectification: Rectification | None = calibrated.rectification
+        self.manifest_text: str = located.text
+        self.calibration_text: str = calibrated.text
+        truth = located.folder / "truth.txt"
+        self.truth_path: Path | None = truth if located.has_manifest and truth.is_file() else None
+        self._eyes = eyes
+        self._times_s = _uneven_times(eyes, self.fps, self.frame_count)
+        self._lock = Lock()
+        self._opening_notes = (*_manifest_notes(located, eyes, self.fps), *calibrated.notes)
+        self._opening_notes += self._first_frame_notes()
+
+    @property
+    def is_stereo(self) -> bool:
+        """Whether there is a right eye."""
+        return self._eyes.is_stereo
+
+    @property
+    def duration_s(self) -> float:
+        """Length in seconds, the last frame's own time included."""
+        last = self.frame_count - 1
+        return self.time_s(last) + 1 / self.fps
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Oddities to tell the user, in words; grows where broken frames are met."""
+        sources = [note for source in self._eyes.sources for note in source.notes]
+        return (*self._opening_notes, *self._eyes.notes, *sources)
+
+    @property
+    def sources(self) -> tuple[Path, ...]:
+        """Where the pictures are, the left (or only) eye first; a folder for images."""
+        return tuple(
+            files[0] if len(files) == 1 else files[0].parent
+            for files in (source.files for source in self._eyes.sources)
+        )
+
+    def fingerprints(self) -> tuple[Fingerprint, ...]:
+        """A fingerprint of each source, in the order of `sources`."""
+        return tuple(fingerprint(source.name, source.files) for source in self._eyes.sources)
+
+    def time_s(self, number: int) -> float:
+        """Seconds from the first frame to the given one."""
+        return number / self.fps if self._times_s is None else float(self._times_s[number])
+
+    def read(self, number: int) -> StereoFrame:
+        """One frame.
+
+        Raises:
+            RecordingError: there is no such frame, or nothing of the video can be decoded.
+        """
+        self._check(number)
+        with self._lock:
+            left, right = self._eyes.read(number)
+        return StereoFrame(number, self.time_s(number), left, right)
+
+    def frames(self, start: int = 0, stop: int | None = None) -> Iterator[StereoFrame]:
+        """Frames start to stop (half-open) in order, read fast and apart from `read`.
+
+        Raises:
+            RecordingError: the range is not in the recording.
+        """
+        stop = self.frame_count if stop is None else stop
+        if not 0 <= start <= stop <= self.frame_count:
+            raise RecordingError(
+                f"{self.path}: frames {start} to {stop} are not within 0 to {self.frame_count}"
+            )
+        for number, (left, right) in enumerate(self._eyes.pairs(start, stop), start):
+            yield StereoFrame(number, self.time_s(number), left, right)
+
+    def close(self) -> None:
+        """Let go of all files."""
+        with self._lock:
+            for source in self._eyes.sources:
+                source.close()
+
+    def __enter__(self) -> Recording:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def _check(self, number: int) -> None:
+        if not 0 <= number < self.frame_count:
+            raise RecordingError(
+                f"{self.path}: there is no frame {number}, only 0 to {self.frame_count - 1}"
+            )
+
+    def _first_frame_notes(self) -> tuple[str, ...]:
+        sources = [source for source in self._eyes.sources if source.frame_count > 1]
+        found = [first_frame_note(s.name, s.read(0), s.read(1)) for s in sources]
+        return tuple(note for note in found if note is not None)
+
+
+def _rate(located: Located, eyes: Eyes) -> float:
+    fps = located.manifest.fps or eyes.sources[0].fps
+    if not fps:
+        raise RecordingError(
+            f"{located.path}: images do not say how fast they were taken; give fps in "
+            "recording.toml, or --fps"
+        )
+    return fps
+
+
+def _uneven_times(eyes: Eyes, fps: float, count: int) -> NDArray[np.float64] | None:
+    """The stream's own times where frames do not come evenly at the recording's rate."""
+    source = eyes.sources[0]
+    if source.times_s is None or source.fps is None or abs(source.fps - fps) > 0.01 * fps:
+        return None
+    even = np.arange(count) / fps
+    times = source.times_s[:count]
+    return None if np.abs(times - even).max() < 0.5 / fps else times
+
+
+def _manifest_notes(located: Located, eyes: Eyes, fps: float) -> tuple[str, ...]:
+    notes = [f"recording.toml: {key} means nothing here" for key in located.manifest.unknown]
+    streamed = eyes.sources[0].fps
+    if streamed is not None and abs(streamed - fps) > 0.01 * fps:
+        notes.append(
+            f"{eyes.sources[0].name}: the video says {streamed:g} frames a second, the recording "
+            f"{fps:g}; the recording counts"
+        )
+    return tuple(notes)
