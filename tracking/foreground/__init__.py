@@ -2,6 +2,6 @@
 
 from tracking.foreground.background import BackgroundModel, Subtraction
 from tracking.foreground.settings import ForegroundSettings
-from tracking.foreground.shadow import ShadowRemover
+from tracking.foreground.shadow import PERHAPS, ShadowRemover
 
-__all__ = ["BackgroundModel", "ForegroundSettings", "ShadowRemover", "Subtraction"]
+__all__ = ["PERHAPS", "BackgroundModel", "ForegroundSettings", "ShadowRemover", "Subtraction"]

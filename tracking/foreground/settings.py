@@ -81,6 +81,14 @@ class ForegroundSettings:
             "help": "foreground with a shadow score below this is shadow",
         },
     )
+    floor_shadow_threshold: float = field(
+        default=0.75,
+        metadata={
+            "unit": "",
+            "range": (0.0, 1.0),
+            "help": "the same for foreground that range puts on the floor",
+        },
+    )
     shadow_texture: float = field(
         default=0.45,
         metadata={"unit": "", "range": (0.0, 1.0), "help": "alpha: weight of the texture"},

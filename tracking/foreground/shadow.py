@@ -12,6 +12,8 @@ from tracking.foreground.settings import ForegroundSettings
 Picture = NDArray[np.uint8]
 Scores = NDArray[np.float32]
 
+PERHAPS = 1
+"""What `ShadowRemover.shadows` says of foreground that is shadow if it lies on the floor."""
 _SMALL = np.ones((3, 3), np.uint8)
 _WIDE = np.ones((5, 5), np.uint8)
 _TEXTURE_FULL = 0.12
@@ -61,14 +63,21 @@ class ShadowRemover:
         return theta
 
     def shadows(self, seen: Subtraction) -> NDArray[np.uint8]:
-        """(height, width) uint8, 255 where the foreground is shadow."""
+        """(height, width) uint8, 255 where the foreground is shadow, `PERHAPS` where it may be.
+
+        What may be shadow is to be taken for it where range says that it lies on the floor.
+        """
         shadow = np.zeros_like(seen.mask)
         x, y, width, height = cv2.boundingRect(seen.mask)
         if width < 2 or height < 2:
             return shadow
         box = np.s_[y : y + height, x : x + width]
         theta = self.score(_half(seen.picture[box]), _half(seen.background[box]))
-        dark = (theta < self._settings.shadow_threshold).astype(np.uint8) * 255
+        certain = theta < self._settings.shadow_threshold
+        dark = np.where(
+            theta < self._settings.floor_shadow_threshold, np.uint8(PERHAPS), np.uint8(0)
+        )
+        dark[certain] = 255
         full = cv2.resize(dark, (width, height), interpolation=cv2.INTER_NEAREST)
         shadow[box] = cv2.bitwise_and(full, seen.mask[box])
         return shadow

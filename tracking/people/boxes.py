@@ -6,12 +6,17 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.geometry import View
+
 Boxes = NDArray[np.float64]
 GridBox = tuple[int, int, int, int]
 
 _COVERED = 0.3
 """Share of a side along which somebody nearer must stand to hide what is behind."""
 _EDGE_PLACES = 1
+_RINGS = ((0.0, 0.5), (0.45, 0.9), (0.8, 1.0), (1.0, 0.3))
+"""A standing body as rings: height and radius as shares of its height and half its width."""
+_RING_POINTS = 8
 
 
 def region_boxes(labels: NDArray[np.uint8], count: int) -> list[GridBox]:
@@ -59,22 +64,55 @@ def hidden_sides(
     return hidden, truncated
 
 
-def full_body_boxes(seen: Boxes, standing: Boxes, hidden: NDArray[np.bool_]) -> Boxes:
+def standing_boxes(view: View, xy: Boxes, height_m: Boxes, width_m: float) -> Boxes:
+    """Boxes (n, 4) of bodies standing at floor places, each of its own height.
+
+    Args:
+        view: the camera on its floor.
+        xy: (n, 2) m. height_m: (n,). width_m: from all sides.
+
+    Returns:
+        Pixels as recorded; NaN where a body is in part behind the camera.
+    """
+    body = _body_points(width_m)
+    points = np.empty((len(xy), len(body), 3))
+    points[..., :2] = xy[:, None] + body[:, :2]
+    points[..., 2] = height_m[:, None] * body[:, 2]
+    pixels = view.pixel_from_world(points.reshape(-1, 3)).reshape(len(xy), len(body), 2)
+    low, high = pixels.min(axis=1), pixels.max(axis=1)
+    return np.concatenate((low, high - low), axis=1)
+
+
+def full_body_boxes(seen: Boxes, standing: Boxes, reach: Boxes, hidden: NDArray[np.bool_]) -> Boxes:
     """Boxes of whole bodies, from what is seen where it is whole.
 
     Args:
         seen: (n, 4) left, top, width, height of the visible regions.
         standing: (n, 4) of a body of the measured height standing at the measured place.
+        reach: (n, 4) the same of a body with arms and legs stretched: nobody reaches farther, and
+            pixels that lie outside are somebody else's or a rest of shadow.
         hidden: (n, 4) bool; left, top, right, bottom side of the region ends at somebody nearer
             or at the picture's edge, so the body goes on behind it.
 
     Returns:
         (n, 4); a hidden side is taken from `standing` where that reaches farther.
     """
-    near, far = _corners(seen), _corners(standing)
-    outer = np.where([True, True, False, False], np.minimum(near, far), np.maximum(near, far))
+    near, far, limit = _corners(seen), _corners(standing), _corners(reach)
+    low = np.array([True, True, False, False])
+    outer = np.where(low, np.minimum(near, far), np.maximum(near, far))
     corners = np.where(hidden & np.isfinite(far), outer, near)
+    within = np.where(low, np.maximum(corners, limit), np.minimum(corners, limit))
+    corners = np.where(np.isfinite(limit), within, corners)
     return np.concatenate((corners[:, :2], corners[:, 2:] - corners[:, :2]), axis=1)
+
+
+def _body_points(width_m: float) -> Boxes:
+    """Points (k, 3) on a body's outline: x, y in metres, z as a share of its height."""
+    angle = np.arange(_RING_POINTS) * (2 * np.pi / _RING_POINTS)
+    circle = np.column_stack((np.cos(angle), np.sin(angle))) * (width_m / 2)
+    return np.concatenate(
+        [np.column_stack((circle * r, np.full(_RING_POINTS, z))) for z, r in _RINGS]
+    )
 
 
 def _corners(boxes: Boxes) -> Boxes:

@@ -7,7 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ground, Rectification, View
-from tracking.people.boxes import full_body_boxes, hidden_sides, region_boxes
+from tracking.people.boxes import (
+    GridBox,
+    full_body_boxes,
+    hidden_sides,
+    region_boxes,
+    standing_boxes,
+)
 from tracking.people.colours import colour_histograms
 from tracking.people.detections import Detections
 from tracking.people.plan_view import SurfacePoints, find_people, surface_points
@@ -15,8 +21,14 @@ from tracking.people.regions import Extent, assign_points, measure, paint
 from tracking.people.settings import PeopleSettings
 from tracking.stereo import STEP, SightLines
 
+_CERTAIN = 255
 _FEET_SEEN_M = 0.25
-_HEIGHTS_M = (1.2, 2.1)
+_HEIGHTS_M = (1.0, 2.1)
+_ABOVE_HIGHEST_M = 0.03
+"""The top of the head over the highest points, which leave outliers out."""
+_SLACK_M = 0.04
+_STRETCH = 1.8
+"""How much wider than a body arms and legs make it."""
 
 
 class PeopleFinder:
@@ -63,20 +75,21 @@ class PeopleFinder:
 
         Args:
             points: of this frame.
-            body: (height, width) uint8, non-zero in foreground that is no shadow.
+            body: (height, width) uint8, 0 in background and shadow, 255 in foreground that is
+                neither, in between where it is shadow if it lies on the floor.
             picture: (height, width, 3) the left eye, both at the working scale.
         """
         settings = self._settings
+        certain = cv2.compare(np.ascontiguousarray(body[::STEP, ::STEP]), _CERTAIN, cv2.CMP_GE)
         high = points.world[:, 2] > settings.lowest_m
         places = find_people(points.chosen(high), self._eye, settings)
         owner = assign_points(places, points, self._eye, settings)
         # What lies on the floor and looks like shadow is nobody's foot.
-        owner[~high & (body[::STEP, ::STEP].ravel()[points.pixel] == 0)] = -1
+        owner[~high & (certain.ravel()[points.pixel] == 0)] = -1
         extent = measure(len(places), owner, points, self._eye)
         real = (extent.high >= settings.least_height_m) & (extent.area >= settings.least_area_m2)
         owner = _renumbered(owner, real)
-        grid_body = np.ascontiguousarray(body[::STEP, ::STEP])
-        labels = paint(owner, points, grid_body)
+        labels = paint(owner, points, certain)
         kept = Extent(*(getattr(extent, name)[real] for name in Extent.__slots__))
         return self._describe(places[real], kept, labels, picture)
 
@@ -94,10 +107,9 @@ class PeopleFinder:
         position = self._positions(places, extent)
         colours = cv2.cvtColor(np.ascontiguousarray(picture[::STEP, ::STEP]), cv2.COLOR_BGR2HSV)
         upper, lower, middle = colour_histograms(colours[..., :2], labels, boxes, settings)
-        seen = self._recorded_boxes(boxes)
         width = np.maximum(extent.width, 0)
         return Detections(
-            box=full_body_boxes(seen, self._standing_boxes(position, extent, hidden), hidden),
+            box=self._boxes(boxes, position, extent, hidden),
             position=position,
             size=np.stack((width, extent.high), axis=1).astype(np.float64),
             merged=self._merged(extent),
@@ -118,19 +130,24 @@ class PeopleFinder:
         axis = places + sight * step[:, None]
         return np.concatenate((axis, extent.middle[:, 2:]), axis=1).astype(np.float64)
 
-    def _standing_boxes(
-        self, position: NDArray[np.float64], extent: Extent, hidden: NDArray[np.bool_]
+    def _boxes(
+        self,
+        boxes: list[GridBox],
+        position: NDArray[np.float64],
+        extent: Extent,
+        hidden: NDArray[np.bool_],
     ) -> NDArray[np.float64]:
-        """(k, 4) boxes of bodies of the measured height, or the usual one where no top is seen."""
-        width = self._settings.body_width_m
-        heights = np.where(
-            hidden[:, 1], self._settings.body_height_m, np.clip(extent.high, *_HEIGHTS_M)
+        """(k, 4) full-body boxes in pixels as recorded."""
+        settings, xy = self._settings, position[:, :2]
+        seen_height = np.clip(extent.high + _ABOVE_HIGHEST_M, *_HEIGHTS_M)
+        usual = np.maximum(seen_height, settings.body_height_m)
+        height = np.where(hidden[:, 1], usual, seen_height).astype(np.float64)
+        return full_body_boxes(
+            self._recorded_boxes(boxes),
+            standing_boxes(self._view, xy, height, settings.body_width_m),
+            standing_boxes(self._view, xy, height + _SLACK_M, settings.body_width_m * _STRETCH),
+            hidden,
         )
-        rows = [
-            self._view.box_of_person(xy[None], float(height), width)
-            for xy, height in zip(position[:, :2], heights, strict=True)
-        ]
-        return np.concatenate(rows) if rows else np.zeros((0, 4))
 
     def _merged(self, extent: Extent) -> NDArray[np.bool_]:
         """[Kawashita2014] section 3.4: larger than one person by the set ratio."""
@@ -139,7 +156,7 @@ class PeopleFinder:
         high = extent.high - extent.low > ratio * settings.body_height_m
         return np.asarray(wide | high, np.bool_)
 
-    def _recorded_boxes(self, boxes: list[tuple[int, int, int, int]]) -> NDArray[np.float64]:
+    def _recorded_boxes(self, boxes: list[GridBox]) -> NDArray[np.float64]:
         """(k, 4) boxes of the grid as boxes of the recorded picture."""
         if not boxes:
             return np.zeros((0, 4))

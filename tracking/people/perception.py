@@ -105,8 +105,9 @@ class StereoPerception:
 
     def find(self, left: Subtraction, shadow: Mask, disparity: NDArray[np.float32]) -> Detections:
         """The people in the foreground."""
-        body = cv2.subtract(left.mask, shadow)
-        return self._finder.find(self._finder.points(disparity), body, left.picture)
+        return self._finder.find(
+            self._finder.points(disparity), cv2.subtract(left.mask, shadow), left.picture
+        )
 
     def remember(self, left: Subtraction, right: Subtraction, people: Detections) -> None:
         """Let both backgrounds follow what was seen, except where people are."""
@@ -131,7 +132,8 @@ class StereoPerception:
         return masks
 
     def _overlays(self, mask: Mask, shadow: Mask, disparity: NDArray[np.float32]) -> Overlays:
-        shown = cv2.addWeighted(mask, 1.0, shadow, -0.5, 0)
+        certain = cv2.compare(shadow, 255, cv2.CMP_EQ)
+        shown = cv2.addWeighted(mask, 1.0, certain, -0.5, -0.5)
         size = self._rectification.size
         if self._shrink > 1:
             shown = cv2.resize(shown, size, interpolation=cv2.INTER_NEAREST)

@@ -66,7 +66,7 @@ def paint(
     Args:
         owner: (n,) of `assign_points`.
         points: of the grid.
-        body: (rows, columns) uint8, non-zero where the grid shows foreground that is no shadow.
+        body: (rows, columns) uint8, 255 where the grid shows foreground that is no shadow, else 0.
     """
     labels = np.zeros(body.size, np.uint8)
     labels[points.pixel] = owner + 1

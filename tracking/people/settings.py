@@ -34,7 +34,7 @@ class PeopleSettings:
         metadata={"unit": "m", "range": (0.2, 1.0), "help": "breadth of a person"},
     )
     body_height_m: float = field(
-        default=1.72,
+        default=1.75,
         metadata={
             "unit": "m",
             "range": (0.8, 2.2),
