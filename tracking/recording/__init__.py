@@ -1,5 +1,6 @@
 """Recordings: frames by number, from every kind of source."""
 
+from tracking.recording.cache import FrameCache
 from tracking.recording.fingerprint import Fingerprint
 from tracking.recording.frame import Image, StereoFrame
 from tracking.recording.manifest import (
@@ -17,6 +18,7 @@ from tracking.recording.recording import Recording
 __all__ = [
     "MANIFEST_NAME",
     "Fingerprint",
+    "FrameCache",
     "Image",
     "Manifest",
     "OpenOptions",
