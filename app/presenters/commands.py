@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from app.presenters.scenes import CommandItem
@@ -37,6 +37,10 @@ class Situation:
     can_track: bool = False
     why_no_tracking: str = ""
     read_only: bool = False
+
+    def while_busy(self) -> Situation:
+        """The same while other long work is going on."""
+        return replace(self, busy=True)
 
 
 Check = Callable[[Situation], str]
@@ -91,6 +95,8 @@ def _selected(now: Situation) -> str:
 def _trackable(now: Situation) -> str:
     if now.live:
         return tr("a tracker is at work")
+    if now.busy:
+        return tr("wait until the work in progress is done")
     return _recording(now) or ("" if now.can_track else now.why_no_tracking)
 
 
@@ -149,6 +155,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
     ),
     Command("view.particles", "View", "Particles on the picture", ("O",), _recording, True),
     Command("view.trails", "View", "Trails on the picture", ("T",), _recording, True),
+    Command("view.next_pane", "View", "To the next part of the window", ("F6",), _recording),
     Command("view.look_system", "View", "Look: as the system", (), checkable=True, separated=True),
     Command("view.look_light", "View", "Look: light", checkable=True),
     Command("view.look_dark", "View", "Look: dark", checkable=True),

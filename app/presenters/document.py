@@ -8,7 +8,7 @@ from app.presenters.edit_flow import EditFlow, EditKind
 from app.presenters.edit_preview import PlannedEdit, planned_edit, preview_trails
 from app.presenters.live_tracks import LiveTracks
 from app.presenters.overhead import OverheadPresenter
-from app.presenters.panels import history_items, marks_by_track, track_card
+from app.presenters.panels import EditMarks, history_items, track_card
 from app.presenters.pictures import PicturePresenter
 from app.presenters.scenes import HistoryItem, TimelineScene, TrackCard
 from app.presenters.selection import Selection
@@ -41,6 +41,7 @@ class Document:
         self.overhead = OverheadPresenter(recording)
         self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
         self._live = LiveTracks()
+        self._marks = EditMarks()
         self._retake()
 
     @property
@@ -53,10 +54,23 @@ class Document:
         """One past the last frame a tracker at work has been through."""
         return self._live.frames[1]
 
+    @property
+    def busiest_frame(self) -> int:
+        """The frame with the most people; the first where there are none."""
+        return int(self._tracks.activity(self.recording.frame_count).argmax())
+
     # tracking
 
     def begin_live(self) -> None:
-        """A tracker starts anew; what it finds is shown from now on."""
+        """A tracker starts anew; what it finds is shown from now on.
+
+        A session that is open is let go as it was last saved.
+        """
+        if self.session is not None:
+            self.session.close()
+            self.session = None
+        self.leave_edit()
+        self.selection.choose(0)
         self._live = LiveTracks()
         self._retake()
 
@@ -69,6 +83,7 @@ class Document:
         """Show a session from now on."""
         self.session = session
         self._live = LiveTracks()
+        self._marks = EditMarks()
         self._retake()
 
     def _retake(self) -> None:
@@ -78,7 +93,7 @@ class Document:
         if session is not None:
             run = session.runs[-1] if session.runs else None
             self._tracks = SessionTracks(session.table, run)
-        marks = {} if session is None else marks_by_track(session.history)
+        marks = {} if session is None else self._marks.of(session.history)
         self._timeline.take(self._tracks, marks)
 
     # what the views show
@@ -183,23 +198,23 @@ class Document:
 
     def undo(self) -> Change | None:
         """Take the last edit back; what it was, or None where there is none."""
-        session = self.session
-        entry = session.history.next_undo if session is not None else None
-        if session is None or entry is None:
+        entry = self.session.history.next_undo if self.session is not None else None
+        if self.session is None or entry is None:
             return None
-        session.undo()
-        self._take_changed(entry.change)
-        return entry.change
+        change = entry.change
+        self.session.undo()
+        self._take_changed(change)
+        return change
 
     def redo(self) -> Change | None:
         """Do the edit again that was taken back last."""
-        session = self.session
-        entry = session.history.next_redo if session is not None else None
-        if session is None or entry is None:
+        entry = self.session.history.next_redo if self.session is not None else None
+        if self.session is None or entry is None:
             return None
-        session.redo()
-        self._take_changed(entry.change)
-        return entry.change
+        change = entry.change
+        self.session.redo()
+        self._take_changed(change)
+        return change
 
     def _take_changed(self, change: Change) -> None:
         """Make only the lanes of the tracks anew that the change touched."""
@@ -212,7 +227,7 @@ class Document:
             if track in table
         }
         activity = self._tracks.activity(self.recording.frame_count)
-        marks = marks_by_track(self.session.history)
+        marks = self._marks.of(self.session.history)
         self._timeline.take_changed(change.tracks, spans, activity, marks)
         if self.selection and self.selection.track not in table:
             self.selection.choose(0)

@@ -45,14 +45,23 @@ def history_items(history: History) -> tuple[HistoryItem, ...]:
     )
 
 
-def marks_by_track(history: History) -> dict[int, tuple[int, ...]]:
-    """For each track the frames where an edit in force touched it."""
-    marks: dict[int, list[int]] = {}
-    for entry in history:
-        if not entry.undone:
-            for track in entry.change.tracks:
-                marks.setdefault(track, []).append(entry.frame)
-    return {track: tuple(sorted(set(frames))) for track, frames in marks.items()}
+class EditMarks:
+    """Where each track was edited; an entry's change is read once, as a log may be long."""
+
+    def __init__(self) -> None:
+        self._tracks_of_edit: dict[int, tuple[int, ...]] = {}
+
+    def of(self, history: History) -> dict[int, tuple[int, ...]]:
+        """For each track the frames where an edit in force touched it."""
+        marks: dict[int, set[int]] = {}
+        for entry in history:
+            if entry.undone:
+                continue
+            if entry.id not in self._tracks_of_edit:
+                self._tracks_of_edit[entry.id] = entry.change.tracks
+            for track in self._tracks_of_edit[entry.id]:
+                marks.setdefault(track, set()).add(entry.frame)
+        return {track: tuple(sorted(frames)) for track, frames in marks.items()}
 
 
 def _local(time: str) -> str:

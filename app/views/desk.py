@@ -16,6 +16,7 @@ from app.views.live import LiveTracking
 from app.views.playback import Playback
 from app.views.workspace import Workspace
 from tracking.errors import TrackwrightError
+from tracking.session import Session
 from tracking.trackers import StepResult, best_tracker
 
 
@@ -125,6 +126,12 @@ class Desk(QObject):
             self.track(self._best)
         self.playback.toggle()
 
+    def shuttle(self, direction: int) -> None:
+        """J (-1), K (0), L (1); playing on puts the best tracker to work like the first play."""
+        if direction > 0 and self._never_tracked and self._best:
+            self.track(self._best)
+        self.playback.shuttle(direction)
+
     @property
     def _never_tracked(self) -> bool:
         return self.document.session is None and not self.live.running
@@ -133,6 +140,11 @@ class Desk(QObject):
         """Put a tracker to work; what it finds is shown as it comes."""
         self.document.begin_live()
         self.live.start(tracker, settings, seed)
+        self.draw()
+
+    def take_session(self, session: Session) -> None:
+        """Show a session made of what was tracked."""
+        self.document.take_session(session)
         self.draw()
 
     def _last_tracked(self) -> int | None:
@@ -207,7 +219,7 @@ class Desk(QObject):
                 speed=abs(clock.rate) if clock.playing else clock.speed,
                 frame=clock.frame,
                 frame_count=clock.frame_count,
-                time_s=clock.frame / clock.fps,
+                time_s=self.document.recording.time_s(clock.frame),
                 tracker=self._tracker_name(),
                 status=self._status(),
             )

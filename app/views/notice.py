@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from collections.abc import Callable
+
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
 
 
 class NoticeBar(QFrame):
-    """One message across the window, hidden while there is none.
-
-    Signals:
-        action_asked(): the offered action was pressed.
-    """
-
-    action_asked = Signal()
+    """One message across the window, hidden while there is none."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._do: Callable[[], object] | None = None
         self.setProperty("notice", True)
         self.setAccessibleName(self.tr("Message"))
         row = QHBoxLayout(self)
@@ -41,8 +38,9 @@ class NoticeBar(QFrame):
         """What is said; "" while hidden."""
         return "" if self.isHidden() else self._text.text()
 
-    def say(self, text: str, action: str = "") -> None:
-        """Show a message, with a button where there is something to do about it."""
+    def say(self, text: str, action: str = "", do: Callable[[], object] | None = None) -> None:
+        """Show a message, with a button where there is something to `do` about it."""
+        self._do = do
         self._text.setText(text)
         self._text.setAccessibleName(text)
         self._action.setText(action)
@@ -51,4 +49,5 @@ class NoticeBar(QFrame):
 
     def _act(self) -> None:
         self.hide()
-        self.action_asked.emit()
+        if self._do is not None:
+            self._do()

@@ -35,9 +35,7 @@ class Work(QObject):
         """Whether a job runs."""
         return self._job is not None
 
-    def run(
-        self, title: str, work: Callable[[Progress], Any], done: Callable[[Any], None]
-    ) -> None:
+    def run(self, title: str, work: Callable[[Progress], Any], done: Callable[[Any], None]) -> None:
         """Do `work(progress)` in the background, then `done(its result)` here.
 
         While another job runs nothing is begun; commands are disabled then.

@@ -3,7 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QApplication,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.presenters.scenes import Eye
 from app.views.eye_switch import EyeSwitch
@@ -16,8 +22,6 @@ from app.views.review_panel import ReviewPanel
 from app.views.timeline import TimelineView
 from app.views.track_panel import TrackPanel
 from app.views.transport import TransportBar
-
-_EYE_SWITCH_AT = 8
 
 
 class Workspace(QWidget):
@@ -39,6 +43,11 @@ class Workspace(QWidget):
         self._lay_out()
 
     def _lay_out(self) -> None:
+        corner = QVBoxLayout(self.left)
+        corner.setContentsMargins(8, 8, 8, 8)
+        corner.addWidget(
+            self.eye_switch, 0, Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignRight
+        )
         eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
         side = self._split(
             "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (2, 5, 3)
@@ -79,6 +88,19 @@ class Workspace(QWidget):
         self.right.setVisible(mode == "both" and stereo)
         self.eye_switch.show_scene(mode, stereo)
         self.eye_switch.setVisible(stereo)
+
+    def focus_next_pane(self) -> None:
+        """Give the keyboard to the next part: picture, floor, card, history, timeline."""
+        panes = (self.left, self.overhead, self.card, self.history, self.timeline)
+        now = QApplication.focusWidget()
+        inside = [now is not None and (now is pane or pane.isAncestorOf(now)) for pane in panes]
+        following = panes[(inside.index(True) + 1) % len(panes)] if any(inside) else panes[0]
+        if following is self.card or following is self.history:
+            fields = following.findChildren(QAbstractScrollArea)
+            visible = [field for field in fields if field.isVisible()]
+            (visible[0] if visible else following).setFocus()
+        else:
+            following.setFocus()
 
     def remember(self, remembered: Remembered) -> None:
         """Keep how the parts are laid out."""

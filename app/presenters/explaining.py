@@ -1,0 +1,28 @@
+"""What went wrong, in words for the user: the one place where errors become messages."""
+
+from __future__ import annotations
+
+import logging
+
+from app.presenters.words import tr
+from tracking.errors import TrackwrightError
+
+_log = logging.getLogger(__name__)
+
+
+def explain(error: BaseException) -> str:
+    """The message for an error.
+
+    Those raised on purpose say what, where and what to do themselves. Anything else is a bug of
+    the program: it is logged with where it came from, and the user is told that the edits are
+    safe.
+    """
+    if isinstance(error, TrackwrightError):
+        return str(error)
+    _log.error("unexpected error", exc_info=error)
+    return tr(
+        "A bug in trackwright: {kind}: {error}. Your edits are safe on disk; save, and start the "
+        "program again if it misbehaves.",
+        kind=type(error).__name__,
+        error=error,
+    )

@@ -1,0 +1,126 @@
+"""Opening, keeping and measuring documents: the long steps that run in the background."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from platformdirs import user_data_path
+
+from tracking.formats import read_mot, write_mot
+from tracking.recording import Recording, open_recording
+from tracking.scoring import ScoringTable, score
+from tracking.session import Session
+from tracking.synthesis import render_recording
+from tracking.tracks import Run
+
+Report = Callable[[int, int], None]
+
+_DEMO_SCENE, _DEMO_SECONDS, _DEMO_PEOPLE, _DEMO_SEED = "plaza", 30.0, 9, 4
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """What was opened: a recording, and a session where the path was one."""
+
+    path: Path
+    recording: Recording
+    session: Session | None = None
+
+
+def unsaved_folder() -> Path:
+    """Where sessions stand that were never given a place by the user."""
+    return user_data_path("trackwright", appauthor=False) / "unsaved"
+
+
+def open_path(path: Path, recording: Path | None = None) -> Opened:
+    """Open a recording or a session (`*.h5`) with its recording.
+
+    Args:
+        path: what to open.
+        recording: where the recording of a session is by now, if it is known to have moved.
+
+    Raises:
+        TrackwrightError: it cannot be opened; `RecordingMissing` where only the recording is gone.
+    """
+    if path.suffix.lower() != ".h5":
+        return Opened(path, open_recording(path))
+    session = Session.open(path, recording=recording)
+    try:
+        return Opened(path, open_recording(session.recording_path), session)
+    except BaseException:
+        session.close()
+        raise
+
+
+def keep_run(recording: Recording, run: Run) -> Session:
+    """A session of a run that was just made, kept on disk from its first moment."""
+    folder = unsaved_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    session = Session.create(recording, [run])
+    session.save(_free_name(folder, recording.path.stem or "session"))
+    return session
+
+
+def save_at(session: Session, path: Path) -> None:
+    """Save a session; the file of one that had no place of its own goes once it has one."""
+    before = session.path
+    session.save(path)
+    if before is not None and is_unsaved_place(before) and before != path:
+        remove_session(before)
+
+
+def discard(session: Session) -> None:
+    """Forget what was done since the last save, and all of a session that was never saved."""
+    session.discard()
+    if session.path is not None and is_unsaved_place(session.path):
+        remove_session(session.path)
+
+
+def remove_session(path: Path) -> None:
+    """Remove a session's file and what stands beside it by its name."""
+    for file in path.parent.glob(f"{path.name}*"):
+        file.unlink(missing_ok=True)
+
+
+def is_unsaved_place(path: Path | None) -> bool:
+    """Whether a session stands where the user never put it."""
+    return path is None or path.parent == unsaved_folder()
+
+
+def make_demo(report: Report) -> Path:
+    """The built-in recording in the user's own data folder, made where it is not there yet."""
+    folder = user_data_path("trackwright", appauthor=False) / "demo"
+    if (folder / "recording.toml").is_file():
+        return folder
+    return render_recording(
+        folder, _DEMO_SCENE, _DEMO_SECONDS, _DEMO_PEOPLE, _DEMO_SEED, progress=report
+    )
+
+
+def export_mot(session: Session, path: Path) -> Path:
+    """Write the corrected tracks as MOT text."""
+    write_mot(path, session.table.columns())
+    return path
+
+
+def score_against_truth(session: Session, recording: Recording) -> dict[str, Any]:
+    """The figures of the corrected tracks against the recording's truth.
+
+    Raises:
+        FormatError: the truth cannot be read.
+    """
+    assert recording.truth_path is not None
+    truth = ScoringTable.of(read_mot(recording.truth_path), dont_cares=True)
+    result = ScoringTable.of(session.table.columns())
+    return score(truth, result, frames=recording.frame_count).as_json()
+
+
+def _free_name(folder: Path, stem: str) -> Path:
+    for number in range(1, 10_000):
+        path = folder / f"{stem}-{number}.h5"
+        if not path.exists():
+            return path
+    return folder / f"{stem}.h5"

@@ -1,0 +1,158 @@
+"""The program with its window: started, shown, and drawn into a picture."""
+
+from __future__ import annotations
+
+import logging
+import signal
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from types import TracebackType
+
+from PySide6.QtCore import QCoreApplication, QEvent, QEventLoop, QSettings, QTimer
+from PySide6.QtWidgets import QApplication
+
+from app.presenters import words
+from app.views.icons import application_icon
+from app.views.main_window import MainWindow
+from app.views.remembered import Remembered
+from app.views.theme import Look, apply_look
+from tracking.errors import OutputError, RecordingError
+
+_log = logging.getLogger(__name__)
+_PATIENCE_MS = 60_000
+
+
+def run(path: Path | None) -> int:
+    """Show the window until it is closed; the exit status.
+
+    Args:
+        path: a recording or session to open, None for the welcome page.
+    """
+    application = start_application()
+    window = MainWindow(Remembered())
+    _catch_bugs(window)
+    if path is not None:
+        window.files.open_path(path)
+    window.show()
+    _end_by_interrupt(application, window)
+    return application.exec()
+
+
+def start_application() -> QApplication:
+    """The one QApplication of this process, named and dressed."""
+    there = QApplication.instance()
+    application = there if isinstance(there, QApplication) else QApplication(sys.argv[:1])
+    application.setApplicationName("trackwright")
+    application.setApplicationDisplayName("trackwright")
+    application.setOrganizationName("trackwright")
+    application.setDesktopFileName("trackwright")
+    application.setWindowIcon(application_icon())
+    words.use_translator(lambda text: QCoreApplication.translate("presenters", text))
+    apply_look(application, Look(Remembered().text("look", Look.SYSTEM.value)))
+    return application
+
+
+def picture(
+    session_path: Path,
+    out_png: Path,
+    frame: int | None = None,
+    theme: str | None = None,
+    size: tuple[int, int] = (1600, 1000),
+) -> Path:
+    """Draw the real window on a session or recording into a PNG; also without a display.
+
+    Args:
+        session_path: what to open.
+        out_png: where the picture goes.
+        frame: shown; None takes the one with the most people.
+        theme: "dark", "light", or None for the system's.
+        size: of the window, in pixels.
+
+    Raises:
+        TrackwrightError: it cannot be opened, or the picture cannot be written.
+    """
+    application = start_application()
+    apply_look(application, Look(theme or Look.SYSTEM.value))
+    window = MainWindow(Remembered(_forgetful()))
+    try:
+        window.resize(*size)
+        show_document(window, session_path, frame)
+        window.resize(*size)
+        wait_until(lambda: not window.work.busy)
+        if not window.grab().save(str(out_png), "PNG"):
+            raise OutputError(f"{out_png}: the picture cannot be written; choose another folder")
+    finally:
+        window.files.close_without_asking()
+        window.close()
+        window.deleteLater()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    return out_png
+
+
+def show_document(window: MainWindow, path: Path, frame: int | None = None) -> None:
+    """Open a path in a window that nobody sits before, and wait until a frame is shown.
+
+    Raises:
+        TrackwrightError: it cannot be opened.
+    """
+    problems: list[Exception] = []
+    window.work.failed.connect(problems.append)
+    window.files.failed.connect(problems.append)
+    window.show()
+    window.files.open_path(path)
+    wait_until(lambda: window.desk is not None or bool(problems))
+    desk = window.desk
+    if problems or desk is None:
+        raise problems[0] if problems else RecordingError(f"{path}: opening took too long")
+    desk.playback.go(desk.document.busiest_frame if frame is None else frame)
+    wait_until(lambda: desk.playback.number == desk.playback.clock.frame or bool(problems))
+    wait_until(lambda: desk.playback.frame is not None or bool(problems))
+    if problems:
+        raise problems[0]
+
+
+def wait_until(ready: Callable[[], bool], patience_ms: int = _PATIENCE_MS) -> bool:
+    """Let the window live until something is so; False where it did not come in time."""
+    loop = QEventLoop()
+    patience = QTimer(singleShot=True, interval=patience_ms)
+    patience.timeout.connect(loop.quit)
+    look = QTimer(interval=10)
+    look.timeout.connect(lambda: loop.quit() if ready() else None)
+    patience.start()
+    look.start()
+    if not ready():
+        loop.exec()
+    QCoreApplication.processEvents()
+    return ready()
+
+
+def _forgetful() -> QSettings:
+    """Settings that are read from nowhere and kept nowhere."""
+    settings = QSettings("trackwright", "picture")
+    settings.clear()
+    return settings
+
+
+def _catch_bugs(window: MainWindow) -> None:
+    """Show what nobody caught as a bug of the program, logged; the journal is safe on disk."""
+
+    def caught(
+        kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        if isinstance(error, KeyboardInterrupt):
+            window.close()
+        elif isinstance(error, Exception):
+            window.tell_error(error.with_traceback(trace))
+        else:
+            sys.__excepthook__(kind, error, trace)
+
+    sys.excepthook = caught
+
+
+def _end_by_interrupt(application: QApplication, window: MainWindow) -> None:
+    """Let Ctrl+C in the terminal close the window: Python must run now and then to notice it."""
+    signal.signal(signal.SIGINT, lambda *_: window.close())
+    breath = QTimer(application, interval=300)
+    breath.timeout.connect(lambda: None)
+    breath.start()

@@ -1,0 +1,310 @@
+"""The open document's way from disk and back: open, save, export, close."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QUrl, Signal
+
+from app.presenters import opening
+from app.presenters.document import Document
+from app.presenters.opening import Opened
+from app.presenters.scenes import RecentItem, WelcomeScene
+from app.presenters.words import tr
+from app.views.desk import Desk
+from app.views.questions import ask_about_unsaved, choose_file, choose_new_file
+from app.views.remembered import Remembered
+from app.views.score_dialog import ScoreDialog
+from app.views.track_dialog import TrackDialog
+from app.views.work import Work
+from tracking.session import RecordingMissing, Session
+from tracking.tracks import Run
+
+if TYPE_CHECKING:
+    from app.views.main_window import MainWindow
+
+Then = Callable[[], object]
+
+_SESSIONS = "trackwright (*.h5)"
+_OPENABLE = "Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v)"
+
+
+class Files(QObject):
+    """Opens recordings and sessions on the window's desk, saves and closes them.
+
+    Signals: `changed()`, another document, title or save state; `failed(error)`; `said(text)`.
+    """
+
+    changed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+
+    def __init__(self, window: MainWindow, work: Work, remembered: Remembered) -> None:
+        super().__init__(window)
+        self._window = window
+        self._work = work
+        self._remembered = remembered
+        self._opening: Path | None = None
+        self._leave = False
+        self.desk: Desk | None = None
+
+    # opening
+
+    def ask_open(self) -> None:
+        """Ask for a file."""
+        choose_file(self._window, tr("Open"), tr(_OPENABLE), self.open_path)
+
+    def ask_open_folder(self) -> None:
+        """Ask for a folder: a recording, or pictures."""
+        choose_file(self._window, tr("Open folder"), "", self.open_path, folder=True)
+
+    def open_dropped(self, urls: Sequence[QUrl]) -> None:
+        """Open the first of some files that were dropped."""
+        paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
+        if paths:
+            self.open_path(paths[0])
+
+    def open_path(self, path: Path, recording: Path | None = None) -> None:
+        """Open a recording or a session; `recording` says where a session's one is by now."""
+        if not self.may_leave(lambda: self.open_path(path, recording)):
+            return
+        self._opening = path
+        title = tr("Opening {name}", name=path.name)
+        self._work.run(title, lambda _: opening.open_path(path, recording), self._show)
+
+    def open_demo(self) -> None:
+        """Make the built-in recording where it is not there yet, and open it."""
+        self._work.run(tr("Making the demo recording"), opening.make_demo, self.open_path)
+
+    def tell_failure(self, error: Exception) -> None:
+        """Tell why something did not work; offer to find a recording that has moved."""
+        if isinstance(error, RecordingMissing) and self._opening is not None:
+            session = self._opening
+            self._window.notice.say(str(error), tr("Find it..."), lambda: self._find(session))
+        else:
+            self.failed.emit(error)
+
+    def _find(self, session: Path) -> None:
+        choose_file(
+            self._window,
+            tr("Where is the recording now?"),
+            "",
+            lambda place: self.open_path(session, place),
+            folder=True,
+        )
+
+    def _show(self, opened: Opened) -> None:
+        self.close()
+        path = opened.path
+        document = Document(opened.recording, opened.session)
+        self.desk = desk = Desk(document, self._window.workspace, self)
+        desk.changed.connect(self.changed)
+        desk.failed.connect(self.failed)
+        desk.said.connect(self.said)
+        desk.tracked.connect(self._keep)
+        if not opening.is_unsaved_place(path):
+            self._remembered.add_recent(path.resolve())
+        self._window.show_workspace()
+        self._tell_oddities(opened)
+        desk.set_eyes(self._remembered.text("eyes", "both"))
+        desk.draw()
+        desk.playback.go(0)
+
+    def _tell_oddities(self, opened: Opened) -> None:
+        session = opened.session
+        lines = list(opened.recording.notes)
+        if session is not None and session.recovered:
+            n = session.recovered
+            lines.insert(0, tr("{n} edits recovered that were not saved yet", n=n))
+        if session is not None and session.read_only:
+            lines.insert(0, tr("Open in another window: read only here"))
+        if lines:
+            self._window.notice.say("\n".join(lines))
+        else:
+            self._window.notice.hide()
+
+    # tracking
+
+    def ask_track(self) -> None:
+        """Ask for tracker and settings, then put it to work; corrected tracks are not touched."""
+        desk = self.desk
+        if desk is None:
+            return
+        warning = ""
+        if desk.document.session is not None:
+            warning = tr(
+                "These tracks and their corrections stay as they are in their session; the new "
+                "result becomes a session of its own."
+            )
+        dialog = TrackDialog(desk.document.recording, desk.best_tracker, warning, self._window)
+        dialog.accepted.connect(lambda: self._track(dialog))
+        dialog.open()
+
+    def _track(self, dialog: TrackDialog) -> None:
+        if not self.may_leave(lambda: self._track(dialog)):
+            return
+        if self.desk is not None:
+            self.desk.track(*dialog.answer())
+
+    def _keep(self, run: Run | None) -> None:
+        """Make a session of what was tracked, on disk at once."""
+        desk = self.desk
+        if desk is None or run is None:
+            return
+        recording = desk.document.recording
+        work = lambda _: opening.keep_run(recording, run)  # noqa: E731 - said once, right here
+        self._work.run(tr("Keeping the result"), work, desk.take_session)
+
+    # saving
+
+    @property
+    def session(self) -> Session | None:
+        """The open session."""
+        return self.desk.document.session if self.desk is not None else None
+
+    @property
+    def unsaved(self) -> bool:
+        """Whether something would be lost from view without saving."""
+        if self.desk is not None and self.desk.live.running:
+            return self.desk.live.done > 0
+        session = self.session
+        return session is not None and (session.unsaved or opening.is_unsaved_place(session.path))
+
+    def save(self, then: Then | None = None) -> None:
+        """Save where the session stands; ask for a place where it has none yet."""
+        session = self.session
+        if session is None:
+            return
+        if opening.is_unsaved_place(session.path):
+            self.save_as(then)
+        elif session.path is not None:
+            self.save_to(session.path, then)
+
+    def save_as(self, then: Then | None = None) -> None:
+        """Ask for a place and save there."""
+        if self.desk is not None:
+            start = self.desk.document.recording.folder / "session.h5"
+            chosen = partial(self.save_to, then=then)
+            choose_new_file(self._window, tr("Save session"), start, _SESSIONS, chosen)
+
+    def save_to(self, path: Path, then: Then | None = None) -> None:
+        """Save at a place in the background."""
+        session = self.session
+        if session is None:
+            return
+
+        def saved(_: object) -> None:
+            self._remembered.add_recent(path.resolve())
+            self.said.emit(tr("Saved: {path}", path=path))
+            self.changed.emit()
+            if then is not None:
+                then()
+
+        title = tr("Saving {name}", name=path.name)
+        self._work.run(title, lambda _: opening.save_at(session, path), saved)
+
+    def export_mot(self) -> None:
+        """Ask for a place and write the tracks as MOT text."""
+        session = self.session
+        if session is not None and self.desk is not None:
+            start = self.desk.document.recording.folder / "tracks.txt"
+            choose_new_file(
+                self._window, tr("Export MOT text"), start, "MOT (*.txt)", self.export_mot_to
+            )
+
+    def export_mot_to(self, path: Path) -> None:
+        """Write the tracks as MOT text."""
+        session = self.session
+        if session is not None:
+            self._work.run(
+                tr("Exporting {name}", name=path.name),
+                lambda _: opening.export_mot(session, path),
+                lambda _: self.said.emit(tr("Exported: {path}", path=path)),
+            )
+
+    def score(self) -> None:
+        """Compare with the truth beside the recording and show the figures."""
+        session, desk = self.session, self.desk
+        if session is None or desk is None:
+            return
+        recording = desk.document.recording
+        self._work.run(
+            tr("Scoring"),
+            lambda _: opening.score_against_truth(session, recording),
+            lambda figures: ScoreDialog(figures, recording.name, self._window).open(),
+        )
+
+    # leaving
+
+    def may_leave(self, again: Then) -> bool:
+        """Whether the open document can be let go; if not, ask, and do `again` afterwards."""
+        if self._leave or not self.unsaved:
+            self._leave = False
+            return True
+        save = None if self.desk is not None and self.desk.live.running else self._save_first
+
+        def leave() -> None:
+            self._leave = True
+            again()
+
+        ask_about_unsaved(self._window, save and partial(save, leave), self._discarding(leave))
+        return False
+
+    def _save_first(self, leave: Then) -> None:
+        self.save(leave)
+
+    def _discarding(self, leave: Then) -> Then:
+        def discard() -> None:
+            if self.session is not None:
+                opening.discard(self.session)
+            leave()
+
+        return discard
+
+    def close_recording(self) -> None:
+        """Close what is open and go back to the first page."""
+        if self.may_leave(self.close_recording):
+            self.close()
+            self._window.notice.hide()
+            self._window.show_welcome()
+
+    def close(self) -> None:
+        """Let the open document go; its threads have ended when this returns."""
+        if self.desk is not None:
+            desk, self.desk = self.desk, None
+            self._remembered.set_text("eyes", desk.eyes)
+            desk.close()
+            desk.deleteLater()
+
+    def close_without_asking(self) -> None:
+        """Let the open document go for a picture or a test: what is not saved stays as it is."""
+        self._leave = True
+        self.close()
+
+    # words
+
+    def title(self) -> str:
+        """The window's title, with Qt's place for the mark of unsaved changes."""
+        if self.desk is None:
+            return "trackwright"
+        recording, session = self.desk.document.recording, self.session
+        name = recording.name
+        if session is not None and session.path is not None:
+            kept = not opening.is_unsaved_place(session.path)
+            name = f"{name} \u2013 {session.path.name if kept else tr('not saved yet')}"
+        return f"{name}[*] \u2013 trackwright"
+
+    def welcome_scene(self) -> WelcomeScene:
+        """The first page: what was opened before, and what a crash left behind."""
+        recent = tuple(_item(path) for path in self._remembered.recent)
+        folder = opening.unsaved_folder()
+        left = sorted(folder.glob("*.h5")) if folder.is_dir() else []
+        items = tuple(_item(path, tr("never saved, kept for you")) for path in left)
+        return WelcomeScene((*items, *recent))
+
+
+def _item(path: Path, detail: str = "") -> RecentItem:
+    return RecentItem(str(path), path.stem, detail or str(path.parent), path.exists())
