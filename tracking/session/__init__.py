@@ -1,1 +1,21 @@
-"""The session document, its file and its journal."""
+"""The document, its HDF5 file, and what keeps both whole."""
+
+from tracking.session.document import PendingSave, Session
+from tracking.session.errors import RecordingMissing
+from tracking.session.info import describe
+from tracking.session.known import KnownRecordings
+from tracking.session.reference import RecordingReference, SourceFingerprint
+from tracking.session.runs import Runs
+from tracking.session.saving import generations
+
+__all__ = [
+    "KnownRecordings",
+    "PendingSave",
+    "RecordingMissing",
+    "RecordingReference",
+    "Runs",
+    "Session",
+    "SourceFingerprint",
+    "describe",
+    "generations",
+]

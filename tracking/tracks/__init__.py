@@ -4,6 +4,7 @@ from tracking.tracks.columns import (
     ASSOCIATION_COLUMNS,
     CORRECTED_COLUMNS,
     DETECTION_COLUMNS,
+    PART_COLUMNS,
     PARTICLE_COLUMNS,
     TRACK_COLUMNS,
     Columns,
@@ -11,7 +12,7 @@ from tracking.tracks.columns import (
     empty,
 )
 from tracking.tracks.labels import Labels, Occluder, ReviewedRange, TrackLabel
-from tracking.tracks.run import Particles, Run
+from tracking.tracks.run import Particles, ParticleColumn, Run
 from tracking.tracks.table import TrackTable, check_known
 from tracking.tracks.validation import between, check_tracks, checked_columns
 
@@ -20,10 +21,12 @@ __all__ = [
     "CORRECTED_COLUMNS",
     "DETECTION_COLUMNS",
     "PARTICLE_COLUMNS",
+    "PART_COLUMNS",
     "TRACK_COLUMNS",
     "Columns",
     "Labels",
     "Occluder",
+    "ParticleColumn",
     "Particles",
     "ReviewedRange",
     "Run",

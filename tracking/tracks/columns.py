@@ -58,6 +58,22 @@ PARTICLE_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
     }
 )
 
+PART_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {
+        "frame": np.dtype(np.int32),
+        "track": np.dtype(np.int32),
+        "part": np.dtype(np.uint8),  # 0 head, 1 torso, 2 hip-leg
+        "cx": np.dtype(np.float64),  # px of the left image as recorded
+        "cy": np.dtype(np.float64),
+        "width": np.dtype(np.float64),
+        "height": np.dtype(np.float64),
+        "vx": np.dtype(np.float64),  # px a frame
+        "vy": np.dtype(np.float64),
+        "failed": np.dtype(np.bool_),
+        "score": np.dtype(np.float64),
+    }
+)
+
 ASSOCIATION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
     {
         "frame": np.dtype(np.int32),

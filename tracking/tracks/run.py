@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,23 +12,34 @@ from numpy.typing import NDArray
 from tracking.tracks.columns import Columns
 
 
+class ParticleColumn(Protocol):
+    """A column that may be in memory or still in a file: an array, or what reads like one."""
+
+    def __len__(self) -> int:
+        """The number of rows."""
+
+    def __getitem__(self, rows: slice, /) -> NDArray[Any]:
+        """A stretch of rows."""
+
+
 @dataclass(frozen=True, slots=True)
 class Particles:
-    """The particles of consecutive frames, in one stretch of memory.
+    """The particles of consecutive frames, one frame's after the other's.
 
     Attributes:
         start: (frames + 1,) int64; the particles of frame i (counted from the recording's first
             frame) are the rows start[i] to start[i + 1].
-        columns: `PARTICLE_COLUMNS`.
+        columns: `PARTICLE_COLUMNS`; of a run read from a session they stay in the file and are
+            read as they are asked for, by slices. `numpy.asarray` reads a whole one.
     """
 
     start: NDArray[np.int64]
-    columns: Columns
+    columns: Mapping[str, ParticleColumn]
 
     def of_frame(self, frame: int) -> dict[str, NDArray[Any]]:
         """The columns of one frame's particles; empty where the frame was not tracked."""
         if not 0 <= frame < len(self.start) - 1:
-            return {name: column[:0] for name, column in self.columns.items()}
+            return {name: column[0:0] for name, column in self.columns.items()}
         rows = slice(int(self.start[frame]), int(self.start[frame + 1]))
         return {name: column[rows] for name, column in self.columns.items()}
 
@@ -47,6 +58,7 @@ class Run:
         associations: per matched pair the columns frame, track, distance, colour, direction,
             total, margin (total cost of the next best choice less this one's); NaN where a cue was
             not used.
+        parts: `PART_COLUMNS` of a tracker that follows parts; empty from others.
         software: name and version that made it.
         detector: fingerprint of the failure detector, "" where none was used.
     """
@@ -59,5 +71,6 @@ class Run:
     detections: Columns
     particles: Particles
     associations: Columns = field(default_factory=dict)
+    parts: Columns = field(default_factory=dict)
     software: str = ""
     detector: str = ""

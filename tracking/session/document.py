@@ -1,0 +1,435 @@
+"""The document: runs, corrected tracks, labels and the log of edits, safe on disk."""
+
+from __future__ import annotations
+
+import getpass
+import uuid
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from importlib import metadata
+from pathlib import Path
+
+from tracking.editing import Change, Entry, History, apply_change
+from tracking.errors import EditError, OutputError, SessionError
+from tracking.session.image import Snapshot, Stamps, build_image
+from tracking.session.journal import Act, Journal, Step
+from tracking.session.known import KnownRecordings
+from tracking.session.reading import read_session
+from tracking.session.recovery import missing_steps
+from tracking.session.reference import Footage, RecordingReference, locate, refer_to, relative
+from tracking.session.runs import Runs
+from tracking.session.saving import replace_verified
+from tracking.session.store import Store, has_waiting_journal
+from tracking.tracks import Labels, Run, TrackTable
+
+
+@dataclass(frozen=True, slots=True)
+class PendingSave:
+    """A save on its way. `write` may run on any thread, the rest is the session's.
+
+    Attributes:
+        snapshot, path: what to write and where to.
+        content: the session's count of changes that the snapshot holds.
+        store: the right to write there.
+    """
+
+    snapshot: Snapshot
+    path: Path
+    content: int
+    store: Store
+
+    def write(self) -> None:
+        """Build, write and verify the file, and put it in its place.
+
+        Raises OutputError, with the old file whole, where that fails.
+        """
+        replace_verified(self.path, build_image(self.snapshot))
+
+
+class Session:
+    """One recording's tracks as trackers found them and as people put them right.
+
+    Used from one thread; only `PendingSave.write` may run on another. With a path, every edit is
+    in the journal on disk before `apply` returns.
+    """
+
+    def __init__(self, snapshot: Snapshot, path: Path | None, author: str) -> None:
+        """Use `create` or `open`."""
+        self._stamps = snapshot.stamps
+        self._recording = snapshot.recording
+        self._tracks = snapshot.tracks
+        self._adopted = snapshot.adopted
+        self._labels = snapshot.labels
+        self._runs = Runs(snapshot.runs)
+        self._history = History(snapshot.edits)
+        self._path = path
+        self._author = author
+        self._place: Path | None = None
+        self._store: Store | None = None
+        self._notes: list[str] = []
+        self._recovered = 0
+        # What changed is counted; saved says which count the file holds, base which one the
+        # journal builds on.
+        self._content = self._saved = self._base = 0
+
+    # Making and opening
+
+    @classmethod
+    def create(
+        cls,
+        recording: Footage,
+        runs: Sequence[Run] = (),
+        path: Path | None = None,
+        *,
+        author: str | None = None,
+    ) -> Session:
+        """A new session on a recording; with a path it is saved there at once.
+
+        The corrected table begins as the first run's tracks. Without a path nothing is on disk
+        until `save` names one.
+        Raises OutputError where it cannot be saved, SessionError where another program has it.
+        """
+        folder = path.parent if path is not None else recording.path.parent
+        now = _now()
+        stamps = Stamps(_made_up(), "", "", 0, now, now, _software())
+        empty = Snapshot(stamps, refer_to(recording, folder), (), TrackTable(), None, Labels(), ())
+        session = cls(empty, None, _author(author))
+        for run in runs:
+            session.add_run(run)
+        session._place = recording.path
+        if path is not None:
+            session.save(path)
+        return session
+
+    @classmethod
+    def open(cls, path: Path, *, author: str | None = None) -> Session:
+        """Open a session file, with the edits that were made after it was saved last.
+
+        Read-only where another program has it or its folder cannot be written to; `notes` says so,
+        as it does when edits were recovered.
+        Raises SessionError where the file is missing, no session, damaged, hostile or too new.
+        """
+        snapshot = read_session(path)
+        session = cls(snapshot, path, _author(author))
+        try:
+            session._store = Store.claim(path)
+            if session._store.has_journal:
+                session._recover(session._store)
+        except (SessionError, OutputError) as why:
+            session._give_up_writing(str(why))
+        return session
+
+    def close(self, *, discard: bool = False) -> None:
+        """Let go of the file. Edits not saved stay in the journal unless they are discarded."""
+        if self._store is not None:
+            self._store.release(keep_journal=self.dirty and not discard)
+            self._store = None
+
+    # What it holds
+
+    @property
+    def path(self) -> Path | None:
+        """The file; None where it was never saved."""
+        return self._path
+
+    @property
+    def recording(self) -> RecordingReference:
+        """The recording it is about."""
+        return self._recording
+
+    @property
+    def tracks(self) -> TrackTable:
+        """The corrected table; it changes in place, and only by `apply`, `undo` and `redo`."""
+        return self._tracks
+
+    @property
+    def labels(self) -> Labels:
+        """What people said; a frozen value, another one after each edit that touches it."""
+        return self._labels
+
+    @property
+    def runs(self) -> Runs:
+        """What trackers found, by number; never changed by edits."""
+        return self._runs
+
+    @property
+    def adopted_run(self) -> int | None:
+        """The run the corrected table began as."""
+        return self._adopted
+
+    @property
+    def history(self) -> History:
+        """The log of edits."""
+        return self._history
+
+    @property
+    def created(self) -> str:
+        """When it was made: UTC, ISO 8601."""
+        return self._stamps.created
+
+    @property
+    def modified(self) -> str:
+        """When it was saved last: UTC, ISO 8601."""
+        return self._stamps.modified
+
+    @property
+    def dirty(self) -> bool:
+        """Whether the session file misses something (the journal misses no edit)."""
+        return self._content != self._saved
+
+    @property
+    def read_only(self) -> bool:
+        """Whether another program has it, or its folder cannot be written to."""
+        return self._path is not None and self._store is None
+
+    @property
+    def recovered(self) -> int:
+        """How many steps made after the last save were taken from the journal on opening."""
+        return self._recovered
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should be told of opening, a line each."""
+        return tuple(self._notes)
+
+    # Changing
+
+    def apply(self, change: Change) -> Entry:
+        """Make an edit; it is on disk when this returns.
+
+        Raises EditError where it does not apply, OutputError where it cannot be put on disk
+        (nothing is changed then), SessionError for a session open for reading only.
+        """
+        entry = self._history.draft(change, _now(), self._author)
+        self._do("apply", entry, change)
+        self._history.add(entry)
+        return entry
+
+    def undo(self) -> Entry:
+        """Take the last edit back. Raises EditError where there is none, and as `apply`."""
+        entry = self._history.next_undo
+        if entry is not None:
+            self._do("undo", entry, entry.change.inverse)
+        return self._history.mark_undone()
+
+    def redo(self) -> Entry:
+        """Make the edit taken back last again. Raises EditError where there is none."""
+        entry = self._history.next_redo
+        if entry is not None:
+            self._do("redo", entry, entry.change)
+        return self._history.mark_redone()
+
+    def add_run(self, run: Run, *, adopt: bool = True) -> int:
+        """Add a tracker's result; gives its number.
+
+        With adopt, and as long as nobody has edited anything, the corrected table becomes the
+        run's tracks. The run is on disk after the next `save`; the next edit sees to that itself.
+        Raises EditError where the run's tracks are no table.
+        """
+        self._refuse_read_only()
+        adopts = adopt and not len(self._history)
+        table = TrackTable(run.tracks, highest_track=self._tracks.highest_track) if adopts else None
+        number = self._runs.add(run)
+        if table is not None:
+            self._tracks, self._adopted = table, number
+        self._content += 1
+        self._base = self._content
+        return number
+
+    def _do(self, act: Act, entry: Entry, change: Change) -> None:
+        """Validate and apply, then journal; where the journal fails, take it back."""
+        self._refuse_read_only()
+        if self._store is not None and self._saved < self._base:
+            self.save()  # the journal must build on a file that holds what is edited
+        labels = apply_change(self._tracks, self._labels, change)
+        if self._store is not None:
+            try:
+                self._journal(self._store).append(act, entry)
+            except BaseException:
+                apply_change(self._tracks, labels, change.inverse)
+                raise
+        self._labels = labels
+        self._content += 1
+
+    def _journal(self, store: Store) -> Journal:
+        journal = store.journal()
+        if journal.origin is None:
+            journal.start_over(self._stamps.session, self._stamps.save)
+        return journal
+
+    def _refuse_read_only(self) -> None:
+        if self.read_only:
+            raise SessionError(f"{self._path} is open for reading only; save it under another name")
+
+    # Recovering
+
+    def _recover(self, store: Store) -> None:
+        """Make the edits again that the file misses, and say so."""
+        try:
+            journal = store.journal()
+            steps = missing_steps(journal, self._stamps)
+        except SessionError as why:
+            self._notes.append(f"{why}; it was kept aside as {store.set_journal_aside()}")
+            return
+        made = 0
+        try:
+            for step in steps:
+                self._replay(step)
+                made += 1
+        except EditError as why:
+            aside = store.set_journal_aside()
+            self._notes.append(f"{len(steps) - made} edits do not fit ({why}); kept as {aside}")
+            journal = self._journal(store)
+            for step in steps[:made]:
+                journal.append(step.act, step.entry)
+        else:
+            last = steps[0].number - 1 if steps else journal.last
+            journal.start_over(self._stamps.session, self._stamps.save, last)
+        self._recovered = self._content = made
+        if made:
+            self._notes.append(f"recovered: {made} edits made after the session was saved last")
+
+    def _replay(self, step: Step) -> None:
+        known: Entry | None = step.entry
+        if step.act == "undo":
+            known = self._history.next_undo
+        elif step.act == "redo":
+            known = self._history.next_redo
+        if known is None or known.id != step.entry.id:
+            raise EditError(f"step {step.number} of the journal is about another edit")
+        change = known.change.inverse if step.act == "undo" else known.change
+        self._labels = apply_change(self._tracks, self._labels, change)
+        if step.act == "apply":
+            self._history.add(known)
+        elif step.act == "undo":
+            self._history.mark_undone()
+        else:
+            self._history.mark_redone()
+
+    def _give_up_writing(self, why: str) -> None:
+        """Stay open for reading only."""
+        if self._store is not None:
+            self._store.release(keep_journal=True)
+            self._store = None
+        self._notes.append(f"open for reading only: {why}")
+        if not self._recovered and self._path is not None and has_waiting_journal(self._path):
+            self._notes.append("edits made after it was saved last are not shown here")
+
+    # Saving
+
+    def save(self, path: Path | None = None) -> Path:
+        """Save, there or under its own name; afterwards this is the session of that file.
+
+        Raises OutputError, with the old file byte for byte as it was, where that fails;
+        SessionError where another program has the file or no path was ever named.
+        """
+        pending = self.begin_save(path)
+        try:
+            pending.write()
+        except BaseException:
+            self.abandon_save(pending)
+            raise
+        return self.finish_save(pending)
+
+    def begin_save(self, path: Path | None = None) -> PendingSave:
+        """The first of three steps of `save`: quick. `write` of what it gives may take long."""
+        target = path if path is not None else self._path
+        if target is None:
+            raise SessionError("the session has no file yet; name one to save it in")
+        own = self._path is not None and target.resolve() == self._path.resolve()
+        if own:
+            self._refuse_read_only()
+        store = self._store if own and self._store is not None else Store.claim(target)
+        stamps = replace(
+            self._stamps,
+            save=_made_up(),
+            previous_save=self._stamps.save if own else "",
+            included=store.journal().last if own and store.has_journal else 0,
+            modified=_now(),
+            software=_software(),
+        )
+        snapshot = Snapshot(
+            stamps=stamps,
+            recording=self._recording_seen_from(target.parent),
+            runs=self._runs.held(),
+            tracks=self._tracks.snapshot(),
+            adopted=self._adopted,
+            labels=self._labels,
+            edits=self._history.entries,
+        )
+        return PendingSave(snapshot, target, self._content, store)
+
+    def finish_save(self, pending: PendingSave) -> Path:
+        """The last step, after `write`: from now on the journal builds on the new file."""
+        stamps, own = pending.snapshot.stamps, pending.store is self._store
+        if pending.store.has_journal:
+            journal = pending.store.journal()
+            included = stamps.included if own else journal.last
+            journal.start_over(stamps.session, stamps.save, included)
+        if self._store is not None and not own:
+            self._store.release(keep_journal=False)
+        self._store, self._path = pending.store, pending.path
+        self._stamps, self._recording = stamps, pending.snapshot.recording
+        self._runs.stored_in(pending.path, len(pending.snapshot.runs))
+        self._saved = pending.content
+        if self.dirty and not own:
+            self.save()  # edits made meanwhile are in no journal of this file
+        return pending.path
+
+    def abandon_save(self, pending: PendingSave) -> None:
+        """Instead of `finish_save`, where `write` failed or was not called."""
+        if pending.store is not self._store:
+            pending.store.release(keep_journal=True)
+
+    # The recording
+
+    def locate_recording(
+        self,
+        search: Sequence[Path] = (),
+        known: KnownRecordings | None = None,
+        *,
+        allow_outside: bool = False,
+    ) -> Path:
+        """Where the recording stands now; see `locate` for where it is looked for.
+
+        What is found is remembered in known, and in the session file when it is saved next.
+        Raises RecordingMissing, which says where it was and how to name its place.
+        """
+        if self._place is None or search:
+            remembered = None if known is None else known.find(self._recording)
+            folder = Path() if self._path is None else self._path.parent
+            self._place = locate(
+                self._recording, folder, search, remembered, allow_outside=allow_outside
+            )
+        if known is not None:
+            known.remember(self._recording, self._place)
+        return self._place
+
+    def _recording_seen_from(self, folder: Path) -> RecordingReference:
+        place = self._place
+        if place is None and self._path is not None:
+            place = self._path.parent / self._recording.path
+        path = self._recording.path if place is None else relative(place, folder)
+        return replace(self._recording, path=path)
+
+
+def _now() -> str:
+    return datetime.now(UTC).isoformat(timespec="milliseconds")
+
+
+def _made_up() -> str:
+    return uuid.uuid4().hex
+
+
+def _software() -> str:
+    return f"trackwright {metadata.version('trackwright')}"
+
+
+def _author(named: str | None) -> str:
+    if named is not None:
+        return named
+    try:
+        return getpass.getuser()
+    except (OSError, KeyError):  # an account without a name
+        return ""

@@ -1,0 +1,54 @@
+"""Reading parts of an HDF5 file that was checked, with one kind of error."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import SessionError
+from tracking.session.layout import TEXT, Types
+
+
+@contextmanager
+def opened(path: Path) -> Iterator[h5py.File]:
+    """The file, open for reading only; whatever fails inside is a SessionError."""
+    try:
+        with h5py.File(path, "r", locking=False) as file:
+            yield file
+    except (OSError, KeyError, ValueError, TypeError, RuntimeError, AttributeError) as why:
+        reason = " ".join(str(why).split())
+        raise SessionError(f"{path}: the session file is damaged or cut short ({reason})") from why
+
+
+def read_columns(group: h5py.Group, types: Types) -> dict[str, Any]:
+    """All columns of a table, numbers as arrays, text as lists."""
+    return {
+        name: read_text(group[name]) if dtype == TEXT else _read_numbers(group[name], dtype)
+        for name, dtype in types.items()
+    }
+
+
+def read_text(dataset: h5py.Dataset) -> list[str]:
+    """A column of text."""
+    return [str(text) for text in dataset.asstr(errors="replace")[()]]
+
+
+def text_attribute(node: h5py.Group, name: str) -> str:
+    """An attribute that is text."""
+    value = node.attrs[name]
+    if not isinstance(value, str):
+        raise ValueError(f"attribute {name} of {node.name} is not text")
+    return value
+
+
+def _read_numbers(dataset: h5py.Dataset, dtype: np.dtype[Any]) -> NDArray[Any]:
+    values = np.empty(dataset.shape, dtype)
+    if values.size:
+        dataset.read_direct(values)
+    return values

@@ -1,0 +1,117 @@
+"""Edits on disk before they are acknowledged: an SQLite journal beside the session."""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from tracking.editing import Entry
+from tracking.errors import OutputError, SessionError
+
+Act = Literal["apply", "undo", "redo"]
+_TABLES = """
+CREATE TABLE IF NOT EXISTS origin (session TEXT NOT NULL, save TEXT NOT NULL);
+CREATE TABLE IF NOT EXISTS steps (
+    number INTEGER PRIMARY KEY, act TEXT NOT NULL, edit INTEGER NOT NULL, time TEXT NOT NULL,
+    author TEXT NOT NULL, kind TEXT NOT NULL, text TEXT NOT NULL, frame INTEGER NOT NULL,
+    before TEXT NOT NULL, after TEXT NOT NULL);
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One line of the journal.
+
+    Attributes:
+        number: from 1, counted since the save the journal builds on.
+        act: what was done: an edit applied, or one undone or redone.
+        entry: the edit; for undo and redo only its id counts.
+    """
+
+    number: int
+    act: Act
+    entry: Entry
+
+
+class Journal:
+    """The steps since the save it builds on, in order. One connection, one program."""
+
+    def __init__(self, path: Path) -> None:
+        """Open or make it. Raises OutputError where that fails, SessionError where it is none."""
+        self._path = path
+        with _telling(path, "opened"):
+            self._base = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
+            self._base.execute("PRAGMA journal_mode=WAL")
+            self._base.execute("PRAGMA synchronous=FULL")
+            self._base.executescript(_TABLES)
+            last = self._base.execute("SELECT max(number) FROM steps").fetchone()[0]
+        self._last = int(last or 0)
+
+    @property
+    def last(self) -> int:
+        """The number of the last step; 0 where there is none."""
+        return self._last
+
+    @property
+    def origin(self) -> tuple[str, str] | None:
+        """The session and the save it builds on; None for a new journal."""
+        with _telling(self._path, "read"):
+            row = self._base.execute("SELECT session, save FROM origin").fetchone()
+        return None if row is None else (str(row[0]), str(row[1]))
+
+    def steps(self) -> Iterator[Step]:
+        """All steps in order. Raises SessionError where a line is not what it should be."""
+        with _telling(self._path, "read"):
+            rows = self._base.execute("SELECT * FROM steps ORDER BY number").fetchall()
+        for number, act, edit, time, author, kind, text, frame, before, after in rows:
+            if act not in ("apply", "undo", "redo"):
+                raise SessionError(f"{self._path}: step {number} of the journal is {act!r}")
+            entry = Entry(edit, time, author, kind, text, frame, before, after)
+            yield Step(number, act, entry)
+
+    def append(self, act: Act, entry: Entry) -> None:
+        """Write a step; it is on disk when this returns. Raises OutputError where it is not."""
+        applied = act == "apply"
+        row = (
+            *(self._last + 1, act, entry.id, entry.time, entry.author, entry.kind),
+            *(entry.text, entry.frame),
+            *((entry.before, entry.after) if applied else ("", "")),
+        )
+        marks = ", ".join("?" * len(row))
+        with _telling(self._path, "written"):
+            # Replace: a step that failed may be on disk all the same; it was never acknowledged.
+            self._base.execute(f"INSERT OR REPLACE INTO steps VALUES ({marks})", row)
+        self._last += 1
+
+    def start_over(self, session: str, save: str, included: int = 0) -> None:
+        """Build on another save, which has taken in the steps up to this number."""
+        with _telling(self._path, "written"):
+            with self._base:  # commits, or rolls back where a line fails
+                self._base.execute("BEGIN IMMEDIATE")
+                self._base.execute("DELETE FROM steps WHERE number <= ?", (included,))
+                self._base.execute("UPDATE steps SET number = number - ?", (included,))
+                self._base.execute("DELETE FROM origin")
+                self._base.execute("INSERT INTO origin VALUES (?, ?)", (session, save))
+            self._base.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        self._last = max(0, self._last - included)
+
+    def close(self) -> None:
+        """Let go of the file."""
+        self._base.close()
+
+
+@contextmanager
+def _telling(path: Path, what: str) -> Iterator[None]:
+    try:
+        yield
+    except (sqlite3.OperationalError, OSError) as why:
+        raise OutputError(
+            f"{path}: the journal of edits cannot be {what} ({why}); "
+            "make room or choose a folder you may write to"
+        ) from why
+    except sqlite3.DatabaseError as why:
+        raise SessionError(f"{path}: this is no journal of edits ({why})") from why

@@ -1,0 +1,55 @@
+"""Where this user had recordings last: the user's own knowledge, not a session file's word."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+from tracking.session.reference import RecordingReference
+
+_MOST = 2000
+_LARGEST_FILE = 4 << 20
+
+
+class KnownRecordings:
+    """A small file in the user's own folder: fingerprint of a recording -> where it stood.
+
+    It only saves the user a question. A file that is damaged or cannot be written is as good as
+    none, and nobody is bothered with it.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        """The folder is the program's own, e.g. `platformdirs.user_data_path("trackwright")`."""
+        self._file = folder / "recordings.json"
+
+    def find(self, reference: RecordingReference) -> Path | None:
+        """Where the recording stood when it was last used, or None; it may have moved since."""
+        place = self._read().get(reference.key)
+        return None if place is None else Path(place)
+
+    def remember(self, reference: RecordingReference, place: Path) -> None:
+        """Note where the recording stands."""
+        places = dict(self._read())
+        places.pop(reference.key, None)
+        places[reference.key] = str(place.resolve())
+        text = json.dumps(dict(list(places.items())[-_MOST:]), indent=1)
+        beside = self._file.with_suffix(f".{os.getpid()}.tmp")
+        try:
+            self._file.parent.mkdir(parents=True, exist_ok=True)
+            beside.write_text(text, encoding="utf-8")
+            beside.replace(self._file)
+        except OSError:
+            beside.unlink(missing_ok=True)
+
+    def _read(self) -> Mapping[str, str]:
+        try:
+            if self._file.stat().st_size > _LARGEST_FILE:
+                return {}
+            places = json.loads(self._file.read_text(encoding="utf-8"))
+        except (OSError, ValueError, RecursionError):
+            return {}
+        if not isinstance(places, dict):
+            return {}
+        return {str(key): place for key, place in places.items() if isinstance(place, str)}

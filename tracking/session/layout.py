@@ -1,0 +1,84 @@
+"""The session file's layout: names, column types, version. One definition to write and to read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from tracking.tracks import (
+    ASSOCIATION_COLUMNS,
+    CORRECTED_COLUMNS,
+    DETECTION_COLUMNS,
+    PART_COLUMNS,
+    PARTICLE_COLUMNS,
+    TRACK_COLUMNS,
+)
+
+FORMAT = "trackwright-session"
+VERSION = (1, 0)
+"""Major: older programs cannot read it. Minor: they can, and miss something."""
+
+CHUNK_ROWS = 65_536
+
+Types = Mapping[str, np.dtype[Any]]
+
+
+def _types(**columns: type) -> Types:
+    return MappingProxyType({name: np.dtype(kind) for name, kind in columns.items()})
+
+
+TEXT = np.dtype(object)
+"""Stands for a column of text: UTF-8 of any length."""
+
+EDIT_COLUMNS: Types = MappingProxyType(
+    {
+        "id": np.dtype(np.int64),
+        "time": TEXT,  # UTC, ISO 8601
+        "author": TEXT,
+        "kind": TEXT,
+        "text": TEXT,
+        "frame": np.dtype(np.int64),
+        "before": TEXT,  # JSON, see tracking.editing.text
+        "after": TEXT,
+        "undone": np.dtype(np.bool_),
+        "abandoned": np.dtype(np.bool_),  # undone and not to be redone
+    }
+)
+TRACK_LABEL_COLUMNS: Types = MappingProxyType(
+    {"track": np.dtype(np.int64), "name": TEXT, "attributes": TEXT, "notes": TEXT}
+)
+PART_LABEL_COLUMNS: Types = _types(frame=np.int32, track=np.int32, part=np.uint8, on_part=np.bool_)
+OCCLUDER_COLUMNS: Types = MappingProxyType({"name": TEXT, "polygon": TEXT})
+REVIEWED_COLUMNS: Types = _types(track=np.int64, start=np.int64, end=np.int64)
+SOURCE_COLUMNS: Types = MappingProxyType(
+    {"source": TEXT, "size_bytes": np.dtype(np.int64), "sha256": TEXT}
+)
+TRAJECTORY_TYPE = np.dtype(
+    [("id", np.int32), ("frame", np.int32), ("x", np.float64), ("y", np.float64), ("z", np.float64)]
+)
+
+TABLES: Mapping[str, Types] = MappingProxyType(
+    {
+        "recording/sources": SOURCE_COLUMNS,
+        "tracks": CORRECTED_COLUMNS,
+        "labels": TRACK_LABEL_COLUMNS,
+        "labels/parts": PART_LABEL_COLUMNS,
+        "labels/occluders": OCCLUDER_COLUMNS,
+        "labels/reviewed": REVIEWED_COLUMNS,
+        "edits": EDIT_COLUMNS,
+    }
+)
+"""Columns of every table, by group; those of a run are in `RUN_TABLES`."""
+
+RUN_TABLES: Mapping[str, Types] = MappingProxyType(
+    {
+        "tracks": TRACK_COLUMNS,
+        "detections": DETECTION_COLUMNS,
+        "particles": PARTICLE_COLUMNS,
+        "associations": ASSOCIATION_COLUMNS,
+        "parts": PART_COLUMNS,
+    }
+)

@@ -1,0 +1,82 @@
+"""One program at a time writes a session: a lock that ends with the program that holds it."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import sys
+from pathlib import Path
+
+
+class SessionLock:
+    """A lock file held by the operating system, so that a program that dies leaves none behind.
+
+    The file says who holds it, for the message to whoever comes second.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """The path of the lock file; its folder exists."""
+        self._path = path
+        self._handle: int | None = None
+
+    def acquire(self) -> bool:
+        """Take the lock; False where another program (or this one, once more) holds it.
+
+        Raises OSError where the file cannot be written.
+        """
+        handle = os.open(self._path, os.O_RDWR | os.O_CREAT, 0o644)
+        if not _lock(handle):
+            os.close(handle)
+            return False
+        if os.fstat(handle).st_nlink == 0:  # its holder just let go and took the name with it
+            os.close(handle)
+            return self.acquire()
+        os.ftruncate(handle, 0)
+        # The first byte is the one that is locked; others must be able to read what follows.
+        holder = json.dumps({"process": os.getpid(), "computer": platform.node()})
+        os.write(handle, b" " + holder.encode())
+        self._handle = handle
+        return True
+
+    def holder(self) -> str:
+        """Who holds the lock, in words."""
+        try:
+            with self._path.open("rb") as file:
+                file.seek(1)
+                said = json.loads(file.read(4096))
+            return f"process {int(said['process'])} on {str(said['computer'])[:80]}"
+        except (OSError, ValueError, KeyError, TypeError):
+            return "another program"
+
+    def release(self) -> None:
+        """Give the lock back and take its file away."""
+        if self._handle is None:
+            return
+        if sys.platform != "win32":  # there, an open file cannot be deleted
+            self._path.unlink(missing_ok=True)
+        os.close(self._handle)
+        self._handle = None
+        if sys.platform == "win32":
+            self._path.unlink(missing_ok=True)
+
+
+if sys.platform == "win32":
+    import msvcrt
+
+    def _lock(handle: int) -> bool:
+        try:
+            msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
+        except OSError:
+            return False
+        return True
+
+else:
+    import fcntl
+
+    def _lock(handle: int) -> bool:
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        return True

@@ -1,0 +1,172 @@
+"""A session file, checked and read."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import h5py
+
+from tracking.editing import Entry, History
+from tracking.errors import EditError, SessionError
+from tracking.session import inspection
+from tracking.session.hdf5 import opened, read_columns, text_attribute
+from tracking.session.image import Snapshot, Stamps
+from tracking.session.layout import (
+    EDIT_COLUMNS,
+    OCCLUDER_COLUMNS,
+    REVIEWED_COLUMNS,
+    SOURCE_COLUMNS,
+    TRACK_LABEL_COLUMNS,
+)
+from tracking.session.reference import RecordingReference, SourceFingerprint
+from tracking.session.runs import StoredRun
+from tracking.tracks import (
+    CORRECTED_COLUMNS,
+    Labels,
+    Occluder,
+    ReviewedRange,
+    TrackLabel,
+    TrackTable,
+)
+
+
+def read_session(path: Path) -> Snapshot:
+    """What a session file says; runs stay in it until they are looked at.
+
+    Raises SessionError where it is missing, no session, damaged, hostile or too new.
+    """
+    version = check_file(path)
+    with opened(path) as file:
+        return _READERS[version[0]](file, path)
+
+
+def check_file(path: Path) -> tuple[int, int]:
+    """Have the file looked over by a program of its own; gives its format version.
+
+    Raises SessionError with the verdict where it is not safe to read.
+    """
+    if path.is_dir():
+        raise SessionError(f"{path}: this is a folder; name a session file")
+    if not path.is_file():
+        raise SessionError(f"{path}: there is no such session")
+    try:
+        done = subprocess.run(
+            [sys.executable, "-P", inspection.__file__, str(path.resolve())],
+            env={**os.environ, "PYTHONPATH": _search_path(), "OPENBLAS_NUM_THREADS": "1"},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=inspection.SECONDS * 2,
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+            check=False,
+        )
+        verdict = json.loads(done.stdout)
+    except (subprocess.TimeoutExpired, ValueError):
+        raise SessionError(
+            f"{path}: the session file is damaged: it cannot be read safely"
+        ) from None
+    if "refused" in verdict:
+        raise SessionError(f"{path} {verdict['refused']}")
+    major, minor = verdict["version"]
+    return int(major), int(minor)
+
+
+def _search_path() -> str:
+    """Where the other program finds this package, whatever folder it is started in."""
+    root = str(Path(__file__).parents[2])
+    return os.pathsep.join(filter(None, [root, os.environ.get("PYTHONPATH", "")]))
+
+
+def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
+    tracks = file["tracks"]
+    try:
+        table = TrackTable(
+            read_columns(tracks, CORRECTED_COLUMNS),
+            highest_track=int(tracks.attrs["highest_track"]),
+        )
+        edits = read_edits(file)
+        History(edits)
+    except EditError as why:
+        raise SessionError(f"{path}: the session file is damaged: {why}") from why
+    adopted = int(tracks.attrs["run"])
+    return Snapshot(
+        stamps=_read_stamps(file),
+        recording=read_recording(file["recording"]),
+        runs=tuple(StoredRun(path, number) for number in range(len(file["runs"]))),
+        tracks=table,
+        adopted=None if adopted < 0 else adopted,
+        labels=_read_labels(file["labels"]),
+        edits=edits,
+    )
+
+
+_READERS = {1: _read_version_1}
+"""By major version: a file of an older one is brought up to date by its own reader."""
+
+
+def read_edits(file: h5py.File) -> tuple[Entry, ...]:
+    """The log."""
+    columns = read_columns(file["edits"], EDIT_COLUMNS)
+    lists = [
+        column if isinstance(column, list) else column.tolist()
+        for column in (columns[name] for name in EDIT_COLUMNS)
+    ]
+    rows = zip(*lists, strict=True)
+    return tuple(Entry(**dict(zip(EDIT_COLUMNS, row, strict=True))) for row in rows)
+
+
+def read_recording(group: h5py.Group) -> RecordingReference:
+    """The reference to the recording."""
+    sources = read_columns(group["sources"], SOURCE_COLUMNS)
+    rows = zip(sources["source"], sources["size_bytes"].tolist(), sources["sha256"], strict=True)
+    return RecordingReference(
+        name=text_attribute(group, "name"),
+        path=text_attribute(group, "path"),
+        fps=float(group.attrs["fps"]),
+        frame_count=int(group.attrs["frame_count"]),
+        size=(int(group.attrs["width"]), int(group.attrs["height"])),
+        is_stereo=bool(group.attrs["stereo"]),
+        manifest=str(group["manifest"].asstr(errors="replace")[()]),
+        calibration=str(group["calibration"].asstr(errors="replace")[()]),
+        sources=tuple(SourceFingerprint(*row) for row in rows),
+    )
+
+
+def _read_stamps(file: h5py.File) -> Stamps:
+    names = ("session", "save", "previous_save", "created", "modified", "software")
+    said = {name: text_attribute(file, name) for name in names}
+    return Stamps(**said, included=int(file.attrs["included_steps"]))
+
+
+def _read_labels(group: h5py.Group) -> Labels:
+    columns = read_columns(group, TRACK_LABEL_COLUMNS)
+    tracks = {}
+    for track, name, fields, notes in zip(
+        *(columns["track"].tolist(), columns["name"], columns["attributes"], columns["notes"]),
+        strict=True,
+    ):
+        attributes = {str(key): str(value) for key, value in json.loads(fields).items()}
+        tracks[track] = TrackLabel(name, attributes, notes)
+    return Labels(
+        dict(sorted(tracks.items())),
+        _read_occluders(group["occluders"]),
+        _read_reviewed(group["reviewed"]),
+    )
+
+
+def _read_occluders(group: h5py.Group) -> tuple[Occluder, ...]:
+    columns = read_columns(group, OCCLUDER_COLUMNS)
+    return tuple(
+        Occluder(name, tuple((float(u), float(v)) for u, v in json.loads(polygon)))
+        for name, polygon in zip(columns["name"], columns["polygon"], strict=True)
+    )
+
+
+def _read_reviewed(group: h5py.Group) -> tuple[ReviewedRange, ...]:
+    columns = read_columns(group, REVIEWED_COLUMNS)
+    rows: Sequence[Sequence[int]] = [columns[name].tolist() for name in REVIEWED_COLUMNS]
+    return tuple(ReviewedRange(*row) for row in zip(*rows, strict=True))

@@ -1,0 +1,180 @@
+"""Runs that stay in the session file until somebody looks at them."""
+
+from __future__ import annotations
+
+import json
+from collections import OrderedDict
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, overload
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import SessionError
+from tracking.session.hdf5 import opened, read_columns, text_attribute
+from tracking.session.layout import CHUNK_ROWS, RUN_TABLES
+from tracking.tracks import PARTICLE_COLUMNS, Particles, Run
+
+_BLOCKS_KEPT = 16
+
+
+@dataclass(frozen=True, slots=True)
+class StoredRun:
+    """A run in a session file that was checked.
+
+    Attributes:
+        path: the file; it may be replaced by a later save, which holds the same runs.
+        number: of the run.
+    """
+
+    path: Path
+    number: int
+
+    def load(self) -> Run:
+        """Tracks, detections and associations in memory, particles as they are asked for."""
+        with opened(self.path) as file:
+            group = file[f"runs/{self.number}"]
+            tables = {
+                name: read_columns(group[name], types)
+                for name, types in RUN_TABLES.items()
+                if name in group and name != "particles"
+            }
+            first, stop = (int(frame) for frame in group.attrs["frames"])
+            return Run(
+                tracker=text_attribute(group, "tracker"),
+                settings=json.loads(text_attribute(group, "settings")),
+                seed=int(group.attrs["seed"]),
+                frames=(first, stop),
+                tracks=tables["tracks"],
+                detections=tables["detections"],
+                particles=self._particles(group["particles"]),
+                associations=tables.get("associations", {}),
+                parts=tables.get("parts", {}),
+                software=text_attribute(group, "software"),
+                detector=text_attribute(group, "detector"),
+            )
+
+    def copy_into(self, parent: h5py.Group, name: str) -> None:
+        """Copy the run as it is, compressed bytes and all, into another file."""
+        with opened(self.path) as file:
+            file.copy(f"runs/{self.number}", parent, name)
+
+    def _particles(self, group: h5py.Group) -> Particles:
+        start = group["start"][()]
+        rows = len(group["track"])
+        if not len(start) or start[0] != 0 or start[-1] != rows or bool((np.diff(start) < 0).any()):
+            raise SessionError(
+                f"{self.path}: the particles of run {self.number} are not one frame's after "
+                "another's; the file is damaged"
+            )
+        name = f"runs/{self.number}/particles"
+        return Particles(
+            start,
+            {
+                column: StoredColumn(self.path, f"{name}/{column}", rows, dtype)
+                for column, dtype in PARTICLE_COLUMNS.items()
+            },
+        )
+
+
+class StoredColumn:
+    """A column in a file, read block by block and kept for a while.
+
+    The file is open only while a block is read: an open file cannot be replaced everywhere.
+    """
+
+    def __init__(self, path: Path, dataset: str, length: int, dtype: np.dtype[Any]) -> None:
+        """A dataset of that length and type."""
+        self._path, self._dataset = path, dataset
+        self._length, self._dtype = length, dtype
+        self._blocks: OrderedDict[int, NDArray[Any]] = OrderedDict()
+
+    def __len__(self) -> int:
+        """The number of rows."""
+        return self._length
+
+    def __getitem__(self, rows: slice) -> NDArray[Any]:
+        """A stretch of rows, read-only."""
+        start, stop, _ = slice(rows.start, rows.stop).indices(self._length)
+        if stop <= start:
+            return np.zeros(0, self._dtype)
+        numbers = range(start // CHUNK_ROWS, (stop - 1) // CHUNK_ROWS + 1)
+        parts = [self._block(number) for number in numbers]
+        whole = parts[0] if len(parts) == 1 else np.concatenate(parts)
+        first = numbers[0] * CHUNK_ROWS
+        return whole[start - first : stop - first]
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """The whole column."""
+        with opened(self._path) as file:
+            return np.asarray(file[self._dataset][()], dtype)
+
+    def _block(self, number: int) -> NDArray[Any]:
+        if number in self._blocks:
+            self._blocks.move_to_end(number)
+            return self._blocks[number]
+        with opened(self._path) as file:
+            block: NDArray[Any] = file[self._dataset][
+                number * CHUNK_ROWS : (number + 1) * CHUNK_ROWS
+            ]
+        self._blocks[number] = block
+        if len(self._blocks) > _BLOCKS_KEPT:
+            self._blocks.popitem(last=False)
+        return block
+
+
+class Runs(Sequence[Run]):
+    """The runs of a session, each loaded when first looked at."""
+
+    def __init__(self, runs: Sequence[Run | StoredRun] = ()) -> None:
+        """Runs in memory or in a file, by number."""
+        self._held = list(runs)
+        self._loaded: dict[int, Run] = {}
+
+    def __len__(self) -> int:
+        """How many there are."""
+        return len(self._held)
+
+    @overload
+    def __getitem__(self, number: int) -> Run: ...
+
+    @overload
+    def __getitem__(self, number: slice) -> Sequence[Run]: ...
+
+    def __getitem__(self, number: int | slice) -> Run | Sequence[Run]:
+        """A run by its number."""
+        if isinstance(number, slice):
+            return [self[at] for at in range(len(self))[number]]
+        place = range(len(self))[number]
+        held = self._held[place]
+        if isinstance(held, Run):
+            return held
+        if place not in self._loaded:
+            self._loaded[place] = held.load()
+        return self._loaded[place]
+
+    def __iter__(self) -> Iterator[Run]:
+        """All runs in order."""
+        return (self[number] for number in range(len(self)))
+
+    def add(self, run: Run) -> int:
+        """Add a run; gives its number."""
+        self._held.append(run)
+        return len(self._held) - 1
+
+    def held(self) -> tuple[Run | StoredRun, ...]:
+        """The runs as they are held, without loading any."""
+        return tuple(self._held)
+
+    def stored_in(self, path: Path, count: int) -> None:
+        """Note that the first so many now stand in a file; what is loaded stays loaded."""
+        for number in range(count):
+            held = self._held[number]
+            if isinstance(held, Run):
+                self._loaded[number] = held
+            elif held.path != path:
+                self._loaded.pop(number, None)
+            self._held[number] = StoredRun(path, number)

@@ -1,0 +1,132 @@
+"""A session file is never edited: a new one is written beside it, verified, and takes its place."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import shutil
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from tracking.errors import OutputError
+
+GENERATIONS = 5
+_PIECE = 8 << 20
+
+
+def companions(path: Path) -> Path:
+    """The folder beside a session that holds its lock, journal and older generations."""
+    return path.with_name(f".{path.name}.trackwright")
+
+
+def generations(path: Path) -> tuple[Path, ...]:
+    """The older generations of a session that are kept, the newest first."""
+    kept = (_generation(path, age) for age in range(1, GENERATIONS + 1))
+    return tuple(file for file in kept if file.is_file())
+
+
+def replace_verified(path: Path, image: memoryview) -> None:
+    """Put the image in the session's place; the file that was there becomes a generation.
+
+    At every moment a whole file stands under the name: the old one until the new one is on the
+    disk and read back equal. Raises OutputError, with the old file untouched.
+    """
+    folder = companions(path)
+    beside = folder / f"saving-{os.getpid()}.h5"
+    with telling_where(path):
+        try:
+            _write(beside, image)
+            _verify(beside, image)
+            _keep_generation(path)
+            os.replace(beside, path)  # noqa: PTH105 - says that it is atomic
+        finally:
+            with contextlib.suppress(OSError):
+                beside.unlink(missing_ok=True)
+        _sync_folder(folder)
+        _sync_folder(path.parent)
+
+
+def clear_leftovers(path: Path) -> None:
+    """Take away what a save that was cut short left beside the session."""
+    for file in companions(path).glob("saving-*.h5"):
+        with contextlib.suppress(OSError):
+            file.unlink()
+
+
+@contextlib.contextmanager
+def telling_where(path: Path, failed: str = "the session was not saved") -> Iterator[None]:
+    """Turn what the system says about a file into one line a user can act on."""
+    try:
+        yield
+    except OSError as why:
+        reason = {
+            errno.ENOSPC: "no space is left on the disk; make room",
+            errno.EDQUOT: "your share of the disk is used up; make room",
+            errno.EFBIG: "it would be larger than a file may be here; choose another disk",
+            errno.EACCES: "you may not write there; choose another folder",
+            errno.EPERM: "you may not write there; choose another folder",
+            errno.EROFS: "the disk is read-only; choose another folder",
+            errno.ENOENT: "its folder does not exist; choose another",
+        }.get(why.errno or 0, f"{why.strerror or why}; try another place")
+        raise OutputError(f"{path}: {failed}: {reason}") from why
+
+
+def _write(file: Path, image: memoryview) -> None:
+    handle = os.open(
+        file, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | getattr(os, "O_BINARY", 0), 0o644
+    )
+    try:
+        at = 0
+        while at < len(image):
+            at += os.write(handle, image[at : at + _PIECE])
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _verify(file: Path, image: memoryview) -> None:
+    """Read the file back: what the disk holds must be what was meant."""
+    at = 0
+    with file.open("rb", buffering=0) as written:
+        while piece := written.read(_PIECE):
+            if piece != image[at : at + len(piece)]:
+                raise OSError(errno.EIO, "what was written reads back otherwise; check the disk")
+            at += len(piece)
+    if at != len(image):
+        raise OSError(errno.EIO, "what was written reads back shorter; check the disk")
+
+
+def _keep_generation(path: Path) -> None:
+    """Give the present file a second name, as the newest generation; drop the oldest."""
+    if not path.exists():
+        return
+    for age in range(GENERATIONS - 1, 0, -1):
+        if _generation(path, age).exists():
+            _generation(path, age).replace(_generation(path, age + 1))
+    newest = _generation(path, 1)
+    try:
+        os.link(path, newest)
+    except OSError:  # a disk without second names
+        unfinished = newest.with_suffix(".tmp")
+        try:
+            shutil.copyfile(path, unfinished)
+            unfinished.replace(newest)
+        finally:
+            unfinished.unlink(missing_ok=True)
+
+
+def _generation(path: Path, age: int) -> Path:
+    return companions(path) / f"{path.stem}.{age}{path.suffix}"
+
+
+def _sync_folder(folder: Path) -> None:
+    """Make a folder's new names last through a power cut; Windows does so by itself."""
+    if sys.platform == "win32":
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
