@@ -9,7 +9,7 @@ from tracking.filtering import scatter
 from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.population import Population
-from tracking.trackers.stereo_boxes import share_in_view
+from tracking.trackers.stereo_boxes import expected_visibility, share_in_view
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 
 _USUAL_STATURE_M = (1.7, 0.5)
@@ -74,6 +74,8 @@ def still_there(
 ) -> NDArray[np.bool_]:
     """Whether each person is followed on: (people,)."""
     patience_s = np.where(people.cut_off, settings.lost_at_edge_s, settings.lost_after_s)
+    hidden = expected_visibility(people, view) < 0.4
+    patience_s = np.where(hidden, settings.lost_hidden_s, patience_s)
     patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)
     left = share_in_view(people, view) < _OUT_OF_VIEW
     return (people.missed_s == 0.0) | ((people.missed_s <= patience_s) & ~left)

@@ -84,7 +84,8 @@ def best_tracker(recording: Recording) -> str:
 def require(spec: TrackerSpec, recording: Recording) -> None:
     """Check that the tracker can work on the recording.
 
-    Raises `RecordingError` for a missing eye, `CalibrationError` for a missing calibration or floor.
+    Raises `RecordingError` for a missing eye, `CalibrationError` for a missing calibration or
+    floor.
     """
     if spec.needs_stereo and not recording.is_stereo:
         raise RecordingError(

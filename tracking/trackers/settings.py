@@ -41,10 +41,10 @@ class SettingField:
     help: str
 
 
-def setting(default: Any, unit: str, allowed: tuple[float, float] | None, help: str) -> Any:
+def setting(default: Any, unit: str, allowed: tuple[float, float] | None, about: str) -> Any:
     """A dataclass field with its description; see `SettingField`."""
     return dataclasses.field(
-        default=default, metadata={"unit": unit, "range": allowed, "help": help}
+        default=default, metadata={"unit": unit, "range": allowed, "help": about}
     )
 
 

@@ -12,6 +12,7 @@ from tracking.recording import Recording
 from tracking.trackers.births_and_ends import confirmed, newcomers, still_there
 from tracking.trackers.population import Population, joined, nobody
 from tracking.trackers.protocol import Observation, StepResult
+from tracking.trackers.stereo_boxes import expected_visibility
 from tracking.trackers.stereo_cues import Costs, Cues, costs_of
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_settings import StereoTrackerSettings
@@ -77,7 +78,8 @@ class StereoTracker:
         self._time_s = observation.time_s
         measured = seen.position[:, :2]
         expected = self._predicted(self._people, elapsed_s)
-        costs = costs_of(expected, measured, colours, self._cues, self._settings)
+        shown = expected_visibility(expected, self._view)
+        costs = costs_of(expected, measured, colours, self._cues, self._settings, shown)
         pairs = self._matched(expected, costs, ~seen.merged)
         people = aged(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
@@ -105,7 +107,8 @@ class StereoTracker:
         present = people.confirmed & (people.missed_s < _LONG_MISSED_S)
         free = usable.copy()
         stages = []
-        for rows in (np.flatnonzero(present), np.flatnonzero(~present)):
+        lost = people.confirmed & ~present
+        for rows in map(np.flatnonzero, (present, lost, ~people.confirmed)):
             columns = np.flatnonzero(free)
             block = np.ix_(rows, columns)
             found = associate(costs.total[block], costs.allowed[block], self._settings.cost_limit)
@@ -113,8 +116,24 @@ class StereoTracker:
             free[detection] = False
             stages.append((track, detection, found.margin))
         track, detection, margin = (np.concatenate(parts) for parts in zip(*stages, strict=True))
-        order = np.argsort(track)
+        clear = self._clear(people, costs, track, detection)
+        order = clear[np.argsort(track[clear])]
         return Association(track[order], detection[order], margin[order])
+
+    def _clear(
+        self,
+        people: Population,
+        costs: Costs,
+        track: NDArray[np.intp],
+        detection: NDArray[np.intp],
+    ) -> NDArray[np.intp]:
+        """The pairs whose detection suits no other, unmatched person nearly as well."""
+        rivals = people.confirmed & (people.missed_s < _LONG_MISSED_S)
+        rivals[track] = False
+        other = np.where(costs.allowed, costs.total, np.inf)[np.ix_(rivals, detection)]
+        rival = other.min(axis=0, initial=np.inf)
+        own = costs.total[track, detection]
+        return np.flatnonzero(rival - own >= self._settings.least_margin)
 
     def _carried(
         self, people: Population, pairs: Association, seen: Detections, colours: Colours

@@ -13,11 +13,25 @@ _ACROSS, _DOWN = np.meshgrid((np.arange(6) + 0.5) / 6, (np.arange(12) + 0.5) / 1
 _SAMPLES = np.column_stack((_ACROSS.ravel(), _DOWN.ravel()))
 """Where a box is probed for what covers it, as shares of its width and height."""
 
+_RINGS = ((0.0, 0.2), (0.1, 0.4), (0.5, 0.5), (0.8, 0.5), (0.93, 0.25), (1.0, 0.15))
+"""A standing body as rings: height and radius as shares of its height and its width."""
+_TURN = np.arange(8) * (np.pi / 4)
+_BODY = np.concatenate(
+    [
+        np.stack((radius * np.cos(_TURN), radius * np.sin(_TURN), np.full(8, z)), axis=1)
+        for z, radius in _RINGS
+    ]
+)
+
 
 def body_boxes(people: Population, view: View) -> Floats:
     """Where the bodies are in the picture, hidden or not: (people, 4) px as recorded."""
     height, width = people.stature.T
-    return view.box_of_person(people.position, height, width)
+    points = _BODY * np.stack((width, width, height), axis=1)[:, None]
+    points[..., :2] += people.position[:, None]
+    pixels = view.pixel_from_world(points.reshape(-1, 3)).reshape(len(people), len(_BODY), 2)
+    low, high = pixels.min(axis=1), pixels.max(axis=1)
+    return np.concatenate((low, high - low), axis=1)
 
 
 def share_in_view(people: Population, view: View) -> Floats:
@@ -43,3 +57,9 @@ def visibility(box: Floats, range_m: Floats, size: tuple[int, int]) -> Floats:
     nearer = range_m[None, :] < range_m[:, None]
     hidden = (covered.all(axis=3) & nearer[:, :, None]).any(axis=1)
     return (inside & ~hidden).mean(axis=1)
+
+
+def expected_visibility(people: Population, view: View) -> Floats:
+    """The share of each body that the others, where they are expected, leave to be seen."""
+    range_m = np.hypot(people.position[:, 0], people.position[:, 1])
+    return visibility(body_boxes(people, view), range_m, view.camera.size)

@@ -56,6 +56,7 @@ def costs_of(
     colours: NDArray[np.float32],
     cues: Cues,
     settings: StereoTrackerSettings,
+    shown: Floats,
 ) -> Costs:
     """The costs of all pairs: `D = Dd + Dc + Da` ([Kawashita2014] section 3.3).
 
@@ -69,10 +70,25 @@ def costs_of(
     """
     offset = measured[None, :, :] - people.position[:, None, :]
     distance = np.hypot(offset[..., 0], offset[..., 1])
-    wider = (1.0 + settings.gate_growth * people.missed_s)[:, None]
+    wider = (1.0 + settings.gate_growth * people.missed_s)[:, None] * (
+        likelihood_sigma(measured, settings) / settings.sigma_near_m
+    )
     colour = np.zeros_like(distance)
     for cue in range(people.colour.shape[1]):
         colour += bhattacharyya_distance(people.colour[:, cue], colours[:, cue])
     direction = cues.direction(people, measured)
-    total = distance / wider + settings.colour_weight * colour + np.nan_to_num(direction)
+    total = (
+        settings.distance_weight * distance / wider
+        + settings.colour_weight * colour
+        + np.nan_to_num(direction)
+        + settings.hidden_weight * (1.0 - shown)[:, None]
+    )
     return Costs(distance, colour, direction, total, distance <= settings.gate_m * wider)
+
+
+def likelihood_sigma(measured: Floats, settings: StereoTrackerSettings) -> Floats:
+    """The likelihood's standard deviation at places (n, 2) on the floor: (n,) m.
+
+    It grows with the square of the distance from the camera, as the error of range does.
+    """
+    return settings.sigma_near_m + settings.sigma_range * np.square(measured).sum(axis=1)

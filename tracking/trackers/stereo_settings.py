@@ -42,7 +42,19 @@ class StereoTrackerSettings:
     cost_limit: float = setting(
         1.1, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
     )
+    distance_weight: float = setting(
+        2.0, "1/m", (0.0, 20.0), "weight of the distance cue in the cost"
+    )
     colour_weight: float = setting(1.0, "", (0.0, 10.0), "weight of the colour cue in the cost")
+    hidden_weight: float = setting(
+        0.5, "", (0.0, 10.0), "cost of seeing somebody who is expected to be hidden by others"
+    )
+    least_margin: float = setting(
+        0.1, "", (0.0, 5.0), "a detection that suits two people nearly alike is nobody's"
+    )
+    colour_distance_m: float = setting(
+        0.6, "m", (0.0, 5.0), "colours are learnt while nobody else is closer than this"
+    )
     confirm_matches: int = setting(
         4, "", (1, 100), "frames a newcomer must be seen in before it becomes a track"
     )
@@ -51,6 +63,9 @@ class StereoTrackerSettings:
     )
     lost_after_s: float = setting(
         2.0, "s", (0.05, 60.0), "time without a detection after which a track ends"
+    )
+    lost_hidden_s: float = setting(
+        4.0, "s", (0.05, 60.0), "the same while a person is expected to be hidden by others"
     )
     lost_at_edge_s: float = setting(
         0.5, "s", (0.05, 60.0), "the same for a person last seen at the image's edge"

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tracking.filtering import Association, effective_share, scatter, weigh, weighted_mean
 from tracking.people import Detections
 from tracking.trackers.population import Population
-from tracking.trackers.stereo_cues import Cues
+from tracking.trackers.stereo_cues import Cues, likelihood_sigma
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 
 Floats = NDArray[np.float64]
@@ -75,7 +75,11 @@ def matched(
         velocity=_velocity(mine, measured, match.since_s, settings.velocity_memory_s),
         matches=mine.matches + 1,
         seen_at=position,
-        colour=cues.updated(mine.colour, match.colours[chosen], mine.matches),
+        colour=np.where(
+            _alone(people, rows, settings.colour_distance_m)[:, None, None],
+            cues.updated(mine.colour, match.colours[chosen], mine.matches),
+            mine.colour,
+        ),
         stature=_stature(mine, match.seen, chosen),
         cut_off=match.seen.truncated[chosen],
     )
@@ -88,13 +92,20 @@ def _weighed(
     random: np.random.Generator,
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Particles and weights by the likelihood; lost clouds are scattered anew first."""
-    sigma = settings.sigma_near_m + settings.sigma_range * np.square(measured).sum(axis=1)
+    sigma = likelihood_sigma(measured, settings)
     weight = weigh(particles, measured, sigma)
     lost = np.flatnonzero(effective_share(weight) < _SCATTERED_SHARE)
     particles = particles.copy()
     particles[lost] = scatter(measured[lost], sigma[lost], particles.shape[1], random)
     weight[lost] = weigh(particles[lost], measured[lost], sigma[lost])
     return particles, weight
+
+
+def _alone(people: Population, rows: NDArray[np.intp], distance_m: float) -> NDArray[np.bool_]:
+    """Whether nobody else followed is close, so that a region's colours are one person's."""
+    offset = people.position[rows, None] - people.position[None]
+    close = np.hypot(offset[..., 0], offset[..., 1]) < distance_m
+    return close.sum(axis=1) <= 1
 
 
 def _velocity(people: Population, measured: Floats, since_s: Floats, memory_s: float) -> Floats:

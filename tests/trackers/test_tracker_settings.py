@@ -1,0 +1,76 @@
+from __future__ import annotations
+
+import dataclasses
+import json
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tracking.errors import SettingsError
+from tracking.trackers import (
+    TRACKERS,
+    parse_settings,
+    settings_fields,
+    settings_from,
+    settings_values,
+)
+
+SPEC = TRACKERS["stereo-direction"]
+ALL = [(spec, field) for spec in TRACKERS.values() for field in settings_fields(spec.settings_type)]
+
+
+@pytest.mark.parametrize(("spec", "field"), ALL, ids=lambda value: getattr(value, "name", ""))
+def test_every_setting_is_described_and_its_default_allowed(spec, field):
+    assert field.help
+    assert field.help == field.help.strip(". ")
+    settings_from(spec.settings_type, {field.name: field.default})
+
+
+@pytest.mark.parametrize(("spec", "field"), ALL, ids=lambda value: getattr(value, "name", ""))
+def test_every_setting_can_be_read_back_from_its_text(spec, field):
+    settings = parse_settings(spec, {field.name: str(field.default)})
+    assert settings == spec.settings_type()
+
+
+def test_text_sets_a_value_of_its_type():
+    settings = parse_settings(SPEC, {"particles": "250", "gate_m": " 1.5 "})
+    assert (settings.particles, settings.gate_m) == (250, 1.5)
+
+
+def test_a_dotted_name_sets_a_value_of_an_earlier_stage():
+    name = next(f.name for f in settings_fields(SPEC.settings_type) if f.name.startswith("people."))
+    default = settings_values(SPEC.settings_type())[name]
+    settings = parse_settings(SPEC, {name: str(default)})
+    assert getattr(settings.people, name.removeprefix("people.")) == default
+
+
+@pytest.mark.parametrize(
+    ("texts", "said"),
+    [
+        ({"particels": "5"}, "particles"),
+        ({"particles": "5"}, "from 10 to 20000"),
+        ({"particles": "many"}, "a whole number"),
+        ({"particles": "500.5"}, "a whole number"),
+        ({"gate_m": "nan"}, "from 0.1 to 5 m"),
+        ({"qqqqqqq": "1"}, "lists all settings"),
+    ],
+)
+def test_what_cannot_be_set_is_said_in_one_line(texts, said):
+    with pytest.raises(SettingsError) as error:
+        parse_settings(SPEC, texts)
+    assert said in str(error.value)
+    assert next(iter(texts)) in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+@given(st.integers(10, 20000), st.floats(0.1, 5.0))
+def test_values_make_the_settings_they_came_from_even_through_json(particles, gate_m):
+    settings = settings_from(SPEC.settings_type, {"particles": particles, "gate_m": gate_m})
+    values = json.loads(json.dumps(settings_values(settings)))
+    assert settings_from(SPEC.settings_type, values) == settings
+
+
+def test_settings_cannot_be_changed():
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        SPEC.settings_type().particles = 3
