@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from app.presenters.scenes import PersonMark
+from app.presenters.scenes import PersonMark, PreviewTrail
 from app.views.labels import draw_plate, place_plates, plate_rect
 from app.views.theme import faded
 from app.views.viewport import Points, Viewport, polygon
 
 _CORNER = 4.0
-_AGES = 8  # steps in which a trail fades
+_AGES = 6  # steps in which a trail fades
+_MOST_POINTS = 80  # of a trail
 
 
 def draw_people(
@@ -24,7 +24,8 @@ def draw_people(
     """Draw trails below boxes below plates; the selected person's plate keeps its place."""
     for person in people:
         points = viewport.to_widget(person.trail)
-        draw_fading_trail(painter, points, QColor(*person.colour), 3.0 if person.selected else 2.0)
+        width = 3.0 if person.selected else 2.2
+        draw_fading_trail(painter, points, QColor(*person.colour), width, casing=True)
     for person in people:
         _draw_box(painter, person, viewport.rect(QRectF(*person.box)))
     ordered = sorted(people, key=lambda person: not person.selected)
@@ -38,20 +39,49 @@ def draw_people(
         draw_plate(painter, rect, person.label, QColor(*person.colour), person.selected)
 
 
-def draw_fading_trail(painter: QPainter, points: Points, colour: QColor, width: float) -> None:
-    """A line through widget points (n, 2), oldest first and faintest."""
-    finite = points[np.isfinite(points).all(axis=1)]
-    if len(finite) < 2:
-        return
+def draw_fading_trail(
+    painter: QPainter, points: Points, colour: QColor, width: float, casing: bool = False
+) -> None:
+    """A line through widget points (n, 2), oldest first and faintest.
+
+    Args:
+        casing: a soft dark edge, for trails on a picture.
+    """
+    shown = _thinned(points[np.isfinite(points).all(axis=1)])
+    last = len(shown) - 1
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    cuts = np.unique(np.linspace(0, len(finite) - 1, _AGES + 1).astype(int))
-    for start, stop in pairwise(cuts.tolist()):
-        age = stop / (len(finite) - 1)
-        pen = QPen(faded(colour, 0.08 + 0.82 * age), width)
+    for ink, broad in ((QColor(0, 0, 0, 70), width + 2.0), (colour, width)):
+        if not casing and ink is not colour:
+            continue
+        pen = QPen(ink, broad)
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-        pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+        for age in range(_AGES if last > 0 else 0):
+            start, stop = age * last // _AGES, (age + 1) * last // _AGES
+            pen.setColor(faded(ink, 0.08 + 0.82 * (age + 1) / _AGES))
+            painter.setPen(pen)
+            painter.drawPolyline(shown[start : stop + 1])
+
+
+def _thinned(points: Points) -> list[QPointF]:
+    """At most so many of the points, the newest among them."""
+    step = -(-len(points) // _MOST_POINTS) or 1
+    return [QPointF(x, y) for x, y in points[::-step][::-1].tolist()]
+
+
+def draw_preview(painter: QPainter, trails: Sequence[PreviewTrail], viewport: Viewport) -> None:
+    """Trails before an edit, wide and dashed, below those after it, thin and solid.
+
+    Both often run over the same points, as in a swap, so the lower ones are wider.
+    """
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for trail in sorted(trails, key=lambda one: one.after):
+        colour = QColor(*trail.colour)
+        pen = QPen(colour, 2.6) if trail.after else QPen(faded(colour, 0.6), 8.0)
+        if not trail.after:
+            pen.setDashPattern([0.9, 0.6])
+            pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         painter.setPen(pen)
-        painter.drawPolyline(polygon(finite[start : stop + 1]))
+        painter.drawPolyline(polygon(viewport.to_widget(trail.points)))
 
 
 def _draw_box(painter: QPainter, person: PersonMark, rect: QRectF) -> None:
@@ -62,7 +92,7 @@ def _draw_box(painter: QPainter, person: PersonMark, rect: QRectF) -> None:
             painter.setPen(QPen(faded(colour, opacity), width))
             painter.drawRoundedRect(rect, _CORNER, _CORNER)
     width = 2.6 if person.selected else 1.6
-    painter.setPen(QPen(QColor(0, 0, 0, 110), width + 1.6))
+    painter.setPen(QPen(colour.darker(320), width + 1.4))  # opaque: translucent takes five times
     painter.drawRoundedRect(rect, _CORNER, _CORNER)
     pen = QPen(colour, width)
     if person.predicted:

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF, QRadialGradient
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.scenes import FloorPerson, OverheadScene
 from app.views.canvas import Canvas
 from app.views.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
 from app.views.labels import draw_message, draw_plate, place_plates, plate_rect
-from app.views.marks import draw_fading_trail
-from app.views.particles import particle_image
+from app.views.marks import draw_fading_trail, draw_preview
+from app.views.particles import darkened, draw_particles
 from app.views.theme import Theme, faded, scaled_font
-from app.views.viewport import polygon
 
 _PICK_REACH_PX = 22.0
 _PERSON_RADIUS_M = 0.22
+_PARTICLE_RADIUS_M = 0.014
 _ARROW_S = 0.8  # an arrow shows where somebody is after this time
 _LONGEST_ARROW_PX = 70.0
 _STANDING_M_S = 0.05
@@ -37,6 +37,8 @@ class OverheadView(Canvas):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(upward=True, parent=parent)
         self._scene: OverheadScene | None = None
+        self._floor_key: tuple[object, ...] = ()
+        self._floor_drawn = QPixmap()
         self.setContentsMargins(12, 12, 12, 12)
         self.setAccessibleName(self.tr("Overhead view"))
 
@@ -93,19 +95,35 @@ class OverheadView(Canvas):
             text = scene.message if scene is not None else ""
             draw_message(painter, area, text, theme)
             return
-        painter.setFont(scaled_font(self.font(), 0.85))
-        draw_grid(painter, area, self.viewport, theme)
-        draw_field_of_view(painter, scene.field_of_view, self.viewport, theme)
-        draw_camera(painter, scene.camera, self.viewport, theme)
+        painter.drawPixmap(0, 0, self._floor(scene, theme))
         self._draw_trails(painter, scene, theme)
-        self._draw_particles(painter, scene)
+        self._draw_particles(painter, scene, theme)
         for person in scene.people:
             self._draw_person(painter, person, theme)
         self._draw_measured(painter, scene, theme)
-        self._draw_preview(painter, scene, theme)
+        draw_preview(painter, scene.preview, self.viewport)
         self._draw_plates(painter, scene, theme, area)
         painter.setFont(scaled_font(self.font(), 0.85))
         draw_scale_bar(painter, area, self.viewport, theme, self.tr("m"))
+
+    def _floor(self, scene: OverheadScene, theme: Theme) -> QPixmap:
+        """What does not move, drawn again only where the view or the look is another."""
+        ratio = self.devicePixelRatioF()
+        seen = scene.field_of_view.tobytes()
+        key = (self.viewport, self.size().toTuple(), ratio, theme.name, seen, self.font().key())
+        if key != self._floor_key:
+            self._floor_key = key
+            self._floor_drawn = QPixmap(self.size() * ratio)
+            self._floor_drawn.setDevicePixelRatio(ratio)
+            self._floor_drawn.fill(theme.sunken)
+            painter = QPainter(self._floor_drawn)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setFont(scaled_font(self.font(), 0.85))
+            draw_grid(painter, QRectF(self.rect()), self.viewport, theme)
+            draw_field_of_view(painter, scene.field_of_view, self.viewport, theme)
+            draw_camera(painter, scene.camera, self.viewport, theme)
+            painter.end()
+        return self._floor_drawn
 
     def _draw_trails(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
         for person in scene.people:
@@ -113,29 +131,34 @@ class OverheadView(Canvas):
             width = 3.0 if person.selected else 2.0
             draw_fading_trail(painter, points, theme.track(person.colour), width)
 
-    def _draw_particles(self, painter: QPainter, scene: OverheadScene) -> None:
+    def _draw_particles(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
         if not len(scene.particles):
             return
-        ratio = self.devicePixelRatioF()
-        image, left, top = particle_image(
+        ratio, colours = self.devicePixelRatioF(), scene.particle_colours
+        radius_px = min(max(_PARTICLE_RADIUS_M * self.viewport.scale, 1.3), 2.6)
+        draw_particles(
+            painter,
             self.viewport.to_widget(scene.particles) * ratio,
-            scene.particle_colours,
+            colours if theme.is_dark else darkened(colours),
             scene.particle_weights,
             (round(self.width() * ratio), round(self.height() * ratio)),
-            radius_px=1.5 * ratio,
+            radius_px * ratio,
+            ratio,
         )
-        if not image.isNull():
-            image.setDevicePixelRatio(ratio)
-            painter.drawImage(QPointF(left / ratio, top / ratio), image)
 
     def _draw_person(self, painter: QPainter, person: FloorPerson, theme: Theme) -> None:
         at, radius = self.viewport.point(*person.position), self._radius()
         colour = theme.track(person.colour)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if person.selected:
-            for width, opacity in ((14.0, 0.10), (9.0, 0.18), (5.0, 0.25)):
-                painter.setPen(QPen(faded(colour, opacity), width))
-                painter.drawEllipse(at, radius, radius)
+            glow = QRadialGradient(at, radius + 9)
+            glow.setColorAt(max(radius - 9, 0) / (radius + 9), faded(colour, 0.0))
+            glow.setColorAt(radius / (radius + 9), faded(colour, 0.55))
+            glow.setColorAt(1.0, faded(colour, 0.0))
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(glow)
+            painter.drawEllipse(at, radius + 9, radius + 9)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
         pen = QPen(colour, 3.0 if person.selected else 1.8)
         if person.predicted:
             pen.setDashPattern([3.0, 2.0])
@@ -167,20 +190,6 @@ class OverheadView(Canvas):
         painter.setBrush(theme.measured)
         for x, y in self.viewport.to_widget(scene.measured).tolist():
             painter.drawEllipse(QPointF(x, y), 3.2, 3.2)
-
-    def _draw_preview(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        for trail in scene.preview:
-            points = polygon(self.viewport.to_widget(trail.points))
-            colour = theme.track(trail.colour)
-            if trail.after:
-                painter.setPen(QPen(faded(theme.sunken, 0.8), 6.0))
-                painter.drawPolyline(points)
-            pen = QPen(colour if trail.after else faded(colour, 0.75), 3.0 if trail.after else 1.8)
-            if not trail.after:
-                pen.setDashPattern([4.0, 3.0])
-            painter.setPen(pen)
-            painter.drawPolyline(points)
 
     def _draw_plates(
         self, painter: QPainter, scene: OverheadScene, theme: Theme, area: QRectF

@@ -89,7 +89,9 @@ class EmptyState(QWidget):
         self._text = quiet("", self)
         self._text.setWordWrap(True)
         self._text.setAlignment(Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
+        self._text.setMinimumHeight(2 * self.fontMetrics().lineSpacing())
         rows = QVBoxLayout(self)
+        rows.setContentsMargins(0, 0, 0, 0)
         rows.setSpacing(4)
         rows.addStretch(1)
         for widget in (self._icon, self._title, self._text):

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from app.presenters.scenes import Eye, PersonMark, PictureScene
 from app.views.canvas import Canvas
 from app.views.labels import draw_message, draw_note, plate_rect
-from app.views.marks import draw_people
+from app.views.marks import draw_people, draw_preview
 from app.views.theme import Theme, scaled_font
 from tracking.recording.frame import Image
 
@@ -105,6 +105,7 @@ class PictureView(Canvas):
         self._draw_grid(painter)
         painter.setFont(scaled_font(self.font(), 0.92, bold=True))
         shown = area.intersected(self.viewport.rect(self.content()))
+        draw_preview(painter, self._scene.preview, self.viewport)
         draw_people(painter, self._scene.people, self.viewport, shown)
         if self._scene.message:
             draw_message(painter, area, self._scene.message, theme)

@@ -13,6 +13,7 @@ from app.views.timeline.axis import TimeAxis
 
 _BAR = 0.46  # of a lane's height
 _THINNEST_PX = 1.5
+_NARROWEST_HATCH_PX = 4.0
 
 
 def draw_lane(painter: QPainter, lane: Lane, row: QRectF, axis: TimeAxis, theme: Theme) -> None:
@@ -58,6 +59,8 @@ def visible_spans(spans: NDArray[np.int64], axis: TimeAxis) -> list[tuple[float,
 def _draw_predicted(painter: QPainter, bar: QRectF, colour: QColor) -> None:
     painter.setBrush(faded(colour, 0.22))
     painter.drawRect(bar)
+    if bar.width() < _NARROWEST_HATCH_PX:
+        return
     painter.setBrush(QBrush(faded(colour, 0.9), Qt.BrushStyle.BDiagPattern))
     painter.drawRect(bar)
 

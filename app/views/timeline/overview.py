@@ -7,12 +7,12 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
+    QImage,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QPen,
     QPixmap,
-    QPolygonF,
     QResizeEvent,
 )
 from PySide6.QtWidgets import QWidget
@@ -114,22 +114,16 @@ class OverviewStrip(QWidget):
     def _draw_activity(
         self, painter: QPainter, scene: TimelineScene, ground: QRectF, theme: Theme
     ) -> None:
-        columns = min(int(ground.width()), max(len(scene.activity), 1))
-        heights = busiest(scene.activity, columns)
-        most = max(float(heights.max(initial=0.0)), 1.0)
-        base, reach = ground.bottom() - 3, ground.height() - 6
-        step = ground.width() / max(columns, 1)
-        corners = [QPointF(ground.left(), base)]
-        for column, height in enumerate(heights.tolist()):
-            y = base - reach * height / most
-            corners += [
-                QPointF(ground.left() + column * step, y),
-                QPointF(ground.left() + (column + 1) * step, y),
-            ]
-        corners.append(QPointF(ground.right(), base))
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(faded(theme.text_faint, 0.55))
-        painter.drawPolygon(QPolygonF(corners))
+        columns, rows = int(ground.width()), int(ground.height()) - 5
+        most = busiest(scene.activity, columns)
+        if columns < 1 or rows < 1 or not most.any():
+            return
+        tops = rows - np.ceil(rows * most / most.max())
+        filled = np.arange(rows)[:, None] >= tops
+        ink = faded(theme.text_faint, 0.55)
+        pixels = np.where(filled, np.uint32(ink.rgba()), np.uint32(0))
+        image = QImage(pixels.data, columns, rows, 4 * columns, QImage.Format.Format_ARGB32)
+        painter.drawImage(QPointF(ground.left(), ground.top() + 2), image)
 
     def _draw_band(
         self, painter: QPainter, frames: tuple[int, int], ground: QRectF, colour: QColor
