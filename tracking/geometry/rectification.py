@@ -197,11 +197,17 @@ class Rectification:
         return np.column_stack((u.ravel(), v.ravel()))
 
     def _check_coverage(self) -> None:
-        recorded = self.recorded_from_rectified(self._grid(_CHECK_STEP_PX))
-        inside = ((recorded >= 0) & (recorded <= np.array(self.size) - 1)).all(axis=1)
-        if inside.mean() < _LEAST_COVERED:
+        grid, last = self._grid(_CHECK_STEP_PX), np.array(self.size) - 1
+        covered = 1.0
+        for recorded in (
+            self.recorded_from_rectified(grid),
+            self.right_recorded_from_rectified(grid),
+        ):
+            inside = ((recorded >= 0) & (recorded <= last)).all(axis=1)
+            covered = min(covered, float(inside.mean()))
+        if covered < _LEAST_COVERED:
             raise CalibrationError(
-                f"calibration: only {inside.mean():.0%} of the rectified picture would be "
+                f"calibration: only {covered:.0%} of the rectified picture would be "
                 "covered; the stereo calibration is not usable, calibrate again"
             )
 
