@@ -7,7 +7,7 @@ that help comes at once and no command waits for libraries it does not use.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -97,18 +97,19 @@ def info(
 def synth(
     out: Annotated[Path, typer.Argument(help="The recording's folder, made by this command.")],
     scene: Annotated[str, typer.Option(help="Which kind of place.")],
-    seconds: Annotated[float, typer.Option(min=0.1, help="How long.")] = 20.0,
+    seconds: Annotated[
+        float | None, typer.Option(help="How long.", show_default="the scene's own")
+    ] = None,
     people: Annotated[
-        int | None, typer.Option(min=0, help="How many.", show_default="the scene's")
+        int | None, typer.Option(help="How many.", show_default="the scene's own")
     ] = None,
     seed: options.Seed = 0,
-    force: options.Force = False,
     json: options.Json = False,
 ) -> None:
     """Render a stereo recording of people with exact truth."""
     from app.cli.synth import run_synth
 
-    run_synth(out, scene, seconds, people, seed, force=force, as_json=json)
+    run_synth(out, scene, seconds, people, seed, as_json=json)
 
 
 @program.command()
@@ -163,7 +164,7 @@ def score(
         Path, typer.Option("--truth", help="A session, MOT text or a recording with truth.txt.")
     ],
     match: Annotated[
-        str, typer.Option(help="Pair people by box (overlap) or floor (distance).")
+        Literal["box", "floor"], typer.Option(help="Pair by overlap or by floor distance.")
     ] = "box",
     radius: Annotated[
         float, typer.Option(help="Greatest distance on the floor, m; with --match floor.")

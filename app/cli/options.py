@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -41,16 +41,12 @@ Fps = Annotated[
     typer.Option("--fps", help="Frames a second, for images.", rich_help_panel=_BARE),
 ]
 Layout = Annotated[
-    str | None,
-    typer.Option(
-        "--layout", help="Both eyes in one: side-by-side or top-bottom.", rich_help_panel=_BARE
-    ),
+    Literal["side-by-side", "top-bottom"] | None,
+    typer.Option("--layout", help="How both eyes lie in one video.", rich_help_panel=_BARE),
 ]
 First = Annotated[
-    str | None,
-    typer.Option(
-        "--first", help="Which eye comes first there: left or right.", rich_help_panel=_BARE
-    ),
+    Literal["left", "right"] | None,
+    typer.Option("--first", help="The eye that comes first there.", rich_help_panel=_BARE),
 ]
 Outside = Annotated[
     bool,

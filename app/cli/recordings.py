@@ -8,6 +8,7 @@ from pathlib import Path
 import typer
 
 from tracking.recording import OpenOptions, Recording, open_recording
+from tracking.recording.eyes import Layout, Side
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,8 +29,8 @@ class Bare:
     tilt_deg: float | None
     roll_deg: float | None
     fps: float | None
-    layout: str | None
-    first: str | None
+    layout: Layout | None
+    first: Side | None
     allow_outside: bool
 
 
@@ -38,7 +39,7 @@ def opened(path: Path | None, bare: Bare) -> Recording:
 
     Raises:
         RecordingError, CalibrationError: it cannot be opened.
-        typer.BadParameter: no recording is named.
+        typer.BadParameter: no recording is named, or a right eye alone.
     """
     place = path or bare.left
     if place is None:
@@ -48,6 +49,8 @@ def opened(path: Path | None, bare: Bare) -> Recording:
 
 def options_of(bare: Bare) -> OpenOptions:
     """The same for the library."""
+    if bare.right is not None and bare.left is None:
+        raise typer.BadParameter("a right eye needs a left one", param_hint="--right")
     return OpenOptions(
         left=bare.left,
         right=bare.right,

@@ -17,7 +17,7 @@ def run_score(
     """Print the measures."""
     if report is not None:
         raise typer.BadParameter("reports are not built yet; leave it out", param_hint="--report")
-    how = _match(match, radius_m)
+    how = FloorMatch(radius_m) if match == "floor" else BoxMatch()
     found = score_of(tracks_at(result), truth_at(truth), how)
     if as_json:
         print_json(found.as_json())
@@ -36,11 +36,3 @@ def score_of(result: Tracks, truth: Tracks, match: Match | None = None) -> Score
         match,
         max(result.frames, truth.frames),
     )
-
-
-def _match(name: str, radius_m: float) -> Match:
-    if name == "box":
-        return BoxMatch()
-    if name == "floor":
-        return FloorMatch(radius_m)
-    raise typer.BadParameter(f"{name!r} is neither box nor floor", param_hint="--match")

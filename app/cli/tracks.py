@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -68,5 +69,5 @@ def is_session(path: Path) -> bool:
 def _of_session(path: Path) -> Tracks:
     from tracking.session import Session
 
-    with Session.open(path) as session:
-        return Tracks(session.table.columns, session.frame_count, is_text=False)
+    with closing(Session.open(path)) as session:
+        return Tracks(session.tracks.columns(), session.recording.frame_count, is_text=False)

@@ -56,7 +56,7 @@ def test_a_recordings_folder_stands_for_its_truth(
 @pytest.mark.parametrize(
     ("options", "status", "reason"),
     [
-        (["--match", "sound"], 2, "neither box nor floor"),
+        (["--match", "sound"], 2, "'sound' is not one of"),
         (["--report", "here"], 2, "not built yet"),
         (["--match", "floor", "--radius", "-1"], 1, "radius -1.0 m is not above 0"),
     ],

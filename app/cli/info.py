@@ -1,0 +1,78 @@
+"""`info`: what a recording or a session holds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from app.cli.output import print_json, print_table
+from app.cli.recordings import Bare, opened
+from app.cli.tracks import is_session
+from tracking.formats import read_mot
+from tracking.recording import Recording
+from tracking.session import describe
+
+
+def run_info(path: Path | None, bare: Bare, *, as_json: bool) -> None:
+    """Print it."""
+    if path is not None and path.is_file() and is_session(path):
+        facts = _of_session(path)
+    else:
+        with opened(path, bare) as recording:
+            facts = _of_recording(recording)
+    if as_json:
+        print_json(facts)
+    else:
+        print_table([(name.replace("_", " "), _shown(value)) for name, value in facts.items()])
+
+
+def _of_recording(recording: Recording) -> dict[str, Any]:
+    ground = recording.ground
+    return {
+        "kind": "recording",
+        "path": str(recording.path),
+        "name": recording.name,
+        "frames": recording.frame_count,
+        "fps": recording.fps,
+        "size": list(recording.size),
+        "duration": recording.duration_s,
+        "stereo": recording.is_stereo,
+        "calibrated": recording.calibration is not None,
+        "ground": None
+        if ground is None
+        else {"height": ground.height_m, "tilt": ground.tilt_deg, "roll": ground.roll_deg},
+        "truth_people": _truth_people(recording),
+        "tracks": 0,
+        "edits": 0,
+        "notes": list(recording.notes),
+    }
+
+
+def _of_session(path: Path) -> dict[str, Any]:
+    facts = describe(path)
+    facts["duration"] = facts.pop("duration_s")
+    return facts
+
+
+def _truth_people(recording: Recording) -> int | None:
+    """People in the truth beside the recording; None without one."""
+    if recording.truth_path is None:
+        return None
+    return len(np.unique(read_mot(recording.truth_path)["track"]))
+
+
+def _shown(value: Any) -> str:
+    """A fact as people read it."""
+    if value is None:
+        return "-"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, dict):
+        return ", ".join(f"{name} {_shown(part)}" for name, part in value.items())
+    if isinstance(value, list):
+        return "; ".join(_shown(part) for part in value) or "-"
+    return str(value)

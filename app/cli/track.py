@@ -1,0 +1,147 @@
+"""`track`: a tracker over a recording, into a session."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+
+import typer
+
+from app.cli.destination import check_file
+from app.cli.output import print_json, progress, say
+from app.cli.recordings import Bare, opened
+from app.cli.tracks import is_session
+from tracking.errors import OutputError, SessionError, SettingsError
+from tracking.pipeline import track
+from tracking.recording import Recording
+from tracking.session import Session
+from tracking.trackers import best_tracker, parse_settings, tracker_named
+from tracking.tracks import Run
+
+_BYTES_A_FRAME = 16 << 10
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """What is to be tracked and how, as typed.
+
+    Attributes:
+        tracker: name; None: the best one for the recording.
+        settings: KEY=VALUE each. frames: A:B; None: all. seed: of all random numbers.
+        detector: of part failures.
+    """
+
+    tracker: str | None = None
+    settings: Sequence[str] = ()
+    frames: str | None = None
+    seed: int = 0
+    detector: Path | None = None
+
+
+def run_track(
+    path: Path | None, bare: Bare, out: Path, order: Order, *, force: bool, as_json: bool
+) -> None:
+    """Track and print where the session is."""
+    if order.detector is not None:
+        raise typer.BadParameter("failure detectors are not built yet", param_hint="--detector")
+    with opened(path, bare) as recording:
+        check_file(out, recording.frame_count * _BYTES_A_FRAME)
+        refuse_to_lose(out, force=force)
+        for note in recording.notes:
+            say(f"note: {note}")
+        began_s = time.perf_counter()
+        run = tracked(recording, order)
+        rate = (run.frames[1] - run.frames[0]) / (time.perf_counter() - began_s)
+        save_session(recording, run, out)
+    people = len(set(run.tracks["track"].tolist()))
+    if as_json:
+        facts = {"tracker": run.tracker, "tracks": people, "frames": list(run.frames)}
+        print_json({"session": str(out), **facts, "frames_a_second": rate})
+    else:
+        say(f"{run.tracker}: {people} tracks, {rate:.1f} frames a second")
+        print(out)
+
+
+def tracked(recording: Recording, order: Order) -> Run:
+    """The run of a tracker over the recording, with a progress bar.
+
+    Raises:
+        SettingsError: unknown tracker or setting, or a wrong range.
+        RecordingError, CalibrationError: the tracker cannot work on this recording.
+    """
+    spec = tracker_named(order.tracker or best_tracker(recording))
+    settings = parse_settings(spec, _pairs(order.settings))
+    frames = _range(order.frames, recording.frame_count)
+    with (
+        track(recording, spec.name, settings, order.seed, frames) as work,
+        progress(f"tracking with {spec.name}") as advance,
+    ):
+        start, stop = work.frames
+        for result in work:
+            advance(result.frame + 1 - start, stop - start)
+        return work.run()
+
+
+def save_session(recording: Recording, run: Run, out: Path) -> None:
+    """A new session of one run, in place of what stood there."""
+    with closing(Session.create(recording, [run], out)):
+        pass
+
+
+def refuse_to_lose(out: Path, *, force: bool) -> None:
+    """Refuse to replace what a tracker could not make again.
+
+    A session nobody has corrected or labelled may be replaced: tracking again brings it back.
+
+    Raises:
+        OutputError: another file, or a session with somebody's work in it.
+    """
+    if force or not out.exists():
+        return
+    if _is_worth_keeping(out):
+        raise OutputError(
+            f"{out} is there and tracking again would not bring it back; "
+            "choose another name or add --force"
+        )
+
+
+def _is_worth_keeping(out: Path) -> bool:
+    """Whether the file is more than a session nobody has worked on."""
+    if not is_session(out):
+        return True
+    try:
+        with closing(Session.open(out)) as session:
+            return has_work(session)
+    except SessionError:
+        return True
+
+
+def has_work(session: Session) -> bool:
+    """Whether somebody corrected or labelled something in the session."""
+    return len(session.history) > 0
+
+
+def _pairs(texts: Sequence[str]) -> dict[str, str]:
+    """KEY=VALUE texts as a mapping."""
+    pairs: dict[str, str] = {}
+    for text in texts:
+        name, sign, value = text.partition("=")
+        if not sign or not name.strip():
+            raise SettingsError(f"setting {text!r} is not KEY=VALUE, e.g. --set particles=700")
+        pairs[name.strip()] = value
+    return pairs
+
+
+def _range(text: str | None, count: int) -> tuple[int, int] | None:
+    """A:B as numbers; either may be left out."""
+    if text is None:
+        return None
+    found = re.fullmatch(r"\s*(\d{0,9})\s*:\s*(\d{0,9})\s*", text)
+    if found is None:
+        raise SettingsError(f"frames {text!r} are not A:B, e.g. --frames 100:400")
+    start, stop = found.groups()
+    return int(start or 0), int(stop or count)

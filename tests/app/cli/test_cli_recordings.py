@@ -1,0 +1,166 @@
+"""`info`, `synth` and `trackers`, and what they say of broken recordings."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from command_line import Trackwright
+
+from tracking.synthesis import render_recording
+
+
+def test_info_says_what_a_recording_holds(trackwright: Trackwright, footage: Path) -> None:
+    status, out, err = trackwright("info", footage, "--json")
+    assert (status, err) == (0, "")
+    facts = json.loads(out)
+    assert (facts["kind"], facts["frames"], facts["fps"]) == ("recording", 80, 20)
+    assert (facts["size"], facts["duration"]) == ([320, 240], 4)
+    assert (facts["stereo"], facts["calibrated"]) == (True, True)
+    assert (facts["tracks"], facts["edits"]) == (0, 0)
+
+
+def test_info_is_readable(trackwright: Trackwright, footage: Path) -> None:
+    status, out, _ = trackwright("info", footage)
+    assert status == 0
+    assert "stereo        yes" in out
+    assert "height 2.4, tilt 30" in out
+
+
+def test_bare_videos_open_with_options(trackwright: Trackwright, footage: Path) -> None:
+    words = ["info", "--json", "--left", footage / "left.mp4", "--right", footage / "right.mp4"]
+    words += ["--calibration", footage / "calibration.yaml", "--height", "2.4", "--tilt", "30"]
+    facts = json.loads(trackwright(*words)[1])
+    assert (facts["stereo"], facts["calibrated"]) == (True, True)
+    assert facts["ground"] == {"height": 2.4, "tilt": 30, "roll": 0}
+
+
+def test_a_bare_video_is_a_recording(trackwright: Trackwright, footage: Path) -> None:
+    facts = json.loads(trackwright("info", footage / "left.mp4", "--json")[1])
+    assert (facts["frames"], facts["stereo"], facts["calibrated"]) == (80, False, False)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["info"], ["info", "--right", "r.mp4"], ["info", "--layout", "diagonal", "--left", "a.mp4"]],
+)
+def test_a_recording_must_be_named(trackwright: Trackwright, words: list[str]) -> None:
+    assert trackwright(*words)[0] == 2
+
+
+def _without(name: str) -> Callable[[Path], object]:
+    return lambda folder: (folder / name).unlink()
+
+
+def _filled(name: str, content: bytes) -> Callable[[Path], object]:
+    return lambda folder: (folder / name).write_bytes(content)
+
+
+def _changed(name: str, old: str, new: str) -> Callable[[Path], object]:
+    def change(folder: Path) -> None:
+        text = (folder / name).read_text()
+        assert old in text
+        (folder / name).write_text(text.replace(old, new))
+
+    return change
+
+
+@pytest.mark.parametrize(
+    ("damage", "reason"),
+    [
+        (_without("left.mp4"), "left.mp4"),
+        (_filled("left.mp4", b""), "left.mp4"),
+        (_filled("right.mp4", bytes(range(256)) * 64), "right.mp4"),
+        (_without("calibration.yaml"), "calibration.yaml"),
+        (_filled("calibration.yaml", b"%YAML:1.0\n---\nM1: 3\n"), "M1"),
+        (_changed("calibration.yaml", "image_width: 320", "image_width: 640"), "320"),
+        (_filled("recording.toml", b"format = "), "recording.toml"),
+        (_changed("recording.toml", "format = 1", "format = 99"), "format 99"),
+        (_changed("recording.toml", '"left.mp4"', '"../left.mp4"'), "left.mp4"),
+        (_filled("truth.txt", b"1,1,one,2,3,4,1,-1,-1,-1\n"), "truth.txt, line 1"),
+    ],
+    ids=[
+        *("no left video", "empty left video", "noise for a right video"),
+        *("no calibration file", "broken calibration", "calibration of another size"),
+        *("broken manifest", "manifest of tomorrow", "path that climbs out", "broken truth"),
+    ],
+)
+def test_a_broken_recording_is_one_line_and_status_1(
+    trackwright: Trackwright, recording: Path, damage: Callable[[Path], object], reason: str
+) -> None:
+    damage(recording)
+    status, out, err = trackwright("info", recording, "--json")
+    assert (status, out) == (1, "")
+    assert err.startswith("trackwright: ")
+    assert err.count("\n") == 1
+    assert reason in err
+    assert "bug" not in err
+
+
+def test_eyes_of_different_size_are_told(
+    trackwright: Trackwright, recording: Path, tmp_path: Path
+) -> None:
+    other = render_recording(tmp_path / "other", "lobby", 0.5, 0, 3, size=(160, 120))
+    (other / "right.mp4").replace(recording / "right.mp4")
+    status, _, err = trackwright("info", recording)
+    assert status == 1
+    assert "eyes differ in size" in err
+
+
+@pytest.mark.parametrize("name", ["nowhere", "empty"])
+def test_what_is_no_recording_is_told(trackwright: Trackwright, tmp_path: Path, name: str) -> None:
+    (tmp_path / "empty").mkdir()
+    status, _, err = trackwright("info", tmp_path / name)
+    assert status == 1
+    assert err.count("\n") == 1
+    assert name in err
+
+
+def test_synth_renders_a_recording(trackwright: Trackwright, tmp_path: Path) -> None:
+    words = ["--scene", "lobby", "--seconds", "0.2", "--people", "1", "--seed", "5", "--json"]
+    status, out, err = trackwright("synth", tmp_path / "new" / "lobby", *words)
+    assert (status, err) == (0, "")
+    assert json.loads(out) == {"recording": str(tmp_path / "new" / "lobby")}
+    assert json.loads(trackwright("info", tmp_path / "new" / "lobby", "--json")[1])["frames"] == 4
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["--scene", "moon"], "lobby, plaza"),
+        (["--scene", "lobby", "--seconds", "-1"], "seconds is -1"),
+        (["--scene", "lobby", "--people", "100000"], "people is 100000"),
+    ],
+)
+def test_impossible_scenes_are_told(
+    trackwright: Trackwright, tmp_path: Path, words: list[str], reason: str
+) -> None:
+    status, out, err = trackwright("synth", tmp_path / "new", *words)
+    assert (status, out) == (1, "")
+    assert reason in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_synth_never_writes_into_a_folder_with_something_in_it(
+    trackwright: Trackwright, recording: Path
+) -> None:
+    before = sorted(recording.iterdir())
+    status, _, err = trackwright("synth", recording, "--scene", "lobby", "--seconds", "0.1")
+    assert status == 1
+    assert "not an empty folder" in err
+    assert sorted(recording.iterdir()) == before
+
+
+def test_trackers_are_listed_with_all_their_settings(trackwright: Trackwright) -> None:
+    status, out, _ = trackwright("trackers", "--json")
+    assert status == 0
+    found = {tracker["name"]: tracker for tracker in json.loads(out)["trackers"]}
+    assert {"stereo-colour", "stereo-direction"} <= set(found)
+    for field in found["stereo-direction"]["settings"]:
+        assert set(field) == {"name", "type", "default", "unit", "range", "help"}
+        assert field["help"]
+    readable = trackwright("trackers")[1]
+    for field in found["stereo-direction"]["settings"]:
+        assert field["name"] in readable
