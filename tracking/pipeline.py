@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from types import TracebackType
 from typing import Any, TypeVar
 
@@ -137,7 +137,7 @@ class Tracking:
             software=f"trackwright {tracking.__version__}",
         )
 
-    def _work(self) -> Iterator[StepResult]:
+    def _work(self) -> Generator[StepResult]:
         perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
         self._timed("learn", _learn, perception, self._recording)
         pictures = self._recording.frames(*self.frames)

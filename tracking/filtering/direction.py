@@ -19,7 +19,7 @@ def turning_angle(walked: Floats, candidate: Floats) -> Floats:
     """
     forward = np.einsum("pk,pdk->pd", walked, candidate)
     sideways = walked[:, None, 0] * candidate[..., 1] - walked[:, None, 1] * candidate[..., 0]
-    return np.abs(np.arctan2(sideways, forward))
+    return np.asarray(np.abs(np.arctan2(sideways, forward)))
 
 
 def direction_cost(angle: Floats, threshold_rad: float, weight: float) -> Floats:

@@ -46,7 +46,7 @@ def likelihood(distance: NDArray[np.floating], sigma: Floats) -> NDArray[np.floa
         distance: (people, N) d, m. sigma: (people,) s, m.
     """
     spread = sigma[:, None].astype(distance.dtype)
-    return np.exp(-0.5 * (distance / spread) ** 2) / (np.sqrt(2.0 * np.pi) * spread)
+    return np.asarray(np.exp(-0.5 * (distance / spread) ** 2) / (np.sqrt(2.0 * np.pi) * spread))
 
 
 def weigh(particles: Particles, measured: Floats, sigma: Floats) -> Weights:
@@ -62,20 +62,20 @@ def weigh(particles: Particles, measured: Floats, sigma: Floats) -> Weights:
     squared = np.einsum("pnk,pnk->pn", offset, offset)
     squared -= squared.min(axis=1, keepdims=True)
     squared *= (-0.5 / sigma**2).astype(np.float32)[:, None]
-    weights = np.exp(squared, out=squared)
-    weights /= weights.sum(axis=1, keepdims=True)
-    return weights
+    np.exp(squared, out=squared)
+    squared /= squared.sum(axis=1, keepdims=True)
+    return np.asarray(squared, np.float32)
 
 
 def weighted_mean(particles: Particles, weights: Weights) -> Floats:
     """The estimate: (people, 2) m."""
-    return np.einsum("pnk,pn->pk", particles, weights).astype(np.float64)
+    return np.asarray(np.einsum("pnk,pn->pk", particles, weights), np.float64)
 
 
 def effective_share(weights: Weights) -> Floats:
     """The share of each person's particles that carry weight: 1 / (N sum w^2), in 1/N to 1."""
-    squares = np.einsum("pn,pn->p", weights, weights).astype(np.float64)
-    return 1.0 / (weights.shape[1] * squares)
+    squares = np.asarray(np.einsum("pn,pn->p", weights, weights), np.float64)
+    return np.asarray(1.0 / (weights.shape[1] * squares))
 
 
 def resample(particles: Particles, weights: Weights, random: np.random.Generator) -> Particles:
@@ -96,4 +96,4 @@ def resample(particles: Particles, weights: Weights, random: np.random.Generator
     taken[:, -1] = count
     copies = np.diff(taken, axis=1, prepend=0)
     chosen = np.repeat(np.arange(people * count), copies.ravel())
-    return particles.reshape(-1, 2)[chosen].reshape(people, count, 2)
+    return np.asarray(particles.reshape(-1, 2)[chosen].reshape(people, count, 2))

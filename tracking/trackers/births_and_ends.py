@@ -78,4 +78,4 @@ def still_there(
     patience_s = np.where(hidden, settings.lost_hidden_s, patience_s)
     patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)
     left = share_in_view(people, view) < _OUT_OF_VIEW
-    return (people.missed_s == 0.0) | ((people.missed_s <= patience_s) & ~left)
+    return np.asarray((people.missed_s == 0.0) | ((people.missed_s <= patience_s) & ~left))

@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.errors import CalibrationError
 from tracking.filtering import Association, associate, move, resample
 from tracking.geometry import View
-from tracking.people import Detections, StereoPerception
+from tracking.people import Detections, Observation, StereoPerception
 from tracking.recording import Recording
 from tracking.trackers.births_and_ends import confirmed, newcomers, still_there
 from tracking.trackers.population import Population, joined, nobody
-from tracking.trackers.protocol import Observation, StepResult
+from tracking.trackers.protocol import StepResult
 from tracking.trackers.stereo_boxes import expected_visibility
 from tracking.trackers.stereo_cues import Costs, Cues, costs_of
 from tracking.trackers.stereo_result import step_result
@@ -23,16 +24,28 @@ _LONG_MISSED_S = 0.5
 """People missed for longer choose after those who were just seen."""
 
 
-def see(recording: Recording, settings: StereoTrackerSettings) -> StereoPerception:
-    """The perception of a stereo tracker, at its start."""
-    return StereoPerception(
-        recording.rectification,
-        recording.ground,
+def start(
+    recording: Recording, settings: StereoTrackerSettings, cues: Cues, seed: int
+) -> tuple[StereoPerception, StereoTracker]:
+    """Perception and tracker at their start.
+
+    Raises `CalibrationError`: the recording has not what metres on the floor need.
+    """
+    rectification, ground, view = recording.rectification, recording.ground, recording.view
+    if rectification is None or ground is None or view is None:
+        raise CalibrationError(
+            f"recording {recording.name}: stereo trackers need two calibrated cameras and the "
+            "floor; add [calibration] and [ground] to recording.toml"
+        )
+    perception = StereoPerception(
+        rectification,
+        ground,
         recording.fps,
         foreground=settings.foreground,
         stereo=settings.stereo,
         people=settings.people,
     )
+    return perception, StereoTracker(view, settings, cues, seed)
 
 
 class StereoTracker:

@@ -40,7 +40,7 @@ def share_in_view(people: Population, view: View) -> Floats:
     low = np.clip(box[:, :2], 0.0, view.camera.size)
     high = np.clip(box[:, :2] + box[:, 2:], 0.0, view.camera.size)
     share = np.prod((high - low) / box[:, 2:], axis=1)
-    return np.nan_to_num(share)
+    return np.asarray(np.nan_to_num(share))
 
 
 def visibility(box: Floats, range_m: Floats, size: tuple[int, int]) -> Floats:
@@ -56,7 +56,7 @@ def visibility(box: Floats, range_m: Floats, size: tuple[int, int]) -> Floats:
     covered = (points[:, None] >= low[None, :, None]) & (points[:, None] < high[None, :, None])
     nearer = range_m[None, :] < range_m[:, None]
     hidden = (covered.all(axis=3) & nearer[:, :, None]).any(axis=1)
-    return (inside & ~hidden).mean(axis=1)
+    return np.asarray((inside & ~hidden).mean(axis=1))
 
 
 def expected_visibility(people: Population, view: View) -> Floats:

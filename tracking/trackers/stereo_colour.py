@@ -11,7 +11,7 @@ from tracking.people import Detections, StereoPerception
 from tracking.recording import Recording
 from tracking.trackers.population import Population
 from tracking.trackers.settings import setting
-from tracking.trackers.stereo import StereoTracker, see
+from tracking.trackers.stereo import StereoTracker, start
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 
 Floats = NDArray[np.float64]
@@ -64,5 +64,4 @@ def build(
     recording: Recording, settings: StereoColourSettings, seed: int
 ) -> tuple[StereoPerception, StereoTracker]:
     """Perception and tracker at their start."""
-    cues = HalvesOfFirstFrames(settings)
-    return see(recording, settings), StereoTracker(recording.view, settings, cues, seed)
+    return start(recording, settings, HalvesOfFirstFrames(settings), seed)

@@ -91,4 +91,5 @@ def likelihood_sigma(measured: Floats, settings: StereoTrackerSettings) -> Float
 
     It grows with the square of the distance from the camera, as the error of range does.
     """
-    return settings.sigma_near_m + settings.sigma_range * np.square(measured).sum(axis=1)
+    squared = np.asarray(np.square(measured).sum(axis=1))
+    return settings.sigma_near_m + settings.sigma_range * squared

@@ -12,7 +12,7 @@ from tracking.people import Detections, StereoPerception
 from tracking.recording import Recording
 from tracking.trackers.population import Population
 from tracking.trackers.settings import setting
-from tracking.trackers.stereo import StereoTracker, see
+from tracking.trackers.stereo import StereoTracker, start
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 
 Floats = NDArray[np.float64]
@@ -93,5 +93,4 @@ def build(
     recording: Recording, settings: StereoDirectionSettings, seed: int
 ) -> tuple[StereoPerception, StereoTracker]:
     """Perception and tracker at their start."""
-    cues = MiddleUpdated(settings)
-    return see(recording, settings), StereoTracker(recording.view, settings, cues, seed)
+    return start(recording, settings, MiddleUpdated(settings), seed)

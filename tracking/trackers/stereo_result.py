@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from tracking.filtering import Association
 from tracking.geometry import View
-from tracking.people import Detections
+from tracking.people import Detections, Observation
 from tracking.trackers.population import Population
-from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Observation, StepResult
+from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
 from tracking.trackers.stereo_boxes import body_boxes, visibility
 from tracking.trackers.stereo_cues import Costs
 from tracking.tracks.columns import (

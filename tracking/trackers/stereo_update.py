@@ -105,7 +105,7 @@ def _alone(people: Population, rows: NDArray[np.intp], distance_m: float) -> NDA
     """Whether nobody else followed is close, so that a region's colours are one person's."""
     offset = people.position[rows, None] - people.position[None]
     close = np.hypot(offset[..., 0], offset[..., 1]) < distance_m
-    return close.sum(axis=1) <= 1
+    return np.asarray(close.sum(axis=1) <= 1)
 
 
 def _velocity(people: Population, measured: Floats, since_s: Floats, memory_s: float) -> Floats:
@@ -120,7 +120,8 @@ def _velocity(people: Population, measured: Floats, since_s: Floats, memory_s: f
     gain = np.maximum(new, settled) / np.maximum(since_s, 1e-3)
     velocity = people.velocity + gain[:, None] * (measured - people.position)
     speed = np.hypot(velocity[:, 0], velocity[:, 1])
-    return velocity * np.minimum(1.0, _FASTEST_M_PER_S / np.maximum(speed, 1e-9))[:, None]
+    slower = np.minimum(1.0, _FASTEST_M_PER_S / np.maximum(speed, 1e-9))
+    return np.asarray(velocity * slower[:, None])
 
 
 def _stature(people: Population, seen: Detections, chosen: NDArray[np.intp]) -> Floats:
@@ -130,4 +131,4 @@ def _stature(people: Population, seen: Detections, chosen: NDArray[np.intp]) -> 
     looked = np.column_stack(
         (np.clip(seen.size[chosen, 1], *_HEIGHTS_M), np.clip(seen.size[chosen, 0], *_WIDTHS_M))
     )
-    return people.stature + share[:, None] * (looked - people.stature)
+    return np.asarray(people.stature + share[:, None] * (looked - people.stature))
