@@ -17,6 +17,12 @@ Picture = NDArray[np.uint8]
 Mask = NDArray[np.uint8]
 
 _SMALLEST_GAIN_STEP = 0.012
+_USUAL_EXPOSURE = (0.75, 1.33)
+"""Ratios to the background's own exposure at which it may learn at once."""
+_READABLE_EXPOSURE = (0.5, 1.8)
+"""Ratios beyond which dimmed or overexposed detail makes the comparison worthless."""
+_PATIENCE_S = 2.0
+"""How long a change of the whole scene or of exposure lasts before a learnt background yields."""
 _NOISE_AT_FIRST = 2.0
 _OPENING = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
@@ -52,10 +58,10 @@ class BackgroundModel:
         self._settings = settings or ForegroundSettings()
         self._every = max(1, round(fps / self._settings.updates_hz))
         self._period_s = self._every / fps
-        self._mean: NDArray[np.float32] | None = None
         self._primed = False
         self._frames = 0
-        self._changed_updates = 0
+        self._odd_s = 0.0
+        self._exposure = 1.0
 
     def learn(self, pictures: Sequence[Picture]) -> None:
         """Start from the commonest look of pictures spread over some time, people or not.
@@ -75,18 +81,22 @@ class BackgroundModel:
         Args:
             picture: (height, width, 3) uint8.
         """
-        smooth = cv2.blur(picture, (3, 3))
-        if self._mean is None:
+        smooth = np.asarray(cv2.blur(picture, (3, 3)), np.uint8)
+        if self._frames == 0 and not self._primed:
             self._start(smooth)
         self._follow_exposure(smooth)
         difference = _largest_channel(cv2.absdiff(smooth, self._background))
         mask = cv2.compare(difference, self._limit, cv2.CMP_GT)
-        cv2.morphologyEx(mask, cv2.MORPH_OPEN, _OPENING, dst=mask)
-        share = cv2.countNonZero(mask) / mask.size
-        changed = share > self._settings.scene_change
-        if changed:
-            mask[:] = 0
-        return Subtraction(smooth, self._background, mask, changed)
+        mask = np.asarray(cv2.morphologyEx(mask, cv2.MORPH_OPEN, _OPENING), np.uint8)
+        changed = cv2.countNonZero(mask) > self._settings.scene_change * mask.size
+        if changed or not _within(self._exposure, _READABLE_EXPOSURE):
+            return Subtraction(smooth, self._background, np.zeros_like(mask), True)
+        return Subtraction(smooth, self._background, mask, False)
+
+    @property
+    def background(self) -> Picture:
+        """(height, width, 3) what the eye would see without people."""
+        return self._background
 
     @property
     def update_is_due(self) -> bool:
@@ -104,10 +114,14 @@ class BackgroundModel:
         self._frames += 1
         if not due:
             return
-        if seen.scene_changed:
-            self._restart_after_change(seen.picture)
+        odd = seen.scene_changed or not _within(self._exposure, _USUAL_EXPOSURE)
+        self._odd_s = self._odd_s + self._period_s if odd else 0.0
+        if odd and self._primed and self._odd_s < _PATIENCE_S:
             return
-        self._changed_updates = 0
+        if seen.scene_changed:
+            self._start(seen.picture)
+            return
+        self._take_exposure_in()
         self._adapt(seen)
         self._absorb(seen, people)
         self._refresh()
@@ -117,36 +131,38 @@ class BackgroundModel:
         self._noise = np.full(picture.shape[:2], _NOISE_AT_FIRST, np.float32)
         self._candidate = picture.copy()
         self._stillness_s = np.zeros(picture.shape[:2], np.float32)
+        self._exposure, self._odd_s = 1.0, 0.0
         self._refresh()
 
     def _refresh(self) -> None:
         """Make the 8-bit pictures that subtraction compares with."""
-        self._background = cv2.convertScaleAbs(self._mean)
+        self._background = _exposed(self._mean, self._exposure)
         limit = cv2.convertScaleAbs(self._noise, alpha=self._settings.noise_factor)
-        self._limit = cv2.max(limit, np.full_like(limit, round(self._settings.threshold)))
+        lowest = np.full_like(limit, round(self._settings.threshold))
+        self._limit = np.asarray(cv2.max(limit, lowest), np.uint8)
 
     def _follow_exposure(self, picture: Picture) -> None:
-        """Scale the model where the whole picture became brighter or darker."""
+        """Scale what is compared with where the whole picture became brighter or darker.
+
+        The mean itself keeps its own exposure, unclipped, so that errors do not pile up and what
+        was overexposed comes back as it was.
+        """
         ratio = brightness_ratio(picture, self._background)
         if abs(ratio - 1) > _SMALLEST_GAIN_STEP:
-            # The mean is kept unclipped, so what was overexposed comes back as it was.
-            assert self._mean is not None
-            self._mean *= np.float32(ratio)
-            self._background = cv2.convertScaleAbs(self._mean)
+            self._exposure *= ratio
+            self._background = _exposed(self._mean, self._exposure)
 
-    def _restart_after_change(self, picture: Picture) -> None:
-        """Forget the background when a change of the whole scene lasts."""
-        self._changed_updates += 1
-        patience_s = 2.0 if self._primed else 0.0
-        if self._changed_updates * self._period_s > patience_s:
-            self._start(picture)
-            self._changed_updates = 0
+    def _take_exposure_in(self) -> None:
+        """Make the present exposure the background's own."""
+        if self._exposure != 1.0:
+            self._mean *= np.float32(self._exposure)
+            self._exposure = 1.0
 
     def _adapt(self, seen: Subtraction) -> None:
         """Follow slow changes where there is no foreground."""
         rate = 1 - np.exp(-self._period_s / self._settings.adapt_s)
         still = cv2.bitwise_not(cv2.dilate(seen.mask, _OPENING))
-        difference = _largest_channel(cv2.absdiff(seen.picture, self._background))
+        difference = _largest_channel(np.asarray(cv2.absdiff(seen.picture, self._background)))
         cv2.accumulateWeighted(seen.picture, self._mean, rate, mask=still)
         cv2.accumulateWeighted(difference, self._noise, rate, mask=still)
 
@@ -165,7 +181,6 @@ class BackgroundModel:
             lasting = self._stillness_s > self._settings.absorb_person_s
             settled &= (people == 0) | lasting
         if settled.any():
-            assert self._mean is not None
             self._mean[settled] = seen.picture[settled]
             self._noise[settled] = _NOISE_AT_FIRST
 
@@ -173,6 +188,15 @@ class BackgroundModel:
         elapsed_s = self._frames * self._period_s / self._every
         learning = not self._primed and elapsed_s < self._settings.learn_s
         return self._settings.absorb_s / 10 if learning else self._settings.absorb_s
+
+
+def _exposed(mean: NDArray[np.float32], exposure: float) -> Picture:
+    """The mean as 8-bit picture at an exposure."""
+    return np.asarray(cv2.convertScaleAbs(mean, alpha=exposure), np.uint8)
+
+
+def _within(value: float, bounds: tuple[float, float]) -> bool:
+    return bounds[0] <= value <= bounds[1]
 
 
 def _largest_channel(picture: Picture) -> Mask:

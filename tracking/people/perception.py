@@ -23,6 +23,8 @@ Mask = NDArray[np.uint8]
 _WIDEST_PX = 800
 """Wider pictures are shrunk by a whole number before anything is done with them."""
 _PROTECTED_MARGIN_PX = 8
+_UPDATES_PER_SCENE = 9
+"""Updates of the backgrounds between two looks at how far away they are."""
 
 
 class StereoPerception:
@@ -53,6 +55,7 @@ class StereoPerception:
         self._eyes = (BackgroundModel(fps, foreground), BackgroundModel(fps, foreground))
         self._shadows = ShadowRemover(foreground)
         self._stereo = SubtractionStereo(lines, stereo)
+        self._updates = 0
         self._finder = PeopleFinder(rectification, ground, lines, people or PeopleSettings())
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
@@ -64,6 +67,7 @@ class StereoPerception:
         pairs = [self.rectify(frame) for frame in frames]
         for background, pictures in zip(self._eyes, zip(*pairs, strict=True), strict=True):
             background.learn(pictures)
+        self._learn_scene()
 
     def observe(self, frame: StereoFrame) -> Observation:
         """What is seen in the frame. Frames come in order.
@@ -100,8 +104,7 @@ class StereoPerception:
 
     def match(self, left: Subtraction, right: Subtraction) -> NDArray[np.float32]:
         """(rows, columns) disparity of the left eye's foreground, of `SubtractionStereo`."""
-        grey = [cv2.cvtColor(eye.picture, cv2.COLOR_BGR2GRAY) for eye in (left, right)]
-        return self._stereo.match(grey[0], grey[1], left.mask, right.mask)
+        return self._stereo.match(_grey(left.picture), _grey(right.picture), left.mask, right.mask)
 
     def find(self, left: Subtraction, shadow: Mask, disparity: NDArray[np.float32]) -> Detections:
         """The people in the foreground."""
@@ -114,8 +117,15 @@ class StereoPerception:
         protected: tuple[Mask | None, Mask | None] = (None, None)
         if self._eyes[0].update_is_due:
             protected = self._protected(people, left.mask.shape)
+            self._updates += 1
         for eye, seen, mask in zip(self._eyes, (left, right), protected, strict=True):
             eye.update(seen, mask)
+        if self._updates % _UPDATES_PER_SCENE == 1:
+            self._updates += 1
+            self._learn_scene()
+
+    def _learn_scene(self) -> None:
+        self._stereo.learn_scene(*(_grey(eye.background) for eye in self._eyes))
 
     def _protected(self, people: Detections, shape: tuple[int, ...]) -> tuple[Mask, Mask]:
         """Masks of both eyes that cover the people generously."""
@@ -140,3 +150,7 @@ class StereoPerception:
         ranged = cv2.resize(disparity, size, interpolation=cv2.INTER_NEAREST)
         ranged *= np.float32(self._shrink)
         return Overlays(np.asarray(shown, np.uint8), np.asarray(ranged, np.float32))
+
+
+def _grey(picture: Image) -> NDArray[np.uint8]:
+    return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY), np.uint8)

@@ -19,6 +19,8 @@ STEP = 2
 """Pixels between the places that get a disparity."""
 _PARTS_OF_PX = 16
 _SLACK_PX = 1.0
+_SAME_PLACE_M, _SAME_PLACE_PX = 0.15, 0.75
+"""How far in range, and at most in disparity, a change may be from the background it is on."""
 
 
 class SubtractionStereo:
@@ -37,10 +39,34 @@ class SubtractionStereo:
             lines.disparity_at_height(self._settings.tallest_m, near, far)[::STEP, ::STEP]
             + _SLACK_PX
         )
+        self._lines = lines
+        self._scene = np.full_like(self._least, np.nan)
+        self._scene_slack = np.zeros_like(self._least)
         self._matcher = cv2.StereoBM.create(16, self._settings.window_px | 1)
         self._matcher.setTextureThreshold(5)
         self._matcher.setUniquenessRatio(3)
         self._matcher.setPreFilterCap(31)
+
+    def learn_scene(self, left: Grey, right: Grey) -> None:
+        """Range the empty scene, so that light that changes on it is not taken for people.
+
+        A change whose range is that of the background itself is a shadow or a fleck of light, on
+        the floor or on anything else. The tolerance is a fixed length, but never more than
+        a fraction of a pixel: far away, where range cannot tell people from a wall close behind
+        them, nothing is dropped.
+
+        Args:
+            left, right: (height, width) rectified grey pictures of the backgrounds.
+        """
+        height, width = left[::STEP].shape
+        whole = (slice(0, height), slice(0, width))
+        low, high = math.floor(float(self._least.min())), math.ceil(float(self._most.max()))
+        found = self._search(_rows_halved(left), _rows_halved(right), whole, low, high)
+        scene = found[:, ::STEP]
+        self._scene = np.where(scene >= low, scene, np.nan).astype(np.float32)
+        infinite = np.float32(self._lines.offset)
+        per_m = (self._scene - infinite) ** 2 / np.float32(self._lines.focal_baseline)
+        self._scene_slack = np.minimum(per_m * _SAME_PLACE_M, np.float32(_SAME_PLACE_PX))
 
     def match(self, left: Grey, right: Grey, left_mask: Mask, right_mask: Mask) -> Disparity:
         """Disparity of the left eye's foreground, on every second pixel.
@@ -71,7 +97,9 @@ class SubtractionStereo:
         found = self._search(_rows_halved(left), _rows_halved(right), box, low, high)
         d = found[v - y, u - x]
         good = (d >= least) & (d <= most) & _foreground_there(there, v, u, d)
-        disparity[v[good], u[good] // STEP] = d[good]
+        v, u, d = v[good], u[good] // STEP, d[good]
+        moved = ~(np.abs(d - self._scene[v, u]) < self._scene_slack[v, u])
+        disparity[v[moved], u[moved]] = d[moved]
         return disparity
 
     def _search(
