@@ -10,14 +10,11 @@ from PySide6.QtCore import QObject, Signal
 from tracking.errors import TrackwrightError
 from tracking.recording import FrameCache, Recording, StereoFrame
 
-PREFETCH_FRAMES = 24
-
 
 @dataclass(frozen=True, slots=True)
 class _Request:
     ticket: int
     frame: int
-    direction: int
 
 
 class FrameReader(QObject):
@@ -33,7 +30,6 @@ class FrameReader(QObject):
 
     def __init__(self, recording: Recording, cache_bytes: int, parent: QObject) -> None:
         super().__init__(parent)
-        self._frame_count = recording.frame_count
         self._cache = FrameCache(recording, cache_bytes)
         self._ticket = 0
         self._wanted: _Request | None = None
@@ -41,6 +37,11 @@ class FrameReader(QObject):
         self._changed = threading.Condition()
         self._thread = threading.Thread(target=self._run, name="frame reader", daemon=True)
         self._thread.start()
+
+    @property
+    def kept(self) -> list[tuple[int, int]]:
+        """The frames at hand, as half-open ranges."""
+        return self._cache.kept_ranges()
 
     def cached(self, frame: int) -> StereoFrame | None:
         """The frame if it is at hand, without waiting."""
@@ -50,7 +51,8 @@ class FrameReader(QObject):
         """Ask for a frame; it replaces what was asked before. `direction` leads the prefetch."""
         with self._changed:
             self._ticket += 1
-            self._wanted = _Request(self._ticket, frame, direction)
+            self._cache.point_at(frame, direction)
+            self._wanted = _Request(self._ticket, frame)
             self._changed.notify()
             return self._ticket
 
@@ -63,19 +65,19 @@ class FrameReader(QObject):
 
     def _run(self) -> None:
         served: _Request | None = None
-        ahead = 0
+        more = False
         while True:
             with self._changed:
-                while not self._closed and self._wanted is served and ahead <= 0:
+                while not self._closed and self._wanted is served and not more:
                     self._changed.wait()
                 if self._closed:
                     return
                 request = self._wanted
             if request is not None and request is not served:
                 self._serve(request)
-                served, ahead = request, PREFETCH_FRAMES
-            elif served is not None:
-                ahead = self._fetch_ahead(served, ahead)
+                served, more = request, True
+            else:
+                more = self._fetch_ahead()
 
     def _serve(self, request: _Request) -> None:
         try:
@@ -85,14 +87,9 @@ class FrameReader(QObject):
         else:
             self.ready.emit(request.ticket, frame)
 
-    def _fetch_ahead(self, served: _Request, ahead: int) -> int:
-        """Read one more frame in the play direction; what is left to fetch."""
-        step = PREFETCH_FRAMES - ahead + 1
-        frame = served.frame + step * (1 if served.direction >= 0 else -1)
-        if not 0 <= frame < self._frame_count:
-            return 0
+    def _fetch_ahead(self) -> bool:
+        """Read one more frame in the play direction; whether there may be more to fetch."""
         try:
-            self._cache.read(frame)
+            return self._cache.prefetch()
         except TrackwrightError:
-            return 0  # told when somebody asks for this very frame
-        return ahead - 1
+            return False  # told when somebody asks for this very frame

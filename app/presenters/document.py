@@ -40,7 +40,7 @@ class Document:
         self.pictures = PicturePresenter(recording)
         self.overhead = OverheadPresenter(recording)
         self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
-        self._live = LiveTracks()
+        self._live, self._live_shown = LiveTracks(), session is None
         self._marks = EditMarks()
         self._retake()
 
@@ -62,16 +62,13 @@ class Document:
     # tracking
 
     def begin_live(self) -> None:
-        """A tracker starts anew; what it finds is shown from now on.
+        """A tracker starts anew; what it finds is shown until it has come to its end.
 
-        A session that is open is let go as it was last saved.
+        The corrected tracks of a session stay as they are.
         """
-        if self.session is not None:
-            self.session.close()
-            self.session = None
         self.leave_edit()
         self.selection.choose(0)
-        self._live = LiveTracks()
+        self._live, self._live_shown = LiveTracks(), True
         self._retake()
 
     def take_live(self, results: Iterable[StepResult]) -> None:
@@ -82,18 +79,25 @@ class Document:
     def take_session(self, session: Session) -> None:
         """Show a session from now on."""
         self.session = session
-        self._live = LiveTracks()
+        self._live, self._live_shown = LiveTracks(), False
         self._marks = EditMarks()
         self._retake()
 
+    def end_live(self) -> None:
+        """The tracker is done, or failed: show the session again, if there is one."""
+        if self.session is not None:
+            self.take_session(self.session)
+
     def _retake(self) -> None:
-        """Show the session's tracks, or without one those of the tracker at work."""
+        """Show the tracks of the tracker at work, or those of the session."""
         session = self.session
         self._tracks: ShownTracks = self._live
-        if session is not None:
-            run = session.runs[-1] if session.runs else None
-            self._tracks = SessionTracks(session.table, run)
-        marks = {} if session is None else self._marks.of(session.history)
+        marks: dict[int, tuple[int, ...]] = {}
+        if session is not None and not self._live_shown:
+            adopted = session.adopted_run
+            run = session.runs[adopted] if adopted is not None else None
+            self._tracks = SessionTracks(session.tracks, run)
+            marks = self._marks.of(session.history)
         self._timeline.take(self._tracks, marks)
 
     # what the views show
@@ -144,7 +148,7 @@ class Document:
         """A person was clicked: select them, or give them to the edit that waits for one."""
         if self.flow is not None and self.flow.needs_other:
             if track and self.session is not None:
-                self._put(self.flow.with_other(track, self.session.table))
+                self._put(self.flow.with_other(track, self.session.tracks))
         elif self.flow is None:
             self.selection.choose(track)
 
@@ -158,7 +162,7 @@ class Document:
             along.choose(self.flow.other or self.flow.track)
             other = along.cycle(here, step, skip=self.flow.track)
             if other:
-                self._put(self.flow.with_other(other, self.session.table))
+                self._put(self.flow.with_other(other, self.session.tracks))
 
     # correcting
 
@@ -179,7 +183,7 @@ class Document:
         if self.session is not None:
             self.flow = flow
             session = self.session
-            self.planned = planned_edit(flow, session.table, session.labels, self.recording.fps)
+            self.planned = planned_edit(flow, session.tracks, session.labels, self.recording.fps)
 
     def confirm_edit(self) -> Change | None:
         """Do the edit that waits; None where it is not ready."""
@@ -220,7 +224,7 @@ class Document:
         """Make only the lanes of the tracks anew that the change touched."""
         if self.session is None:
             return
-        table = self.session.table
+        table = self.session.tracks
         spans = {
             track: spans_of(table.of_track(track))[track]
             for track in change.tracks

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,9 +11,10 @@ from typing import Any
 from platformdirs import user_data_path
 
 from tracking.formats import read_mot, write_mot
-from tracking.recording import Recording, open_recording
+from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.scoring import ScoringTable, score
-from tracking.session import Session
+from tracking.session import KnownRecordings, PendingSave, Session
+from tracking.session.saving import companions
 from tracking.synthesis import render_recording
 from tracking.tracks import Run
 
@@ -32,24 +34,29 @@ class Opened:
 
 def unsaved_folder() -> Path:
     """Where sessions stand that were never given a place by the user."""
-    return user_data_path("trackwright", appauthor=False) / "unsaved"
+    return _own_folder() / "unsaved"
 
 
-def open_path(path: Path, recording: Path | None = None) -> Opened:
+def open_path(
+    path: Path, recording: Path | None = None, options: OpenOptions | None = None
+) -> Opened:
     """Open a recording or a session (`*.h5`) with its recording.
 
     Args:
         path: what to open.
         recording: where the recording of a session is by now, if it is known to have moved.
+        options: what a bare recording does not say of itself.
 
     Raises:
         TrackwrightError: it cannot be opened; `RecordingMissing` where only the recording is gone.
     """
     if path.suffix.lower() != ".h5":
-        return Opened(path, open_recording(path))
-    session = Session.open(path, recording=recording)
+        return Opened(path, open_recording(path, options))
+    session = Session.open(path)
     try:
-        return Opened(path, open_recording(session.recording_path), session)
+        search = [recording] if recording is not None else []
+        place = session.locate_recording(search, KnownRecordings(_own_folder()))
+        return Opened(path, open_recording(place), session)
     except BaseException:
         session.close()
         raise
@@ -59,30 +66,31 @@ def keep_run(recording: Recording, run: Run) -> Session:
     """A session of a run that was just made, kept on disk from its first moment."""
     folder = unsaved_folder()
     folder.mkdir(parents=True, exist_ok=True)
-    session = Session.create(recording, [run])
-    session.save(_free_name(folder, recording.path.stem or "session"))
+    path = _free_name(folder, recording.path.stem or "session")
+    session = Session.create(recording, [run], path)
+    session.locate_recording([recording.path], KnownRecordings(_own_folder()))
     return session
 
 
-def save_at(session: Session, path: Path) -> None:
-    """Save a session; the file of one that had no place of its own goes once it has one."""
-    before = session.path
-    session.save(path)
+def finish_save(session: Session, pending: PendingSave) -> None:
+    """End a save; the file of a session that had no place of its own goes once it has one."""
+    before, path = session.path, pending.path
+    session.finish_save(pending)
     if before is not None and is_unsaved_place(before) and before != path:
         remove_session(before)
 
 
 def discard(session: Session) -> None:
     """Forget what was done since the last save, and all of a session that was never saved."""
-    session.discard()
+    session.close(discard=True)
     if session.path is not None and is_unsaved_place(session.path):
         remove_session(session.path)
 
 
 def remove_session(path: Path) -> None:
-    """Remove a session's file and what stands beside it by its name."""
-    for file in path.parent.glob(f"{path.name}*"):
-        file.unlink(missing_ok=True)
+    """Remove a session's file and what the program keeps beside it."""
+    path.unlink(missing_ok=True)
+    shutil.rmtree(companions(path), ignore_errors=True)
 
 
 def is_unsaved_place(path: Path | None) -> bool:
@@ -92,7 +100,7 @@ def is_unsaved_place(path: Path | None) -> bool:
 
 def make_demo(report: Report) -> Path:
     """The built-in recording in the user's own data folder, made where it is not there yet."""
-    folder = user_data_path("trackwright", appauthor=False) / "demo"
+    folder = _own_folder() / "demo"
     if (folder / "recording.toml").is_file():
         return folder
     return render_recording(
@@ -102,7 +110,7 @@ def make_demo(report: Report) -> Path:
 
 def export_mot(session: Session, path: Path) -> Path:
     """Write the corrected tracks as MOT text."""
-    write_mot(path, session.table.columns())
+    write_mot(path, session.tracks.columns())
     return path
 
 
@@ -113,9 +121,13 @@ def score_against_truth(session: Session, recording: Recording) -> dict[str, Any
         FormatError: the truth cannot be read.
     """
     assert recording.truth_path is not None
-    truth = ScoringTable.of(read_mot(recording.truth_path), dont_cares=True)
-    result = ScoringTable.of(session.table.columns())
+    truth = ScoringTable.from_columns(read_mot(recording.truth_path), dont_cares=True)
+    result = ScoringTable.from_columns(session.tracks.columns())
     return score(truth, result, frames=recording.frame_count).as_json()
+
+
+def _own_folder() -> Path:
+    return user_data_path("trackwright", appauthor=False)
 
 
 def _free_name(folder: Path, stem: str) -> Path:

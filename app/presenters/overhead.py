@@ -84,7 +84,10 @@ def relative_weights(particles: Columns) -> NDArray[np.float32]:
     starts = np.flatnonzero(np.append(True, tracks[1:] != tracks[:-1]))
     heaviest = np.maximum.reduceat(weights, starts)
     counts = np.diff(np.append(starts, len(tracks)))
-    return weights / np.maximum(np.repeat(heaviest, counts), np.float32(1e-30))
+    relative: NDArray[np.float32] = weights / np.maximum(
+        np.repeat(heaviest, counts), np.float32(1e-30)
+    )
+    return relative
 
 
 def _bounds(polygon: Floats) -> Bounds:

@@ -18,22 +18,24 @@ from app.views.main_window import MainWindow
 from app.views.remembered import Remembered
 from app.views.theme import Look, apply_look
 from tracking.errors import OutputError, RecordingError
+from tracking.recording import OpenOptions
 
 _log = logging.getLogger(__name__)
 _PATIENCE_MS = 60_000
 
 
-def run(path: Path | None) -> int:
+def run(path: Path | None, options: OpenOptions | None = None) -> int:
     """Show the window until it is closed; the exit status.
 
     Args:
         path: a recording or session to open, None for the welcome page.
+        options: what a bare recording does not say of itself.
     """
     application = start_application()
     window = MainWindow(Remembered())
     _catch_bugs(window)
     if path is not None:
-        window.files.open_path(path)
+        window.files.open_path(path, options=options)
     window.show()
     _end_by_interrupt(application, window)
     return application.exec()

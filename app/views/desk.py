@@ -18,6 +18,7 @@ from app.views.workspace import Workspace
 from tracking.errors import TrackwrightError
 from tracking.session import Session
 from tracking.trackers import StepResult, best_tracker
+from tracking.tracks import Run
 
 
 class Desk(QObject):
@@ -147,6 +148,17 @@ class Desk(QObject):
         self.document.take_session(session)
         self.draw()
 
+    def add_run(self, run: Run) -> None:
+        """Keep a further result in the session; corrected tracks stay as they are."""
+        session = self.document.session
+        if session is None:
+            return
+        number = session.add_run(run)
+        self.document.end_live()
+        if session.adopted_run != number:
+            self.said.emit(tr("Kept as run {n}: the corrected tracks stay as they are", n=number))
+        self.draw()
+
     def _last_tracked(self) -> int | None:
         """Where playing waits for the tracker, so that people are seen with their picture."""
         until = self.document.tracked_until
@@ -166,6 +178,7 @@ class Desk(QObject):
         self.draw()
 
     def _fail_live(self, error: Exception) -> None:
+        self.document.end_live()
         self.draw()
         self.failed.emit(error)
 
@@ -229,8 +242,8 @@ class Desk(QObject):
         if self.live.running:
             return self.live.tracker
         session = self.document.session
-        if session is not None and session.runs:
-            return session.runs[-1].tracker
+        if session is not None and session.adopted_run is not None:
+            return session.runs[session.adopted_run].tracker
         return self._best
 
     def _status(self) -> str:

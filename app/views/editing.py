@@ -161,7 +161,7 @@ class Editing(QObject):
             return
 
         def apply() -> Change:
-            change = plan(session.table, session.labels)
+            change = plan(session.tracks, session.labels)
             self._document.apply(change)
             return change
 

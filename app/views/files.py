@@ -20,6 +20,8 @@ from app.views.remembered import Remembered
 from app.views.score_dialog import ScoreDialog
 from app.views.track_dialog import TrackDialog
 from app.views.work import Work
+from tracking.errors import TrackwrightError
+from tracking.recording import OpenOptions
 from tracking.session import RecordingMissing, Session
 from tracking.tracks import Run
 
@@ -67,13 +69,15 @@ class Files(QObject):
         if paths:
             self.open_path(paths[0])
 
-    def open_path(self, path: Path, recording: Path | None = None) -> None:
+    def open_path(
+        self, path: Path, recording: Path | None = None, options: OpenOptions | None = None
+    ) -> None:
         """Open a recording or a session; `recording` says where a session's one is by now."""
-        if not self.may_leave(lambda: self.open_path(path, recording)):
+        if not self.may_leave(lambda: self.open_path(path, recording, options)):
             return
         self._opening = path
         title = tr("Opening {name}", name=path.name)
-        self._work.run(title, lambda _: opening.open_path(path, recording), self._show)
+        self._work.run(title, lambda _: opening.open_path(path, recording, options), self._show)
 
     def open_demo(self) -> None:
         """Make the built-in recording where it is not there yet, and open it."""
@@ -115,12 +119,7 @@ class Files(QObject):
 
     def _tell_oddities(self, opened: Opened) -> None:
         session = opened.session
-        lines = list(opened.recording.notes)
-        if session is not None and session.recovered:
-            n = session.recovered
-            lines.insert(0, tr("{n} edits recovered that were not saved yet", n=n))
-        if session is not None and session.read_only:
-            lines.insert(0, tr("Open in another window: read only here"))
+        lines = [*(() if session is None else session.notes), *opened.recording.notes]
         if lines:
             self._window.notice.say("\n".join(lines))
         else:
@@ -134,25 +133,25 @@ class Files(QObject):
         if desk is None:
             return
         warning = ""
-        if desk.document.session is not None:
+        if self.session is not None and len(self.session.history):
             warning = tr(
-                "These tracks and their corrections stay as they are in their session; the new "
-                "result becomes a session of its own."
+                "The corrected tracks stay as they are; the new result is kept beside them."
             )
         dialog = TrackDialog(desk.document.recording, desk.best_tracker, warning, self._window)
         dialog.accepted.connect(lambda: self._track(dialog))
         dialog.open()
 
     def _track(self, dialog: TrackDialog) -> None:
-        if not self.may_leave(lambda: self._track(dialog)):
-            return
         if self.desk is not None:
             self.desk.track(*dialog.answer())
 
     def _keep(self, run: Run | None) -> None:
-        """Make a session of what was tracked, on disk at once."""
+        """Keep what was tracked: in the session, or as a new one that is on disk at once."""
         desk = self.desk
         if desk is None or run is None:
+            return
+        if desk.document.session is not None:
+            desk.add_run(run)
             return
         recording = desk.document.recording
         work = lambda _: opening.keep_run(recording, run)  # noqa: E731 - said once, right here
@@ -171,7 +170,7 @@ class Files(QObject):
         if self.desk is not None and self.desk.live.running:
             return self.desk.live.done > 0
         session = self.session
-        return session is not None and (session.unsaved or opening.is_unsaved_place(session.path))
+        return session is not None and (session.dirty or opening.is_unsaved_place(session.path))
 
     def save(self, then: Then | None = None) -> None:
         """Save where the session stands; ask for a place where it has none yet."""
@@ -197,14 +196,22 @@ class Files(QObject):
             return
 
         def saved(_: object) -> None:
+            opening.finish_save(session, pending)
             self._remembered.add_recent(path.resolve())
             self.said.emit(tr("Saved: {path}", path=path))
             self.changed.emit()
             if then is not None:
                 then()
 
+        try:
+            pending = session.begin_save(path)
+        except TrackwrightError as error:
+            self.failed.emit(error)
+            return
         title = tr("Saving {name}", name=path.name)
-        self._work.run(title, lambda _: opening.save_at(session, path), saved)
+        self._work.run(
+            title, lambda _: pending.write(), saved, lambda: session.abandon_save(pending)
+        )
 
     def export_mot(self) -> None:
         """Ask for a place and write the tracks as MOT text."""
@@ -270,6 +277,10 @@ class Files(QObject):
             self.close()
             self._window.notice.hide()
             self._window.show_welcome()
+
+    def quit(self) -> None:
+        """Close the window."""
+        self._window.close()
 
     def close(self) -> None:
         """Let the open document go; its threads have ended when this returns."""

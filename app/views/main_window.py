@@ -71,9 +71,11 @@ class MainWindow(QMainWindow):
         column.setSpacing(0)
         column.addWidget(self.notice)
         column.addWidget(self._pages, 1)
-        column.addWidget(self.progress)
         self.setCentralWidget(centre)
+        # The line keeps its height, so that nothing above moves when work begins or ends.
         self.statusBar().setSizeGripEnabled(False)
+        self.statusBar().setMinimumHeight(self.progress.sizeHint().height())
+        self.statusBar().addPermanentWidget(self.progress, 3)
         search = QPushButton(tr("Search commands   Ctrl+K"), self)
         search.setProperty("search", True)
         search.setAccessibleName(tr("Search commands"))

@@ -18,8 +18,8 @@ class Remembered:
     @property
     def recent(self) -> tuple[Path, ...]:
         """What was opened, the latest first."""
-        value = self._settings.value("recent", [])
-        texts = [value] if isinstance(value, str) else list(value or [])
+        value = self._settings.value("recent")
+        texts = value if isinstance(value, list) else [value] if value else []
         return tuple(Path(str(text)) for text in texts)
 
     def add_recent(self, path: Path) -> None:

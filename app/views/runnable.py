@@ -45,7 +45,7 @@ def _of_the_window(window: MainWindow) -> dict[str, Run]:
         "file.save_as": files.save_as,
         "file.export_mot": files.export_mot,
         "file.close": files.close_recording,
-        "file.quit": lambda: window.close() and None,
+        "file.quit": window.files.quit,
         "edit.commands": lambda: _open_palette(window),
         "view.look_system": lambda: window.set_look(Look.SYSTEM),
         "view.look_light": lambda: window.set_look(Look.LIGHT),

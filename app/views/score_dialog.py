@@ -53,7 +53,9 @@ class ScoreDialog(QDialog):
         buttons.rejected.connect(self.reject)
         rows.addWidget(buttons)
 
-    def _fill(self, grid: QGridLayout, column: int, title: str, lines: list[tuple[str, str]]):
+    def _fill(
+        self, grid: QGridLayout, column: int, title: str, lines: list[tuple[str, str]]
+    ) -> None:
         grid.addWidget(heading(title, self), 0, column, 1, 2)
         for row, (name, text) in enumerate(lines, start=1):
             grid.addWidget(quiet(name.replace("_", " "), self), row, column)

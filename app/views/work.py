@@ -35,16 +35,26 @@ class Work(QObject):
         """Whether a job runs."""
         return self._job is not None
 
-    def run(self, title: str, work: Callable[[Progress], Any], done: Callable[[Any], None]) -> None:
+    def run(
+        self,
+        title: str,
+        work: Callable[[Progress], Any],
+        done: Callable[[Any], None],
+        undone: Callable[[], None] | None = None,
+    ) -> None:
         """Do `work(progress)` in the background, then `done(its result)` here.
 
-        While another job runs nothing is begun; commands are disabled then.
+        Where it fails or is cancelled, `undone()` is called instead. While another job runs
+        nothing is begun; commands are disabled then.
         """
         if self._job is not None:
             self.said.emit(tr("Wait until the work in progress is done"))
             return
         job = Job(title, work, self)
         job.progressed.connect(self._show)
+        if undone is not None:
+            job.failed.connect(lambda _: undone())
+            job.cancelled.connect(undone)
         job.failed.connect(self.failed)
         job.cancelled.connect(lambda: self.said.emit(tr("Stopped: {title}", title=title)))
         job.done.connect(lambda result: self._end(lambda: done(result)))

@@ -53,7 +53,7 @@ class Workspace(QWidget):
             "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (2, 5, 3)
         )
         top = self._split(
-            "top", Qt.Orientation.Horizontal, (eyes, self.overhead, side), (11, 10, 6)
+            "top", Qt.Orientation.Horizontal, (eyes, self.overhead, side), (9, 10, 6)
         )
         upper = QWidget(self)
         column = QVBoxLayout(upper)
