@@ -82,11 +82,12 @@ def _rows_from_json(parts: Mapping[str, Any]) -> Columns:
 
 def _inflated(packed: str, size: int) -> bytes:
     """Exactly size bytes; never inflates more than one beyond."""
+    inflater = zlib.decompressobj()
     try:
-        plain = zlib.decompressobj().decompress(base64.b64decode(packed, validate=True), size + 1)
+        plain = inflater.decompress(base64.b64decode(packed, validate=True), size + 1)
     except (binascii.Error, zlib.error) as why:
         raise EditError(f"the rows of an edit in the log are damaged: {why}") from why
-    if len(plain) != size:
+    if len(plain) != size or not inflater.eof:
         raise EditError(f"the rows of an edit in the log are damaged: not {size} bytes")
     return plain
 

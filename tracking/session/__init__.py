@@ -1,9 +1,10 @@
 """The document, its HDF5 file, and what keeps both whole."""
 
-from tracking.session.document import PendingSave, Session
+from tracking.session.document import Session
 from tracking.session.errors import RecordingMissing
 from tracking.session.info import describe
 from tracking.session.known import KnownRecordings
+from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import Runs
 from tracking.session.saving import generations

@@ -5,46 +5,24 @@ from __future__ import annotations
 import getpass
 import uuid
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 from importlib import metadata
 from pathlib import Path
 
-from tracking.editing import Change, Entry, History, apply_change
-from tracking.errors import EditError, OutputError, SessionError
-from tracking.session.image import Snapshot, Stamps, build_image
-from tracking.session.journal import Act, Journal, Step
+from tracking.editing import Change, Entry, History
+from tracking.errors import OutputError, SessionError
+from tracking.session.edited import Edited
+from tracking.session.image import Snapshot, Stamps
+from tracking.session.journal import Act
 from tracking.session.known import KnownRecordings
+from tracking.session.pending import PendingSave
 from tracking.session.reading import read_session
-from tracking.session.recovery import missing_steps
+from tracking.session.recovery import recover
 from tracking.session.reference import Footage, RecordingReference, locate, refer_to, relative
 from tracking.session.runs import Runs
-from tracking.session.saving import replace_verified
 from tracking.session.store import Store, has_waiting_journal
 from tracking.tracks import Labels, Run, TrackTable
-
-
-@dataclass(frozen=True, slots=True)
-class PendingSave:
-    """A save on its way. `write` may run on any thread, the rest is the session's.
-
-    Attributes:
-        snapshot, path: what to write and where to.
-        content: the session's count of changes that the snapshot holds.
-        store: the right to write there.
-    """
-
-    snapshot: Snapshot
-    path: Path
-    content: int
-    store: Store
-
-    def write(self) -> None:
-        """Build, write and verify the file, and put it in its place.
-
-        Raises OutputError, with the old file whole, where that fails.
-        """
-        replace_verified(self.path, build_image(self.snapshot))
 
 
 class Session:
@@ -58,11 +36,9 @@ class Session:
         """Use `create` or `open`."""
         self._stamps = snapshot.stamps
         self._recording = snapshot.recording
-        self._tracks = snapshot.tracks
+        self._edited = Edited(snapshot.tracks, snapshot.labels, History(snapshot.edits))
         self._adopted = snapshot.adopted
-        self._labels = snapshot.labels
         self._runs = Runs(snapshot.runs)
-        self._history = History(snapshot.edits)
         self._path = path
         self._author = author
         self._place: Path | None = None
@@ -141,12 +117,12 @@ class Session:
     @property
     def tracks(self) -> TrackTable:
         """The corrected table; it changes in place, and only by `apply`, `undo` and `redo`."""
-        return self._tracks
+        return self._edited.tracks
 
     @property
     def labels(self) -> Labels:
         """What people said; a frozen value, another one after each edit that touches it."""
-        return self._labels
+        return self._edited.labels
 
     @property
     def runs(self) -> Runs:
@@ -161,7 +137,7 @@ class Session:
     @property
     def history(self) -> History:
         """The log of edits."""
-        return self._history
+        return self._edited.history
 
     @property
     def created(self) -> str:
@@ -201,24 +177,18 @@ class Session:
         Raises EditError where it does not apply, OutputError where it cannot be put on disk
         (nothing is changed then), SessionError for a session open for reading only.
         """
-        entry = self._history.draft(change, _now(), self._author)
-        self._do("apply", entry, change)
-        self._history.add(entry)
-        return entry
+        entry = self.history.draft(change, _now(), self._author)
+        return self._do("apply", entry, change)
 
     def undo(self) -> Entry:
         """Take the last edit back. Raises EditError where there is none, and as `apply`."""
-        entry = self._history.next_undo
-        if entry is not None:
-            self._do("undo", entry, entry.change.inverse)
-        return self._history.mark_undone()
+        entry = self._edited.next("undo")
+        return self._do("undo", entry, entry.change)
 
     def redo(self) -> Entry:
         """Make the edit taken back last again. Raises EditError where there is none."""
-        entry = self._history.next_redo
-        if entry is not None:
-            self._do("redo", entry, entry.change)
-        return self._history.mark_redone()
+        entry = self._edited.next("redo")
+        return self._do("redo", entry, entry.change)
 
     def add_run(self, run: Run, *, adopt: bool = True) -> int:
         """Add a tracker's result; gives its number.
@@ -228,84 +198,40 @@ class Session:
         Raises EditError where the run's tracks are no table.
         """
         self._refuse_read_only()
-        adopts = adopt and not len(self._history)
-        table = TrackTable(run.tracks, highest_track=self._tracks.highest_track) if adopts else None
+        adopts = adopt and not len(self.history)
+        table = TrackTable(run.tracks, highest_track=self.tracks.highest_track) if adopts else None
         number = self._runs.add(run)
         if table is not None:
-            self._tracks, self._adopted = table, number
+            self._edited.tracks, self._adopted = table, number
         self._content += 1
         self._base = self._content
         return number
 
-    def _do(self, act: Act, entry: Entry, change: Change) -> None:
-        """Validate and apply, then journal; where the journal fails, take it back."""
+    def _do(self, act: Act, entry: Entry, change: Change) -> Entry:
         self._refuse_read_only()
         if self._store is not None and self._saved < self._base:
             self.save()  # the journal must build on a file that holds what is edited
-        labels = apply_change(self._tracks, self._labels, change)
-        if self._store is not None:
-            try:
-                self._journal(self._store).append(act, entry)
-            except BaseException:
-                apply_change(self._tracks, labels, change.inverse)
-                raise
-        self._labels = labels
+        logged = self._edited.do(act, entry, change, self._keep)
         self._content += 1
+        return logged
 
-    def _journal(self, store: Store) -> Journal:
-        journal = store.journal()
+    def _keep(self, act: Act, entry: Entry) -> None:
+        """Put a step into the journal; a session that was never saved has none."""
+        if self._store is None:
+            return
+        journal = self._store.journal()
         if journal.origin is None:
             journal.start_over(self._stamps.session, self._stamps.save)
-        return journal
+        journal.append(act, entry)
+
+    def _recover(self, store: Store) -> None:
+        found = recover(self._edited, store, self._stamps)
+        self._recovered = self._content = found.steps
+        self._notes += found.notes
 
     def _refuse_read_only(self) -> None:
         if self.read_only:
             raise SessionError(f"{self._path} is open for reading only; save it under another name")
-
-    # Recovering
-
-    def _recover(self, store: Store) -> None:
-        """Make the edits again that the file misses, and say so."""
-        try:
-            journal = store.journal()
-            steps = missing_steps(journal, self._stamps)
-        except SessionError as why:
-            self._notes.append(f"{why}; it was kept aside as {store.set_journal_aside()}")
-            return
-        made = 0
-        try:
-            for step in steps:
-                self._replay(step)
-                made += 1
-        except EditError as why:
-            aside = store.set_journal_aside()
-            self._notes.append(f"{len(steps) - made} edits do not fit ({why}); kept as {aside}")
-            journal = self._journal(store)
-            for step in steps[:made]:
-                journal.append(step.act, step.entry)
-        else:
-            last = steps[0].number - 1 if steps else journal.last
-            journal.start_over(self._stamps.session, self._stamps.save, last)
-        self._recovered = self._content = made
-        if made:
-            self._notes.append(f"recovered: {made} edits made after the session was saved last")
-
-    def _replay(self, step: Step) -> None:
-        known: Entry | None = step.entry
-        if step.act == "undo":
-            known = self._history.next_undo
-        elif step.act == "redo":
-            known = self._history.next_redo
-        if known is None or known.id != step.entry.id:
-            raise EditError(f"step {step.number} of the journal is about another edit")
-        change = known.change.inverse if step.act == "undo" else known.change
-        self._labels = apply_change(self._tracks, self._labels, change)
-        if step.act == "apply":
-            self._history.add(known)
-        elif step.act == "undo":
-            self._history.mark_undone()
-        else:
-            self._history.mark_redone()
 
     def _give_up_writing(self, why: str) -> None:
         """Stay open for reading only."""
@@ -353,20 +279,20 @@ class Session:
             stamps=stamps,
             recording=self._recording_seen_from(target.parent),
             runs=self._runs.held(),
-            tracks=self._tracks.snapshot(),
+            tracks=self.tracks.snapshot(),
             adopted=self._adopted,
-            labels=self._labels,
-            edits=self._history.entries,
+            labels=self.labels,
+            edits=self.history.entries,
         )
         return PendingSave(snapshot, target, self._content, store)
 
     def finish_save(self, pending: PendingSave) -> Path:
         """The last step, after `write`: from now on the journal builds on the new file."""
         stamps, own = pending.snapshot.stamps, pending.store is self._store
-        if pending.store.has_journal:
-            journal = pending.store.journal()
-            included = stamps.included if own else journal.last
-            journal.start_over(stamps.session, stamps.save, included)
+        if own and pending.store.has_journal:
+            pending.store.journal().start_over(stamps.session, stamps.save, stamps.included)
+        elif pending.store.has_journal:
+            pending.store.set_journal_aside()  # of the session that was there before
         if self._store is not None and not own:
             self._store.release(keep_journal=False)
         self._store, self._path = pending.store, pending.path

@@ -14,6 +14,12 @@ from numpy.typing import NDArray
 from tracking.errors import SessionError
 from tracking.session.layout import TEXT, Types
 
+_FAILURES = (
+    *(OSError, KeyError, ValueError, TypeError),
+    *(RuntimeError, AttributeError, OverflowError, MemoryError),
+)
+"""What the library and conversions raise on a file that is not as it should be."""
+
 
 @contextmanager
 def opened(path: Path) -> Iterator[h5py.File]:
@@ -21,7 +27,7 @@ def opened(path: Path) -> Iterator[h5py.File]:
     try:
         with h5py.File(path, "r", locking=False) as file:
             yield file
-    except (OSError, KeyError, ValueError, TypeError, RuntimeError, AttributeError) as why:
+    except _FAILURES as why:
         reason = " ".join(str(why).split())
         raise SessionError(f"{path}: the session file is damaged or cut short ({reason})") from why
 

@@ -26,6 +26,8 @@ _MOST_OBJECTS = 20_000
 _LARGEST_CHUNK = 64 << 20
 _LARGEST_ATTRIBUTE = 16 << 20
 _MOST_ATTRIBUTES = 64
+_MOST_BYTES = 16 << 30
+"""Of all tables together, unpacked; particles are never read whole and do not count."""
 _BEST_RATIO = 1100
 """DEFLATE packs at most 1032 bytes into one."""
 _FILTERS = frozenset({h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE})
@@ -70,7 +72,7 @@ class _Walk:
 
     def __init__(self, file_bytes: int) -> None:
         self._file_bytes = file_bytes
-        self._stored = 0
+        self._stored = self._unpacked = 0
         self._objects = 0
         self._datasets: dict[str, h5py.Dataset] = {}
 
@@ -114,8 +116,12 @@ class _Walk:
         self._stored += stored
         if self._stored > self._file_bytes:
             raise Refused("says it stores more than the file holds")
-        if dataset.size * dataset.dtype.itemsize > stored * _BEST_RATIO:
+        unpacked = dataset.size * dataset.dtype.itemsize
+        if unpacked > stored * _BEST_RATIO:
             raise Refused(f"says {where} has {dataset.size} rows, which {stored} bytes cannot hold")
+        self._unpacked += 0 if "/particles/" in where else unpacked
+        if self._unpacked > _MOST_BYTES:
+            raise Refused("holds more rows than fit into memory")
         self._datasets[where] = dataset
 
 

@@ -20,6 +20,7 @@ CREATE TABLE IF NOT EXISTS steps (
     author TEXT NOT NULL, kind TEXT NOT NULL, text TEXT NOT NULL, frame INTEGER NOT NULL,
     before TEXT NOT NULL, after TEXT NOT NULL);
 """
+_STEP_TYPES = (int, str, int, str, str, str, str, int, str, str)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,11 +68,12 @@ class Journal:
         """All steps in order. Raises SessionError where a line is not what it should be."""
         with _telling(self._path, "read"):
             rows = self._base.execute("SELECT * FROM steps ORDER BY number").fetchall()
-        for number, act, edit, time, author, kind, text, frame, before, after in rows:
-            if act not in ("apply", "undo", "redo"):
-                raise SessionError(f"{self._path}: step {number} of the journal is {act!r}")
-            entry = Entry(edit, time, author, kind, text, frame, before, after)
-            yield Step(number, act, entry)
+        for row in rows:
+            number, act, *entry = row
+            types = tuple(type(value) for value in row)
+            if types != _STEP_TYPES or act not in ("apply", "undo", "redo"):
+                raise SessionError(f"{self._path}: a step of the journal is damaged")
+            yield Step(number, act, Entry(*entry))
 
     def append(self, act: Act, entry: Entry) -> None:
         """Write a step; it is on disk when this returns. Raises OutputError where it is not."""

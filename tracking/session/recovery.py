@@ -1,13 +1,55 @@
-"""Which steps of a journal a session file does not hold yet."""
+"""The edits of a journal that a session file does not hold yet."""
 
 from __future__ import annotations
 
-from tracking.errors import SessionError
+from dataclasses import dataclass
+
+from tracking.errors import EditError, SessionError
+from tracking.session.edited import Edited
 from tracking.session.image import Stamps
 from tracking.session.journal import Journal, Step
+from tracking.session.store import Store
 
 
-def missing_steps(journal: Journal, stamps: Stamps) -> list[Step]:
+@dataclass(frozen=True, slots=True)
+class Recovery:
+    """What came of it.
+
+    Attributes:
+        steps: how many steps were made again.
+        notes: lines for the user.
+    """
+
+    steps: int = 0
+    notes: tuple[str, ...] = ()
+
+
+def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
+    """Make the journal's edits again that the file misses; then the journal builds on this file.
+
+    A journal, or the end of one, that does not fit the file is kept aside and told, never thrown
+    away. Raises OutputError where the journal cannot be read or written for want of room or rights.
+    """
+    try:
+        journal = store.journal()
+        steps = _missing_steps(journal, stamps)
+    except SessionError as why:
+        return Recovery(notes=(f"{why}; it was kept aside as {store.set_journal_aside()}",))
+    made = 0
+    try:
+        for step in steps:
+            edited.replay(step.act, step.entry)
+            made += 1
+    except EditError as why:
+        aside = store.set_journal_aside()
+        _begin(store.journal(), stamps, steps[:made])
+        rest = f"{len(steps) - made} edits do not fit ({why}); they were kept aside as {aside}"
+        return Recovery(made, (*_told(made), rest))
+    journal.start_over(stamps.session, stamps.save, journal.last - len(steps))
+    return Recovery(made, _told(made))
+
+
+def _missing_steps(journal: Journal, stamps: Stamps) -> list[Step]:
     """The journal's steps that were made after the file was saved, in order.
 
     The journal builds on this save, or on the one before it where the program ended between
@@ -22,3 +64,13 @@ def missing_steps(journal: Journal, stamps: Stamps) -> list[Step]:
     if stamps.previous_save and origin == (stamps.session, stamps.previous_save):
         return [step for step in journal.steps() if step.number > stamps.included]
     raise SessionError("the journal belongs to another session or to another save of this one")
+
+
+def _begin(journal: Journal, stamps: Stamps, steps: list[Step]) -> None:
+    journal.start_over(stamps.session, stamps.save)
+    for step in steps:
+        journal.append(step.act, step.entry)
+
+
+def _told(made: int) -> tuple[str, ...]:
+    return (f"recovered: {made} edits made after the session was saved last",) if made else ()

@@ -1,0 +1,37 @@
+"""Text that is no edit is refused, however it is made."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from tables_of_people import table_of
+
+from tracking.editing import plan_delete, state_as_text, state_from_text
+from tracking.errors import EditError
+
+ROWS = json.loads(state_as_text(plan_delete(table_of({1: [(0, 9)]}), 1).before))["rows"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "[]",
+        "[" * 100_000,
+        '{"stretches": [[1, 2]]}',
+        '{"stretches": "x"}',
+        '{"stretches": [[1e400, 2, 3]]}',
+        '{"rows": {}}',
+        '{"labels": {"tracks": {"x": {}}}}',
+        '{"labels": {"occluders": [1]}}',
+        json.dumps({"rows": {**ROWS, "count": 8}}),
+        json.dumps({"rows": {**ROWS, "count": 10**12}}),
+        json.dumps({"rows": {**ROWS, "count": -1}}),
+        json.dumps({"rows": {**ROWS, "columns": ROWS["columns"][:-8]}}),
+        json.dumps({"rows": {**ROWS, "columns": "?"}}),
+    ],
+)
+def test_what_is_no_edit_is_refused(text: str) -> None:
+    with pytest.raises(EditError):
+        state_from_text(text)

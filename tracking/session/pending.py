@@ -1,0 +1,33 @@
+"""A save on its way, so that writing can run beside the window."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from tracking.session.image import Snapshot, build_image
+from tracking.session.saving import replace_verified
+from tracking.session.store import Store
+
+
+@dataclass(frozen=True, slots=True)
+class PendingSave:
+    """A save on its way. `write` may run on any thread, the rest is the session's.
+
+    Attributes:
+        snapshot, path: what to write and where to.
+        content: the session's count of changes that the snapshot holds.
+        store: the right to write there.
+    """
+
+    snapshot: Snapshot
+    path: Path
+    content: int
+    store: Store
+
+    def write(self) -> None:
+        """Build, write and verify the file, and put it in its place.
+
+        Raises OutputError, with the old file whole, where that fails.
+        """
+        replace_verified(self.path, build_image(self.snapshot))
