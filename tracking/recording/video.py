@@ -48,11 +48,11 @@ class VideoSource:
             raise RecordingError(f"{path}: holds no frame that can be decoded; record it again")
         container, stream = open_video(str(path))
         with container:
-            self._size = stream.codec_context.width, stream.codec_context.height
             rate = stream.average_rate or stream.guessed_rate
         self._pace: Pace = pace_of(self._index.times_s, float(rate) if rate else None)
         self._lock = Lock()
         self._cursor = VideoCursor(str(path), self._index)
+        self._size = self._usual_size()
         self._reformatter = VideoReformatter()
         self._run: Iterator[NumberedFrame] = iter(())
         self._next = -1
@@ -126,6 +126,18 @@ class VideoSource:
         with self._lock:
             self._recent.clear()
             self._cursor.close()
+
+    def _usual_size(self) -> tuple[int, int]:
+        """The size of the second picture: the first may be of another kind."""
+        start = self._index.start_for(1)
+        size: tuple[int, int] | None = None
+        for number, frame in self._cursor.frames_from(start):
+            size = frame.width, frame.height
+            if number >= 1:
+                break
+        if size is None:
+            raise RecordingError(f"{self._path}: no frame can be decoded; record it again")
+        return size
 
     def _every(self, cursor: VideoCursor, start: int, stop: int) -> Iterator[av.VideoFrame]:
         """One frame for each number, broken ones replaced by the last good one."""
