@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 BITS = 12
 BLOCK_PX = 16
 WIDTH, HEIGHT = 128, 96
+_MASK = 0b010101010101
+"""Bits that are drawn inverted, so that no number is a dark bar."""
 
 
 def numbered_picture(number: int, width: int = WIDTH, height: int = HEIGHT) -> NDArray[np.uint8]:
@@ -25,7 +27,7 @@ def numbered_picture(number: int, width: int = WIDTH, height: int = HEIGHT) -> N
         block = np.s_[
             row * BLOCK_PX : (row + 1) * BLOCK_PX, column * BLOCK_PX : (column + 1) * BLOCK_PX
         ]
-        picture[block] = 235 if number >> bit & 1 else 20
+        picture[block] = 235 if (number ^ _MASK) >> bit & 1 else 20
     return picture
 
 
@@ -37,7 +39,7 @@ def number_in(picture: NDArray[np.uint8]) -> int:
         top, left = row * BLOCK_PX + 4, column * BLOCK_PX + 4
         block = picture[top : top + BLOCK_PX - 8, left : left + BLOCK_PX - 8]
         number |= int(block.mean() > 128) << bit
-    return number
+    return number ^ _MASK
 
 
 def write_video(

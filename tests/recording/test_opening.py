@@ -1,0 +1,435 @@
+"""Every kind of recording opens; what is wrong with one is told in a line."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from numbered_videos import number_in, numbered_picture, write_video
+
+from tracking.errors import CalibrationError, RecordingError, TrackwrightError
+from tracking.geometry import Camera, StereoCalibration, write_calibration
+from tracking.recording import Manifest, OpenOptions, Recording, open_recording, write_manifest
+
+COUNT = 12
+RIGHT_OFFSET = 100
+"""The right eye's pictures carry their number plus this."""
+
+
+def numbers_of(recording: Recording) -> list[tuple[int, int | None]]:
+    """Numbers drawn into the left and the right picture of all frames, read in order."""
+    return [
+        (number_in(f.left), None if f.right is None else number_in(f.right))
+        for f in recording.frames()
+    ]
+
+
+def pairs(count: int = COUNT) -> list[tuple[int, int | None]]:
+    return [(n, n + RIGHT_OFFSET) for n in range(count)]
+
+
+def ones(count: int = COUNT) -> list[tuple[int, int | None]]:
+    return [(n, None) for n in range(count)]
+
+
+def write_images(folder: Path, numbers: range | list[int], offset: int = 0) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    for number in numbers:
+        cv2.imwrite(str(folder / f"{number:06d}.png"), numbered_picture(number + offset))
+    return folder
+
+
+def write_pair(folder: Path, right_count: int = COUNT) -> None:
+    write_video(folder / "left.mp4", range(COUNT))
+    write_video(folder / "right.mp4", range(RIGHT_OFFSET, RIGHT_OFFSET + right_count))
+
+
+def rig(size: tuple[int, int] = (128, 96)) -> StereoCalibration:
+    matrix = np.array([[100.0, 0, 64], [0, 100, 48], [0, 0, 1]])
+    camera = Camera(matrix, np.zeros(5), *size)
+    return StereoCalibration(camera, camera, np.eye(3), np.array([-0.1, 0, 0]))
+
+
+def test_two_videos(tmp_path: Path) -> None:
+    write_pair(tmp_path)
+    write_manifest(tmp_path, Manifest("Hall", "left.mp4", "right.mp4"))
+    with open_recording(tmp_path) as recording:
+        assert recording.is_stereo
+        assert (recording.name, recording.fps, recording.size) == ("Hall", 25.0, (128, 96))
+        assert recording.duration_s == pytest.approx(COUNT / 25)
+        assert recording.calibration is None
+        assert recording.notes == ()
+        assert numbers_of(recording) == pairs()
+        frame = recording.read(7)
+        assert frame.right is not None
+        assert (frame.number, frame.time_s) == (7, pytest.approx(7 / 25))
+        assert (number_in(frame.left), number_in(frame.right)) == (7, 7 + RIGHT_OFFSET)
+
+
+def test_two_image_folders_by_glob(tmp_path: Path) -> None:
+    write_images(tmp_path / "left", range(COUNT))
+    write_images(tmp_path / "right", range(COUNT), RIGHT_OFFSET)
+    write_manifest(tmp_path, Manifest("Hall", "left/*.png", "right/*.png", fps=10.0))
+    with open_recording(tmp_path) as recording:
+        assert numbers_of(recording) == pairs()
+        assert recording.sources == (tmp_path / "left", tmp_path / "right")
+
+
+@pytest.mark.parametrize("first", ["left", "right"])
+@pytest.mark.parametrize(("layout", "axis"), [("side-by-side", 1), ("top-bottom", 0)])
+def test_one_video_with_both_eyes(tmp_path: Path, layout: str, first: str, axis: int) -> None:
+    both = []
+    for number in range(COUNT):
+        eyes = [numbered_picture(number), numbered_picture(number + RIGHT_OFFSET)]
+        both.append(np.concatenate(eyes if first == "left" else eyes[::-1], axis))
+    write_video(tmp_path / "both.mp4", [], pictures=both)
+    (tmp_path / "recording.toml").write_text(
+        f'[stereo]\nsource = "both.mp4"\nlayout = "{layout}"\nfirst = "{first}"\n'
+    )
+    with open_recording(tmp_path) as recording:
+        assert recording.size == (128, 96)
+        assert numbers_of(recording) == pairs()
+        assert number_in(recording.read(5).left) == 5
+
+
+def test_a_bare_video_and_one_with_both_eyes_by_option(tmp_path: Path) -> None:
+    video = write_video(tmp_path / "v.mp4", range(COUNT))
+    with open_recording(video) as recording:
+        assert recording.name == "v"
+        assert not recording.is_stereo
+        assert numbers_of(recording) == ones()
+    with open_recording(video, OpenOptions(layout="top-bottom")) as recording:
+        assert recording.is_stereo
+        assert recording.size == (128, 48)
+
+
+def test_an_image_folder_needs_to_be_told_its_rate(tmp_path: Path) -> None:
+    folder = write_images(tmp_path / "images", range(COUNT))
+    with pytest.raises(RecordingError, match="fps"):
+        open_recording(folder)
+    with open_recording(folder, OpenOptions(fps=5.0)) as recording:
+        assert numbers_of(recording) == ones()
+        assert recording.read(3).time_s == pytest.approx(0.6)
+
+
+def test_a_folder_with_left_and_right_needs_no_manifest(tmp_path: Path) -> None:
+    write_pair(tmp_path)
+    with open_recording(tmp_path) as recording:
+        assert numbers_of(recording) == pairs()
+
+
+@pytest.mark.parametrize("tree", ["raw", "odometry", "tracking"])
+def test_kitti_sequences(tmp_path: Path, tree: str) -> None:
+    calib = "P2: 100 0 64 0 0 100 48 0 0 0 1 0\nP3: 100 0 64 -54 0 100 48 0 0 0 1 0\n"
+    left, right, text, opened = {
+        "raw": ("image_02/data", "image_03/data", "calib.txt", ""),
+        "odometry": ("image_2", "image_3", "calib.txt", ""),
+        "tracking": ("image_02/0000", "image_03/0000", "calib/0000.txt", "image_02/0000"),
+    }[tree]
+    write_images(tmp_path / left, range(COUNT))
+    write_images(tmp_path / right, range(COUNT), RIGHT_OFFSET)
+    (tmp_path / text).parent.mkdir(exist_ok=True)
+    (tmp_path / text).write_text(calib)
+    with open_recording(tmp_path / opened) as recording:
+        assert numbers_of(recording) == pairs()
+        assert recording.fps == 10
+        assert recording.rectification is not None
+        assert recording.rectification.baseline_m == pytest.approx(0.54)
+        assert "P2" in recording.calibration_text
+
+
+def test_bare_files_with_options(tmp_path: Path) -> None:
+    write_pair(tmp_path)
+    write_calibration(tmp_path / "c.yaml", rig())
+    options = OpenOptions(
+        left=tmp_path / "left.mp4",
+        right=tmp_path / "right.mp4",
+        calibration=(tmp_path / "c.yaml",),
+        height_m=2.4,
+        tilt_deg=30.0,
+    )
+    with open_recording(tmp_path, options) as recording:
+        assert numbers_of(recording) == pairs()
+        assert recording.view is not None
+        assert recording.ground is not None
+        assert recording.ground.height_m == 2.4
+        assert recording.rectification is not None
+        assert 'source = "right.mp4"' in recording.manifest_text
+        assert "height = 2.4" in recording.manifest_text
+
+
+def test_options_overrule_the_manifest(tmp_path: Path) -> None:
+    write_pair(tmp_path)
+    (tmp_path / "recording.toml").write_text(
+        '[left]\nsource = "left.mp4"\n[ground]\nheight = 2\ntilt = 20\nroll = 3\n'
+    )
+    with open_recording(tmp_path, OpenOptions(tilt_deg=45.0, fps=50.0)) as recording:
+        assert recording.ground is not None
+        assert recording.ground.tilt_deg == 45
+        assert (recording.ground.height_m, recording.ground.roll_deg) == (2, 3)
+        assert recording.fps == 50
+
+
+def test_half_a_floor_among_the_options_is_refused(tmp_path: Path) -> None:
+    video = write_video(tmp_path / "v.mp4", range(3))
+    with pytest.raises(RecordingError, match="--tilt"):
+        open_recording(video, OpenOptions(height_m=2.0))
+
+
+def test_eyes_of_different_length_end_with_the_shorter_one(tmp_path: Path) -> None:
+    write_pair(tmp_path, right_count=COUNT - 4)
+    with open_recording(tmp_path) as recording:
+        assert numbers_of(recording) == pairs(COUNT - 4)
+        assert any("left.mp4 has 12 frames, right.mp4 8" in note for note in recording.notes)
+
+
+def test_eyes_of_different_size_are_refused(tmp_path: Path) -> None:
+    write_video(tmp_path / "left.mp4", range(3))
+    big = [numbered_picture(n, 160, 96) for n in range(3)]
+    write_video(tmp_path / "right.mp4", [], pictures=big)
+    with pytest.raises(RecordingError, match=r"128 x 96.*160 x 96"):
+        open_recording(tmp_path)
+
+
+def test_a_frame_one_eye_dropped_does_not_shift_the_rest(tmp_path: Path) -> None:
+    """The right eye's times show a gap; eyes stay paired by the instant."""
+    write_video(tmp_path / "left.mp4", range(40))
+    kept = [n for n in range(40) if n != 21]
+    write_video(
+        tmp_path / "right.mp4", [n + RIGHT_OFFSET for n in kept], times=[100 * n for n in kept]
+    )
+    with open_recording(tmp_path) as recording:
+        expected = pairs(40)
+        expected[21] = (21, 20 + RIGHT_OFFSET)
+        assert numbers_of(recording) == expected
+        frame = recording.read(30)
+        assert frame.right is not None
+        assert number_in(frame.right) == 30 + RIGHT_OFFSET
+        assert any("1 frames show the right picture before" in note for note in recording.notes)
+        assert any("right.mp4: 1 frames were not recorded" in note for note in recording.notes)
+
+
+def test_an_image_one_eye_lacks_does_not_shift_the_rest(tmp_path: Path) -> None:
+    write_images(tmp_path / "left", range(COUNT))
+    write_images(tmp_path / "right", [n for n in range(COUNT) if n != 5], RIGHT_OFFSET)
+    with open_recording(tmp_path, OpenOptions(fps=10.0)) as recording:
+        expected = pairs()
+        expected[5] = (5, 4 + RIGHT_OFFSET)
+        assert numbers_of(recording) == expected
+
+
+def test_a_broken_image_is_shown_as_the_one_before_and_told(tmp_path: Path) -> None:
+    folder = write_images(tmp_path / "images", range(COUNT))
+    (folder / "000004.png").write_bytes(b"broken")
+    cv2.imwrite(str(folder / "000000.png"), numbered_picture(0, 64, 48))
+    with open_recording(folder, OpenOptions(fps=10.0)) as recording:
+        assert [left for left, _ in numbers_of(recording)] == [1, 1, 2, 3, 3, *range(5, COUNT)]
+        assert any("2 images cannot be read" in note for note in recording.notes)
+
+
+def test_numbers_missing_among_images_are_told(tmp_path: Path) -> None:
+    folder = write_images(tmp_path / "images", [*range(5), *range(7, 12)])
+    with open_recording(folder, OpenOptions(fps=10.0)) as recording:
+        assert recording.frame_count == 10
+        assert any("2 numbers are missing" in note for note in recording.notes)
+
+
+def test_images_stand_in_natural_order(tmp_path: Path) -> None:
+    for number in range(COUNT):
+        cv2.imwrite(str(tmp_path / f"frame {number}.png"), numbered_picture(number))
+    with open_recording(tmp_path, OpenOptions(fps=10.0)) as recording:
+        assert numbers_of(recording) == ones()
+
+
+def test_grey_images_and_sixteen_bits_become_bgr(tmp_path: Path) -> None:
+    grey = numbered_picture(3)[..., 0].astype(np.uint16) * 256
+    for number in range(3):
+        cv2.imwrite(str(tmp_path / f"{number}.png"), grey)
+    with open_recording(tmp_path, OpenOptions(fps=10.0)) as recording:
+        left = recording.read(1).left
+        assert (left.shape, left.dtype) == ((96, 128, 3), np.uint8)
+        assert number_in(left) == 3
+
+
+def test_a_letterboxed_first_frame_is_told(tmp_path: Path) -> None:
+    first = numbered_picture(0)
+    first[:12] = first[-12:] = 0
+    pictures = [first, *(np.maximum(numbered_picture(n), 60) for n in range(1, 6))]
+    write_video(tmp_path / "v.mp4", [], pictures=pictures)
+    with open_recording(tmp_path / "v.mp4") as recording:
+        assert any("letterboxed" in note for note in recording.notes)
+
+
+def test_a_rate_that_differs_from_the_streams_counts_and_is_told(tmp_path: Path) -> None:
+    write_video(tmp_path / "v.mp4", range(10))
+    (tmp_path / "recording.toml").write_text('fps = 7\nshade = 1\n[left]\nsource = "v.mp4"\n')
+    with open_recording(tmp_path) as recording:
+        assert recording.read(7).time_s == pytest.approx(1.0)
+        assert any("25 frames a second, the recording 7" in note for note in recording.notes)
+        assert any("shade means nothing" in note for note in recording.notes)
+
+
+def test_uneven_frames_keep_the_times_of_the_stream(tmp_path: Path) -> None:
+    times = [0, 100, 200, 900, 1000, 1100]
+    write_video(tmp_path / "v.mp4", range(6), times=times)
+    with open_recording(tmp_path / "v.mp4") as recording:
+        assert recording.read(3).time_s == pytest.approx(0.36, abs=0.002)
+        assert [f.time_s for f in recording.frames(1, 3)] == pytest.approx([0.04, 0.08], abs=0.002)
+
+
+def test_a_calibration_of_the_wrong_size_is_refused(tmp_path: Path) -> None:
+    write_pair(tmp_path)
+    write_calibration(tmp_path / "c.yaml", rig((640, 480)))
+    with pytest.raises(CalibrationError, match=r"640 x 480.*128 x 96"):
+        open_recording(tmp_path, OpenOptions(calibration=(tmp_path / "c.yaml",)))
+
+
+def test_one_eye_takes_the_left_camera_of_a_rig_and_two_eyes_need_both(tmp_path: Path) -> None:
+    write_pair(tmp_path)
+    write_calibration(tmp_path / "both.yaml", rig())
+    write_calibration(tmp_path / "one.yaml", StereoCalibration.of_one(rig().left))
+    one_eye = OpenOptions(calibration=(tmp_path / "both.yaml",), height_m=2.0, tilt_deg=30.0)
+    with open_recording(tmp_path / "left.mp4", one_eye) as recording:
+        assert recording.view is not None
+        assert recording.rectification is None
+    with open_recording(tmp_path, OpenOptions(calibration=(tmp_path / "one.yaml",))) as recording:
+        assert recording.rectification is None
+        assert any("no depth" in note for note in recording.notes)
+
+
+@pytest.mark.parametrize("named", ["/etc/left.mp4", "../left.mp4", "a/../../left.mp4", "C:\\l.mp4"])
+@pytest.mark.parametrize("key", ["source", "calibration"])
+def test_a_manifest_may_not_name_files_outside_its_folder(
+    tmp_path: Path, named: str, key: str
+) -> None:
+    folder = tmp_path / "recording"
+    folder.mkdir()
+    write_video(folder / "v.mp4", range(3))
+    source, calibration = (named, "c.yaml") if key == "source" else ("v.mp4", named)
+    write_manifest(folder, Manifest("Hall", source, calibration=(calibration,)))
+    with pytest.raises(RecordingError, match="outside the folder"):
+        open_recording(folder)
+
+
+def test_a_link_out_of_the_folder_is_refused_and_all_is_opened_where_the_user_allows_it(
+    tmp_path: Path,
+) -> None:
+    folder = tmp_path / "recording"
+    folder.mkdir()
+    video = write_video(tmp_path / "v.mp4", range(3))
+    (folder / "linked.mp4").symlink_to(video)
+    write_manifest(folder, Manifest("Hall", "linked.mp4"))
+    with pytest.raises(RecordingError, match="outside the folder"):
+        open_recording(folder)
+    allowed = OpenOptions(allow_outside=True)
+    assert open_recording(folder, allowed).frame_count == 3
+    write_manifest(folder, Manifest("Hall", "../v.mp4"))
+    assert open_recording(folder, allowed).frame_count == 3
+    write_manifest(folder, Manifest("Hall", str(video)))
+    assert open_recording(folder, allowed).frame_count == 3
+
+
+def _empty(folder: Path) -> Path:
+    (folder / "empty").mkdir()
+    return folder / "empty"
+
+
+def _text_file(folder: Path) -> Path:
+    (folder / "notes.mp4").write_text("no video")
+    return folder / "notes.mp4"
+
+
+def _image(folder: Path) -> Path:
+    cv2.imwrite(str(folder / "one.png"), numbered_picture(0))
+    return folder / "one.png"
+
+
+def _no_match(folder: Path) -> Path:
+    write_manifest(folder, Manifest("Hall", "left/*.png", fps=10.0))
+    return folder
+
+
+def _only_broken_images(folder: Path) -> Path:
+    (folder / "a.png").write_bytes(b"")
+    return folder
+
+
+def _missing_source(folder: Path) -> Path:
+    write_manifest(folder, Manifest("Hall", "left.mp4"))
+    return folder
+
+
+@pytest.mark.parametrize(
+    "made",
+    [
+        _empty,
+        _text_file,
+        _image,
+        _no_match,
+        _only_broken_images,
+        _missing_source,
+        lambda f: f / "x",
+    ],
+)
+def test_what_is_no_recording_ends_in_one_line(tmp_path: Path, made: object) -> None:
+    assert callable(made)
+    with pytest.raises(TrackwrightError) as caught:
+        open_recording(made(tmp_path))
+    assert "\n" not in str(caught.value)
+
+
+def test_frames_out_of_range_are_told(tmp_path: Path) -> None:
+    with open_recording(write_video(tmp_path / "v.mp4", range(5))) as recording:
+        with pytest.raises(RecordingError, match="only 0 to 4"):
+            recording.read(5)
+        with pytest.raises(RecordingError, match="not within 0 to 5"):
+            next(recording.frames(3, 9))
+
+
+def test_a_fingerprint_knows_a_source_again_and_sees_its_ends_change(tmp_path: Path) -> None:
+    write_pair(tmp_path)
+    first = open_recording(tmp_path).fingerprints()
+    assert [f.source for f in first] == ["left.mp4", "right.mp4"]
+    assert first[0].size_bytes == (tmp_path / "left.mp4").stat().st_size
+    copied = shutil.copytree(tmp_path, tmp_path.with_name("copied"))
+    assert open_recording(copied).fingerprints() == first
+    with (copied / "left.mp4").open("ab") as file:
+        file.write(b"\x00" * 8)
+    second = open_recording(copied).fingerprints()
+    assert second[0] != first[0]
+    assert second[1] == first[1]
+
+
+@pytest.mark.parametrize(
+    ("name", "count", "fps", "stereo", "on_the_floor"),
+    [
+        ("rendered-lobby", 600, 20, True, True),
+        ("rendered-plaza", 600, 20, True, True),
+        ("overhead-real", 627, 30, True, True),
+        ("pets-s2l1-real", 795, 7, False, True),
+        ("tud-campus-real", 71, 25, False, False),
+    ],
+)
+def test_the_test_recordings_open_and_seek(
+    shared_data: Path, name: str, count: int, fps: float, stereo: bool, on_the_floor: bool
+) -> None:
+    with open_recording(shared_data / name) as recording:
+        assert (recording.frame_count, recording.fps) == (count, fps)
+        assert recording.is_stereo == stereo
+        assert (recording.view is not None) == on_the_floor
+        assert (recording.rectification is not None) == stereo
+        for frame in recording.frames(count - 40, count - 36):
+            np.testing.assert_array_equal(recording.read(frame.number).left, frame.left)
+
+
+def test_the_oddities_of_the_test_recordings_are_told(shared_data: Path) -> None:
+    with open_recording(shared_data / "overhead-real") as recording:
+        assert sum("letterboxed" in note for note in recording.notes) == 2
+    with open_recording(shared_data / "pets-s2l1-real") as recording:
+        assert any("the recording 7" in note for note in recording.notes)
+        assert recording.truth_path == shared_data / "pets-s2l1-real" / "truth.txt"
+    with open_recording(shared_data / "rendered-lobby") as recording:
+        assert recording.notes == ()
