@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,31 +11,45 @@ from tracking.filtering import scatter
 from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.population import Population
-from tracking.trackers.stereo_boxes import expected_visibility, share_in_view
+from tracking.trackers.stereo_boxes import expected_visibility, outlines_of, share_in_view
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 
-_USUAL_STATURE_M = (1.7, 0.5)
 _PATIENCE_S = 0.15
 """How long a newcomer may go unseen before it is taken for noise."""
+_AT_THE_EDGE = 0.75
 _OUT_OF_VIEW = 0.35
 """Share of a body inside the picture below which somebody not seen has left it."""
 
 
+@dataclass(frozen=True, slots=True)
+class Newcomers:
+    """Where somebody new may be.
+
+    Attributes:
+        seen: all detections. colours: (detections, cues, bins) of all.
+        free: those that nobody followed took.
+    """
+
+    seen: Detections
+    colours: NDArray[np.float32]
+    free: NDArray[np.intp]
+
+
 def newcomers(
     people: Population,
-    seen: Detections,
-    colours: NDArray[np.float32],
-    free: NDArray[np.intp],
+    spots: Newcomers,
     settings: StereoTrackerSettings,
     random: np.random.Generator,
+    view: View,
 ) -> Population:
     """People started at the detections nobody took ([Kawashita2012] step 1), without ids yet.
 
     Args:
         people: those followed, with their positions in this frame; a detection close to one that
             was seen in it is another piece of the same body and starts nobody.
-        colours: (detections, cues, bins). free: the detections that may start somebody.
+        spots: where somebody may be.
     """
+    seen, free = spots.seen, spots.free
     present = people.position[people.missed_s == 0.0]
     offset = seen.position[free, None, :2] - present[None, :, :]
     nearest = np.hypot(offset[..., 0], offset[..., 1]).min(axis=1, initial=np.inf)
@@ -50,11 +66,10 @@ def newcomers(
         matches=np.ones(count, np.int32),
         missed_s=np.zeros(count),
         seen_at=measured,
-        colour=colours[rows],
+        colour=spots.colours[rows],
         anchors=np.stack((np.full((count, 2), np.nan), measured), axis=1),
         anchor_age_s=np.zeros(count),
-        stature=np.tile(_USUAL_STATURE_M, (count, 1)),
-        cut_off=seen.truncated[rows],
+        outline=outlines_of(seen.box[rows], measured, view),
         confidence=np.full(count, 0.5),
     )
 
@@ -73,9 +88,10 @@ def still_there(
     people: Population, settings: StereoTrackerSettings, view: View
 ) -> NDArray[np.bool_]:
     """Whether each person is followed on: (people,)."""
-    patience_s = np.where(people.cut_off, settings.lost_at_edge_s, settings.lost_after_s)
-    hidden = expected_visibility(people, view) < 0.4
+    inside = share_in_view(people, view)
+    patience_s = np.where(inside < _AT_THE_EDGE, settings.lost_at_edge_s, settings.lost_after_s)
+    hidden = expected_visibility(people, view) < settings.hidden_below * inside
     patience_s = np.where(hidden, settings.lost_hidden_s, patience_s)
     patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)
-    left = share_in_view(people, view) < _OUT_OF_VIEW
+    left = inside < _OUT_OF_VIEW
     return np.asarray((people.missed_s == 0.0) | ((people.missed_s <= patience_s) & ~left))

@@ -30,8 +30,8 @@ class Population:
         anchors: (people, 2, 2) m, the older and the newer past position that a direction is
             taken between; NaN where there is none yet.
         anchor_age_s: (people,) seconds since the newer anchor was set.
-        stature: (people, 2) m, body height and width.
-        cut_off: (people,) bool; the last detection touched the image's edge.
+        outline: (people, 4) m, left, top, right, bottom of the body's box from the body's middle,
+            as far as they look at its distance.
         confidence: (people,) share of the recent past in which the person was matched.
     """
 
@@ -46,8 +46,7 @@ class Population:
     colour: NDArray[np.float32]
     anchors: Floats
     anchor_age_s: Floats
-    stature: Floats
-    cut_off: NDArray[np.bool_]
+    outline: Floats
     confidence: Floats
 
     def __len__(self) -> int:
@@ -101,8 +100,7 @@ def nobody(particles: int, cues: int, bins: int) -> Population:
         "colour": ((cues, bins), np.float32),
         "anchors": ((2, 2), np.float64),
         "anchor_age_s": ((), np.float64),
-        "stature": ((2,), np.float64),
-        "cut_off": ((), np.bool_),
+        "outline": ((4,), np.float64),
         "confidence": ((), np.float64),
     }
     return Population(*(np.zeros((0, *shapes[name][0]), shapes[name][1]) for name in _NAMES))

@@ -10,10 +10,10 @@ from tracking.filtering import Association, associate, move, resample
 from tracking.geometry import View
 from tracking.people import Detections, Observation, StereoPerception
 from tracking.recording import Recording
-from tracking.trackers.births_and_ends import confirmed, newcomers, still_there
+from tracking.trackers.births_and_ends import Newcomers, confirmed, newcomers, still_there
 from tracking.trackers.population import Population, joined, nobody
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.stereo_boxes import expected_visibility
+from tracking.trackers.stereo_boxes import expected_visibility, outlined
 from tracking.trackers.stereo_cues import Costs, Cues, costs_of
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_settings import StereoTrackerSettings
@@ -98,6 +98,7 @@ class StereoTracker:
         since_s = expected.missed_s[pairs.track] + elapsed_s
         match = Match(pairs, seen, colours, since_s)
         people = matched(people, match, self._cues, self._settings, self._random)
+        people = outlined(people, pairs, seen, elapsed_s, self._view)
         people = self._cues.walked(people, elapsed_s)
         people, self._last_id = confirmed(people, self._settings.confirm_matches, self._last_id)
         result = step_result(observation, people, pairs, costs, self._view)
@@ -156,5 +157,6 @@ class StereoTracker:
         people = people.replace(particles=resampled)
         free = ~seen.merged
         free[pairs.detection] = False
-        new = newcomers(people, seen, colours, np.flatnonzero(free), self._settings, self._random)
+        spots = Newcomers(seen, colours, np.flatnonzero(free))
+        new = newcomers(people, spots, self._settings, self._random, self._view)
         return joined((people.select(still_there(people, self._settings, self._view)), new))

@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.filtering import Association
 from tracking.geometry import View
+from tracking.people import Detections
 from tracking.trackers.population import Population
 
 Floats = NDArray[np.float64]
@@ -13,25 +15,52 @@ _ACROSS, _DOWN = np.meshgrid((np.arange(6) + 0.5) / 6, (np.arange(12) + 0.5) / 1
 _SAMPLES = np.column_stack((_ACROSS.ravel(), _DOWN.ravel()))
 """Where a box is probed for what covers it, as shares of its width and height."""
 
-_RINGS = ((0.0, 0.2), (0.1, 0.4), (0.5, 0.5), (0.8, 0.5), (0.93, 0.25), (1.0, 0.15))
-"""A standing body as rings: height and radius as shares of its height and its width."""
-_TURN = np.arange(8) * (np.pi / 4)
-_BODY = np.concatenate(
-    [
-        np.stack((radius * np.cos(_TURN), radius * np.sin(_TURN), np.full(8, z)), axis=1)
-        for z, radius in _RINGS
-    ]
-)
+_MIDDLE_M = 0.9
+"""Height of a body's middle over the floor."""
+_ALL_SHOWN = 0.9
+_OUTLINE_MEMORY_S = 0.08
+_HIDDEN_MEMORY_S = 0.5
+"""The same while others hide part of the body, and its region may hold pieces of theirs."""
 
 
 def body_boxes(people: Population, view: View) -> Floats:
     """Where the bodies are in the picture, hidden or not: (people, 4) px as recorded."""
-    height, width = people.stature.T
-    points = _BODY * np.stack((width, width, height), axis=1)[:, None]
-    points[..., :2] += people.position[:, None]
-    pixels = view.pixel_from_world(points.reshape(-1, 3)).reshape(len(people), len(_BODY), 2)
-    low, high = pixels.min(axis=1), pixels.max(axis=1)
+    middle, px_per_m = _middles(people.position, view)
+    low = middle + people.outline[:, :2] * px_per_m
+    high = middle + people.outline[:, 2:] * px_per_m
     return np.concatenate((low, high - low), axis=1)
+
+
+def outlines_of(box: Floats, position: Floats, view: View) -> Floats:
+    """Boxes (people, 4) as `Population.outline` of people at these positions (people, 2)."""
+    middle, px_per_m = _middles(position, view)
+    low = box[:, :2] - middle
+    return np.concatenate((low, low + box[:, 2:]), axis=1) / np.tile(px_per_m, 4)
+
+
+def outlined(
+    people: Population, pairs: Association, seen: Detections, elapsed_s: float, view: View
+) -> Population:
+    """The people with the outlines of those matched brought up to date."""
+    rows, chosen = pairs.track, pairs.detection
+    shown = expected_visibility(people, view)[rows]
+    memory_s = np.where(shown < _ALL_SHOWN, _HIDDEN_MEMORY_S, _OUTLINE_MEMORY_S)
+    share = 1.0 - np.exp(-elapsed_s / memory_s)
+    share = np.maximum(share, 1.0 / people.matches[rows])[:, None]
+    old = people.outline[rows]
+    new = outlines_of(seen.box[chosen], people.position[rows], view)
+    return people.changed(rows, outline=old + share * (new - old))
+
+
+def _middles(position: Floats, view: View) -> tuple[Floats, Floats]:
+    """Where bodies' middles are, (people, 2) px, and how large a metre looks there, (people, 1)."""
+    range_m = np.maximum(np.hypot(position[:, 0], position[:, 1]), 1e-6)[:, None]
+    across = 0.5 * position[:, ::-1] * (-1.0, 1.0) / range_m
+    points = np.full((2, len(position), 3), _MIDDLE_M)
+    points[0, :, :2] = position - across
+    points[1, :, :2] = position + across
+    one, other = view.pixel_from_world(points.reshape(-1, 3)).reshape(2, -1, 2)
+    return (one + other) / 2, np.hypot(*(one - other).T)[:, None]
 
 
 def share_in_view(people: Population, view: View) -> Floats:

@@ -22,8 +22,6 @@ from tracking.tracks.columns import (
     Columns,
 )
 
-_SEEN_SHARE = 0.65
-
 
 def step_result(
     observation: Observation, people: Population, pairs: Association, costs: Costs, view: View
@@ -35,14 +33,15 @@ def step_result(
     frame = observation.frame
     return StepResult(
         frame=frame,
-        tracks=_tracks(frame, shown, _boxes(observation.people, people, pairs, view)[rows], view),
+        tracks=_tracks(frame, shown, view),
         detections=_detections(frame, observation.people, people, pairs),
         particles=_particles(shown),
         associations=_associations(frame, people, pairs, costs),
     )
 
 
-def _tracks(frame: int, people: Population, box: NDArray[np.float64], view: View) -> Columns:
+def _tracks(frame: int, people: Population, view: View) -> Columns:
+    box = body_boxes(people, view)
     range_m = np.hypot(people.position[:, 0], people.position[:, 1])
     values = {
         "frame": np.full(len(people), frame),
@@ -57,16 +56,6 @@ def _tracks(frame: int, people: Population, box: NDArray[np.float64], view: View
         "predicted": people.missed_s > 0.0,
     }
     return _typed(values, TRACK_COLUMNS)
-
-
-def _boxes(
-    seen: Detections, people: Population, pairs: Association, view: View
-) -> NDArray[np.float64]:
-    """Boxes of bodies: what was seen, drawn a little towards where the body is thought to be."""
-    box = body_boxes(people, view)
-    own = box[pairs.track]
-    box[pairs.track] = own + _SEEN_SHARE * (seen.box[pairs.detection] - own)
-    return box
 
 
 def _detections(frame: int, seen: Detections, people: Population, pairs: Association) -> Columns:

@@ -49,6 +49,9 @@ class StereoTrackerSettings:
     hidden_weight: float = setting(
         0.5, "", (0.0, 10.0), "cost of seeing somebody who is expected to be hidden by others"
     )
+    hidden_below: float = setting(
+        0.3, "", (0.0, 1.0), "share of a body that must be expected to show to look for it"
+    )
     least_margin: float = setting(
         0.1, "", (0.0, 5.0), "a detection that suits two people nearly alike is nobody's"
     )

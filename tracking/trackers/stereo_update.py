@@ -18,10 +18,6 @@ _SCATTERED_SHARE = 0.01
 """Below this share of particles that carry weight, the cloud has lost its person."""
 _FASTEST_M_PER_S = 3.0
 _CONFIDENCE_MEMORY_S = 0.5
-_STATURE_SHARE = 0.05
-"""What one more look changes of a body's height and width once it is known."""
-_HEIGHTS_M = (1.2, 2.1)
-_WIDTHS_M = (0.4, 0.8)
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,8 +76,6 @@ def matched(
             cues.updated(mine.colour, match.colours[chosen], mine.matches),
             mine.colour,
         ),
-        stature=_stature(mine, match.seen, chosen),
-        cut_off=match.seen.truncated[chosen],
     )
 
 
@@ -122,13 +116,3 @@ def _velocity(people: Population, measured: Floats, since_s: Floats, memory_s: f
     speed = np.hypot(velocity[:, 0], velocity[:, 1])
     slower = np.minimum(1.0, _FASTEST_M_PER_S / np.maximum(speed, 1e-9))
     return np.asarray(velocity * slower[:, None])
-
-
-def _stature(people: Population, seen: Detections, chosen: NDArray[np.intp]) -> Floats:
-    """Body height and width after one more look; people cut off by the edge teach nothing."""
-    share = np.maximum(_STATURE_SHARE, 1.0 / (people.matches + 3.0))
-    share[seen.truncated[chosen]] = 0.0
-    looked = np.column_stack(
-        (np.clip(seen.size[chosen, 1], *_HEIGHTS_M), np.clip(seen.size[chosen, 0], *_WIDTHS_M))
-    )
-    return np.asarray(people.stature + share[:, None] * (looked - people.stature))
