@@ -56,6 +56,7 @@ class Command:
         title: English, translated when shown. keys: default keys, in Qt's portable text.
         check: why it cannot be done now.
         checkable: it is on or off. separated: a line stands above it in its menu.
+        icon: of the drawings that ship with the program; "" for none.
     """
 
     name: str
@@ -65,6 +66,7 @@ class Command:
     check: Check = lambda _: ""
     checkable: bool = False
     separated: bool = False
+    icon: str = ""
 
 
 MENUS: Final = ("File", "Edit", "View", "Playback", "Tracks", "Review", "Help")
@@ -101,12 +103,12 @@ def _trackable(now: Situation) -> str:
 
 
 COMMANDS: Final[tuple[Command, ...]] = (
-    Command("file.open", "File", "Open...", ("Ctrl+O",)),
+    Command("file.open", "File", "Open...", ("Ctrl+O",), icon="open"),
     Command("file.open_folder", "File", "Open folder...", ("Ctrl+Shift+O",)),
-    Command("file.demo", "File", "Try the demo"),
-    Command("file.save", "File", "Save", ("Ctrl+S",), _session, separated=True),
+    Command("file.demo", "File", "Try the demo", icon="demo"),
+    Command("file.save", "File", "Save", ("Ctrl+S",), _session, separated=True, icon="save"),
     Command("file.save_as", "File", "Save as...", ("Ctrl+Shift+S",), _session),
-    Command("file.export_mot", "File", "Export MOT text...", ("Ctrl+E",), _session),
+    Command("file.export_mot", "File", "Export MOT text...", ("Ctrl+E",), _session, icon="export"),
     Command("file.close", "File", "Close recording", ("Ctrl+W",), _recording, separated=True),
     Command("file.quit", "File", "Quit", ("Ctrl+Q",)),
     Command(
@@ -115,6 +117,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
         "Undo",
         ("Ctrl+Z",),
         lambda now: _editable(now) or ("" if now.can_undo else tr("nothing to undo")),
+        icon="undo",
     ),
     Command(
         "edit.redo",
@@ -122,8 +125,11 @@ COMMANDS: Final[tuple[Command, ...]] = (
         "Redo",
         ("Ctrl+Shift+Z", "Ctrl+Y"),
         lambda now: _editable(now) or ("" if now.can_redo else tr("nothing to redo")),
+        icon="redo",
     ),
-    Command("edit.commands", "Edit", "Search commands...", ("Ctrl+K",), separated=True),
+    Command(
+        "edit.commands", "Edit", "Search commands...", ("Ctrl+K",), separated=True, icon="search"
+    ),
     Command("view.left", "View", "Left eye", ("1",), _recording, checkable=True),
     Command(
         "view.both",
@@ -159,7 +165,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
     Command("view.look_system", "View", "Look: as the system", (), checkable=True, separated=True),
     Command("view.look_light", "View", "Look: light", checkable=True),
     Command("view.look_dark", "View", "Look: dark", checkable=True),
-    Command("play.toggle", "Playback", "Play or pause", ("Space",), _recording),
+    Command("play.toggle", "Playback", "Play or pause", ("Space",), _recording, icon="play"),
     Command("play.next", "Playback", "Next frame", ("Right",), _recording, separated=True),
     Command("play.previous", "Playback", "Previous frame", ("Left",), _recording),
     Command("play.next10", "Playback", "Ten frames on", ("Shift+Right",), _recording),
@@ -176,7 +182,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
     Command("play.forward", "Playback", "Shuttle on (again: faster)", ("L",), _recording),
     Command("play.slower", "Playback", "Slower", (",",), _recording),
     Command("play.faster", "Playback", "Faster", (".",), _recording),
-    Command("tracks.track", "Tracks", "Track...", ("Ctrl+T",), _trackable),
+    Command("tracks.track", "Tracks", "Track...", ("Ctrl+T",), _trackable, icon="live"),
     Command(
         "tracks.stop",
         "Tracks",
@@ -220,10 +226,12 @@ COMMANDS: Final[tuple[Command, ...]] = (
         ("Shift+End",),
         lambda now: "" if now.selected else tr("select a person first"),
     ),
-    Command("tracks.swap", "Tracks", "Swap with...", ("X",), _selected, separated=True),
-    Command("tracks.split", "Tracks", "Split here", ("S",), _selected),
-    Command("tracks.merge", "Tracks", "Merge with...", ("M",), _selected),
-    Command("tracks.end_here", "Tracks", "Delete from here on", ("Del",), _selected),
+    Command(
+        "tracks.swap", "Tracks", "Swap with...", ("X",), _selected, separated=True, icon="swap"
+    ),
+    Command("tracks.split", "Tracks", "Split here", ("S",), _selected, icon="split"),
+    Command("tracks.merge", "Tracks", "Merge with...", ("M",), _selected, icon="merge"),
+    Command("tracks.end_here", "Tracks", "Delete from here on", ("Del",), _selected, icon="delete"),
     Command(
         "tracks.confirm",
         "Tracks",

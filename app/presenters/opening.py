@@ -68,8 +68,13 @@ def keep_run(recording: Recording, run: Run) -> Session:
     folder.mkdir(parents=True, exist_ok=True)
     path = _free_name(folder, recording.path.stem or "session")
     session = Session.create(recording, [run], path)
-    session.locate_recording([recording.path], KnownRecordings(_own_folder()))
+    remember_place(session, recording)
     return session
+
+
+def remember_place(session: Session, recording: Recording) -> None:
+    """Note where the recording stands, so that the session finds it again unasked."""
+    session.locate_recording([recording.path], KnownRecordings(_own_folder()))
 
 
 def finish_save(session: Session, pending: PendingSave) -> None:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import logging
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from types import TracebackType
 
 from PySide6.QtCore import QCoreApplication, QEvent, QEventLoop, QSettings, QTimer
@@ -31,8 +33,9 @@ def run(path: Path | None, options: OpenOptions | None = None) -> int:
         path: a recording or session to open, None for the welcome page.
         options: what a bare recording does not say of itself.
     """
-    application = start_application()
-    window = MainWindow(Remembered())
+    remembered = Remembered()
+    application = start_application(remembered)
+    window = MainWindow(remembered)
     _catch_bugs(window)
     if path is not None:
         window.files.open_path(path, options=options)
@@ -41,8 +44,8 @@ def run(path: Path | None, options: OpenOptions | None = None) -> int:
     return application.exec()
 
 
-def start_application() -> QApplication:
-    """The one QApplication of this process, named and dressed."""
+def start_application(remembered: Remembered) -> QApplication:
+    """The one QApplication of this process, named and dressed as the user chose."""
     there = QApplication.instance()
     application = there if isinstance(there, QApplication) else QApplication(sys.argv[:1])
     application.setApplicationName("trackwright")
@@ -51,7 +54,7 @@ def start_application() -> QApplication:
     application.setDesktopFileName("trackwright")
     application.setWindowIcon(application_icon())
     words.use_translator(lambda text: QCoreApplication.translate("presenters", text))
-    apply_look(application, Look(Remembered().text("look", Look.SYSTEM.value)))
+    apply_look(application, Look(remembered.text("look", Look.SYSTEM.value)))
     return application
 
 
@@ -74,22 +77,40 @@ def picture(
     Raises:
         TrackwrightError: it cannot be opened, or the picture cannot be written.
     """
-    application = start_application()
-    apply_look(application, Look(theme or Look.SYSTEM.value))
-    window = MainWindow(Remembered(_forgetful()))
-    try:
-        window.resize(*size)
+    with borrowed_window(theme or Look.SYSTEM.value, size) as window:
         show_document(window, session_path, frame)
-        window.resize(*size)
-        wait_until(lambda: not window.work.busy)
-        if not window.grab().save(str(out_png), "PNG"):
-            raise OutputError(f"{out_png}: the picture cannot be written; choose another folder")
-    finally:
-        window.files.close_without_asking()
-        window.close()
-        window.deleteLater()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        save_picture(window, out_png)
     return out_png
+
+
+@contextmanager
+def borrowed_window(look: str, size: tuple[int, int]) -> Iterator[MainWindow]:
+    """A window that nobody sits before, which remembers nothing and asks nothing at the end."""
+    with TemporaryDirectory(prefix="trackwright-") as folder:
+        path = str(Path(folder) / "settings.ini")
+        remembered = Remembered(QSettings(path, QSettings.Format.IniFormat))
+        remembered.set_text("look", look)
+        start_application(remembered)
+        window = MainWindow(remembered)
+        window.resize(*size)
+        try:
+            yield window
+        finally:
+            window.files.close_without_asking()
+            window.close()
+            window.deleteLater()
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def save_picture(window: MainWindow, out_png: Path) -> None:
+    """Draw a window into a PNG once it is at rest.
+
+    Raises:
+        OutputError: it cannot be written.
+    """
+    wait_until(lambda: not window.work.busy)
+    if not window.grab().save(str(out_png), "PNG"):
+        raise OutputError(f"{out_png}: the picture cannot be written; choose another folder")
 
 
 def show_document(window: MainWindow, path: Path, frame: int | None = None) -> None:
@@ -127,13 +148,6 @@ def wait_until(ready: Callable[[], bool], patience_ms: int = _PATIENCE_MS) -> bo
         loop.exec()
     QCoreApplication.processEvents()
     return ready()
-
-
-def _forgetful() -> QSettings:
-    """Settings that are read from nowhere and kept nowhere."""
-    settings = QSettings("trackwright", "picture")
-    settings.clear()
-    return settings
 
 
 def _catch_bugs(window: MainWindow) -> None:

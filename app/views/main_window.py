@@ -83,6 +83,8 @@ class MainWindow(QMainWindow):
         bar: QMenuBar = self.menuBar()
         bar.setCornerWidget(search)
         self.setAcceptDrops(True)
+        names = ("tracks.swap", "tracks.split", "tracks.merge", "tracks.end_here")
+        self.workspace.card.set_actions([self.menus.actions[name] for name in names])
 
     def _connect(self) -> None:
         self.menus.asked.connect(self.run_command)
@@ -203,6 +205,7 @@ class MainWindow(QMainWindow):
         application = QApplication.instance()
         if isinstance(application, QApplication):
             apply_look(application, self.look)
+            self.menus.draw_icons()
 
     def _follow_system(self) -> None:
         if self.look is Look.SYSTEM:

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.presenters.commands import COMMANDS, MENUS, Command
 from app.presenters.scenes import CommandItem
 from app.presenters.words import tr
+from app.views.icons import icon
 
 _TYPING = (QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox, QComboBox)
 
@@ -39,8 +40,7 @@ class Menus(QObject):
             action = self._action(command, window)
             menus[command.menu].addAction(action)
             self.actions[command.name] = action
-        if not menus["Review"].actions():
-            menus["Review"].menuAction().setVisible(False)
+        self.draw_icons()
 
     def show_items(self, items: Sequence[CommandItem]) -> None:
         """Enable, tick and explain the commands."""
@@ -54,9 +54,16 @@ class Menus(QObject):
                 action.setChecked(item.checked)
         self._filling = False
 
+    def draw_icons(self) -> None:
+        """Draw the icons in the colours of the look in force."""
+        for command in COMMANDS:
+            if command.icon:
+                self.actions[command.name].setIcon(icon(command.icon))
+
     def _action(self, command: Command, window: QMainWindow) -> QAction:
         action = QAction(tr(command.title), window)
         action.setShortcuts([QKeySequence(key) for key in command.keys])
+        action.setIconText(tr(command.title).rstrip("."))
         action.setShortcutContext(Qt.ShortcutContext.WindowShortcut)
         action.setCheckable(command.checkable)
         action.triggered.connect(lambda _=False, name=command.name: self._ask(name))

@@ -38,6 +38,11 @@ class NoticeBar(QFrame):
         """What is said; "" while hidden."""
         return "" if self.isHidden() else self._text.text()
 
+    @property
+    def action_text(self) -> str:
+        """What the offered button says; "" where there is none."""
+        return self._action.text()
+
     def say(self, text: str, action: str = "", do: Callable[[], object] | None = None) -> None:
         """Show a message, with a button where there is something to `do` about it."""
         self._do = do

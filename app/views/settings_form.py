@@ -85,11 +85,12 @@ class SettingsForm(QWidget):
 
     def _add_field(self, field: SettingField, form: QFormLayout) -> None:
         control = self._control(field)
-        title = field.name.rpartition(".")[2].replace("_", " ")
+        title = _title(field)
         help_text = field.help
         if field.range is not None:
             low, high = field.range
             help_text += self.tr(" ({0:g} to {1:g})").format(low, high)
+        control.setMinimumWidth(12 * self.fontMetrics().averageCharWidth())
         control.setAccessibleName(title)
         control.setAccessibleDescription(help_text)
         label = QLabel(title, self)
@@ -138,6 +139,15 @@ class SettingsForm(QWidget):
         if isinstance(control, QDoubleSpinBox):
             return round(float(field.default), control.decimals())
         return field.default
+
+
+def _title(field: SettingField) -> str:
+    """The name in words, without the unit's suffix: the control itself shows the unit."""
+    name = field.name.rpartition(".")[2]
+    unit = field.unit.replace("/", "_")
+    if unit and name.endswith(f"_{unit}"):
+        name = name.removesuffix(f"_{unit}")
+    return name.replace("_", " ").capitalize()
 
 
 def _decimals(*values: float) -> int:

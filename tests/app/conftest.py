@@ -1,0 +1,97 @@
+"""A tiny rendered recording, its tracks, and the real window on them."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QSettings
+from pytestqt.qtbot import QtBot
+
+from app.presenters import opening
+from app.views.application import start_application
+from app.views.main_window import MainWindow
+from app.views.remembered import Remembered
+from tracking.pipeline import track
+from tracking.recording import open_recording
+from tracking.session import Session
+from tracking.synthesis import render_recording
+from tracking.tracks import Run
+
+TINY_FPS = 8.0
+_ONLY_SAID_WITHOUT_A_SCREEN = "This plugin does not support"
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The offscreen platform says what it cannot do; that is no warning about the program."""
+    here = Path(__file__).parent
+    for item in items:
+        if here in item.path.parents:
+            item.add_marker(pytest.mark.qt_log_ignore(_ONLY_SAID_WITHOUT_A_SCREEN, extend=True))
+
+
+@pytest.fixture(scope="session")
+def tiny_recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Ten seconds of four people on a square, small enough to be made in a few seconds."""
+    folder = tmp_path_factory.mktemp("tiny") / "tiny"
+    render_recording(folder, "plaza", 10.0, 4, 3, size=(320, 240), fps=TINY_FPS)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def tiny_run(tiny_recording: Path) -> Run:
+    """What the best tracker finds in it."""
+    with open_recording(tiny_recording) as recording, track(recording) as tracking:
+        for _ in tracking:
+            pass
+        return tracking.run()
+
+
+@pytest.fixture
+def tiny_session(tiny_recording: Path, tiny_run: Run, tmp_path: Path) -> Path:
+    """A saved session of it, fresh for each test, which the user's own program knows."""
+    path = tmp_path / "tiny.h5"
+    with open_recording(tiny_recording) as recording:
+        session = Session.create(recording, [tiny_run], path)
+        opening.remember_place(session, recording)
+        session.close()
+    return path
+
+
+@pytest.fixture(autouse=True)
+def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The program's own folder, apart from the one of whoever runs the tests."""
+    folder = tmp_path / "own"
+    monkeypatch.setattr(opening, "user_data_path", lambda *_, **__: folder)
+    return folder
+
+
+@pytest.fixture
+def no_threads_left() -> Iterator[None]:
+    """Fails where a thread outlives the test."""
+    before = set(threading.enumerate())
+    yield
+    assert [thread for thread in threading.enumerate() if thread not in before] == []
+
+
+@pytest.fixture
+def remembered(tmp_path: Path) -> Remembered:
+    """Settings kept in a file of the test's own."""
+    return Remembered(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+
+
+@pytest.fixture
+def window(qtbot: QtBot, no_threads_left: None, remembered: Remembered) -> Iterator[MainWindow]:
+    """The real window on the welcome page; closed without questions afterwards."""
+    start_application(remembered)
+    window = MainWindow(remembered)
+    window.resize(1280, 800)
+    window.show()
+    qtbot.waitExposed(window)
+    yield window
+    window.files.close_without_asking()
+    window.close()
+    window.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

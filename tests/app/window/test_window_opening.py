@@ -1,0 +1,76 @@
+from pathlib import Path
+
+from app.presenters import opening
+
+
+def _is_open(window) -> bool:
+    return window.desk is not None and window.desk.playback.frame is not None
+
+
+def test_the_first_page_is_shown_where_nothing_is_open(window):
+    assert window.welcome.isVisible()
+    assert window.windowTitle() == "trackwright"
+    assert not window.menus.actions["play.toggle"].isEnabled()
+
+
+def test_a_recording_opens_on_its_first_frame(window, qtbot, tiny_recording):
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert window.workspace.isVisible()
+    assert window.desk.playback.number == 0
+    assert "plaza" in window.windowTitle()
+    assert tiny_recording.resolve() in window.remembered.recent
+
+
+def test_a_session_opens_with_its_tracks(window, qtbot, tiny_session):
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert len(window.desk.document.tracks.ids) >= 4
+    assert not window.files.unsaved
+
+
+def test_what_cannot_be_opened_is_told_in_one_line_and_the_window_stays(window, qtbot, tmp_path):
+    (tmp_path / "empty").mkdir()
+    window.files.open_path(tmp_path / "empty")
+    qtbot.waitUntil(lambda: bool(window.notice.text))
+    assert "empty" in window.notice.text
+    assert window.notice.text.count("\n") == 0
+    assert window.desk is None
+
+
+def test_a_session_whose_recording_moved_offers_to_find_it(
+    window, qtbot, tiny_session, tiny_recording, own_folder
+):
+    (own_folder / "recordings.json").unlink()
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: bool(window.notice.text))
+    assert window.notice.action_text == "Find it..."
+    window.files.open_path(tiny_session, tiny_recording)
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert window.desk.document.session is not None
+
+
+def test_a_recording_closes_back_to_the_first_page_which_lists_it(window, qtbot, tiny_recording):
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: _is_open(window))
+    window.run_command("file.close")
+    assert window.welcome.isVisible()
+    assert window.desk is None
+    assert [item.path for item in window.files.welcome_scene().recent] == [str(tiny_recording)]
+
+
+def test_the_layout_and_the_look_are_remembered(window, qtbot, remembered):
+    window.run_command("view.look_dark")
+    assert remembered.text("look") == "dark"
+    window.close()
+    assert remembered.state("window/geometry") is not None
+    assert remembered.state("workspace/top") is not None
+
+
+def test_unsaved_sessions_stand_on_the_first_page_after_a_crash(window, own_folder, tiny_session):
+    left: Path = opening.unsaved_folder() / "lost-1.h5"
+    left.parent.mkdir(parents=True)
+    left.write_bytes(tiny_session.read_bytes())
+    recent = window.files.welcome_scene().recent
+    assert recent[0].path == str(left)
+    assert "never saved" in recent[0].detail

@@ -1,0 +1,91 @@
+import numpy as np
+import pytest
+
+from app.presenters import opening
+
+
+@pytest.fixture
+def opened(window, qtbot, tiny_recording):
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    return window
+
+
+def _tracked(window) -> bool:
+    return window.files.session is not None and not window.work.busy
+
+
+def test_the_first_play_tracks_live_and_ends_in_a_session_kept_on_disk(opened, qtbot):
+    desk = opened.desk
+    opened.run_command("play.faster")
+    opened.run_command("play.toggle")
+    assert desk.live.running
+    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    session = opened.files.session
+    assert session.path.parent == opening.unsaved_folder()
+    assert len(session.tracks.track_ids) >= 4
+    assert opened.files.unsaved  # nobody gave it a place yet
+
+
+def test_playing_never_outruns_the_tracker(opened, qtbot):
+    desk = opened.desk
+    ahead = []
+    desk.playback.shown.connect(
+        lambda: ahead.append(
+            desk.live.running and desk.playback.number - max(desk.document.tracked_until - 1, 0)
+        )
+    )
+    desk.playback.set_speed(8.0)
+    opened.run_command("play.toggle")
+    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    assert max(ahead) <= 0
+
+
+def test_the_floor_shows_particles_of_the_same_frame_as_the_pictures(opened, qtbot):
+    desk = opened.desk
+    opened.run_command("play.toggle")
+    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    desk.playback.pause()
+    desk.playback.go(60)
+    qtbot.waitUntil(lambda: desk.playback.number == 60)
+    instant = desk.document.instant(desk.playback.number)
+    floor = desk.document.overhead.scene(instant)
+    assert floor.frame == desk.playback.frame.number == 60
+    assert set(np.unique(desk.document.tracks.particles(60)["track"])) == {
+        person.track for person in floor.people
+    }
+    assert len(floor.particles) >= 500
+
+
+def test_stopping_keeps_what_was_tracked(opened, qtbot):
+    desk = opened.desk
+    desk.toggle()
+    qtbot.waitUntil(lambda: desk.live.done > 3, timeout=30_000)
+    opened.run_command("tracks.stop")
+    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    run = opened.files.session.runs[0]
+    assert run.frames[0] == 0
+    assert 3 < run.frames[1] <= 80
+
+
+def test_closing_while_a_tracker_works_waits_for_its_thread(opened, qtbot):
+    opened.desk.toggle()
+    qtbot.wait(50)
+    assert opened.desk.live.running
+    opened.files.close()
+    assert opened.desk is None
+
+
+def test_tracking_again_never_touches_corrected_tracks(opened, qtbot):
+    desk = opened.desk
+    desk.toggle()
+    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    session = opened.files.session
+    track = session.tracks.track_ids[0]
+    desk.editing.rename(track, "first")
+    corrected = session.tracks.columns()["x"].copy()
+    desk.track("stereo-colour", None, 1)
+    qtbot.waitUntil(lambda: not desk.live.running and _tracked(opened), timeout=30_000)
+    assert len(session.runs) == 2
+    assert np.array_equal(session.tracks.columns()["x"], corrected, equal_nan=True)
+    assert desk.document.label(track).name == "first"
