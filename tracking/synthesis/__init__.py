@@ -2,7 +2,7 @@
 
 from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES, FloorSpec, LampSpec, SceneSpec, WallSpec
-from tracking.synthesis.truth import SceneTruth
+from tracking.synthesis.truth import SceneTruth, Surfaces
 from tracking.synthesis.writing import render_recording
 
 __all__ = [
@@ -12,6 +12,7 @@ __all__ = [
     "Scene",
     "SceneSpec",
     "SceneTruth",
+    "Surfaces",
     "WallSpec",
     "render_recording",
 ]

@@ -71,8 +71,8 @@ _ARM = np.array(
         [1.88, 0.020, 0.020],
         [1.96, 0.015, 0.017],
         [2.22, 0.012, 0.022],
-        [2.50, 0.010, 0.018],
-        [2.62, 0.002, 0.003],
+        [2.46, 0.011, 0.019],
+        [2.57, 0.007, 0.011],
     ]
 )
 _LEG = np.array(
@@ -105,7 +105,7 @@ _FOOT = np.array(
     ]
 )
 _ANKLE_OVER_SOLE = 0.042
-_SKIRT_RINGS, _PACK_RINGS = 6, 7
+_SKIRT_RINGS, _PACK_RINGS = 7, 7
 _PACK = np.array(
     # height, half width, half depth
     [
@@ -266,7 +266,9 @@ def _shoe(figures: Figures, skeleton: Skeleton, leg: int) -> Rings:
 def _skirt(figures: Figures, skeleton: Skeleton) -> Rings:
     """A skirt or the skirts of a coat; without one, rings of no size that cover nothing."""
     size = figures.height_m[:, None]
-    down = np.linspace(0.0, 1.0, _SKIRT_RINGS)[None]
+    down = np.concatenate(([0.0], np.linspace(0.0, 1.0, _SKIRT_RINGS - 1)))[None]
+    # The first ring lies inside the torso, or one could look into the skirt from above.
+    inward = np.where(np.arange(_SKIRT_RINGS) == 0, 0.8, 1.0)
     top, _ = _upright(figures, skeleton, np.array([0.592]))
     knees = skeleton.knee.mean(axis=1)[:, None]
     knees = knees + (skeleton.hip.mean(axis=1)[:, None] - knees) * 0.25
@@ -283,16 +285,18 @@ def _skirt(figures: Figures, skeleton: Skeleton) -> Rings:
         centre,
         np.broadcast_to(-UP, centre.shape),
         left_of(skeleton.forward)[:, None],
-        np.where(worn, width, 0.0),
-        np.where(worn, depth, 0.0),
+        np.where(worn, width * inward, 0.0),
+        np.where(worn, depth * inward, 0.0),
     )
 
 
 def _pack(figures: Figures, skeleton: Skeleton) -> Rings:
     """A backpack; without one, rings of no size that cover nothing."""
-    centre, forward = _upright(figures, skeleton, _PACK[:, 0])
+    centre, _ = _upright(figures, skeleton, _PACK[:, 0])
     scale = (figures.height_m * figures.pack)[:, None]
-    back = (0.105 * figures.height_m * figures.girth)[:, None, None]
+    # What is not worn hides in the body, so that boxes stay tight.
+    worn = figures.pack > 0
+    back = (0.105 * worn * figures.height_m * figures.girth)[:, None, None]
     centre = centre - skeleton.chest_forward[:, None] * back
     return Rings(
         centre,
@@ -306,7 +310,7 @@ def _pack(figures: Figures, skeleton: Skeleton) -> Rings:
 def profile_of(name: str) -> Floats:
     """How far down its texture patch each ring (r,) of a tube lies, 0..1."""
     if name == "torso":
-        return (_TORSO[0, 0] - _TORSO[:, 0]) / (_TORSO[0, 0] - _TORSO[-1, 0])
+        return np.asarray((_TORSO[0, 0] - _TORSO[:, 0]) / (_TORSO[0, 0] - _TORSO[-1, 0]))
     if name == "head":
         return np.clip(1.0 - _HEAD[:, 0], 0.0, 1.0)
     profile = {"arm": _ARM, "leg": _LEG, "shoe": _FOOT}.get(name.split()[-1])

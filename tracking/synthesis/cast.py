@@ -62,10 +62,6 @@ class Cast:
         there = [way is not None and frame in way.frames for way in self.walks]
         return np.flatnonzero(there)
 
-    def position(self, people: NDArray[np.intp], frame: int) -> Floats:
-        """World x, y (n, 2) of people in a frame in which they are there."""
-        return self.posture(people, frame).position
-
     def posture(self, people: NDArray[np.intp], frame: int) -> Posture:
         """What people who are there do in a frame."""
         walks = [self._walk(person) for person in people]
@@ -81,10 +77,10 @@ class Cast:
             **moving,
         )
 
-    def surfaces(self, people: NDArray[np.intp], frame: int) -> tuple[Floats, Floats]:
-        """Vertices and normals (n, v, 3) of people who are there in a frame."""
+    def surfaces(self, people: NDArray[np.intp], posture: Posture) -> tuple[Floats, Floats]:
+        """Vertices and normals (n, v, 3) of people in a posture."""
         figures = self.figures.of(people)
-        return bodies(figures, skeleton_of(figures, self.posture(people, frame)))
+        return bodies(figures, skeleton_of(figures, posture))
 
     def _walk(self, person: int | np.intp) -> Walk:
         way = self.walks[person]
@@ -129,11 +125,12 @@ def _textures(figures: Figures, *, uniform: bool, seed: int) -> Float32s:
             rng,
             long_hair=bool(figures.hair[person] > 0.55),
             coat=bool(figures.skirt[person] > 0 and figures.flare[person] < 0.8),
+            skirt=bool(figures.skirt[person] > 0 and figures.flare[person] >= 0.8),
             uniform=uniform,
         )
         image = texture(outfit, rng)
         for _ in range(LEVELS):
             texels.append(image.reshape(-1, 3))
             half = image.shape[1] // 2, image.shape[0] // 2
-            image = cv2.resize(image, half, interpolation=cv2.INTER_AREA)
+            image = np.asarray(cv2.resize(image, half, interpolation=cv2.INTER_AREA), np.float32)
     return np.concatenate(texels) if texels else np.zeros((1, 3), np.float32)

@@ -117,7 +117,9 @@ class _Crowd:
         last = self._goal[person] == len(plan.points) - 1
         stops = plan.pauses_s[self._goal[person]] > 0
         late = now_s - self._goal_since_s[person] > _PATIENCE_S + distance / plan.speed_m_s
-        if distance < (0.3 if stops or last else 0.6) or late:
+        # Who finds the place taken makes do with one beside it; nobody vanishes within view.
+        taken = distance < 1.3 and self._speed[person] < 0.45
+        if distance < (0.3 if stops or last else 0.6) or ((late or taken) and not last):
             self._arrive(person, now_s, last)
         if now_s < self._stands_until_s[person]:
             return np.zeros(2)

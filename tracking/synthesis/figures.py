@@ -45,7 +45,7 @@ class Figures:
         slender = rng.random(people) < 0.5
         mean_m = np.where(slender, 1.65, 1.77)
         height = np.clip(rng.normal(mean_m, 0.065), 1.5, 1.95)
-        dressed = slender & (rng.random(people) < 0.35)
+        dressed = slender & (rng.random(people) < 0.28)
         coated = ~dressed & (rng.random(people) < 0.22)
         skirt = np.where(dressed, rng.uniform(0.17, 0.33, people), 0.0)
         skirt = np.where(coated, rng.uniform(0.14, 0.27, people), skirt)

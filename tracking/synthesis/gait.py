@@ -16,7 +16,7 @@ _STANCE = 0.6  # share of a stride in which a foot stands
 _MIDDLE = 0.3  # the body passes over the foot in the middle of that
 _TURN_STEP_M = 0.2  # turning on the spot by a radian costs steps as this distance does
 _FOOT_GAP = 0.044  # half the distance between the feet, as a share of body height
-_LIFT = 0.045  # how high a swinging ankle is lifted
+_LIFT = 0.026  # how high a swinging ankle is lifted
 _BRISK_M_S = 1.1  # from this pace on limbs swing fully
 _PITCH_AT = (0.0, 0.08, 0.36, 0.6, 0.72, 0.9, 1.0)
 _PITCH_RAD = (-0.32, 0.0, 0.05, 0.62, 0.75, -0.15, -0.32)  # heel up is positive
@@ -56,7 +56,7 @@ def steps_of(walk: Walk, height_m: float, fps: float, start: float) -> Steps:
         start: phase at the first frame, in strides.
     """
     way = _Way(walk, fps)
-    stride_m = height_m * (0.5 + 0.26 * min(way.usual_speed, 1.6))
+    stride_m = height_m * (0.42 + 0.22 * min(way.usual_speed, 1.6))
     phase = start + way.distance / stride_m
     pace = np.clip(way.speed / _BRISK_M_S, 0.0, 1.15)
     feet = [

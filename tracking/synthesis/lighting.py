@@ -115,7 +115,7 @@ class FloorShadows:
         )
 
     def _factor(self, height: Float32s, feet: Floats) -> Float32s:
-        """Light left in each cell: shadows get softer with the height of what casts them."""
+        """Light left in each cell (rows, columns, 3); high things cast softer shadows."""
         mask = (height > 0).astype(np.float32)
         wide = self._lamp.softness_m / self._cell_m
         near = cv2.GaussianBlur(mask, (0, 0), max(0.25 * wide, 0.6))
@@ -124,12 +124,10 @@ class FloorShadows:
         share = np.clip(tall / 1.5, 0.0, 1.0)
         shadow = near + (far - near) * share
         contact = self._contact(feet)
-        direct = np.array(self._lamp.direct[::-1], np.float32)
-        ambient = np.array(self._lamp.ambient[::-1], np.float32) * np.float32(_CONTACT)
-        total = np.array(self._lamp.direct[::-1]) + np.array(self._lamp.ambient[::-1])
+        colours = zip(self._lamp.direct[::-1], self._lamp.ambient[::-1], strict=True)
         channels = [
-            1.0 - (shadow * d + contact * a) / t
-            for d, a, t in zip(direct, ambient, total, strict=True)
+            1.0 - (shadow * (direct / (direct + ambient)) + contact * (_CONTACT * ambient))
+            for direct, ambient in colours
         ]
         return np.asarray(cv2.merge(channels), np.float32)
 

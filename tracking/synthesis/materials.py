@@ -40,6 +40,9 @@ class Floor:
         if floor.tile_m[0] > 0:
             tile_shade, tint, joint = self._tiles(points)
             shade = (shade + tile_shade) * joint
+        else:
+            shade = 1.0 + floor.grain * (0.7 * grain + 0.12 * stains)
+            shade = shade + 1.6 * _painted_lines(points) * (0.9 + 0.1 * stains)
         # Light never falls evenly, and walls keep some of it off.
         shade = shade * (1.0 + 0.05 * _look_up(self._blotches, points, 0.16))
         shade = shade * self._before_walls(points)
@@ -68,6 +71,14 @@ class Floor:
             gap = np.abs(points[..., 0 if wall.axis == "x" else 1] - wall.place_m)
             shade *= (1.0 - 0.30 * np.exp(-gap / _CORNER_M)).astype(np.float32)
         return shade
+
+
+def _painted_lines(points: Floats) -> Float32s:
+    """1 where the asphalt is painted: two lines along the way and bars across it."""
+    x, y = points[..., 0], points[..., 1]
+    lines = np.abs(np.abs(x - 0.4) - 3.6) < 0.06
+    bars = (np.abs(x - 0.4) < 3.2) & (np.abs(y - 9.0) < 1.3) & (x % 1.0 < 0.45)
+    return (lines | bars).astype(np.float32)
 
 
 def wall_colour(kind: str, along: Floats, height: Floats, seed: int) -> Float32s:
@@ -113,7 +124,7 @@ def _brick(along: Floats, height: Floats, rng: np.random.Generator) -> Float32s:
         paint, (place > 0.1) & (place < 1.6) & (height > 0.95) & (height < 2.3), (0.09, 0.12, 0.15)
     )
     _mark(paint, (np.abs(place - 3.0) < 0.55) & (height < 2.3), (0.10, 0.17, 0.13))
-    return paint.astype(np.float32)
+    return np.asarray(paint, np.float32)
 
 
 def _mark(paint: Floats, where: NDArray[np.bool_], colour: tuple[float, ...]) -> None:

@@ -79,7 +79,7 @@ class Painter:
             margin: how far beyond the picture `covered` goes, in picture widths.
         """
         pixels = self._rig.project(camera_points, self._eye)
-        corners, chosen = self._facing(pixels)
+        corners, chosen = sample_corners(pixels, self._triangles)
         person = (chosen // len(self._triangles)).astype(np.int32)
         covered = fill(corners, self._window(margin))
         inside = self._inside(covered) if margin else covered
@@ -98,22 +98,11 @@ class Painter:
         x, y = samples.x, samples.y
         return samples.where((x >= 0) & (x < width) & (y >= 0) & (y < height))
 
-    def _facing(self, pixels: Floats) -> tuple[Float32s, NDArray[np.intp]]:
-        """Corners (t, 3, 3) in samples of the triangles seen from their front, and which."""
-        fine = pixels.copy()
-        # Samples lie at whole numbers: pixel 0 has samples 0 and 1 at -1/4 and +1/4.
-        fine[..., :2] = fine[..., :2] * FINE + (FINE - 1) / 2
-        corners = fine[:, self._triangles].reshape(-1, 3, 3).astype(np.float32)
-        e1, e2 = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-        # Not a number, behind the camera: compares as false.
-        chosen = np.flatnonzero(e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0] < 0)
-        return corners[chosen], chosen
-
     def _values(self, pixels: Floats, light: Float32s) -> Float32s:
         """Texture column and row, direct and ambient light at the corners (n t, 3, 4)."""
         place = np.broadcast_to(self._texture_place, (*pixels.shape[:2], 2))
         values = np.concatenate((place, light), axis=-1)
-        return values[:, self._triangles].reshape(-1, 3, 4)
+        return np.asarray(values[:, self._triangles].reshape(-1, 3, 4), np.float32)
 
     def _shade(
         self,
@@ -127,12 +116,13 @@ class Painter:
     ) -> Float32s:
         plane = planes(corners, values)[seen.triangle]
         x, y = seen.x.astype(np.float32), seen.y.astype(np.float32)
-        value = plane[:, :, 0] * x[:, None] + plane[:, :, 1] * y[:, None] + plane[:, :, 2]
+        value = plane[:, 0] * x[:, None] + plane[:, 1] * y[:, None] + plane[:, 2]
         first, stride, level = self._levels(pixels, people)
         row = person[seen.triangle]
         place = np.maximum(value[:, :2], 0.0).astype(np.int32) >> level[row][:, None]
         colour = texels[first[row] + place[:, 1] * stride[row] + place[:, 0]]
-        return colour * (value[:, 2:3] * self._direct + value[:, 3:4] * self._ambient)
+        bright = value[:, 2:3] * self._direct + value[:, 3:4] * self._ambient
+        return np.asarray(colour * bright, np.float32)
 
     def _levels(
         self, pixels: Floats, people: NDArray[np.intp]
@@ -143,6 +133,25 @@ class Painter:
         level = np.floor(np.log2(_TEXELS_PER_M / np.maximum(samples_per_m, 1.0)) + 0.5)
         level = np.clip(level, 0, LEVELS - 1).astype(np.int32)
         return (people * texels + starts[level]).astype(np.int32), strides[level], level
+
+
+def sample_corners(
+    pixels: Floats, triangles: NDArray[np.int32]
+) -> tuple[Float32s, NDArray[np.intp]]:
+    """Corners (t, 3, 3) in samples of the triangles seen from their front, and which they are.
+
+    Args:
+        pixels: (n, v, 3) u, v, inverse depth of the vertices of n equal bodies.
+        triangles: (k, 3) of one body's vertices; the result counts n times k of them.
+    """
+    fine = pixels.astype(np.float32)
+    # Samples lie at whole numbers: pixel 0 has samples 0 and 1 at -1/4 and +1/4.
+    fine[..., :2] = fine[..., :2] * FINE + (FINE - 1) / 2
+    corners = fine[:, triangles].reshape(-1, 3, 3)
+    e1, e2 = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    # Not a number, behind the camera: compares as false.
+    chosen = np.flatnonzero(e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0] < 0)
+    return corners[chosen], chosen
 
 
 def composite(light: Float32s, drawn: Drawn) -> None:

@@ -37,7 +37,7 @@ class Samples:
 
 
 def planes(corners: Float32s, values: Float32s) -> Float32s:
-    """Coefficients (t, k, 3) with value = a x + b y + c over each triangle.
+    """Coefficients (t, 3, k), a, b and c, with value = a x + b y + c over each triangle.
 
     Args:
         corners: (t, 3, 2) or wider; columns 0 and 1 are x and y.
@@ -53,7 +53,7 @@ def planes(corners: Float32s, values: Float32s) -> Float32s:
     a = (d1 * e2[:, 1:2] - d2 * e1[:, 1:2]) * scale[:, None]
     b = (d2 * e1[:, 0:1] - d1 * e2[:, 0:1]) * scale[:, None]
     c = values[:, 0] - a * origin[:, 0:1] - b * origin[:, 1:2]
-    return np.asarray(np.stack((a, b, c), axis=-1), np.float32)
+    return np.asarray(np.stack((a, b, c), axis=1), np.float32)
 
 
 def fill(corners: Float32s, window: tuple[int, int, int, int]) -> Samples:
@@ -99,7 +99,7 @@ def _rows(corners: Float32s, window: tuple[int, int, int, int]) -> _Rows:
     # A sample on a shared edge belongs to one triangle: start <= x < end.
     start = np.ceil(np.minimum(long_edge, short_edge))
     end = np.ceil(np.maximum(long_edge, short_edge))
-    plane = planes(corners, corners[:, :, 2:])[:, 0]
+    plane = planes(corners, corners[:, :, 2:])[:, :, 0]
     depth = plane[triangle, 1] * y.astype(np.float32) + plane[triangle, 2]
     return _Rows(
         triangle,
@@ -116,13 +116,15 @@ def _edges_at(px: Float32s, py: Float32s, triangle: Ints, y: Ints) -> tuple[Floa
 
     def slopes(a: int, b: int) -> Float32s:
         rise = py[:, b] - py[:, a]
-        return (px[:, b] - px[:, a]) / np.where(rise == 0, np.float32(1), rise)
+        run = px[:, b] - px[:, a]
+        return np.asarray(run / np.where(rise == 0, np.float32(1), rise), np.float32)
 
-    upper = y < py[triangle, 1]
-    long_edge = px[triangle, 0] + (y - py[triangle, 0]) * slopes(0, 2)[triangle]
-    high = px[triangle, 0] + (y - py[triangle, 0]) * slopes(0, 1)[triangle]
-    low = px[triangle, 1] + (y - py[triangle, 1]) * slopes(1, 2)[triangle]
-    return long_edge, np.where(upper, high, low)
+    down = y.astype(np.float32)
+    upper = down < py[triangle, 1]
+    long_edge = px[triangle, 0] + (down - py[triangle, 0]) * slopes(0, 2)[triangle]
+    high = px[triangle, 0] + (down - py[triangle, 0]) * slopes(0, 1)[triangle]
+    low = px[triangle, 1] + (down - py[triangle, 1]) * slopes(1, 2)[triangle]
+    return long_edge, np.asarray(np.where(upper, high, low), np.float32)
 
 
 class DepthBuffer:

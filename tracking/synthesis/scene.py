@@ -10,11 +10,19 @@ from tracking.synthesis.body import topology
 from tracking.synthesis.cast import Cast
 from tracking.synthesis.lighting import FloorShade, FloorShadows
 from tracking.synthesis.painter import Drawn, Painter, composite
+from tracking.synthesis.pillars import Pillars
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.scenery import backdrop
 from tracking.synthesis.scenes import SceneSpec
 from tracking.synthesis.sensor import Sensor
-from tracking.synthesis.truth import SceneTruth, nobody, truth_of
+from tracking.synthesis.truth import (
+    SceneTruth,
+    Surfaces,
+    no_surfaces,
+    nobody,
+    surfaces_of,
+    truth_of,
+)
 
 VGA = (640, 480)
 FPS = 20.0
@@ -62,32 +70,73 @@ class Scene:
         self._triangles = topology()[0]
         self._shadows = FloorShadows(self.rig, spec.lamp)
         self._backdrops = [backdrop(spec, self.rig, eye, seed) for eye in (0, 1)]
-        self._painters = [Painter(self.rig, eye, spec.lamp, None) for eye in (0, 1)]
+        self._pillars = Pillars.of_scene(spec)
+        self._painters = [Painter(self.rig, eye, spec.lamp, self._still(eye)) for eye in (0, 1)]
         self._sensors = [Sensor(size, eye, seed) for eye in (0, 1)]
 
     def frame(self, number: int) -> tuple[StereoFrame, SceneTruth]:
-        """Both eyes' pictures of a frame, and what is true in the left one."""
-        people = self.cast.on_floor(number)
+        """Both eyes' pictures of a frame, and what is true in the left one.
+
+        Raises:
+            IndexError: there is no such frame.
+        """
+        people = self._people(number)
         if not len(people):
-            images = [self._expose(eye, number, None, None) for eye in (0, 1)]
-            return self._stereo(number, images), nobody()
-        world, normals = self.cast.surfaces(people, number)
-        shade = self._shadows.cast(
-            world[:, self._triangles].reshape(-1, 3, 3),
-            self.cast.posture(people, number).foot.reshape(-1, 2),
-        )
+            return self._stereo(number, self._shade(None, None), (None, None)), nobody()
+        posture = self.cast.posture(people, number)
+        world, normals = self.cast.surfaces(people, posture)
+        shade = self._shade(world, posture.foot.reshape(-1, 2))
         near = self._near(world)
-        people, world, normals = people[near], world[near], normals[near]
-        light = self._shadows.light_on(world, normals, shade)
+        people, world = people[near], world[near]
+        light = self._shadows.light_on(world, normals[near], shade)
         points = self.rig.left_camera_points(world)
-        drawn = [
-            painter.draw(points, light, self.cast.textures, people, _TRUTH_MARGIN * (eye == 0))
-            for eye, painter in enumerate(self._painters)
-        ]
-        images = [self._expose(eye, number, shade, drawn[eye]) for eye in (0, 1)]
-        position = self.cast.posture(people, number).position if len(people) else np.zeros((0, 2))
-        truth = truth_of(people, position, self.rig.project(points, 0), drawn[0])
-        return self._stereo(number, images), truth
+        left, right = (
+            painter.draw(points, light, self.cast.textures, people, margin)
+            for painter, margin in zip(self._painters, (_TRUTH_MARGIN, 0.0), strict=True)
+        )
+        truth = truth_of(people, posture.position[near], self.rig.project(points, 0), left)
+        return self._stereo(number, shade, (left, right)), truth
+
+    def surfaces(self, number: int) -> Surfaces:
+        """Who is seen at which pixel of the left eye, and the true disparity there.
+
+        Raises:
+            IndexError: there is no such frame.
+        """
+        people = self._people(number)
+        if not len(people):
+            return no_surfaces(self.rig.size)
+        world, _ = self.cast.surfaces(people, self.cast.posture(people, number))
+        near = self._near(world)
+        points = self.rig.left_camera_points(world[near])
+        light = np.ones((*points.shape[:2], 2), np.float32)
+        drawn = self._painters[0].draw(points, light, self.cast.textures, people[near])
+        return surfaces_of(drawn, people[near], self.rig)
+
+    def _people(self, number: int) -> NDArray[np.intp]:
+        if not 0 <= number < self.frames:
+            raise IndexError(f"frame {number} is not one of the scene's {self.frames}")
+        return self.cast.on_floor(number)
+
+    def _still(self, eye: int) -> NDArray[np.float32] | None:
+        """Draw the pillars into an eye's backdrop; their inverse depth, None without pillars."""
+        if not len(self._pillars):
+            return None
+        light = self._shadows.light_on(
+            self._pillars.vertices, self._pillars.normals, self._shade(None, None)
+        )
+        behind = self._backdrops[eye]
+        return self._pillars.draw(self.rig, eye, self.spec.lamp, light, behind)
+
+    def _shade(
+        self, world: NDArray[np.float64] | None, feet: NDArray[np.float64] | None
+    ) -> FloorShade:
+        """The shade of pillars and of people, if there are any."""
+        corners = self._pillars.corners()
+        if world is not None:
+            bodies = world[:, self._triangles].reshape(-1, 3, 3)
+            corners = np.concatenate((bodies, corners)) if len(corners) else bodies
+        return self._shadows.cast(corners, np.zeros((0, 2)) if feet is None else feet)
 
     def _near(self, world: NDArray[np.float64]) -> NDArray[np.intp]:
         """Whose bodies may be seen by an eye."""
@@ -102,17 +151,16 @@ class Scene:
                 seen.append(person)
         return np.array(seen, np.intp)
 
-    def _expose(
-        self, eye: int, number: int, shade: FloorShade | None, drawn: Drawn | None
-    ) -> Image:
+    def _stereo(
+        self, number: int, shade: FloorShade, drawn: tuple[Drawn | None, Drawn | None]
+    ) -> StereoFrame:
+        left, right = (self._expose(eye, number, shade, drawn[eye]) for eye in (0, 1))
+        return StereoFrame(number, number / self.fps, left, right)
+
+    def _expose(self, eye: int, number: int, shade: FloorShade, drawn: Drawn | None) -> Image:
         behind = self._backdrops[eye]
-        light = behind.light.copy()
-        if shade is not None:
-            left = self._shadows.seen_by(shade, eye)
-            light *= 1.0 - behind.floor * (1.0 - left)
+        left = self._shadows.seen_by(shade, eye)
+        light = np.asarray(behind.light * (1.0 - behind.floor * (1.0 - left)), np.float32)
         if drawn is not None:
             composite(light, drawn)
         return self._sensors[eye].expose(light, number)
-
-    def _stereo(self, number: int, images: list[Image]) -> StereoFrame:
-        return StereoFrame(number, number / self.fps, images[0], images[1])

@@ -29,15 +29,15 @@ class Sensor:
         # Drawing fresh noise costs more than all the rest: each frame reads this from elsewhere.
         self._noise = rng.standard_normal(_BANK, dtype=np.float32)
         levels = np.arange(256, dtype=np.float32)
-        self._spread = np.sqrt(_READ_NOISE**2 + _SHOT_NOISE * levels)
+        self._spread = np.sqrt(_READ_NOISE**2 + _SHOT_NOISE * levels).astype(np.float32)
 
     def expose(self, light: Float32s, frame: int) -> Image:
         """The 8-bit picture of light (height, width, 3), 0..1 and linear, in a frame."""
-        grey = cv2.multiply(light, self._response)
+        grey = np.asarray(cv2.multiply(light, self._response), np.float32)
         np.sqrt(np.maximum(grey, 0.0, out=grey), out=grey)
-        grey *= 255.0
+        grey *= np.float32(255)
         if _OFFSETS[self._eye]:
-            grey += _OFFSETS[self._eye]
+            grey += np.float32(_OFFSETS[self._eye])
         mean = cv2.convertScaleAbs(grey)
         rng = np.random.default_rng((self._seed, self._eye, frame))
         count = grey.size

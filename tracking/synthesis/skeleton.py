@@ -1,4 +1,4 @@
-"""Joints of walking people: legs by inverse kinematics from the feet, arms swinging against them."""
+"""Joints of walking people: legs reach for the feet, arms swing against them."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def left_of(forward: Floats) -> Floats:
 def _pelvis(posture: Posture, height: Floats) -> Floats:
     """The pelvis goes up and down twice a stride, lowest when both feet are on the floor."""
     bob = -0.010 * posture.pace * np.cos(4 * np.pi * (posture.phase - 0.05))
-    z = (_HIP - 0.012 * posture.pace + bob) * height
+    z = (_HIP - 0.014 * posture.pace + bob) * height
     sway = 0.012 * posture.pace * np.sin(2 * np.pi * (posture.phase - 0.05))
     place = posture.position + left_of(level(posture.heading))[:, :2] * (sway * height)[:, None]
     return np.column_stack((place, z))
@@ -159,8 +159,8 @@ def _arms(
     """Elbows and wrists (n, 2, 3)."""
     turn = 2 * np.pi * (posture.phase[:, None] + np.array([0.0, 0.5]))
     # The arm is back when the leg of its side is ahead.
-    swing = 0.06 - 0.42 * posture.pace[:, None] * np.cos(turn)
-    bend = 0.22 + 0.22 * posture.pace[:, None] * (1 - np.cos(turn))
+    swing = 0.04 - 0.33 * posture.pace[:, None] * np.cos(turn)
+    bend = 0.20 + 0.13 * posture.pace[:, None] * (1 - np.cos(turn))
     holds = figures.phone[:, None] * np.array([0.0, 1.0])
     swing = swing * (1 - holds) + holds * 0.45
     bend = bend * (1 - holds) + holds * 1.75

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.synthesis.body import PARTS, topology
 from tracking.synthesis.painter import FINE, Drawn
+from tracking.synthesis.rig import BASELINE_M, Rig
 
 Floats = NDArray[np.float64]
 
@@ -52,6 +53,46 @@ def nobody() -> SceneTruth:
         np.zeros((0, len(PARTS), 4)),
         np.zeros((0, len(PARTS)), np.int32),
     )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Surfaces:
+    """What the left eye's pixels show.
+
+    Attributes:
+        track: (height, width) id of the person who covers most of a pixel; 0: nobody.
+        disparity_px: (height, width) left u less right u of what is seen there; NaN: nobody.
+    """
+
+    track: NDArray[np.int32]
+    disparity_px: NDArray[np.float32]
+
+
+def no_surfaces(size: tuple[int, int]) -> Surfaces:
+    """An empty picture of `size` (width, height)."""
+    shape = size[1], size[0]
+    return Surfaces(np.zeros(shape, np.int32), np.full(shape, np.nan, np.float32))
+
+
+def surfaces_of(drawn: Drawn, people: NDArray[np.intp], rig: Rig) -> Surfaces:
+    """What is seen in the left eye's picture of people (n,), indices in the cast."""
+    surfaces = no_surfaces(rig.size)
+    pixels = surfaces.track.size
+    place = (drawn.seen.y // FINE) * rig.size[0] + drawn.seen.x // FINE
+    person = drawn.person[drawn.seen.triangle]
+    most = np.zeros(pixels, np.int64)
+    for row, index in enumerate(people):
+        count = np.bincount(place[person == row], minlength=pixels)
+        ahead = count > np.maximum(most, FINE**2 // 2 - 1)
+        surfaces.track[ahead.reshape(surfaces.track.shape)] = index + 1
+        most = np.maximum(most, count)
+    own = surfaces.track.reshape(-1)[place] == people[person] + 1
+    count = np.bincount(place[own], minlength=pixels)
+    total = np.bincount(place[own], drawn.seen.depth[own], minlength=pixels)
+    there = np.flatnonzero(surfaces.track)
+    scale = rig.focal_px * BASELINE_M
+    surfaces.disparity_px.reshape(-1)[there] = scale * total[there] / count[there]
+    return surfaces
 
 
 def truth_of(
@@ -105,9 +146,6 @@ def _whole_samples(drawn: Drawn, people: int) -> NDArray[np.int64]:
     covered[place] = True
     owner = np.repeat(np.arange(people), area)
     return np.bincount(owner[covered], minlength=people)
-
-
-_PART_VERTICES = None
 
 
 def _boxes(pixels: Floats, part: int) -> Floats:

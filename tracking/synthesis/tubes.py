@@ -85,8 +85,8 @@ def surface(shape: TubeShape, rings: Rings) -> tuple[Floats, Floats]:
     )
     grid = rings.centre[:, :, None] + offset
     normals = _normals(grid)
-    people = len(grid)
-    return grid.reshape(people, -1, 3), normals.reshape(people, -1, 3)
+    flat = len(grid), shape.vertices, 3
+    return grid.reshape(flat), normals.reshape(flat)
 
 
 def _normals(grid: Floats) -> Floats:

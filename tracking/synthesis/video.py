@@ -5,16 +5,20 @@ from __future__ import annotations
 from fractions import Fraction
 from pathlib import Path
 from types import TracebackType
+from typing import Literal
 
 import av
+import cv2
+import numpy as np
 from av.codec.codec import UnknownCodecError
 
 from tracking.errors import OutputError
 from tracking.recording.frame import Image
 
-_ENCODERS = (
+_Encoder = Literal["libx264", "mpeg4"]
+_ENCODERS: tuple[tuple[_Encoder, dict[str, str]], ...] = (
     # The fine noise of a sensor is part of what trackers have to live with: hardly compressed.
-    ("libx264", {"crf": "17", "preset": "veryfast", "bf": "0", "threads": "1"}),
+    ("libx264", {"crf": "16", "preset": "veryfast", "bf": "0", "threads": "1"}),
     ("mpeg4", {"qscale": "3", "flags": "+qscale"}),
 )
 _FRAMES_TO_A_KEY = 20
@@ -44,7 +48,9 @@ class VideoWriter:
 
     def write(self, image: Image) -> None:
         """Append a picture; OutputError where the disk is full."""
-        frame = av.VideoFrame.from_ndarray(image, format="bgr24")
+        # OpenCV rounds where FFmpeg's own conversion cuts off two grey levels.
+        planes = np.asarray(cv2.cvtColor(image, cv2.COLOR_BGR2YUV_I420), np.uint8)
+        frame = av.VideoFrame.from_ndarray(planes, format="yuv420p")
         frame.pts = self._next
         self._next += 1
         self._mux(frame)
@@ -73,7 +79,7 @@ class VideoWriter:
                 raise _failed(self._path, closing) from closing
 
 
-def _encoder() -> tuple[str, dict[str, str]]:
+def _encoder() -> tuple[_Encoder, dict[str, str]]:
     for name, options in _ENCODERS:
         try:
             av.Codec(name, "w")

@@ -91,6 +91,7 @@ class Outfit:
         long_hair: the hair falls over the neck.
         cap: a cap of the second colour hides the hair.
         coat: what hangs below the waist is of the top's cloth, not of the bottom's.
+        stockings: colour of the legs under a skirt; None: trousers.
     """
 
     skin: Colour
@@ -107,17 +108,20 @@ class Outfit:
     long_hair: bool
     cap: bool
     coat: bool
+    stockings: Colour | None
 
 
 def random_outfit(
-    rng: np.random.Generator, *, long_hair: bool, coat: bool, uniform: bool
+    rng: np.random.Generator, *, long_hair: bool, coat: bool, skirt: bool, uniform: bool
 ) -> Outfit:
     """What one person wears; in a uniform only skin, hair and creases differ."""
     top, second = (_shade(_TOPS[i], rng) for i in rng.choice(len(_TOPS), 2, replace=False))
     bottom = _shade(_BOTTOMS[rng.integers(len(_BOTTOMS))], rng)
     pattern = str(rng.choice(_PATTERNS))
+    skin = _shade(_SKINS[rng.choice(4, p=(0.35, 0.3, 0.2, 0.15))], rng)
+    legs = skin * 0.95 if rng.random() < 0.55 else np.array((0.12, 0.11, 0.12))
     outfit = Outfit(
-        skin=_shade(_SKINS[rng.choice(4, p=(0.35, 0.3, 0.2, 0.15))], rng),
+        skin=skin,
         hair=_shade(_HAIRS[rng.integers(len(_HAIRS))], rng),
         top=top,
         second=second,
@@ -126,11 +130,12 @@ def random_outfit(
         pack=_shade(_TOPS[rng.integers(len(_TOPS))], rng) * 0.8,
         pattern="jacket" if coat else pattern,
         sleeve=1.0 if coat or pattern == "jacket" else float(rng.random() < 0.6),
-        shorts=bool(rng.random() < 0.08) and not coat,
-        jeans=bool(rng.random() < 0.4),
+        shorts=bool(rng.random() < 0.08) and not (coat or skirt),
+        jeans=bool(rng.random() < 0.4) and not skirt,
         long_hair=long_hair,
         cap=bool(rng.random() < 0.1) and not long_hair,
         coat=coat,
+        stockings=legs if skirt else None,
     )
     return _in_uniform(outfit) if uniform else outfit
 
@@ -152,6 +157,7 @@ def _in_uniform(outfit: Outfit) -> Outfit:
         long_hair=outfit.long_hair,
         cap=False,
         coat=outfit.coat,
+        stockings=None,
     )
 
 
@@ -220,6 +226,7 @@ def _torso(shape: tuple[int, int], outfit: Outfit, rng: np.random.Generator) -> 
     neckline = rows < 0.085 + 0.06 * np.clip(1 - front / 0.09, 0, 1)
     cloth[neckline] = outfit.skin * 0.93
     hem = 0.74 if outfit.pattern in ("jacket", "plain", "print") else 0.69
+    hem = 1.1 if outfit.coat else hem
     below = np.broadcast_to(rows > hem, shape)
     cloth[below] = (outfit.bottom * folds(shape, 0.06, rng)[..., None])[below]
     cloth[np.broadcast_to(np.abs(rows - hem) < 0.008, shape)] *= 0.62
@@ -227,6 +234,8 @@ def _torso(shape: tuple[int, int], outfit: Outfit, rng: np.random.Generator) -> 
 
 
 def _leg(shape: tuple[int, int], outfit: Outfit, rng: np.random.Generator) -> Float32s:
+    if outfit.stockings is not None:
+        return plain(shape, outfit.stockings)
     cloth = plain(shape, outfit.bottom)
     rows = np.linspace(0, 1, shape[0], dtype=np.float32)[:, None]
     if outfit.jeans:
@@ -272,10 +281,12 @@ def _head(shape: tuple[int, int], outfit: Outfit, rng: np.random.Generator) -> F
     low = np.where(around > 0.58, 1.1 if outfit.long_hair else 0.80, sides)
     if outfit.long_hair:
         low = np.where((around > 0.36) & (around <= 0.58), 1.1, low)
-    strands = 1.0 + 0.16 * noise(shape, (height / 3, 2.5), rng) + 0.08 * noise(shape, (5, 5), rng)
-    hair = plain(shape, outfit.second if outfit.cap else outfit.hair) * strands[..., None]
+    strands = 1.0 + 0.10 * noise(shape, (height / 3, 2.5), rng) + 0.06 * noise(shape, (5, 5), rng)
+    hair = plain(shape, outfit.hair) * strands[..., None]
     covered = np.broadcast_to(rows < low, shape)
     skin[covered] = hair[covered]
+    if outfit.cap:
+        skin[np.broadcast_to(rows < np.where(around < 0.3, 0.46, 0.40), shape)] = outfit.second
     edge = cv2.GaussianBlur(covered.astype(np.float32), (0, 0), 1.5)
     return np.asarray(skin * (1.0 - 0.25 * (edge * (1 - covered)))[..., None], np.float32)
 
