@@ -1,0 +1,245 @@
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from tracking.session import Session
+
+Key = Qt.Key
+_CTRL, _SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+CROWDED = 60
+
+
+@pytest.fixture
+def desk(window, qtbot, tiny_session):
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    window.activateWindow()
+    qtbot.waitActive(window)
+    window.desk.playback.go(CROWDED)
+    qtbot.waitUntil(lambda: window.desk.playback.number == CROWDED)
+    return window.desk
+
+
+@pytest.fixture
+def press(window, desk, qtbot):
+    def press(key, modifiers=Qt.KeyboardModifier.NoModifier) -> None:
+        QTest.keyClick(window.focusWidget() or window, key, modifiers)
+        qtbot.wait(1)
+
+    return press
+
+
+def _ids(desk) -> list[int]:
+    return desk.document.session.tracks.track_ids
+
+
+def _place(desk, track: int, frame: int) -> float:
+    rows = desk.document.session.tracks.of_track(track, frame, frame + 1)
+    return float(rows["x"][0])
+
+
+def test_keys_step_through_the_frames(desk, press, qtbot):
+    for key, modifiers, frame in (
+        (Key.Key_Right, Qt.KeyboardModifier.NoModifier, 61),
+        (Key.Key_Left, _SHIFT, 51),
+        (Key.Key_Right, _CTRL, 59),
+        (Key.Key_End, Qt.KeyboardModifier.NoModifier, 79),
+        (Key.Key_Home, Qt.KeyboardModifier.NoModifier, 0),
+    ):
+        press(key, modifiers)
+        assert desk.playback.clock.frame == frame
+    qtbot.waitUntil(lambda: desk.playback.number == 0)
+
+
+def test_space_and_the_shuttle_keys_play(desk, press):
+    press(Key.Key_Space)
+    assert desk.playback.clock.playing
+    press(Key.Key_Space)
+    assert not desk.playback.clock.playing
+    press(Key.Key_J)
+    assert desk.playback.clock.rate == -1.0
+    press(Key.Key_K)
+    assert not desk.playback.clock.playing
+
+
+def test_g_asks_for_a_frame_and_goes_there(window, desk, press, qtbot):
+    press(Key.Key_G)
+    assert window.focusWidget() is not None
+    QTest.keyClicks(window.focusWidget(), "45")
+    press(Key.Key_Return)
+    assert desk.playback.clock.frame == 45
+
+
+def test_tab_goes_through_the_people_of_the_frame_and_esc_lets_them_go(desk, press):
+    here = desk.document.tracks.of_frame(CROWDED)["track"].tolist()
+    press(Key.Key_Tab)
+    assert desk.document.selection.track == here[0]
+    press(Key.Key_Tab)
+    assert desk.document.selection.track == here[1]
+    press(Key.Key_Tab, _SHIFT)
+    assert desk.document.selection.track == here[0]
+    press(Key.Key_Escape)
+    assert desk.document.selection.track == 0
+
+
+def test_a_swap_is_done_by_keys_alone_undone_and_done_again(window, desk, press):
+    a, b = desk.document.tracks.of_frame(CROWDED)["track"].tolist()[:2]
+    before = _place(desk, a, 79), _place(desk, b, 79)
+    press(Key.Key_Tab)
+    press(Key.Key_X)
+    assert window.workspace.preview.isVisible()
+    assert desk.document.flow.needs_other
+    press(Key.Key_Tab)
+    assert desk.document.flow.other == b
+    cut = desk.document.flow.cut
+    press(Key.Key_Right)
+    assert desk.document.flow.cut == cut + 1
+    assert desk.playback.clock.frame == cut + 1
+    press(Key.Key_Return)
+    assert not window.workspace.preview.isVisible()
+    assert (_place(desk, b, 79), _place(desk, a, 79)) == before
+    press(Key.Key_Home)
+    press(Key.Key_Z, _CTRL)
+    assert (_place(desk, a, 79), _place(desk, b, 79)) == before
+    assert desk.playback.clock.frame == cut + 1  # undo goes where it changed something
+    press(Key.Key_Z, _CTRL | _SHIFT)
+    assert (_place(desk, b, 79), _place(desk, a, 79)) == before
+
+
+def test_esc_leaves_an_edit_without_doing_it(window, desk, press):
+    press(Key.Key_Tab)
+    press(Key.Key_X)
+    press(Key.Key_Escape)
+    assert desk.document.flow is None
+    assert not window.workspace.preview.isVisible()
+    assert not desk.document.session.dirty
+
+
+def test_the_scope_key_narrows_a_swap_to_this_frame(desk, press):
+    a = desk.document.tracks.of_frame(CROWDED)["track"].tolist()[0]
+    press(Key.Key_Tab)
+    press(Key.Key_X)
+    press(Key.Key_Tab)
+    press(Key.Key_R)
+    press(Key.Key_R)
+    cut = desk.document.flow.cut
+    after = _place(desk, a, cut + 1)
+    press(Key.Key_Return)
+    assert _place(desk, a, cut + 1) == after
+    assert desk.document.session.history.next_undo.text.endswith(f"in frame {cut}")
+
+
+def test_split_keeps_the_id_before_the_cut_and_merge_puts_the_parts_together(desk, press):
+    a = desk.document.tracks.of_frame(CROWDED)["track"].tolist()[0]
+    rows = desk.document.session.tracks.rows_of_track(a)
+    press(Key.Key_Tab)
+    press(Key.Key_S)
+    press(Key.Key_Return)
+    new = max(_ids(desk))
+    assert desk.document.session.tracks.frame_range(a)[1] == CROWDED
+    desk.editing.pick(a)
+    press(Key.Key_M)
+    desk.editing.pick(new)
+    press(Key.Key_Return)
+    assert new not in _ids(desk)
+    assert desk.document.session.tracks.rows_of_track(a) == rows
+
+
+def test_del_ends_a_track_here(desk, press):
+    a = desk.document.tracks.of_frame(CROWDED)["track"].tolist()[0]
+    press(Key.Key_Tab)
+    press(Key.Key_Delete)
+    press(Key.Key_Return)
+    assert desk.document.session.tracks.frame_range(a)[1] == CROWDED
+
+
+def test_a_name_typed_in_the_card_is_shown_everywhere(window, desk, press):
+    press(Key.Key_Tab)
+    track = desk.document.selection.track
+    press(Key.Key_F2)
+    QTest.keyClicks(window.focusWidget(), "red sxm coat")  # s, x and m are typed, not obeyed
+    press(Key.Key_Return)
+    assert desk.document.label(track).name == "red sxm coat"
+    assert desk.document.instant(CROWDED).label(track) == f"{track} red sxm coat"
+    assert desk.document.flow is None
+
+
+def test_notes_and_attributes_are_edits_too(desk):
+    track = _ids(desk)[0]
+    desk.editing.write_notes(track, "limps")
+    desk.editing.set_attributes(track, (("bag", "yes"), ("hat", "no")))
+    label = desk.document.label(track)
+    assert (label.notes, dict(label.attributes)) == ("limps", {"bag": "yes", "hat": "no"})
+    desk.editing.set_attributes(track, (("bag", "yes"),))
+    assert dict(desk.document.label(track).attributes) == {"bag": "yes"}
+    assert len(desk.document.session.history) == 4
+
+
+def test_the_history_goes_back_and_forth_to_any_edit(desk):
+    track = _ids(desk)[0]
+    for name in ("one", "two", "three"):
+        desk.editing.rename(track, name)
+    desk.editing.go_to_edit(1)
+    assert desk.document.label(track).name == "one"
+    desk.editing.go_to_edit(3)
+    assert desk.document.label(track).name == "three"
+
+
+def test_saving_clears_the_mark_and_the_file_holds_the_edits(window, desk, press, qtbot):
+    press(Key.Key_Tab)
+    track = desk.document.selection.track
+    desk.editing.rename(track, "anna")
+    qtbot.waitUntil(lambda: window.isWindowModified())
+    press(Key.Key_S, _CTRL)
+    qtbot.waitUntil(lambda: not window.files.unsaved and not window.work.busy)
+    path = window.files.session.path
+    window.run_command("file.close")
+    again = Session.open(path)
+    assert again.labels.of_track(track).name == "anna"
+    again.close()
+
+
+def test_after_a_crash_the_edits_are_there_and_the_window_says_so(
+    window, desk, qtbot, tiny_session
+):
+    track = _ids(desk)[0]
+    desk.editing.rename(track, "anna")
+    columns = desk.document.session.tracks.columns()
+    window.files.close()  # nothing is saved: only the journal knows
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy)
+    document = window.desk.document
+    assert document.label(track).name == "anna"
+    assert "1 edit" in window.notice.text or "recovered" in window.notice.text
+    assert np.array_equal(document.session.tracks.columns()["track"], columns["track"])
+
+
+def test_picking_in_the_picture_the_floor_and_the_timeline_selects_everywhere(window, desk):
+    views = window.workspace
+    here = desk.document.tracks.of_frame(CROWDED)["track"].tolist()
+    for view, track in zip((views.left, views.overhead, views.timeline), here * 3, strict=False):
+        view.track_picked.emit(track)
+        assert desk.document.card().track == track
+        lanes = desk.document.timeline(CROWDED, CROWDED).lanes
+        assert [lane.track for lane in lanes if lane.selected] == [track]
+
+
+@pytest.mark.parametrize("answer", ["Save", "Discard", "Cancel"])
+def test_closing_with_edits_asks_first(window, desk, qtbot, answer):
+    from PySide6.QtWidgets import QMessageBox
+
+    track = _ids(desk)[0]
+    path = window.files.session.path
+    desk.editing.rename(track, "anna")
+    window.run_command("file.close")
+    box = window.findChild(QMessageBox, "unsaved")
+    box.button(QMessageBox.StandardButton[answer]).click()
+    if answer == "Cancel":
+        assert window.desk is desk
+        return
+    qtbot.waitUntil(lambda: window.desk is None)
+    again = Session.open(path)
+    assert again.labels.of_track(track).name == ("anna" if answer == "Save" else "")
+    assert again.recovered == 0
+    again.close()
