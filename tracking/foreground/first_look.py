@@ -51,7 +51,7 @@ def _strangeness(
     """(height, width) how far the picture is from the others, each bounded."""
     total = np.zeros(picture.shape[:2], np.float32)
     for other in others:
-        cv2.accumulate(cv2.min(_distance(picture, other), _SAME_WITHIN), total)
+        cv2.accumulate(np.minimum(_distance(picture, other), _SAME_WITHIN), total)
     return total
 
 

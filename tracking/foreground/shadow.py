@@ -52,7 +52,7 @@ class ShadowRemover:
         alpha, beta = settings.shadow_texture, settings.shadow_hue
         light = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY)
         usual = cv2.cvtColor(background, cv2.COLOR_BGR2GRAY)
-        ratio = cv2.subtract(cv2.LUT(light, _LOGARITHM), cv2.LUT(usual, _LOGARITHM))
+        ratio = _logarithm(light) - _logarithm(usual)
         theta = np.full(light.shape, (1 - alpha - beta) * settings.shadow_constant, np.float32)
         if _is_grey(picture):
             theta += np.float32(alpha + beta) * _texture(ratio)
@@ -88,6 +88,10 @@ def _half(picture: Picture) -> Picture:
     return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), np.uint8)
 
 
+def _logarithm(light: cv2.typing.MatLike) -> Scores:
+    return np.asarray(cv2.LUT(light, _LOGARITHM), np.float32)
+
+
 def _is_grey(picture: Picture) -> bool:
     return bool(np.array_equal(picture[::4, ::4, 0], picture[::4, ::4, 2]))
 
@@ -98,7 +102,7 @@ def _texture(log_ratio: NDArray[np.float32]) -> Scores:
     change[:, 1:] = cv2.absdiff(log_ratio[:, 1:], log_ratio[:, :-1])
     change[1:] += cv2.absdiff(log_ratio[1:], log_ratio[:-1])
     least = cv2.erode(cv2.blur(change, _SMALL.shape), _WIDE)
-    return np.asarray(cv2.min(least * np.float32(1 / _TEXTURE_FULL), 1.0), np.float32)
+    return np.asarray(np.minimum(least / np.float32(_TEXTURE_FULL), 1), np.float32)
 
 
 def _hue(picture: Picture, background: Picture) -> Scores:
@@ -106,7 +110,7 @@ def _hue(picture: Picture, background: Picture) -> Scores:
     (blue, red), (usual_blue, usual_red) = _chroma(picture), _chroma(background)
     apart = cv2.magnitude(cv2.subtract(blue, usual_blue), cv2.subtract(red, usual_red))
     smooth = cv2.blur(apart, _SMALL.shape)
-    return np.asarray(cv2.min(smooth * np.float32(1 / _HUE_FULL), 1.0), np.float32)
+    return np.asarray(np.minimum(smooth / np.float32(_HUE_FULL), 1), np.float32)
 
 
 def _chroma(picture: Picture) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

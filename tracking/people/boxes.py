@@ -21,9 +21,12 @@ _RING_POINTS = 8
 
 def region_boxes(labels: NDArray[np.uint8], count: int) -> list[GridBox]:
     """Left, top, width, height of the pixels labelled 1 to count; (0, 0, 0, 0) where none are."""
-    return [
-        tuple(cv2.boundingRect(cv2.compare(labels, k, cv2.CMP_EQ))) for k in range(1, count + 1)
-    ]  # type: ignore[misc]
+    return [_bounding_box((labels == k).view(np.uint8)) for k in range(1, count + 1)]
+
+
+def _bounding_box(mask: NDArray[np.uint8]) -> GridBox:
+    left, top, width, height = cv2.boundingRect(mask)
+    return left, top, width, height
 
 
 def hidden_sides(
@@ -81,6 +84,16 @@ def standing_boxes(view: View, xy: Boxes, height_m: Boxes, width_m: float) -> Bo
     pixels = view.pixel_from_world(points.reshape(-1, 3)).reshape(len(xy), len(body), 2)
     low, high = pixels.min(axis=1), pixels.max(axis=1)
     return np.concatenate((low, high - low), axis=1)
+
+
+def with_feet(seen: Boxes, feet: Boxes, unseen: NDArray[np.bool_]) -> Boxes:
+    """Boxes (n, 4) drawn out to where the feet stand, of those whose feet are not seen."""
+    near, far = _corners(seen), _corners(feet)
+    both = np.concatenate(
+        (np.minimum(near[:, :2], far[:, :2]), np.maximum(near[:, 2:], far[:, 2:])), axis=1
+    )
+    corners = np.where(unseen[:, None] & np.isfinite(both), both, near)
+    return np.concatenate((corners[:, :2], corners[:, 2:] - corners[:, :2]), axis=1)
 
 
 def full_body_boxes(seen: Boxes, standing: Boxes, reach: Boxes, hidden: NDArray[np.bool_]) -> Boxes:

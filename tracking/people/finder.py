@@ -13,6 +13,7 @@ from tracking.people.boxes import (
     hidden_sides,
     region_boxes,
     standing_boxes,
+    with_feet,
 )
 from tracking.people.colours import colour_histograms
 from tracking.people.detections import Detections
@@ -23,10 +24,13 @@ from tracking.stereo import STEP, SightLines
 
 _CERTAIN = 255
 _FEET_SEEN_M = 0.25
+_ANKLE_M, _FEET_WIDTH = 0.08, 0.6
 _HEIGHTS_M = (1.0, 2.1)
 _ABOVE_HIGHEST_M = 0.03
 """The top of the head over the highest points, which leave outliers out."""
 _SLACK_M = 0.04
+_TORSO = 0.9
+"""Seen width of a whole body as a share of its breadth."""
 _STRETCH = 1.8
 """How much wider than a body arms and legs make it."""
 
@@ -80,7 +84,7 @@ class PeopleFinder:
             picture: (height, width, 3) the left eye, both at the working scale.
         """
         settings = self._settings
-        certain = cv2.compare(np.ascontiguousarray(body[::STEP, ::STEP]), _CERTAIN, cv2.CMP_GE)
+        certain = (body[::STEP, ::STEP] == _CERTAIN).view(np.uint8) * np.uint8(255)
         high = points.world[:, 2] > settings.lowest_m
         places = find_people(points.chosen(high), self._eye, settings)
         owner = assign_points(places, points, self._eye, settings)
@@ -103,9 +107,9 @@ class PeopleFinder:
         settings = self._settings
         boxes = region_boxes(labels, len(places))
         hidden, truncated = hidden_sides(labels, boxes, extent.middle[:, :2] - self._eye)
-        hidden[:, 3] |= extent.low > _FEET_SEEN_M
-        position = self._positions(places, extent)
-        colours = cv2.cvtColor(np.ascontiguousarray(picture[::STEP, ::STEP]), cv2.COLOR_BGR2HSV)
+        position = self._positions(places, extent, hidden)
+        colours = np.ascontiguousarray(picture[::STEP, ::STEP])
+        colours = np.asarray(cv2.cvtColor(colours, cv2.COLOR_BGR2HSV), np.uint8)
         upper, lower, middle = colour_histograms(colours[..., :2], labels, boxes, settings)
         width = np.maximum(extent.width, 0)
         return Detections(
@@ -120,14 +124,22 @@ class PeopleFinder:
             regions=self._full_size(labels),
         )
 
-    def _positions(self, places: NDArray[np.float32], extent: Extent) -> NDArray[np.float64]:
-        """(k, 3) the person's axis: behind the surface that faces the camera."""
+    def _positions(
+        self, places: NDArray[np.float32], extent: Extent, hidden: NDArray[np.bool_]
+    ) -> NDArray[np.float64]:
+        """(k, 3) the person's axis: behind the surface that faces the camera.
+
+        Of somebody half hidden on one side, what is seen lies to the other side of the axis.
+        """
         sight = places - self._eye
         distance = np.hypot(sight[:, 0], sight[:, 1])
         drop = self._lines.centre[2] - extent.middle[:, 2]
         level = distance / np.maximum(np.hypot(distance, drop), 1e-6)
         step = self._settings.body_depth_m * level / np.maximum(distance, 1e-6)
+        one_side = hidden[:, 2].astype(np.float32) - hidden[:, 0]
+        unseen = np.maximum(self._settings.body_width_m * _TORSO - extent.width, 0)
         axis = places + sight * step[:, None]
+        axis += (one_side * unseen / 2)[:, None] * self._lines.rightward[:2]
         return np.concatenate((axis, extent.middle[:, 2:]), axis=1).astype(np.float64)
 
     def _boxes(
@@ -142,8 +154,10 @@ class PeopleFinder:
         seen_height = np.clip(extent.high + _ABOVE_HIGHEST_M, *_HEIGHTS_M)
         usual = np.maximum(seen_height, settings.body_height_m)
         height = np.where(hidden[:, 1], usual, seen_height).astype(np.float64)
+        ankles = np.full(len(xy), _ANKLE_M)
+        feet = standing_boxes(self._view, xy, ankles, settings.body_width_m * _FEET_WIDTH)
         return full_body_boxes(
-            self._recorded_boxes(boxes),
+            with_feet(self._recorded_boxes(boxes), feet, extent.low > _FEET_SEEN_M),
             standing_boxes(self._view, xy, height, settings.body_width_m),
             standing_boxes(self._view, xy, height + _SLACK_M, settings.body_width_m * _STRETCH),
             hidden,

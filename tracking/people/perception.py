@@ -108,9 +108,8 @@ class StereoPerception:
 
     def find(self, left: Subtraction, shadow: Mask, disparity: NDArray[np.float32]) -> Detections:
         """The people in the foreground."""
-        return self._finder.find(
-            self._finder.points(disparity), cv2.subtract(left.mask, shadow), left.picture
-        )
+        body = np.asarray(cv2.subtract(left.mask, shadow), np.uint8)
+        return self._finder.find(self._finder.points(disparity), body, left.picture)
 
     def remember(self, left: Subtraction, right: Subtraction, people: Detections) -> None:
         """Let both backgrounds follow what was seen, except where people are."""
@@ -132,7 +131,7 @@ class StereoPerception:
         masks = (np.zeros(shape, np.uint8), np.zeros(shape, np.uint8))
         shift = self._rectification.disparity_from_world(people.position) / self._shrink
         for k in range(len(people)):
-            x, y, width, height = cv2.boundingRect(cv2.compare(people.regions, k + 1, cv2.CMP_EQ))
+            x, y, width, height = cv2.boundingRect((people.regions == k + 1).view(np.uint8))
             low = np.array((x, y)) // self._shrink - _PROTECTED_MARGIN_PX
             high = np.array((x + width, y + height)) // self._shrink + _PROTECTED_MARGIN_PX
             for mask, moved in zip(masks, (0, round(float(shift[k]))), strict=True):
@@ -142,13 +141,11 @@ class StereoPerception:
         return masks
 
     def _overlays(self, mask: Mask, shadow: Mask, disparity: NDArray[np.float32]) -> Overlays:
-        certain = cv2.compare(shadow, 255, cv2.CMP_EQ)
-        shown = cv2.addWeighted(mask, 1.0, certain, -0.5, -0.5)
+        shown = np.where(shadow == 255, np.uint8(127), mask)
         size = self._rectification.size
         if self._shrink > 1:
             shown = cv2.resize(shown, size, interpolation=cv2.INTER_NEAREST)
-        ranged = cv2.resize(disparity, size, interpolation=cv2.INTER_NEAREST)
-        ranged *= np.float32(self._shrink)
+        ranged = cv2.resize(disparity * self._shrink, size, interpolation=cv2.INTER_NEAREST)
         return Overlays(np.asarray(shown, np.uint8), np.asarray(ranged, np.float32))
 
 

@@ -116,7 +116,7 @@ def apart(places: Floats, points: Floats, spread: Floats, eye: Floats, width_m: 
 def _kernel(places: Floats, points: SurfacePoints, eye: Floats, settings: PeopleSettings) -> Floats:
     width = settings.body_width_m * _KERNEL
     squared = apart(places, points.world[:, :2], points.range_noise, eye, width)
-    return np.exp(np.float32(-0.5) * squared)
+    return np.asarray(np.exp(np.float32(-0.5) * squared), np.float32)
 
 
 def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -> Floats:
@@ -125,14 +125,15 @@ def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -
     cell = ((points.world[:, :2] - low) / _SEED_CELL_M).astype(np.intp)
     columns, rows = (cell.max(axis=0) + 2).tolist()
     flat = cell[:, 1] * columns + cell[:, 0]
-    surface = np.bincount(flat, points.area * share, rows * columns).astype(np.float32)
-    surface = cv2.blur(surface.reshape(rows, columns), (3, 3), borderType=cv2.BORDER_CONSTANT) * 9
-    peak = (surface >= cv2.dilate(surface, np.ones((3, 3), np.uint8))) & (
-        surface > _SEED_SHARE * settings.least_area_m2
+    surface = np.bincount(flat, points.area * share, rows * columns).reshape(rows, columns)
+    around = cv2.boxFilter(
+        surface.astype(np.float32), -1, (3, 3), normalize=False, borderType=cv2.BORDER_CONSTANT
     )
-    y, x = np.nonzero(peak)
-    best = np.argsort(-surface[y, x], kind="stable")[:_MOST_SEEDS]
-    return (np.stack((x[best], y[best]), axis=1) + 0.5).astype(np.float32) * _SEED_CELL_M + low
+    top = around >= cv2.dilate(around, np.ones((3, 3), np.uint8))
+    y, x = np.nonzero(top & (around > _SEED_SHARE * settings.least_area_m2))
+    best = np.argsort(-around[y, x], kind="stable")[:_MOST_SEEDS]
+    middle = np.stack((x[best], y[best]), axis=1) + 0.5
+    return np.asarray(middle * _SEED_CELL_M + low, np.float32)
 
 
 def _distinct(

@@ -68,17 +68,16 @@ def paint(
         points: of the grid.
         body: (rows, columns) uint8, 255 where the grid shows foreground that is no shadow, else 0.
     """
-    labels = np.zeros(body.size, np.uint8)
-    labels[points.pixel] = owner + 1
-    labels = labels.reshape(body.shape)
+    labels = np.zeros(body.shape, np.uint8)
+    labels.ravel()[points.pixel] = owner + 1
     unknown = body.copy()
     unknown.ravel()[points.pixel] = 0
     for _ in range(_GROWTH_STEPS):
         grown = cv2.dilate(labels, _GROWTH)
         fill = cv2.bitwise_and(grown, unknown)
-        labels = cv2.max(labels, fill)
+        labels = np.asarray(cv2.max(labels, fill), np.uint8)
         unknown[labels > 0] = 0
-    return np.asarray(labels, np.uint8)
+    return labels
 
 
 def measure(

@@ -18,6 +18,7 @@ class SightLines:
     Attributes:
         shrink: recorded pixels per working pixel.
         centre: (3,) world metres of the left eye.
+        rightward: (3,) unit vector in the world along the picture's rows.
         rays: (height, width, 3) float32, world metres per metre of depth.
         focal_baseline: px m; depth is this over the disparity less `offset`, in working pixels.
         offset: px, the disparity of a point infinitely far away.
@@ -39,6 +40,8 @@ class SightLines:
         )
         self.shrink = shrink
         self.rays: Floats = (far - near).reshape(height, width, 3).astype(np.float32)
+        across = self.rays[0, 1] - self.rays[0, 0]
+        self.rightward: Floats = across / np.linalg.norm(across)
         self.centre: NDArray[np.float64] = np.asarray((2 * near - far).mean(axis=0))
         self.focal_baseline = product / shrink
         self.focal = rectification.focal_px / shrink

@@ -44,7 +44,8 @@ class SubtractionStereo:
         self._scene_slack = np.zeros_like(self._least)
         self._matcher = cv2.StereoBM.create(16, self._settings.window_px | 1)
         self._matcher.setTextureThreshold(5)
-        self._matcher.setUniquenessRatio(3)
+        self._matcher.setUniquenessRatio(10)
+        self._matcher.setDisp12MaxDiff(1)
         self._matcher.setPreFilterCap(31)
 
     def learn_scene(self, left: Grey, right: Grey) -> None:
