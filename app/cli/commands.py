@@ -61,13 +61,16 @@ def open_window(
     layout: options.Layout = None,
     first: options.First = None,
     allow_outside: options.Outside = False,
+    recording: Annotated[
+        Path | None, typer.Option(help="Where a session's recording has moved to.")
+    ] = None,
 ) -> None:
     """Open the window."""
     from app.cli.open_window import run_open
     from app.cli.recordings import Bare
 
     eyes = Bare(left, right, calibration, height, tilt, roll, fps, layout, first, allow_outside)
-    run_open(path, eyes)
+    run_open(path, eyes, recording)
 
 
 @program.command()

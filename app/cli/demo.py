@@ -6,7 +6,7 @@ import os
 from contextlib import closing
 from pathlib import Path
 
-import platformdirs
+from platformdirs import user_data_path
 
 from app.cli.destination import check_folder, nearest_folder
 from app.cli.display import has_display
@@ -26,7 +26,7 @@ _BYTES = 64 << 20
 
 def run_demo(out: Path | None, *, gui: bool, as_json: bool) -> None:
     """Make the recording and open the window on it, or do without a window what it would do."""
-    folder = out or platformdirs.user_data_path("trackwright", appauthor=False) / "demonstration"
+    folder = out or user_data_path("trackwright", appauthor=False) / "demonstration"
     recording = _recording(folder)
     if gui and not as_json and has_display():
         from app.views.application import run
@@ -76,9 +76,21 @@ def _is_worked_on(place: Path) -> bool:
 def _picture(session: Path, place: Path) -> Path:
     """The real window on the session, drawn without a screen."""
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
+    from PySide6.QtCore import qInstallMessageHandler
+
     from app.views.application import picture
 
-    return picture(session, place)
+    before = qInstallMessageHandler(_pass_on)
+    try:
+        return picture(session, place)
+    finally:
+        qInstallMessageHandler(before)
+
+
+def _pass_on(_kind: object, _context: object, message: str) -> None:
+    """Qt's messages, but for what an absent screen cannot do: of every window it says so."""
+    if not message.startswith("This plugin does not support"):
+        say(message)
 
 
 def _print(recording: Path, session: Path, picture: Path, score: Score, *, as_json: bool) -> None:

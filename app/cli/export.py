@@ -5,13 +5,11 @@ from __future__ import annotations
 from contextlib import closing
 from pathlib import Path
 
-import numpy as np
-
 from app.cli.destination import check_file
 from app.cli.output import print_json
 from app.cli.tracks import is_session
 from tracking.errors import OutputError, SessionError
-from tracking.formats import format_named
+from tracking.formats import as_truth, format_named
 from tracking.session import Session
 from tracking.tracks import Columns
 
@@ -33,15 +31,7 @@ def run_export(path: Path, out: Path, name: str, run: int | None, *, as_json: bo
 def _tracks(path: Path, run: int | None) -> Columns:
     with closing(Session.open(path)) as session:
         if run is None:
-            return _as_truth(session.tracks.columns())
+            return as_truth(session.tracks.columns())
         if run >= len(session.runs):
             raise SessionError(f"{path} has {len(session.runs)} runs, counted from 0; no run {run}")
         return session.runs[run].tracks
-
-
-def _as_truth(columns: Columns) -> Columns:
-    """Corrected tracks count in full, however sure the tracker was: `conf` is 1 in every row.
-
-    Programs that take such a text as truth cut `conf` to a whole number and drop rows with 0.
-    """
-    return {**columns, "confidence": np.ones(len(columns["frame"]), np.float32)}

@@ -2,22 +2,43 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from pathlib import Path
 
 from app.cli.display import has_display
 from app.cli.recordings import Bare, options_of
+from app.presenters.opening import remember_place
 from tracking.errors import OutputError
+from tracking.recording import open_recording
+from tracking.session import Session
 
 
-def run_open(path: Path | None, bare: Bare) -> None:
+def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
     """Show the window until it is closed.
+
+    Args:
+        path: a recording or session; None: the welcome page, or the eyes `bare` names.
+        bare: what the options say of a recording without recording.toml.
+        recording: where a session's recording is by now, if it has moved.
 
     Raises:
         OutputError: there is no display.
+        RecordingMissing: the session's recording is not at `recording`.
     """
     options = options_of(bare)
+    if path is not None and recording is not None:
+        _note_place(path, recording)
     if not has_display():
         raise OutputError("no display to open a window on; use info, track or demo --no-gui")
     from app.views.application import run
 
     raise SystemExit(run(path or bare.left, options))
+
+
+def _note_place(path: Path, recording: Path) -> None:
+    """Remember where a session's recording stands now; the window finds it there."""
+    with (
+        closing(Session.open(path)) as session,
+        open_recording(session.locate_recording([recording])) as found,
+    ):
+        remember_place(session, found)

@@ -15,6 +15,7 @@ from app.cli.destination import check_file
 from app.cli.output import print_json, progress, say
 from app.cli.recordings import Bare, opened
 from app.cli.tracks import is_session
+from app.presenters.opening import remember_place
 from tracking.errors import OutputError, SessionError, SettingsError
 from tracking.pipeline import track
 from tracking.recording import Recording
@@ -87,9 +88,9 @@ def tracked(recording: Recording, order: Order) -> Run:
 
 
 def save_session(recording: Recording, run: Run, out: Path) -> None:
-    """A new session of one run, in place of what stood there."""
-    with closing(Session.create(recording, [run], out)):
-        pass
+    """A new session of one run, in place of what stood there; it will find its recording."""
+    with closing(Session.create(recording, [run], out)) as session:
+        remember_place(session, recording)
 
 
 def refuse_to_lose(out: Path, *, force: bool) -> None:

@@ -1,4 +1,4 @@
-"""Small recordings for the command line's tests, rendered once."""
+"""What the tests of the command line share."""
 
 from __future__ import annotations
 
@@ -9,20 +9,18 @@ import pytest
 from command_line import Trackwright
 
 from app.__main__ import run
-from tracking.synthesis import render_recording
 
 
 @pytest.fixture(scope="session")
-def footage(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Four seconds of a small stereo recording with two people; not to be changed."""
-    folder = tmp_path_factory.mktemp("footage") / "lobby"
-    return render_recording(folder, "lobby", 4.0, 2, 3, size=(320, 240))
+def footage(tiny_recording: Path) -> Path:
+    """Ten seconds of a small stereo recording with four people; not to be changed."""
+    return tiny_recording
 
 
 @pytest.fixture
 def recording(footage: Path, tmp_path: Path) -> Path:
     """A copy of it, to be damaged."""
-    return Path(shutil.copytree(footage, tmp_path / "lobby"))
+    return Path(shutil.copytree(footage, tmp_path / "square"))
 
 
 @pytest.fixture

@@ -16,8 +16,8 @@ def test_info_says_what_a_recording_holds(trackwright: Trackwright, footage: Pat
     status, out, err = trackwright("info", footage, "--json")
     assert (status, err) == (0, "")
     facts = json.loads(out)
-    assert (facts["kind"], facts["frames"], facts["fps"]) == ("recording", 80, 20)
-    assert (facts["size"], facts["duration"]) == ([320, 240], 4)
+    assert (facts["kind"], facts["frames"], facts["fps"]) == ("recording", 80, 8)
+    assert (facts["size"], facts["duration"]) == ([320, 240], 10)
     assert (facts["stereo"], facts["calibrated"]) == (True, True)
     assert (facts["tracks"], facts["edits"]) == (0, 0)
 
@@ -26,15 +26,15 @@ def test_info_is_readable(trackwright: Trackwright, footage: Path) -> None:
     status, out, _ = trackwright("info", footage)
     assert status == 0
     assert "stereo        yes" in out
-    assert "height 2.4, tilt 30" in out
+    assert "height 6.4, tilt 60" in out
 
 
 def test_bare_videos_open_with_options(trackwright: Trackwright, footage: Path) -> None:
     words = ["info", "--json", "--left", footage / "left.mp4", "--right", footage / "right.mp4"]
-    words += ["--calibration", footage / "calibration.yaml", "--height", "2.4", "--tilt", "30"]
+    words += ["--calibration", footage / "calibration.yaml", "--height", "6.4", "--tilt", "60"]
     facts = json.loads(trackwright(*words)[1])
     assert (facts["stereo"], facts["calibrated"]) == (True, True)
-    assert facts["ground"] == {"height": 2.4, "tilt": 30, "roll": 0}
+    assert facts["ground"] == {"height": 6.4, "tilt": 60, "roll": 0}
 
 
 def test_a_bare_video_is_a_recording(trackwright: Trackwright, footage: Path) -> None:

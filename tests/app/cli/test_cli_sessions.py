@@ -1,0 +1,272 @@
+"""`track`, `export` and what they do about files in their way."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from contextlib import closing
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from command_line import Trackwright
+
+import app.cli.track
+from tracking.editing import plan_delete
+from tracking.formats import read_mot
+from tracking.session import Session
+
+
+@pytest.fixture(scope="session")
+def made(footage: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A session of the small recording; not to be changed."""
+    from app.__main__ import run
+
+    place = tmp_path_factory.mktemp("made") / "square.h5"
+    assert run(["track", str(footage), "-o", str(place)]) == 0
+    return place
+
+
+@pytest.fixture
+def session(made: Path, tmp_path: Path) -> Path:
+    """A copy of it."""
+    place = tmp_path / "square.h5"
+    place.write_bytes(made.read_bytes())
+    return place
+
+
+def test_track_makes_a_session(trackwright: Trackwright, footage: Path, tmp_path: Path) -> None:
+    out = tmp_path / "square.h5"
+    words = ["--tracker", "stereo-colour", "--set", "particles=100", "--frames", "10:60", "--json"]
+    status, printed, _ = trackwright("track", footage, "-o", out, *words)
+    assert status == 0
+    assert json.loads(printed)["session"] == str(out)
+    with closing(Session.open(out)) as session:
+        run = session.runs[0]
+        assert (run.tracker, run.frames, run.seed) == ("stereo-colour", (10, 60), 0)
+        assert run.settings["particles"] == 100
+    facts = json.loads(trackwright("info", out, "--json")[1])
+    assert (facts["kind"], facts["frames"], facts["edits"]) == ("session", 80, 0)
+    assert facts["duration"] == 10
+
+
+def test_the_same_seed_tracks_the_same(
+    trackwright: Trackwright, footage: Path, made: Path, tmp_path: Path
+) -> None:
+    assert trackwright("track", footage, "-o", tmp_path / "again.h5")[0] == 0
+    with (
+        closing(Session.open(made)) as first,
+        closing(Session.open(tmp_path / "again.h5")) as second,
+    ):
+        assert len(first.tracks) > 0
+        for name, column in first.tracks.columns().items():
+            np.testing.assert_array_equal(column, second.tracks.columns()[name])
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["--tracker", "psychic"], "available are stereo-direction"),
+        (["--tracker", "spheroid"], "not built yet"),
+        (["--set", "particles=many"], "particles=many"),
+        (["--set", "particles=-5"], "particles=-5"),
+        (["--set", "particels=5"], "did you mean particles?"),
+        (["--set", "particles"], "is not KEY=VALUE"),
+        (["--frames", "10"], "are not A:B"),
+        (["--frames", "50:10"], "within 0:80"),
+        (["--frames", "0:9999"], "within 0:80"),
+    ],
+)
+def test_a_wrong_order_is_told_before_any_work(
+    trackwright: Trackwright, footage: Path, tmp_path: Path, words: list[str], reason: str
+) -> None:
+    status, out, err = trackwright("track", footage, "-o", tmp_path / "s.h5", *words)
+    assert (status, out) == (1, "")
+    assert err.count("\n") == 1
+    assert reason in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_detector_cannot_be_given_yet(
+    trackwright: Trackwright, footage: Path, tmp_path: Path
+) -> None:
+    words = ["-o", tmp_path / "s.h5", "--detector", "d.h5"]
+    status, _, err = trackwright("track", footage, *words)
+    assert status == 2
+    assert "not built yet" in err
+
+
+@pytest.mark.parametrize(("line", "reason"), [("[calibration]", "calib"), ("[ground]", "floor")])
+def test_metres_need_a_calibration_and_a_floor(
+    trackwright: Trackwright, recording: Path, tmp_path: Path, line: str, reason: str
+) -> None:
+    manifest = recording / "recording.toml"
+    parts = manifest.read_text().split("\n\n")
+    manifest.write_text("\n\n".join(part for part in parts if not part.startswith(line)))
+    status, _, err = trackwright("track", recording, "-o", tmp_path / "s.h5")
+    assert status == 1
+    assert reason in err
+    assert not (tmp_path / "s.h5").exists()
+
+
+@pytest.mark.parametrize("place", ["missing/s.h5", "file/s.h5", "folder"])
+def test_a_place_that_cannot_be_written_is_told_before_any_work(
+    trackwright: Trackwright,
+    footage: Path,
+    tmp_path: Path,
+    place: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(app.cli.track, "tracked", lambda *_: pytest.fail("it began to work"))
+    (tmp_path / "file").touch()
+    (tmp_path / "folder").mkdir()
+    status, _, err = trackwright("track", footage, "-o", tmp_path / place)
+    assert status == 1
+    assert err.count("\n") == 1
+
+
+def test_an_interrupted_track_leaves_nothing(
+    trackwright: Trackwright, footage: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("tracking.pipeline.Tracking.run", interrupted)
+    status, out, _ = trackwright("track", footage, "-o", tmp_path / "s.h5", "--frames", "0:5")
+    assert (status, out) == (130, "")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_session_nobody_worked_on_is_replaced(
+    trackwright: Trackwright, footage: Path, session: Path
+) -> None:
+    assert trackwright("track", footage, "-o", session, "--frames", "0:5")[0] == 0
+    with closing(Session.open(session)) as replaced:
+        assert replaced.runs[0].frames == (0, 5)
+
+
+def test_corrections_are_not_overwritten(
+    trackwright: Trackwright, footage: Path, session: Path
+) -> None:
+    with closing(Session.open(session)) as worked_on:
+        track = worked_on.tracks.track_ids[0]
+        worked_on.apply(plan_delete(worked_on.tracks, track, 0, 80))
+        worked_on.save()
+    before = session.read_bytes()
+    status, _, err = trackwright("track", footage, "-o", session)
+    assert status == 1
+    assert "--force" in err
+    assert session.read_bytes() == before
+    assert trackwright("track", footage, "-o", session, "--frames", "0:5", "--force")[0] == 0
+
+
+@pytest.mark.parametrize("content", [b"my diary", b"\x89HDF\r\n\x1a\n" + bytes(500)])
+def test_another_file_is_not_overwritten(
+    trackwright: Trackwright, footage: Path, tmp_path: Path, content: bytes
+) -> None:
+    (tmp_path / "diary").write_bytes(content)
+    status, _, err = trackwright("track", footage, "-o", tmp_path / "diary")
+    assert status == 1
+    assert "--force" in err
+    assert (tmp_path / "diary").read_bytes() == content
+
+
+def test_export_writes_what_the_session_scores(
+    trackwright: Trackwright, footage: Path, made: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "tracks.txt"
+    status, printed, _ = trackwright("export", made, "-o", out, "--format", "mot", "--json")
+    assert status == 0
+    assert json.loads(printed)["rows"] == len(read_mot(out)["frame"])
+    of_session = trackwright("score", made, "--truth", footage, "--json")[1]
+    of_text = trackwright("score", out, "--truth", footage, "--json")[1]
+    differs = {"frames"}  # the text does not say how long the recording is
+    assert {k: v for k, v in json.loads(of_text).items() if k not in differs} == {
+        k: v for k, v in json.loads(of_session).items() if k not in differs
+    }
+
+
+def test_corrected_tracks_count_in_full_as_truth(
+    trackwright: Trackwright, made: Path, tmp_path: Path
+) -> None:
+    assert trackwright("export", made, "-o", tmp_path / "t.txt", "--format", "mot")[0] == 0
+    assert set(read_mot(tmp_path / "t.txt")["confidence"]) == {1.0}
+
+
+def test_a_run_can_be_exported(trackwright: Trackwright, made: Path, tmp_path: Path) -> None:
+    words = ["export", made, "-o", tmp_path / "t.txt", "--format", "mot", "--run"]
+    assert trackwright(*words, "0")[0] == 0
+    status, _, err = trackwright(*words, "1")
+    assert status == 1
+    assert "no run 1" in err
+
+
+def test_a_session_is_not_overwritten_by_an_export(trackwright: Trackwright, session: Path) -> None:
+    before = session.read_bytes()
+    status, _, err = trackwright("export", session, "-o", session, "--format", "mot")
+    assert status == 1
+    assert "would be lost" in err
+    assert session.read_bytes() == before
+
+
+def test_a_format_to_come_is_told(trackwright: Trackwright, made: Path, tmp_path: Path) -> None:
+    words = ["export", made, "-o", tmp_path / "t.txt", "--format", "kitti"]
+    status, _, err = trackwright(*words)
+    assert status == 1
+    assert "choose one of: mot" in err
+
+
+@pytest.mark.parametrize("command", ["info", "score", "export"])
+@pytest.mark.parametrize("damage", ["truncated", "empty", "of another program", "missing"])
+def test_a_broken_session_is_one_line_and_status_1(
+    trackwright: Trackwright, session: Path, tmp_path: Path, command: str, damage: str
+) -> None:
+    if damage == "truncated":
+        session.write_bytes(session.read_bytes()[: session.stat().st_size // 2])
+    elif damage == "empty":
+        session.write_bytes(b"")
+    elif damage == "missing":
+        session.unlink()
+    else:
+        with h5py.File(session, "w") as file:
+            file["spectrum"] = np.arange(5)
+    more = {"score": ["--truth", session], "export": ["-o", tmp_path / "t", "--format", "mot"]}
+    status, out, err = trackwright(command, session, *more.get(command, []))
+    assert (status, out) == (1, "")
+    assert err.count("\n") == 1
+    assert "square.h5" in err
+    assert "bug" not in err
+    assert not (tmp_path / "t").exists()
+
+
+@pytest.mark.parametrize("command", ["synth", "track", "export"])
+def test_a_full_disk_leaves_what_was_there(
+    footage: Path, made: Path, tmp_path: Path, command: str
+) -> None:
+    resource = pytest.importorskip("resource")
+
+    def limited() -> None:
+        """As good as a full disk: no file may grow past a few thousand bytes."""
+        resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))
+
+    words: dict[str, list[str | Path]] = {
+        "synth": ["synth", tmp_path / "new", "--scene", "lobby", "--seconds", "0.2"],
+        "track": ["track", footage, "-o", tmp_path / "s.h5", "--frames", "0:70", "--force"],
+        "export": ["export", made, "-o", tmp_path / "t.txt", "--format", "mot"],
+    }
+    (tmp_path / "s.h5").write_bytes(b"old")
+    (tmp_path / "t.txt").write_bytes(b"old")
+    done = subprocess.run(
+        [sys.executable, "-m", "app", *map(str, words[command])],
+        capture_output=True,
+        text=True,
+        preexec_fn=limited,
+    )
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1].startswith("trackwright: ")
+    assert "bug" not in done.stderr
+    assert (tmp_path / "s.h5").read_bytes() == b"old"
+    assert (tmp_path / "t.txt").read_bytes() == b"old"
+    assert not (tmp_path / "new").exists()
