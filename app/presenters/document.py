@@ -207,7 +207,7 @@ class Document:
             return None
         change = entry.change
         self.session.undo()
-        self._take_changed(change)
+        self._take_changed(change.inverse)
         return change
 
     def redo(self) -> Change | None:
@@ -230,8 +230,8 @@ class Document:
             for track in change.tracks
             if track in table
         }
-        activity = self._tracks.activity(self.recording.frame_count)
+        frames = change.before.rows["frame"], change.after.rows["frame"]
         marks = self._marks.of(self.session.history)
-        self._timeline.take_changed(change.tracks, spans, activity, marks)
+        self._timeline.take_changed(change.tracks, spans, frames, marks)
         if self.selection and self.selection.track not in table:
             self.selection.choose(0)

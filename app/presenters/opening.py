@@ -10,6 +10,7 @@ from typing import Any
 
 from platformdirs import user_data_path
 
+from app.presenters.document import Document
 from tracking.formats import read_mot, write_mot
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.scoring import ScoringTable, score
@@ -25,16 +26,21 @@ _DEMO_SCENE, _DEMO_SECONDS, _DEMO_PEOPLE, _DEMO_SEED = "plaza", 30.0, 9, 4
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """What was opened: a recording, and a session where the path was one."""
+    """What was opened."""
 
     path: Path
-    recording: Recording
-    session: Session | None = None
+    document: Document
 
 
 def unsaved_folder() -> Path:
     """Where sessions stand that were never given a place by the user."""
     return _own_folder() / "unsaved"
+
+
+def window_lock() -> Path:
+    """A file that is locked while a window of this user is open."""
+    _own_folder().mkdir(parents=True, exist_ok=True)
+    return _own_folder() / "window.lock"
 
 
 def open_path(
@@ -51,12 +57,12 @@ def open_path(
         TrackwrightError: it cannot be opened; `RecordingMissing` where only the recording is gone.
     """
     if path.suffix.lower() != ".h5":
-        return Opened(path, open_recording(path, options))
+        return Opened(path, Document(open_recording(path, options)))
     session = Session.open(path)
     try:
         search = [recording] if recording is not None else []
         place = session.locate_recording(search, KnownRecordings(_own_folder()))
-        return Opened(path, open_recording(place), session)
+        return Opened(path, Document(open_recording(place), session))
     except BaseException:
         session.close()
         raise

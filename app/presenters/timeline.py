@@ -41,16 +41,23 @@ class TimelinePresenter:
         self,
         changed: Iterable[int],
         spans: Mapping[int, Spans],
-        activity: NDArray[np.uint16],
+        frames: tuple[NDArray[np.int32], NDArray[np.int32]],
         marks: Mapping[int, tuple[int, ...]],
     ) -> None:
-        """Take the lanes of some tracks anew; those without spans go."""
+        """Take the lanes of some tracks anew; those without spans go.
+
+        `frames` are the frames of the rows that went and of those that came: with ten million
+        rows nobody counts them all again for one edit.
+        """
         for track in changed:
             if track in spans:
                 self._spans[track] = spans[track]
             else:
                 self._spans.pop(track, None)
-        self._activity = activity
+        gone, come = (np.bincount(rows, minlength=self._frame_count) for rows in frames)
+        change = (come - gone)[: self._frame_count]
+        if change.any():
+            self._activity = (self._activity + change).astype(np.uint16)
         self._marks = dict(marks)
         self._version += 1
 

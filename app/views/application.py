@@ -11,10 +11,17 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import TracebackType
 
-from PySide6.QtCore import QCoreApplication, QEvent, QEventLoop, QSettings, QTimer
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QEventLoop,
+    QLockFile,
+    QSettings,
+    QTimer,
+)
 from PySide6.QtWidgets import QApplication
 
-from app.presenters import words
+from app.presenters import opening, words
 from app.views.icons import application_icon
 from app.views.main_window import MainWindow
 from app.views.remembered import Remembered
@@ -37,8 +44,12 @@ def run(path: Path | None, options: OpenOptions | None = None) -> int:
     application = start_application(remembered)
     window = MainWindow(remembered)
     _catch_bugs(window)
+    alone = QLockFile(str(opening.window_lock()))
+    left_open = remembered.left_open if alone.tryLock(0) else None
     if path is not None:
         window.files.open_path(path, options=options)
+    elif left_open is not None:
+        window.files.reopen(*left_open)
     window.show()
     _end_by_interrupt(application, window)
     return application.exec()

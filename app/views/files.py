@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QUrl, Signal
 
 from app.presenters import opening
-from app.presenters.document import Document
 from app.presenters.opening import Opened
 from app.presenters.scenes import RecentItem, WelcomeScene
 from app.presenters.words import tr
@@ -50,6 +49,9 @@ class Files(QObject):
         self._work = work
         self._remembered = remembered
         self._opening: Path | None = None
+        self._opened: Path | None = None
+        self._start_at = 0
+        self._greeting = ""
         self._leave = False
         self.desk: Desk | None = None
 
@@ -76,6 +78,7 @@ class Files(QObject):
         if not self.may_leave(lambda: self.open_path(path, recording, options)):
             return
         self._opening = path
+        self._remembered.note_closed()  # what crashes while it opens is not opened again unasked
         title = tr("Opening {name}", name=path.name)
         self._work.run(title, lambda _: opening.open_path(path, recording, options), self._show)
 
@@ -102,10 +105,10 @@ class Files(QObject):
 
     def _show(self, opened: Opened) -> None:
         self.close()
-        path = opened.path
-        document = Document(opened.recording, opened.session)
-        self.desk = desk = Desk(document, self._window.workspace, self)
+        self._opened = path = opened.path
+        self.desk = desk = Desk(opened.document, self._window.workspace, self)
         desk.changed.connect(self.changed)
+        desk.changed.connect(self._note_place)
         desk.failed.connect(self.failed)
         desk.said.connect(self.said)
         desk.tracked.connect(self._keep)
@@ -115,11 +118,31 @@ class Files(QObject):
         self._tell_oddities(opened)
         desk.set_eyes(self._remembered.text("eyes", "both"))
         desk.draw()
-        desk.playback.go(0)
+        desk.playback.go(self._start_at)
+        self._start_at = 0
+        self._note_place()
+
+    def _note_place(self) -> None:
+        """Note where the user is, for a start after a crash."""
+        if self.desk is not None and self._opened is not None:
+            session = self.session
+            path = session.path if session is not None and session.path else self._opened
+            self._remembered.note_open(path.resolve(), self.desk.playback.clock.frame)
+
+    def reopen(self, path: Path, frame: int) -> None:
+        """Open what was open when the program ended without closing it, and say so."""
+        self._start_at = frame
+        self._greeting = tr("trackwright did not end as it should; here is where you were.")
+        self.open_path(path)
 
     def _tell_oddities(self, opened: Opened) -> None:
-        session = opened.session
-        lines = [*(() if session is None else session.notes), *opened.recording.notes]
+        session = opened.document.session
+        greeting, self._greeting = self._greeting, ""
+        lines = [
+            *([greeting] if greeting else []),
+            *(() if session is None else session.notes),
+            *opened.document.recording.notes,
+        ]
         if lines:
             self._window.notice.say("\n".join(lines))
         else:
@@ -287,6 +310,7 @@ class Files(QObject):
         if self.desk is not None:
             desk, self.desk = self.desk, None
             self._remembered.set_text("eyes", desk.eyes)
+            self._remembered.note_closed()
             desk.close()
             desk.deleteLater()
 

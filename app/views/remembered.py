@@ -28,6 +28,21 @@ class Remembered:
         kept = [str(one) for one in [path, *others][:_RECENT]]
         self._settings.setValue("recent", kept)
 
+    @property
+    def left_open(self) -> tuple[Path, int] | None:
+        """What was open, and at which frame, when the program ended without closing it."""
+        path, frame = self.text("open/path"), self.text("open/frame", "0")
+        return (Path(path), int(frame) if frame.isdigit() else 0) if path else None
+
+    def note_open(self, path: Path, frame: int) -> None:
+        """Note what is open, for a start after a crash."""
+        self._settings.setValue("open/path", str(path))
+        self._settings.setValue("open/frame", str(frame))
+
+    def note_closed(self) -> None:
+        """Nothing is open any more."""
+        self._settings.remove("open")
+
     def text(self, key: str, default: str = "") -> str:
         """A remembered word."""
         return str(self._settings.value(key, default))

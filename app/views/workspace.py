@@ -52,9 +52,7 @@ class Workspace(QWidget):
         side = self._split(
             "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (2, 5, 3)
         )
-        top = self._split(
-            "top", Qt.Orientation.Horizontal, (eyes, self.overhead, side), (9, 10, 6)
-        )
+        top = self._split("top", Qt.Orientation.Horizontal, (eyes, self.overhead, side), (9, 10, 6))
         upper = QWidget(self)
         column = QVBoxLayout(upper)
         column.setContentsMargins(0, 0, 0, 0)

@@ -6,6 +6,8 @@ from app.presenters.session_tracks import SessionTracks
 from app.presenters.setting import Instant
 from app.presenters.timeline import TimelinePresenter
 
+_NO_FRAMES = np.zeros(0, np.int32)
+
 
 @pytest.fixture
 def tracks() -> SessionTracks:
@@ -47,12 +49,23 @@ def test_selecting_makes_new_lanes(timeline, tracks):
 def test_an_edit_makes_only_the_lanes_it_touched_anew(timeline, tracks):
     before = _scene(timeline, tracks).lanes
     cut = {8: np.array([[50, 100, 0]]), 7: np.array([[10, 50, 0]])}
-    timeline.take_changed((7, 8), cut, np.zeros(100, np.uint16), {})
+    timeline.take_changed((7, 8), cut, (_NO_FRAMES, _NO_FRAMES), {})
     after = {lane.track: lane for lane in _scene(timeline, tracks).lanes}
     assert after[8].spans.tolist() == [[50, 100, 0]]
     assert after[4].spans is before[0].spans
 
 
 def test_a_track_without_rows_loses_its_lane(timeline, tracks):
-    timeline.take_changed((7,), {}, np.zeros(100, np.uint16), {})
-    assert [lane.track for lane in _scene(timeline, tracks).lanes] == [4]
+    gone = np.arange(10, 100, dtype=np.int32)
+    timeline.take_changed((7,), {}, (gone, _NO_FRAMES), {})
+    scene = _scene(timeline, tracks)
+    assert [lane.track for lane in scene.lanes] == [4]
+    assert scene.activity.tolist() == [1] * 100
+
+
+def test_rows_that_come_and_go_change_the_people_counted(timeline, tracks):
+    frames = np.array([3, 3, 5], np.int32), np.array([5, 6], np.int32)
+    before = _scene(timeline, tracks).activity.astype(int)
+    timeline.take_changed((), {}, (frames[1], frames[0]), {})
+    after = _scene(timeline, tracks).activity
+    assert (after - before)[[3, 5, 6]].tolist() == [2, 0, -1]

@@ -74,3 +74,20 @@ def test_unsaved_sessions_stand_on_the_first_page_after_a_crash(window, own_fold
     recent = window.files.welcome_scene().recent
     assert recent[0].path == str(left)
     assert "never saved" in recent[0].detail
+
+
+def test_after_a_crash_the_window_opens_where_it_was_and_says_so(
+    window, qtbot, tiny_session, remembered
+):
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: _is_open(window))
+    window.desk.playback.go(42)
+    window.desk.draw()
+    assert remembered.left_open == (tiny_session.resolve(), 42)
+    left_open = remembered.left_open
+    window.files.close()
+    assert remembered.left_open is None
+    window.files.reopen(*left_open)
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert window.desk.playback.clock.frame == 42
+    assert "here is where you were" in window.notice.text
