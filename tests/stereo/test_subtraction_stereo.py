@@ -1,0 +1,133 @@
+"""Range inside the foreground, and nowhere else."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from tracking.geometry import Camera, Ground, Rectification, StereoCalibration
+from tracking.stereo import STEP, SightLines, SubtractionStereo
+
+WIDTH, HEIGHT = 320, 240
+BODY = (slice(30, 100), slice(140, 190))
+Grey = NDArray[np.uint8]
+
+
+@pytest.fixture(scope="module")
+def rectification() -> Rectification:
+    matrix = np.array([[255.0, 0, 161], [0, 255, 119], [0, 0, 1]])
+    camera = Camera(matrix, np.zeros(5), WIDTH, HEIGHT)
+    shift = np.array([-0.12, 0, 0])
+    return Rectification(StereoCalibration(camera, camera, np.eye(3), shift), Ground(2.4, 30.0))
+
+
+@pytest.fixture(scope="module")
+def lines(rectification: Rectification) -> SightLines:
+    return SightLines(rectification)
+
+
+def dots(seed: int) -> Grey:
+    random = np.random.default_rng(seed)
+    rough = random.integers(20, 235, (HEIGHT // 3, WIDTH // 3)).astype(np.uint8)
+    return np.asarray(cv2.resize(rough, (WIDTH, HEIGHT), interpolation=cv2.INTER_CUBIC), np.uint8)
+
+
+def seen_from_the_right(left: Grey, disparity_px: float) -> Grey:
+    shift = np.array([[1, 0, -disparity_px], [0, 1, 0]], np.float32)
+    return np.asarray(cv2.warpAffine(left, shift, (WIDTH, HEIGHT), flags=cv2.INTER_CUBIC), np.uint8)
+
+
+def mask(columns: slice) -> Grey:
+    shown = np.zeros((HEIGHT, WIDTH), np.uint8)
+    shown[BODY[0], columns] = 255
+    return shown
+
+
+@pytest.mark.parametrize("disparity_px", [6.0, 6.4, 8.25])
+def test_disparity_is_found_to_a_tenth_of_a_pixel(lines: SightLines, disparity_px: float) -> None:
+    left = dots(5)
+    found = SubtractionStereo(lines).match(
+        left, seen_from_the_right(left, disparity_px), mask(BODY[1]), mask(slice(125, 190))
+    )
+    inside = found[BODY[0].start // STEP : BODY[0].stop // STEP, BODY[1].start // STEP : 95]
+    assert np.isfinite(inside).mean() > 0.8
+    assert abs(float(np.nanmedian(inside)) - disparity_px) < 0.1
+
+
+def test_outside_the_foreground_there_is_no_range(lines: SightLines) -> None:
+    left = dots(5)
+    found = SubtractionStereo(lines).match(
+        left, seen_from_the_right(left, 7), mask(BODY[1]), mask(slice(125, 190))
+    )
+    found[mask(BODY[1])[::STEP, ::STEP] > 0] = np.nan
+    assert not np.isfinite(found).any()
+
+
+def test_nothing_matches_what_the_right_eye_sees_as_background(lines: SightLines) -> None:
+    left = dots(5)
+    found = SubtractionStereo(lines).match(
+        left, seen_from_the_right(left, 7), mask(BODY[1]), mask(slice(10, 60))
+    )
+    assert not np.isfinite(found).any()
+
+
+def test_light_that_changes_on_a_fixed_thing_has_no_range(lines: SightLines) -> None:
+    left = dots(5)
+    right = seen_from_the_right(left, 16)
+    stereo = SubtractionStereo(lines)
+    stereo.learn_scene(left, right)
+    found = stereo.match(left // 2, right // 2, mask(BODY[1]), mask(slice(100, 190)))
+    assert not np.isfinite(found).any()
+
+
+def test_a_person_in_front_of_a_ranged_scene_keeps_the_range(lines: SightLines) -> None:
+    left, person = dots(5), dots(6)
+    stereo = SubtractionStereo(lines)
+    stereo.learn_scene(left, seen_from_the_right(left, 5))
+    found = stereo.match(
+        person, seen_from_the_right(person, 16), mask(BODY[1]), mask(slice(100, 190))
+    )
+    assert np.isfinite(found).sum() > 500
+
+
+def test_no_foreground_gives_no_range(lines: SightLines) -> None:
+    nobody = np.zeros((HEIGHT, WIDTH), np.uint8)
+    assert not np.isfinite(SubtractionStereo(lines).match(dots(5), dots(5), nobody, nobody)).any()
+
+
+@settings(max_examples=40, deadline=None)
+@given(u=st.integers(0, WIDTH - 1), v=st.integers(0, HEIGHT - 1), disparity=st.floats(1.5, 40))
+def test_sight_lines_agree_with_the_rectification(u: int, v: int, disparity: float) -> None:
+    matrix = np.array([[255.0, 0, 161], [0, 255, 119], [0, 0, 1]])
+    right = matrix.copy()
+    right[0, 2] = 158.0
+    eyes = [Camera(m, np.zeros(5), WIDTH, HEIGHT) for m in (matrix, right)]
+    rig = Rectification(
+        StereoCalibration(eyes[0], eyes[1], np.eye(3), np.array([-0.2, 0, 0])), Ground(3.0, 50.0, 4)
+    )
+    lines = SightLines(rig)
+    whole = disparity + lines.offset
+    depth = lines.depth(np.array([whole], np.float32))
+    point = lines.centre + depth[0] * lines.rays[v, u]
+    wanted = rig.world_from_disparity(np.array([u]), np.array([v]), np.array([whole]))[0]
+    np.testing.assert_allclose(point, wanted, rtol=1e-3, atol=1e-3)
+
+
+def test_a_shrunken_picture_has_the_same_rays(rectification: Rectification) -> None:
+    whole, half = SightLines(rectification), SightLines(rectification, 2)
+    between = whole.rays.reshape(HEIGHT // 2, 2, WIDTH // 2, 2, 3).mean(axis=(1, 3))
+    np.testing.assert_allclose(half.rays, between, atol=1e-5)
+    assert half.focal_baseline == pytest.approx(whole.focal_baseline / 2)
+
+
+def test_the_floor_has_the_disparity_of_the_floor(
+    rectification: Rectification, lines: SightLines
+) -> None:
+    place = np.array([[0.4, 3.0, 0.0]])
+    u, v = np.rint(rectification.rectified_from_world(place)[0]).astype(int)
+    floor = lines.disparity_at_height(0.0, 0.5, 50.0)
+    assert floor[v, u] == pytest.approx(rectification.disparity_from_world(place)[0], abs=0.1)
