@@ -32,7 +32,7 @@ def _table(walks: list[Walk], frames: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", ["plaza", "corridor", "lobby"])
-@settings(max_examples=3, deadline=None)
+@settings(max_examples=2, deadline=None)
 @given(seed=st.integers(0, 10_000))
 def test_nobody_walks_through_anybody(name: str, seed: int) -> None:
     table = _table(_walks(name, 14, 20.0, seed), 400)

@@ -22,6 +22,7 @@ _WAIST = 0.585
 _TORSO = np.array(
     # height, half width, half depth, forward
     [
+        [0.886, 0.0005, 0.0005, 0.010],
         [0.885, 0.034, 0.038, 0.010],
         [0.858, 0.036, 0.040, 0.003],
         [0.844, 0.060, 0.047, -0.002],
@@ -33,15 +34,15 @@ _TORSO = np.array(
         [0.630, 0.091, 0.064, 0.003],
         [_WAIST, 0.092, 0.064, 0.002],
         [0.540, 0.097, 0.067, -0.003],
-        [0.500, 0.096, 0.068, -0.006],
-        [0.470, 0.080, 0.058, -0.004],
-        [0.452, 0.010, 0.012, 0.000],
+        [0.505, 0.095, 0.065, -0.005],
+        [0.478, 0.074, 0.050, -0.003],
+        [0.455, 0.0005, 0.0005, 0.000],
     ]
 )
 _HEAD = np.array(
     # share of the head's height, half width, half depth, forward
     [
-        [1.000, 0.0010, 0.0010, -0.006],
+        [1.000, 0.0005, 0.0005, -0.006],
         [0.985, 0.0160, 0.0190, -0.006],
         [0.940, 0.0290, 0.0370, -0.005],
         [0.860, 0.0390, 0.0500, -0.003],
@@ -60,7 +61,7 @@ _NOSE_RING, _NOSE_M = 7, 0.0085
 _ARM = np.array(
     # 0 shoulder .. 1 elbow .. 2 wrist .. fingertips, half width, half depth
     [
-        [-0.13, 0.006, 0.006],
+        [-0.13, 0.0005, 0.0005],
         [-0.09, 0.021, 0.024],
         [0.03, 0.031, 0.034],
         [0.25, 0.031, 0.034],
@@ -72,14 +73,15 @@ _ARM = np.array(
         [1.96, 0.015, 0.017],
         [2.22, 0.012, 0.022],
         [2.46, 0.011, 0.019],
-        [2.57, 0.007, 0.011],
+        [2.55, 0.007, 0.011],
+        [2.57, 0.0005, 0.0005],
     ]
 )
 _LEG = np.array(
     # 0 hip .. 1 knee .. 2 ankle, half width, half depth
     [
         [-0.16, 0.042, 0.052],
-        [0.03, 0.051, 0.060],
+        [0.03, 0.051, 0.063],
         [0.22, 0.050, 0.057],
         [0.48, 0.044, 0.049],
         [0.78, 0.038, 0.041],
@@ -95,13 +97,13 @@ _LEG = np.array(
 _FOOT = np.array(
     # ahead of the ankle, half width, half height
     [
-        [-0.040, 0.004, 0.006],
+        [-0.040, 0.0005, 0.0005],
         [-0.034, 0.019, 0.018],
         [-0.006, 0.023, 0.026],
         [0.030, 0.024, 0.023],
         [0.068, 0.028, 0.016],
         [0.096, 0.024, 0.012],
-        [0.112, 0.006, 0.005],
+        [0.112, 0.0005, 0.0005],
     ]
 )
 _ANKLE_OVER_SOLE = 0.042
@@ -109,13 +111,13 @@ _SKIRT_RINGS, _PACK_RINGS = 7, 7
 _PACK = np.array(
     # height, half width, half depth
     [
-        [0.800, 0.010, 0.008],
+        [0.800, 0.0005, 0.0005],
         [0.798, 0.062, 0.030],
         [0.775, 0.074, 0.042],
         [0.700, 0.080, 0.052],
         [0.635, 0.080, 0.054],
         [0.612, 0.070, 0.044],
-        [0.608, 0.010, 0.008],
+        [0.608, 0.0005, 0.0005],
     ]
 )
 
@@ -242,6 +244,9 @@ def _leg(figures: Figures, skeleton: Skeleton, leg: int) -> Rings:
     size = (figures.height_m * np.sqrt(figures.girth))[:, None]
     lower = np.clip(_LEG[:, 0] / 1.6, 0.0, 1.0)[None]
     loose = 1.0 + (figures.trousers[:, None] - 1.0) * lower * 1.6
+    # Thighs must not show through what hangs over them.
+    hem = figures.skirt[:, None] / 0.245
+    loose = np.where(_LEG[:, 0] < np.minimum(hem, 0.9), 0.72, loose)
     side = left_of(skeleton.forward)[:, None]
     return Rings(
         centre, directions(centre), side, _LEG[:, 1] * size * loose, _LEG[:, 2] * size * loose
@@ -279,7 +284,7 @@ def _skirt(figures: Figures, skeleton: Skeleton) -> Rings:
     flare = figures.flare[:, None]
     width = (0.096 * figures.hips[:, None] + 0.030 * flare * down) * size * figures.girth[:, None]
     depth = (0.069 + 0.026 * flare * down) * size * figures.girth[:, None]
-    depth = depth + 0.42 * spread * share[..., 0]
+    depth = depth + 0.48 * spread * share[..., 0]
     worn = (figures.skirt > 0)[:, None]
     return Rings(
         centre,

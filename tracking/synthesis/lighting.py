@@ -126,7 +126,7 @@ class FloorShadows:
         contact = self._contact(feet)
         colours = zip(self._lamp.direct[::-1], self._lamp.ambient[::-1], strict=True)
         channels = [
-            1.0 - (shadow * (direct / (direct + ambient)) + contact * (_CONTACT * ambient))
+            cv2.addWeighted(shadow, -direct / (direct + ambient), contact, -_CONTACT * ambient, 1.0)
             for direct, ambient in colours
         ]
         return np.asarray(cv2.merge(channels), np.float32)

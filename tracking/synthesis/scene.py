@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -72,6 +73,7 @@ class Scene:
         self._backdrops = [backdrop(spec, self.rig, eye, seed) for eye in (0, 1)]
         self._pillars = Pillars.of_scene(spec)
         self._painters = [Painter(self.rig, eye, spec.lamp, self._still(eye)) for eye in (0, 1)]
+        self._parts = [behind.split() for behind in self._backdrops]
         self._sensors = [Sensor(size, eye, seed) for eye in (0, 1)]
 
     def frame(self, number: int) -> tuple[StereoFrame, SceneTruth]:
@@ -139,15 +141,12 @@ class Scene:
         return self._shadows.cast(corners, np.zeros((0, 2)) if feet is None else feet)
 
     def _near(self, world: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Whose bodies may be seen by an eye."""
+        """Whose bodies may be seen by an eye; nobody who is partly behind the camera."""
         pixels = self.rig.project(self.rig.left_camera_points(world), 0)[..., :2]
         seen = []
         for person, points in enumerate(pixels):
-            ahead = points[np.isfinite(points[:, 0])]
-            if not len(ahead):
-                continue
-            low, high = ahead.min(axis=0), ahead.max(axis=0)
-            if self.rig.sees(np.concatenate((low, high - low))):
+            low, high = points.min(axis=0), points.max(axis=0)
+            if np.isfinite(low).all() and self.rig.sees(np.concatenate((low, high - low))):
                 seen.append(person)
         return np.array(seen, np.intp)
 
@@ -158,9 +157,9 @@ class Scene:
         return StereoFrame(number, number / self.fps, left, right)
 
     def _expose(self, eye: int, number: int, shade: FloorShade, drawn: Drawn | None) -> Image:
-        behind = self._backdrops[eye]
+        floor, rest = self._parts[eye]
         left = self._shadows.seen_by(shade, eye)
-        light = np.asarray(behind.light * (1.0 - behind.floor * (1.0 - left)), np.float32)
+        light = np.asarray(cv2.add(cv2.multiply(floor, left), rest), np.float32)
         if drawn is not None:
             composite(light, drawn)
         return self._sensors[eye].expose(light, number)

@@ -31,6 +31,11 @@ class Backdrop:
     light: Float32s
     floor: Float32s
 
+    def split(self) -> tuple[Float32s, Float32s]:
+        """The light from the floor, which shadows fall on, and from all else."""
+        floor = self.light * self.floor
+        return floor, self.light - floor
+
 
 def backdrop(spec: SceneSpec, rig: Rig, eye: int, seed: int) -> Backdrop:
     """The floor and walls as an eye sees them, smoothed over the pixel."""

@@ -13,9 +13,9 @@ Float32s = NDArray[np.float32]
 _GAINS = (1.0, 0.965)  # the eyes are never quite alike
 _OFFSETS = (0.0, 0.4)  # grey levels
 _VIGNETTE = 0.09  # darkening in the corners
-_READ_NOISE = 0.9  # grey levels
-_SHOT_NOISE = 0.011  # variance per grey level
-_BANK = 1 << 22
+_READ_NOISE = 0.9  # deviation in the dark, grey levels
+_SHOT_NOISE = 0.004  # and what it grows by with each grey level
+_BANK = 1 << 18
 
 
 class Sensor:
@@ -27,23 +27,21 @@ class Sensor:
         self._response = self._light_response()
         rng = np.random.default_rng((seed, 77, eye))
         # Drawing fresh noise costs more than all the rest: each frame reads this from elsewhere.
-        self._noise = rng.standard_normal(_BANK, dtype=np.float32)
-        levels = np.arange(256, dtype=np.float32)
-        self._spread = np.sqrt(_READ_NOISE**2 + _SHOT_NOISE * levels).astype(np.float32)
+        samples = max(_BANK, 3 * self._response.size)
+        self._noise = rng.standard_normal(samples, dtype=np.float32)
 
     def expose(self, light: Float32s, frame: int) -> Image:
         """The 8-bit picture of light (height, width, 3), 0..1 and linear, in a frame."""
         grey = np.asarray(cv2.multiply(light, self._response), np.float32)
         np.sqrt(np.maximum(grey, 0.0, out=grey), out=grey)
         grey *= np.float32(255)
-        if _OFFSETS[self._eye]:
-            grey += np.float32(_OFFSETS[self._eye])
-        mean = cv2.convertScaleAbs(grey)
+        grey += np.float32(_OFFSETS[self._eye])
         rng = np.random.default_rng((self._seed, self._eye, frame))
-        count = grey.size
-        first = int(rng.integers(0, max(len(self._noise) - count, 1)))
-        noise = np.resize(self._noise[first : first + count], grey.shape)
-        grey += noise * cv2.LUT(mean, self._spread)
+        first = int(rng.integers(0, len(self._noise) - grey.size))
+        noise = self._noise[first : first + grey.size].reshape(grey.shape)
+        spread = grey * np.float32(_SHOT_NOISE)
+        spread += np.float32(_READ_NOISE)
+        grey += np.asarray(cv2.multiply(noise, spread), np.float32)
         return np.asarray(cv2.convertScaleAbs(np.maximum(grey, 0.0, out=grey)), np.uint8)
 
     def _light_response(self) -> Float32s:
