@@ -97,9 +97,11 @@ def apply_look(application: QApplication, look: Look) -> Theme:
     Call it again when `QStyleHints.colorSchemeChanged` fires to follow the desktop.
     """
     theme = load_theme(_theme_name(look))
-    application.setStyle("Fusion")
-    application.setPalette(_palette(theme))
-    application.setStyleSheet(stylesheet(theme))
+    sheet = stylesheet(theme)
+    if application.styleSheet() != sheet:  # setting it again would polish every widget anew
+        application.setStyle("Fusion")
+        application.setPalette(_palette(theme))
+        application.setStyleSheet(sheet)
     return theme
 
 

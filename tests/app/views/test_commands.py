@@ -1,0 +1,154 @@
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDropEvent
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+
+from app.presenters.scenes import CommandItem, RecentItem, WelcomeScene
+from app.views.command_palette import CommandPalette, best_commands, match_score
+from app.views.shortcuts import ShortcutsDialog
+from app.views.welcome import WelcomePage
+from app.views.welcome_parts import RecentRow
+
+LEFT = Qt.MouseButton.LeftButton
+ITEMS = (
+    CommandItem("file.open", "File", "Open...", ("Ctrl+O",), True),
+    CommandItem("tracks.swap", "Tracks", "Swap with...", ("X",), True),
+    CommandItem("playback.forward", "Playback", "Frame forward", ("Right", "D"), True),
+    CommandItem("tracks.delete", "Tracks", "Delete from here", ("Del",), True),
+    CommandItem("file.export", "File", "Export tracks...", (), False, "no session"),
+)
+
+
+@pytest.fixture
+def palette(qtbot, dark):
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.resize(900, 700)
+    made = CommandPalette(window)
+    made.show_scene(ITEMS)
+    made.open_over(window)
+    yield made
+    made.hide()
+
+
+def test_a_few_letters_find_a_command():
+    assert best_commands("ff", ITEMS)[0].command == "playback.forward"
+    assert best_commands("dfh", ITEMS)[0].command == "tracks.delete"
+    assert best_commands("qqq", ITEMS) == []
+
+
+def test_a_word_as_it_is_written_comes_before_scattered_letters():
+    assert match_score("swap", "Swap with...") > match_score("swap", "Show what a person does")
+
+
+def test_all_commands_are_listed_before_anything_is_typed():
+    assert best_commands(" ", ITEMS) == list(ITEMS)
+
+
+def test_enter_runs_what_the_arrows_chose(palette, qtbot):
+    qtbot.keyClick(palette._edit, Qt.Key.Key_Down)
+    with qtbot.waitSignal(palette.run_asked) as asked:
+        qtbot.keyClick(palette._edit, Qt.Key.Key_Return)
+    assert asked.args == ["tracks.swap"]
+    assert palette.isHidden()
+
+
+def test_typing_narrows_the_list(palette, qtbot):
+    qtbot.keyClicks(palette._edit, "open")
+    assert palette._list.count() == 1
+    qtbot.keyClicks(palette._edit, "qqq")
+    assert palette._list.count() == 0
+    assert not palette._none.isHidden()
+
+
+def test_a_command_that_cannot_run_now_is_listed_and_not_run(palette, qtbot, heard):
+    asked = heard(palette.run_asked)
+    qtbot.keyClicks(palette._edit, "export")
+    qtbot.keyClick(palette._edit, Qt.Key.Key_Return)
+    assert asked == []
+    assert not palette.isHidden()
+
+
+def test_escape_closes_the_palette(palette, qtbot):
+    qtbot.keyClick(palette._edit, Qt.Key.Key_Escape)
+    assert palette.isHidden()
+
+
+def test_the_palette_is_drawn_with_keys(palette, drawn):
+    assert not drawn(palette).isNull()
+
+
+def shown_words(dialog) -> list[str]:
+    return [label.text() for label in dialog._scroll.widget().findChildren(QLabel)]
+
+
+def test_shortcuts_are_grouped_by_menu_and_leave_out_commands_without_keys(qtbot, dark):
+    dialog = ShortcutsDialog(ITEMS)
+    qtbot.addWidget(dialog)
+    said = shown_words(dialog)
+    assert {"File", "Tracks", "Playback", "Swap with...", "X", "Right", "D"} <= set(said)
+    assert "Export tracks..." not in said
+
+
+def test_shortcuts_are_found_by_name_and_by_key(qtbot, dark):
+    dialog = ShortcutsDialog(ITEMS)
+    qtbot.addWidget(dialog)
+    dialog.narrow("ctrl+o")
+    assert "Open..." in shown_words(dialog)
+    assert "Swap with..." not in shown_words(dialog)
+
+
+@pytest.fixture
+def welcome(qtbot, theme):
+    page = WelcomePage()
+    qtbot.addWidget(page)
+    page.resize(1000, 700)
+    return page
+
+
+def test_recent_recordings_are_opened_by_a_click(welcome, qtbot, tmp_path):
+    welcome.show_scene(WelcomeScene((RecentItem(str(tmp_path), "Lobby", "stereo"),)))
+    with qtbot.waitSignal(welcome.path_chosen) as chosen:
+        qtbot.mouseClick(welcome.findChild(RecentRow), LEFT)
+    assert chosen.args == [tmp_path]
+
+
+def test_what_is_gone_cannot_be_opened(welcome):
+    welcome.show_scene(WelcomeScene((RecentItem("/gone", "Hall", "", exists=False),)))
+    assert not welcome.findChild(RecentRow).isEnabled()
+
+
+def test_a_notice_is_said_above(welcome):
+    assert welcome._notice.isHidden()
+    welcome.show_scene(WelcomeScene(notice="The window closed without saving."))
+    assert not welcome._notice.isHidden()
+
+
+def test_the_choices_are_open_and_demo(welcome, qtbot, heard):
+    asked = [heard(welcome.open_asked), heard(welcome.demo_asked)]
+    for choice in welcome.findChildren(QPushButton):
+        qtbot.mouseClick(choice, LEFT)
+    assert [len(one) for one in asked] == [1, 1]
+
+
+def test_a_dropped_file_is_opened(welcome, qtbot, tmp_path):
+    carried = QMimeData()
+    carried.setUrls([QUrl.fromLocalFile(str(tmp_path / "left.mp4"))])
+    event = QDropEvent(
+        QPointF(QPoint(50, 50)),
+        Qt.DropAction.CopyAction,
+        carried,
+        LEFT,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    with qtbot.waitSignal(welcome.path_chosen) as chosen:
+        welcome.dropEvent(event)
+    assert chosen.args == [tmp_path / "left.mp4"]
+
+
+def test_the_page_is_drawn_with_and_without_recent_recordings(welcome, drawn):
+    empty = drawn(welcome)
+    welcome.show_scene(WelcomeScene((RecentItem("/somewhere", "Lobby", "stereo"),)))
+    assert drawn(welcome) != empty

@@ -1,0 +1,67 @@
+from __future__ import annotations
+
+from itertools import combinations
+
+import pytest
+from drawn_scenes import RED, person, picture
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor, QFontMetricsF
+
+from app.presenters.scenes import Eye
+from app.views.labels import place_plates, plate_rect
+from app.views.picture import PictureView
+from app.views.theme import contrast, ink_on
+
+AREA = QRectF(0, 0, 800, 600)
+CORNERS = st.tuples(st.floats(-50, 850), st.floats(-50, 650))
+
+
+def overlapping(plates: list[QRectF]) -> int:
+    return sum(one.intersects(other) for one, other in combinations(plates, 2))
+
+
+@given(st.lists(CORNERS, max_size=15))
+def test_fifteen_plates_never_overlap_and_stay_inside(corners):
+    plates = place_plates([QRectF(x, y, 60, 18) for x, y in corners], AREA)
+    assert overlapping(plates) == 0
+    assert all(AREA.contains(plate) for plate in plates)
+
+
+def test_a_plate_that_is_free_is_left_where_it_is():
+    wanted = [QRectF(10, 10, 50, 18), QRectF(10, 100, 50, 18)]
+    assert place_plates(wanted, AREA) == wanted
+
+
+def test_of_two_at_one_place_the_first_stays():
+    first, second = place_plates([QRectF(10, 100, 50, 18)] * 2, AREA)
+    assert first.top() == 100
+    assert abs(second.top() - 100) == pytest.approx(20)
+
+
+def test_where_there_is_no_room_plates_overlap_rather_than_vanish():
+    plates = place_plates([QRectF(0, 0, 50, 18)] * 9, QRectF(0, 0, 50, 40))
+    assert len(plates) == 9
+
+
+def test_a_crowd_at_one_spot_has_a_plate_each(qtbot, dark, drawn):
+    view = PictureView(Eye.LEFT)
+    qtbot.addWidget(view)
+    view.resize(640, 480)
+    crowd = [person(track, (150, 100, 30, 90), label=f"{track} name") for track in range(1, 6)]
+    view.show_scene(picture(*crowd))
+    metrics = QFontMetricsF(view.font())
+    wanted = [plate_rect(metrics, one.label, view.viewport.point(150, 100)) for one in crowd]
+    assert overlapping(place_plates(wanted, QRectF(view.rect()))) == 0
+    assert not drawn(view).isNull()
+
+
+@given(st.tuples(*[st.integers(0, 255)] * 3))
+def test_a_plate_is_readable_in_any_colour(colour):
+    ground = QColor(*colour)
+    assert contrast(ink_on(ground), ground) >= 4.3
+
+
+def test_red_plates_take_the_better_of_black_and_white():
+    assert ink_on(QColor(*RED)).lightness() > 200

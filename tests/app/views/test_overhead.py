@@ -1,0 +1,144 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from drawn_scenes import RED, floor_person, overhead
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter
+
+from app.views.floor import nice_step
+from app.views.overhead import OverheadView
+from app.views.particles import draw_particles, soft_dot
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def view(qtbot, theme):
+    widget = OverheadView()
+    qtbot.addWidget(widget)
+    widget.resize(600, 600)
+    widget.show_scene(overhead())
+    widget.grab()
+    return widget
+
+
+def test_forward_is_up_and_right_is_right(view):
+    here, forward, right = (view.viewport.point(*at) for at in ((0, 0), (0, 1), (1, 0)))
+    assert forward.y() < here.y()
+    assert right.x() > here.x()
+
+
+def test_a_click_picks_the_nearest_person(view, qtbot):
+    view.show_scene(overhead(floor_person(3, (0, 5)), floor_person(4, (0.3, 5))))
+    with qtbot.waitSignal(view.track_picked) as picked:
+        qtbot.mouseClick(view, LEFT, pos=view.viewport.point(0.35, 5.05).toPoint())
+    assert picked.args == [4]
+
+
+def test_a_click_on_the_empty_floor_tells_where_in_metres(view, qtbot, heard):
+    view.show_scene(overhead(floor_person(3, (0, 5))))
+    picked, clicked = heard(view.track_picked), heard(view.floor_clicked)
+    qtbot.mouseClick(view, LEFT, pos=view.viewport.point(-3, 8).toPoint())
+    assert picked == [0]
+    assert clicked == [pytest.approx((-3, 8), abs=0.02)]
+
+
+def test_the_wheel_keeps_the_metre_under_the_cursor(view, wheel):
+    at = QPointF(420, 130)
+    before = view.viewport.to_content(at)
+    wheel(view, at, -2)
+    wheel(view, at, 5)
+    after = view.viewport.to_content(at)
+    assert (after.x(), after.y()) == pytest.approx((before.x(), before.y()))
+
+
+def test_particles_show_in_their_persons_colour_the_heavy_ones_stronger(view, drawn):
+    scene = overhead(
+        particles=np.array([[-2, 5], [2, 5]], np.float32),
+        particle_colours=np.array([RED, RED], np.uint8),
+        particle_weights=np.array([1.0, 0.05], np.float32),
+    )
+    view.show_scene(scene)
+    shot = drawn(view)
+    heavy, light = (shot.pixelColor(view.viewport.point(x, 5).toPoint()) for x in (-2, 2))
+    assert heavy.red() > heavy.green() + 100
+    assert heavy.red() - heavy.green() > 2 * (light.red() - light.green()) > 0
+
+
+def test_where_particles_lie_over_each_other_the_heaviest_is_on_top(dark):
+    image = QImage(20, 20, QImage.Format.Format_RGB32)
+    image.fill(0)
+    painter = QPainter(image)
+    colours = np.array([(255, 0, 0), (0, 255, 0), (0, 0, 255)], np.uint8)
+    weights = np.array([0.3, 1.0, 0.6], np.float32)
+    draw_particles(painter, np.full((3, 2), 10.0), colours, weights, (20, 20), 1.5)
+    painter.end()
+    assert image.pixelColor(10, 10) == QColor(0, 255, 0)
+
+
+def test_particles_outside_the_view_are_left_out(dark):
+    image = QImage(20, 20, QImage.Format.Format_RGB32)
+    image.fill(0)
+    painter = QPainter(image)
+    points = np.array([[-500.0, 4.0], [1e7, 3.0], [np.nan, 2.0]])
+    white = np.full((3, 3), 255, np.uint8)
+    draw_particles(painter, points, white, np.ones(3, np.float32), (20, 20), 1.5)
+    painter.end()
+    assert {image.pixel(x, y) for x in range(20) for y in range(20)} == {0xFF000000}
+
+
+def test_a_dot_covers_its_area():
+    area = sum(share * len(columns) for share, columns, _ in soft_dot(3.0))
+    assert area == pytest.approx(np.pi * 9, rel=0.1)
+
+
+def test_measured_positions_are_black_dots_with_a_light_rim(view, drawn):
+    view.show_scene(overhead(measured=np.array([[1.0, 5.0]])))
+    shot, at = drawn(view), view.viewport.point(1.0, 5.0).toPoint()
+    assert shot.pixelColor(at).lightness() < 30
+    rim = [shot.pixelColor(at + QPoint(dx, 0)).lightness() for dx in range(2, 6)]
+    assert max(rim) > 140
+
+
+def test_an_arrow_points_where_the_person_walks(view, drawn, theme, inked):
+    view.show_scene(overhead(floor_person(1, (0, 5), velocity=(1.0, 0.0))))
+    shot, at = drawn(view), view.viewport.point(0, 5).toPoint()
+    assert all(inked(shot, at + QPoint(dx, 0), theme.track(RED)) for dx in range(18, 45))
+    assert not any(inked(shot, at - QPoint(dx, 0), theme.track(RED)) for dx in range(18, 45))
+
+
+def test_somebody_whose_velocity_is_unknown_is_drawn_without_an_arrow(view, drawn):
+    view.show_scene(overhead(floor_person(1, (0, 5), velocity=(float("nan"), 0.0))))
+    assert not drawn(view).isNull()
+
+
+def test_the_field_of_view_is_softly_shaded(view, drawn):
+    corners = np.array([[-4.0, 2.0], [4.0, 2.0], [4.0, 9.0], [-4.0, 9.0]])
+    at = view.viewport.point(0.13, 5.13).toPoint()
+    before = drawn(view).pixelColor(at)
+    view.show_scene(overhead(field_of_view=corners))
+    assert drawn(view).pixelColor(at) != before
+
+
+def test_zooming_draws_the_floor_anew(view, wheel, drawn):
+    before = drawn(view)
+    wheel(view, QPointF(300, 300), 2)
+    assert drawn(view) != before
+
+
+def test_without_calibration_the_reason_is_said(view, drawn):
+    floor = drawn(view)
+    view.show_scene(overhead(message="No calibration: there are no metres to show."))
+    assert drawn(view) != floor
+    assert view.content() == QRectF()
+
+
+def test_people_are_told_with_their_place_and_speed(view):
+    view.show_scene(overhead(floor_person(3, (1.0, 5.0), velocity=(0.6, 0.8))))
+    assert view.name_at(view.viewport.point(1, 5)) == "3 at 1.0, 5.0 m, 1.0 m/s"
+
+
+@pytest.mark.parametrize(("least", "step"), [(0.7, 1.0), (1.0, 1.0), (1.1, 2.0), (0.03, 0.05)])
+def test_grid_steps_are_one_two_or_five_times_a_power_of_ten(least, step):
+    assert nice_step(least) == pytest.approx(step)

@@ -1,0 +1,219 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QMenu
+
+from app.presenters.scenes import EditPreview, HistoryItem, TrackCard
+from app.views.history_panel import HistoryPanel
+from app.views.preview_bar import PreviewBar
+from app.views.review_panel import ReviewPanel
+from app.views.track_panel import TrackPanel
+
+LEFT = Qt.MouseButton.LeftButton
+CARD = TrackCard(4, "red coat", (200, 30, 30), 12, 402, 381, 9, 0.87, (("bag", "none"),), "turns")
+SWAP = EditPreview(
+    "Swap 4 and 7 from frame 834 on",
+    "from here on",
+    ("91 frames change",),
+    834,
+    ("from here on", "this range", "this frame"),
+)
+
+
+def words(widget) -> str:
+    labels = widget.findChildren(QLabel) + widget.findChildren(QAbstractButton)
+    return " ".join(one.text() for one in labels if not one.isHidden())
+
+
+@pytest.fixture
+def track_panel(qtbot, dark):
+    panel = TrackPanel()
+    qtbot.addWidget(panel)
+    panel.show_scene(CARD)
+    panel.resize(320, 480)
+    panel.grab()  # lays it out
+    return panel
+
+
+def test_a_track_is_told_in_words(track_panel):
+    said = words(track_panel)
+    assert track_panel._name.text() == "red coat"
+    assert track_panel._notes.toPlainText() == "turns"
+    for part in ("4", "12", "402", "381 frames, 9 predicted", "0.87"):
+        assert part in said
+
+
+def test_an_unknown_confidence_is_not_shown_as_a_number(track_panel):
+    track_panel.show_scene(replace(CARD, mean_confidence=float("nan")))
+    assert "not known" in words(track_panel)
+
+
+def test_a_new_name_is_sent_once(track_panel, qtbot, heard):
+    edited = heard(track_panel.name_edited)
+    track_panel._name.setText("blue coat")
+    qtbot.keyClick(track_panel._name, Qt.Key.Key_Return)
+    track_panel.show_scene(replace(CARD, name="blue coat"))
+    track_panel._name.editingFinished.emit()
+    assert edited == [(4, "blue coat")]
+
+
+def test_escape_puts_the_name_back(track_panel, qtbot, heard):
+    edited = heard(track_panel.name_edited)
+    track_panel._name.setText("blue coat")
+    qtbot.keyClick(track_panel._name, Qt.Key.Key_Escape)
+    assert track_panel._name.text() == "red coat"
+    assert edited == []
+
+
+def test_changed_attributes_are_sent_all_together(track_panel, heard):
+    edited = heard(track_panel.attributes_edited)
+    table = track_panel._attributes
+    table.add_row()
+    table.item(1, 0).setText("coat")
+    table.item(1, 1).setText("red")
+    assert edited[-1] == (4, (("bag", "none"), ("coat", "red")))
+
+
+def test_an_attribute_can_be_removed(track_panel, qtbot, heard):
+    edited = heard(track_panel.attributes_edited)
+    track_panel._attributes.setCurrentCell(0, 0)
+    qtbot.mouseClick(track_panel._attributes.remove_button, LEFT)
+    assert edited == [(4, ())]
+
+
+def test_the_ends_of_a_track_can_be_gone_to(track_panel, qtbot):
+    with qtbot.waitSignal(track_panel.frame_sought) as sought:
+        qtbot.mouseClick(track_panel._last, LEFT)
+    assert sought.args == [402]
+
+
+def test_without_a_track_it_says_how_to_select_one(track_panel):
+    track_panel.show_scene(None)
+    assert track_panel._stack.currentIndex() == 0
+    assert "Click a person" in words(track_panel)
+
+
+def test_the_windows_actions_are_offered_as_named_buttons(track_panel, qtbot):
+    action = QAction("&Swap with...", track_panel)
+    for _ in range(2):
+        track_panel.set_actions([action])
+    assert [tool.accessibleName() for tool in track_panel._tools] == ["Swap with..."]
+    with qtbot.waitSignal(action.triggered):
+        qtbot.mouseClick(track_panel._tools[0], LEFT)
+
+
+def edit(number: int, undone: bool = False) -> HistoryItem:
+    return HistoryItem(number, f"edit {number}", "10:4" + str(number), "mika", 100 * number, undone)
+
+
+@pytest.fixture
+def history(qtbot, dark):
+    panel = HistoryPanel()
+    qtbot.addWidget(panel)
+    panel.resize(300, 300)
+    panel.show_scene((edit(1), edit(2), edit(3, undone=True)))
+    panel.grab()
+    return panel
+
+
+def row_point(panel, row: int):
+    return panel._list.visualItemRect(panel._list.item(row)).center()
+
+
+def test_the_newest_edit_stands_on_top(history):
+    assert [history._list.item(row).text() for row in range(3)] == ["edit 3", "edit 2", "edit 1"]
+
+
+def test_a_click_goes_to_the_frame_an_edit_changed(history, qtbot):
+    with qtbot.waitSignal(history.frame_sought) as sought:
+        qtbot.mouseClick(history._list.viewport(), LEFT, pos=row_point(history, 1))
+    assert sought.args == [200]
+
+
+def test_a_double_click_undoes_to_an_edit(history, qtbot):
+    with qtbot.waitSignal(history.goto_asked) as asked:
+        history._list.itemDoubleClicked.emit(history._list.item(2))
+    assert asked.args == [1]
+
+
+@pytest.mark.parametrize(("row", "text"), [(0, "Redo to here"), (1, "Undo to here")])
+def test_the_menu_of_an_edit_says_what_it_will_do(history, qtbot, heard, row, text):
+    asked = heard(history.goto_asked)
+    history._open_menu(row_point(history, row))
+    menu = history._list.findChildren(QMenu)[-1]
+    action = next(one for one in menu.actions() if one.text() == text)
+    action.trigger()
+    menu.close()
+    assert asked == [3 - row]
+
+
+def test_undo_and_redo_are_offered_only_where_there_is_something(history):
+    assert history._undo.isEnabled()
+    assert history._redo.isEnabled()
+    history.show_scene(())
+    assert not history._undo.isEnabled()
+    assert not history._redo.isEnabled()
+    assert "No edits yet" in words(history)
+
+
+@pytest.fixture
+def preview(qtbot, dark):
+    bar = PreviewBar()
+    qtbot.addWidget(bar)
+    bar.show_scene(SWAP)
+    return bar
+
+
+def press(bar, name: str, qtbot):
+    buttons = bar.findChildren(QAbstractButton)
+    qtbot.mouseClick(next(one for one in buttons if one.accessibleName() == name), LEFT)
+
+
+def test_a_preview_tells_what_where_and_how_far(preview):
+    for part in (SWAP.title, "91 frames change", "frame 834", *SWAP.scopes):
+        assert part in words(preview)
+
+
+def test_a_preview_is_done_left_moved_and_widened(preview, qtbot, heard):
+    said = [heard(preview.confirmed), heard(preview.cancelled), heard(preview.cut_moved)]
+    scopes = heard(preview.scope_chosen)
+    for name in ("Do the edit", "Leave the edit undone", "Cut a frame earlier"):
+        press(preview, name, qtbot)
+    press(preview, "Scope: this range", qtbot)
+    assert said == [[()], [()], [-1]]
+    assert scopes == ["this range"]
+
+
+def test_while_the_other_person_is_to_be_picked_nothing_can_be_done_yet(preview):
+    preview.show_scene(
+        EditPreview("Swap 4 with...", "", (), 834, (), False, "Pick the other person")
+    )
+    assert "Pick the other person" in words(preview)
+    assert preview._confirm.isHidden()
+    assert preview._nudge.isHidden()
+
+
+def test_without_a_preview_the_bar_is_hidden(preview):
+    preview.show_scene(None)
+    assert preview.isHidden()
+
+
+def test_the_review_queue_is_honest_about_being_empty(qtbot, dark):
+    panel = ReviewPanel()
+    qtbot.addWidget(panel)
+    assert "No suspicions" in words(panel)
+
+
+@pytest.mark.parametrize("kind", [TrackPanel, HistoryPanel, PreviewBar, ReviewPanel])
+def test_every_control_has_a_name_for_screen_readers(qtbot, dark, kind):
+    widget = kind()
+    qtbot.addWidget(widget)
+    if kind is TrackPanel:
+        widget.show_scene(CARD)
+    controls = widget.findChildren(QLineEdit) + widget.findChildren(QAbstractButton)
+    ours = [one for one in controls if not one.objectName().startswith("qt_")]
+    assert [one for one in ours if not (one.accessibleName() or one.text())] == []

@@ -1,0 +1,175 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from drawn_scenes import BLUE, RED, person, picture
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor
+
+from app.presenters.scenes import Eye, PictureScene, PreviewTrail
+from app.views.picture import PictureView
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def view(qtbot, theme):
+    widget = PictureView(Eye.LEFT)
+    qtbot.addWidget(widget)
+    widget.resize(640, 480)
+    widget.show_scene(picture())
+    widget.grab()
+    return widget
+
+
+def on_widget(view, x, y) -> QPoint:
+    return view.viewport.point(x, y).toPoint()
+
+
+def test_blue_green_red_pictures_are_shown_in_their_colours(view, drawn, near):
+    view.show_scene(picture(bgr=(10, 100, 240)))
+    assert near(drawn(view).pixelColor(320, 240), QColor(240, 100, 10))
+
+
+def test_a_picture_outlives_the_array_it_came_from(view, drawn, near):
+    scene = picture(bgr=(0, 0, 250))
+    view.show_scene(scene)
+    scene.image[:] = 0
+    assert near(drawn(view).pixelColor(320, 240), QColor(250, 0, 0))
+
+
+def test_boxes_are_drawn_in_their_track_colour(view, drawn, inked):
+    view.show_scene(picture(person(1, (100, 80, 60, 100))))
+    assert inked(drawn(view), on_widget(view, 100, 130), QColor(*RED))
+    assert not inked(drawn(view), on_widget(view, 130, 130), QColor(*RED))
+
+
+def test_predicted_boxes_are_dashed(view, drawn):
+    def reds(predicted: bool) -> np.ndarray:
+        view.show_scene(picture(person(1, (100, 80, 60, 100), predicted=predicted)))
+        shot, top = drawn(view), on_widget(view, 100, 95)
+        return np.array([shot.pixelColor(top + QPoint(0, y)).red() for y in range(120)])
+
+    assert np.ptp(reds(False)) < 10
+    assert np.ptp(reds(True)) > 50
+
+
+def test_a_selected_person_glows(view, drawn):
+    plain, glowing = (
+        drawn(view).pixelColor(on_widget(view, 100, 130) - QPoint(4, 0))
+        for selected in (False, True)
+        if view.show_scene(picture(person(1, (100, 80, 60, 100), selected=selected))) is None
+    )
+    assert glowing.red() - glowing.green() > plain.red() - plain.green() + 20
+
+
+def test_trails_fade_with_age(view, drawn):
+    trail = np.column_stack([np.linspace(20, 300, 60), np.full(60, 40.0)])
+    view.show_scene(picture(person(1, (280, 50, 20, 40), trail=trail)))
+    shot = drawn(view)
+    old, new = (shot.pixelColor(on_widget(view, x, 40)) for x in (40, 280))
+    assert new.red() - new.green() > old.red() - old.green() + 50
+
+
+def test_overlays_lie_over_the_picture(view, drawn, near):
+    overlay = np.zeros((240, 320, 4), np.uint8)
+    overlay[100:140, 100:140] = (0, 255, 0, 255)
+    scene = picture()
+    view.show_scene(PictureScene(Eye.LEFT, 7, scene.image, overlay=overlay))
+    shot = drawn(view)
+    assert near(shot.pixelColor(on_widget(view, 120, 120)), QColor(0, 255, 0))
+    assert near(shot.pixelColor(on_widget(view, 200, 120)), QColor(200, 200, 200))
+
+
+def test_the_floor_grid_is_drawn_and_points_behind_the_camera_are_not(view, drawn):
+    grid = np.array([[[0.0, 120.0], [319.0, 120.0]], [[np.nan, 0.0], [10.0, 10.0]]])
+    dark = np.zeros((240, 320, 3), np.uint8)
+    view.show_scene(PictureScene(Eye.LEFT, 7, dark, grid=grid))
+    rows = [drawn(view).pixelColor(320, y).lightness() for y in range(200, 280)]
+    assert max(rows) > 40
+    assert np.median(rows) == 0
+
+
+def test_an_edit_preview_shows_the_trail_before_wider_than_after(view, drawn, near):
+    points = np.array([[50.0, 120.0], [270.0, 120.0]])
+    trails = (PreviewTrail(points, RED, after=False), PreviewTrail(points, BLUE, after=True))
+    view.show_scene(PictureScene(Eye.LEFT, 7, picture().image, preview=trails))
+    shot, middle = drawn(view), on_widget(view, 160, 120)
+    assert near(shot.pixelColor(middle), QColor(*BLUE))
+    below = [shot.pixelColor(middle + QPoint(dx, 3)) for dx in range(12)]
+    assert any(one.red() > one.green() + 40 for one in below)
+
+
+def test_without_a_picture_the_message_is_said(view, drawn):
+    view.show_scene(PictureScene(Eye.LEFT, 7, None))
+    blank = drawn(view)
+    view.show_scene(PictureScene(Eye.LEFT, 7, None, message="Reading frame 7"))
+    assert drawn(view) != blank
+
+
+def test_a_click_on_a_person_picks_them(view, qtbot):
+    view.show_scene(picture(person(1, (20, 20, 40, 80)), person(2, (200, 60, 40, 80))))
+    with qtbot.waitSignal(view.track_picked) as picked:
+        qtbot.mouseClick(view, LEFT, pos=on_widget(view, 220, 100))
+    assert picked.args == [2]
+
+
+def test_of_people_over_each_other_the_nearest_is_picked(view, qtbot):
+    view.show_scene(picture(person(1, (100, 60, 60, 120)), person(2, (130, 60, 60, 120))))
+    with qtbot.waitSignal(view.track_picked) as picked:
+        qtbot.mouseClick(view, LEFT, pos=on_widget(view, 135, 120))
+    assert picked.args == [1]
+
+
+def test_a_click_beside_all_people_picks_nobody_and_tells_the_pixel(view, qtbot, heard):
+    view.show_scene(picture(person(1, (20, 20, 40, 80))))
+    picked, clicked = heard(view.track_picked), heard(view.picture_clicked)
+    qtbot.mouseClick(view, LEFT, pos=on_widget(view, 250, 200))
+    assert picked == [0]
+    assert clicked == [pytest.approx((250, 200), abs=0.5)]
+
+
+def test_the_wheel_keeps_the_point_under_the_cursor(view, wheel):
+    at = QPointF(150, 333)
+    before = view.viewport.to_content(at)
+    wheel(view, at, 3)
+    after = view.viewport.to_content(at)
+    assert view.viewport.scale > 2
+    assert (after.x(), after.y()) == pytest.approx((before.x(), before.y()))
+
+
+def test_dragging_pans_and_picks_nobody(view, qtbot):
+    view.show_scene(picture(person(1, (100, 60, 60, 120))))
+    start = on_widget(view, 130, 120)
+    before = view.viewport.point(0, 0)
+    with qtbot.assertNotEmitted(view.track_picked):
+        qtbot.mousePress(view, LEFT, pos=start)
+        qtbot.mouseMove(view, start + QPoint(20, 0))
+        qtbot.mouseMove(view, start + QPoint(60, 30))
+        qtbot.mouseRelease(view, LEFT, pos=start + QPoint(60, 30))
+    moved = view.viewport.point(0, 0) - before
+    assert (moved.x(), moved.y()) == (60, 30)
+
+
+def test_a_double_click_fits_the_picture_again(view, wheel, qtbot):
+    fitted = view.viewport
+    wheel(view, QPointF(10, 10), 4)
+    qtbot.mouseDClick(view, LEFT, pos=QPoint(300, 200))
+    assert view.viewport == fitted
+
+
+def test_a_fitted_picture_stays_fitted_when_the_widget_grows(view):
+    view.resize(1280, 960)
+    view.grab()
+    assert view.viewport.scale == pytest.approx(4.0)
+
+
+def test_people_are_named_under_the_cursor(view):
+    view.show_scene(picture(person(4, (100, 60, 60, 120), label="4 red coat", predicted=True)))
+    assert view.name_at(view.viewport.point(120, 100)) == "4 red coat (predicted)"
+    assert view.name_at(view.viewport.point(300, 230)) == ""
+
+
+def test_the_eye_is_told_to_screen_readers(view):
+    view.show_scene(PictureScene(Eye.RIGHT, 7, None))
+    assert view.accessibleName() == "Right eye"

@@ -1,0 +1,99 @@
+from __future__ import annotations
+
+import tomllib
+from importlib.resources import files
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QGuiApplication
+
+from app.presenters.palette import TRACK_COLOURS
+from app.views.icons import IconButton, application_icon, icon, pixmap
+from app.views.theme import (
+    Look,
+    apply_look,
+    contrast,
+    current_theme,
+    load_theme,
+    scaled_font,
+    stylesheet,
+)
+
+THEMES = ("dark", "light")
+ICONS = sorted(Path(str(one)).stem for one in (files("resources") / "icons").iterdir())
+
+
+@pytest.mark.parametrize("name", THEMES)
+def test_text_is_readable_on_every_ground(name):
+    theme = load_theme(name)
+    for ground in (theme.window, theme.surface, theme.raised, theme.selection):
+        assert contrast(theme.text, ground) >= 7
+        assert contrast(theme.text_muted, ground) >= 4.0
+    assert contrast(theme.accent_text, theme.accent_fill) >= 4.5
+    assert contrast(theme.accent, theme.surface) >= 4.5
+
+
+@pytest.mark.parametrize("name", THEMES)
+@pytest.mark.parametrize("colour", TRACK_COLOURS)
+def test_every_track_colour_stands_out_on_the_floor(name, colour):
+    theme = load_theme(name)
+    assert contrast(theme.track(colour), theme.sunken) >= 1.9
+
+
+def test_both_themes_name_the_same_colours():
+    tables = [
+        tomllib.loads((files("resources") / "themes" / f"{name}.toml").read_text("utf-8"))
+        for name in THEMES
+    ]
+    assert tables[0]["colours"].keys() == tables[1]["colours"].keys()
+
+
+@pytest.mark.parametrize("name", THEMES)
+def test_the_stylesheet_is_filled_in(name):
+    assert "$" not in stylesheet(load_theme(name))
+
+
+def test_a_look_can_be_changed_while_the_program_runs(qapp, qtbot):
+    apply_look(qapp, Look.LIGHT)
+    button = IconButton("play", "Play")
+    qtbot.addWidget(button)
+    light = button.icon().pixmap(24, 24).toImage()
+    apply_look(qapp, Look.DARK)
+    assert current_theme().is_dark
+    assert button.icon().pixmap(24, 24).toImage() != light
+
+
+def test_the_system_look_follows_the_desktop(qapp):
+    desktop_is_dark = QGuiApplication.styleHints().colorScheme() is Qt.ColorScheme.Dark
+    assert apply_look(qapp, Look.SYSTEM).is_dark is desktop_is_dark
+
+
+@pytest.mark.parametrize("name", ICONS)
+def test_every_icon_is_drawn_in_the_colour_asked_for(qapp, name):
+    shot = pixmap(name, QColor(255, 0, 0), 32).toImage()
+    inks = [shot.pixelColor(x, y) for x in range(32) for y in range(32)]
+    assert any(ink.alpha() > 200 for ink in inks)
+    if name != "trackwright":
+        assert all(ink.red() >= ink.green() for ink in inks if ink.alpha() > 200)
+
+
+@pytest.mark.parametrize("name", ICONS)
+def test_icons_are_plain_drawings(name):
+    text = (files("resources") / "icons" / f"{name}.svg").read_text("utf-8")
+    tags = {one.tag.split("}")[1] for one in ElementTree.fromstring(text).iter()}
+    assert tags <= {"svg", "path", "circle", "rect"}
+
+
+def test_icons_are_sharp_at_twice_the_scale(qapp):
+    assert icon("play").actualSize(icon("play").availableSizes()[-1]).width() >= 48
+    assert application_icon().availableSizes()[-1].width() == 256
+
+
+def test_fonts_scale_from_points_and_from_pixels(qapp):
+    font = qapp.font()
+    font.setPointSizeF(10)
+    assert scaled_font(font, 1.5).pointSizeF() == 15
+    font.setPixelSize(20)
+    assert scaled_font(font, 0.5).pixelSize() == 10

@@ -1,0 +1,142 @@
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QToolButton
+
+from app.presenters.scenes import TransportScene
+from app.views.eye_switch import EyeSwitch
+from app.views.progress_strip import ProgressStrip
+from app.views.transport import TransportBar, clock_text
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+def scene(frame: int = 834, playing: bool = False, speed: float = 1.0, status: str = "tracked"):
+    return TransportScene(playing, speed, frame, 3000, frame / 20, "stereo-direction", status)
+
+
+@pytest.fixture
+def bar(qtbot, dark):
+    widget = TransportBar()
+    qtbot.addWidget(widget)
+    widget.show_scene(scene())
+    return widget
+
+
+def button(widget, name: str) -> QToolButton:
+    return next(one for one in widget.findChildren(QToolButton) if one.accessibleName() == name)
+
+
+def words(widget) -> str:
+    return " ".join(label.text() for label in widget.findChildren(QLabel))
+
+
+def test_it_tells_frame_count_and_time(bar):
+    assert bar._frame.text() == "834"
+    assert "/ 3000" in words(bar)
+    assert "00:41.70" in words(bar)
+
+
+def test_play_becomes_pause_while_playing(bar, qtbot):
+    with qtbot.waitSignal(bar.play_toggled):
+        qtbot.mouseClick(button(bar, "Play"), LEFT)
+    bar.show_scene(scene(playing=True))
+    assert button(bar, "Pause")
+
+
+@pytest.mark.parametrize(("name", "frame"), [("First frame", 0), ("Last frame", 2999)])
+def test_the_ends_are_one_click_away(bar, qtbot, name, frame):
+    with qtbot.waitSignal(bar.frame_sought) as sought:
+        qtbot.mouseClick(button(bar, name), LEFT)
+    assert sought.args == [frame]
+
+
+@pytest.mark.parametrize(("name", "step"), [("Frame back", -1), ("Frame forward", 1)])
+def test_frames_are_stepped_through(bar, qtbot, name, step):
+    with qtbot.waitSignal(bar.stepped) as stepped:
+        qtbot.mouseClick(button(bar, name), LEFT)
+    assert stepped.args == [step]
+
+
+def test_a_typed_frame_is_gone_to_and_kept_inside_the_recording(bar, qtbot, heard):
+    sought = heard(bar.frame_sought)
+    for typed in ("120", "99999"):
+        bar._frame.setText(typed)
+        qtbot.keyClick(bar._frame, Qt.Key.Key_Return)
+    assert sought == [120, 2999]
+
+
+def test_escape_leaves_the_frame_as_it_was(bar, qtbot, heard):
+    sought = heard(bar.frame_sought)
+    bar._frame.setText("12")
+    qtbot.keyClick(bar._frame, Qt.Key.Key_Escape)
+    assert bar._frame.text() == "834"
+    assert sought == []
+
+
+def test_the_speed_menu_offers_and_shows_speeds(bar, heard):
+    chosen = heard(bar.speed_chosen)
+    button(bar, "Speed: 1×").menu().actions()[0].trigger()
+    assert chosen == [0.1]
+    bar.show_scene(scene(speed=4.0))
+    assert button(bar, "Speed: 4×").text() == "4×"
+
+
+def test_numbers_do_not_move_while_playing(bar):
+    bar.resize(1200, 40)
+    bar.grab()
+    before = bar._time.geometry()
+    bar.show_scene(scene(frame=2999))
+    bar.grab()
+    assert bar._time.geometry() == before
+
+
+@pytest.mark.parametrize(
+    ("time_s", "text"),
+    [(0, "00:00.00"), (41.7, "00:41.70"), (59.999, "01:00.00"), (3723.5, "1:02:03.50")],
+)
+def test_times_are_written_as_on_a_clock(time_s, text):
+    assert clock_text(time_s) == text
+
+
+def test_every_button_has_a_name(bar):
+    assert all(one.accessibleName() for one in bar.findChildren(QToolButton))
+
+
+def test_the_eye_switch_tells_the_eyes_chosen(qtbot, dark, heard):
+    switch = EyeSwitch()
+    qtbot.addWidget(switch)
+    chosen = heard(switch.mode_chosen)
+    qtbot.mouseClick(button(switch, "Show: Both"), LEFT)
+    assert chosen == ["both"]
+
+
+def test_a_recording_of_one_camera_has_only_one_eye_to_show(qtbot, dark):
+    switch = EyeSwitch()
+    qtbot.addWidget(switch)
+    switch.show_scene("left", stereo=False)
+    assert button(switch, "Show: Left").isEnabled()
+    assert not button(switch, "Show: Anaglyph").isEnabled()
+
+
+def test_progress_tells_what_runs_and_how_long_still(qtbot, dark):
+    strip = ProgressStrip()
+    qtbot.addWidget(strip)
+    assert strip.isHidden()
+    strip.show_scene("Tracking", 0.62, 74)
+    assert not strip.isHidden()
+    assert "Tracking" in words(strip)
+    assert "1 min 14 s left" in words(strip)
+    strip.finish()
+    assert strip.isHidden()
+
+
+def test_work_is_cancelled_once(qtbot, dark, heard):
+    strip = ProgressStrip()
+    qtbot.addWidget(strip)
+    strip.show_scene("Tracking", None)
+    cancelled = heard(strip.cancelled)
+    qtbot.mouseClick(strip._cancel, LEFT)
+    qtbot.mouseClick(strip._cancel, LEFT)
+    assert len(cancelled) == 1
