@@ -17,9 +17,9 @@ _SAMPLES = np.column_stack((_ACROSS.ravel(), _DOWN.ravel()))
 
 _MIDDLE_M = 0.9
 """Height of a body's middle over the floor."""
-_ALL_SHOWN = 0.9
-_OUTLINE_MEMORY_S = 0.08
-_HIDDEN_MEMORY_S = 0.5
+_MIXED = 0.1
+_OUTLINE_MEMORY_S = 0.05
+_HIDDEN_MEMORY_S = 0.15
 """The same while others hide part of the body, and its region may hold pieces of theirs."""
 
 
@@ -43,8 +43,8 @@ def outlined(
 ) -> Population:
     """The people with the outlines of those matched brought up to date."""
     rows, chosen = pairs.track, pairs.detection
-    shown = expected_visibility(people, view)[rows]
-    memory_s = np.where(shown < _ALL_SHOWN, _HIDDEN_MEMORY_S, _OUTLINE_MEMORY_S)
+    mixed = overlap(body_boxes(people, view))[rows] > _MIXED
+    memory_s = np.where(mixed, _HIDDEN_MEMORY_S, _OUTLINE_MEMORY_S)
     share = 1.0 - np.exp(-elapsed_s / memory_s)
     share = np.maximum(share, 1.0 / people.matches[rows])[:, None]
     old = people.outline[rows]
@@ -92,3 +92,12 @@ def expected_visibility(people: Population, view: View) -> Floats:
     """The share of each body that the others, where they are expected, leave to be seen."""
     range_m = np.hypot(people.position[:, 0], people.position[:, 1])
     return visibility(body_boxes(people, view), range_m, view.camera.size)
+
+
+def overlap(box: Floats) -> Floats:
+    """The largest share of each box that it has in common with another one: (people,)."""
+    low, high = box[:, :2], box[:, :2] + box[:, 2:]
+    side = np.minimum(high[:, None], high[None]) - np.maximum(low[:, None], low[None])
+    common = np.prod(np.clip(side, 0.0, None), axis=2)
+    np.fill_diagonal(common, 0.0)
+    return np.asarray((common / np.prod(box[:, 2:], axis=1)[:, None]).max(axis=1, initial=0.0))
