@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import (
     QFontMetricsF,
     QHelpEvent,
@@ -11,7 +11,6 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
     QPixmap,
-    QPolygonF,
     QResizeEvent,
     QWheelEvent,
 )
@@ -19,9 +18,10 @@ from PySide6.QtWidgets import QScrollBar, QToolTip, QWidget
 
 from app.presenters.scenes import Lane, TimelineScene
 from app.views.labels import draw_message
-from app.views.theme import Theme, current_theme, faded, scaled_font
-from app.views.timeline.axis import TimeAxis, ticks
+from app.views.theme import Theme, current_theme, scaled_font
+from app.views.timeline.axis import TimeAxis
 from app.views.timeline.lanes import draw_lane
+from app.views.timeline.ruler import SMALL, draw_cut, draw_playhead, draw_ruler, draw_tick_lines
 
 _NOTCH = 120.0
 _ZOOM_PER_NOTCH = 1.25
@@ -72,7 +72,7 @@ class TracksArea(QWidget):
     @property
     def ruler_height(self) -> float:
         """Of the line with times and frames, by the font."""
-        return 2 * QFontMetricsF(scaled_font(self.font(), 0.85)).height() + 8.0
+        return 2 * QFontMetricsF(scaled_font(self.font(), SMALL)).height() + 8.0
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Ruler and six lanes."""
@@ -148,9 +148,13 @@ class TracksArea(QWidget):
         painter.drawPixmap(0, 0, self._drawn)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if self._scene is not None:
+            area = self._lanes_rect()
+            painter.setClipRect(
+                QRectF(self._axis.left - 6, 0, self._axis.width + 12, area.bottom())
+            )
             if self._scene.cut is not None:
-                self._draw_cut(painter, self._scene.cut, theme)
-            self._draw_playhead(painter, self._scene.frame, theme)
+                draw_cut(painter, self._axis.x_of(self._scene.cut), area, theme)
+            draw_playhead(painter, self._axis.x_of(self._scene.frame + 0.5), area, theme)
         painter.end()
 
     def _draw_still(self, theme: Theme, ratio: float) -> QPixmap:
@@ -161,39 +165,13 @@ class TracksArea(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(self.font())
         if self._scene is not None:
-            self._draw_ruler(painter, self._scene, theme)
+            size = QSizeF(self.width(), self.ruler_height)
+            draw_ruler(painter, self._scene, self._axis, size, theme)
+            draw_tick_lines(painter, self._scene, self._axis, self._lanes_rect(), theme)
+            painter.setFont(self.font())
             self._draw_lanes(painter, self._scene, theme)
         painter.end()
         return picture
-
-    def _draw_ruler(self, painter: QPainter, scene: TimelineScene, theme: Theme) -> None:
-        ruler = QRectF(0, 0, self.width(), self.ruler_height)
-        painter.fillRect(ruler, theme.window)
-        painter.setFont(scaled_font(self.font(), 0.85))
-        metrics = QFontMetricsF(painter.font())
-        least_px = metrics.horizontalAdvance("00:00:00") + 22
-        first, stop = scene.tracked
-        for frame, text in ticks(self._axis, scene.fps, least_px):
-            x = round(self._axis.x_of(frame)) + 0.5
-            if x < self._axis.left - 1:
-                continue
-            painter.setPen(QPen(theme.line, 1.0))
-            painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
-            if x + 4 + metrics.horizontalAdvance(max(text, str(frame), key=len)) > self.width():
-                continue
-            painter.setPen(theme.text_muted)
-            painter.drawText(QPointF(x + 4, 3 + metrics.ascent()), text)
-            painter.setPen(theme.text_faint)
-            painter.drawText(QPointF(x + 4, 3 + metrics.height() + metrics.ascent()), str(frame))
-        painter.setPen(QPen(theme.line, 1.0))
-        painter.drawLine(ruler.bottomLeft(), ruler.bottomRight())
-        if stop > first:
-            left = max(self._axis.x_of(first), self._axis.left)
-            right = min(self._axis.x_of(stop), self._axis.left + self._axis.width)
-            if right > left:
-                band = QRectF(left, ruler.bottom() - 2, right - left, 2)
-                painter.fillRect(band, faded(theme.accent, 0.7))
-        painter.setFont(self.font())
 
     def _draw_lanes(self, painter: QPainter, scene: TimelineScene, theme: Theme) -> None:
         area = self._lanes_rect()
@@ -213,29 +191,6 @@ class TracksArea(QWidget):
         painter.setPen(QPen(theme.line, 1.0))
         edge = round(self._axis.left) - 0.5
         painter.drawLine(QPointF(edge, area.top()), QPointF(edge, area.bottom()))
-
-    def _draw_playhead(self, painter: QPainter, frame: int, theme: Theme) -> None:
-        x = self._axis.x_of(frame + 0.5)
-        if not self._axis.left <= x <= self._axis.left + self._axis.width:
-            return
-        painter.setPen(QPen(theme.accent, 1.6))
-        painter.drawLine(QPointF(x, self.ruler_height - 8), QPointF(x, self.height()))
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(theme.accent)
-        top = self.ruler_height - 14
-        corners = [(-5.5, 0), (5.5, 0), (5.5, 6), (0, 12), (-5.5, 6)]
-        painter.drawPolygon(QPolygonF([QPointF(x + dx, top + dy) for dx, dy in corners]))
-
-    def _draw_cut(self, painter: QPainter, frame: int, theme: Theme) -> None:
-        x = self._axis.x_of(frame)
-        if not self._axis.left <= x <= self._axis.left + self._axis.width:
-            return
-        right = QRectF(x, self.ruler_height, self._axis.left + self._axis.width - x, self.height())
-        painter.fillRect(right, faded(theme.warning, 0.07))
-        pen = QPen(theme.warning, 2.0)
-        pen.setDashPattern([3.0, 2.0])
-        painter.setPen(pen)
-        painter.drawLine(QPointF(x, self.ruler_height), QPointF(x, self.height()))
 
     # gestures
 
