@@ -230,6 +230,9 @@ def _write_column(group: h5py.Group, name: str, values: NDArray[Any]) -> None:
         compression_opts=_COMPRESSION,
         shuffle=True,
     )
+    if len(values) == rows:
+        dataset.id.write_direct_chunk((0,), _packed(values, rows))
+        return
     starts = range(0, len(values), rows)
     with ThreadPoolExecutor() as pool:
         pieces = pool.map(lambda start: _packed(values[start : start + rows], rows), starts)

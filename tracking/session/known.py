@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 from collections.abc import Mapping
@@ -36,12 +37,10 @@ class KnownRecordings:
         places[reference.key] = str(place.resolve())
         text = json.dumps(dict(list(places.items())[-_MOST:]), indent=1)
         beside = self._file.with_suffix(f".{os.getpid()}.tmp")
-        try:
+        with contextlib.suppress(OSError):
             self._file.parent.mkdir(parents=True, exist_ok=True)
             beside.write_text(text, encoding="utf-8")
             beside.replace(self._file)
-        except OSError:
-            beside.unlink(missing_ok=True)
 
     def _read(self) -> Mapping[str, str]:
         try:

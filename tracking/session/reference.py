@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Protocol
@@ -150,7 +150,6 @@ def locate(
     known: Path | None = None,
     *,
     allow_outside: bool = False,
-    look: Callable[[Path], Sequence[Fingerprint]] = fingerprints_at,
 ) -> Path:
     """Where the recording stands now, checked against the fingerprints.
 
@@ -168,18 +167,16 @@ def locate(
     others = []
     for place in dict.fromkeys([*places, *_same_name(reference, session_folder)]):
         if place.exists():
-            if _is_it(reference, place, look):
+            if _is_it(reference, place):
                 return Path(os.path.normpath(place))
             others.append(place)
     raise RecordingMissing(_missing(reference, others))
 
 
-def _is_it(
-    reference: RecordingReference, place: Path, look: Callable[[Path], Sequence[Fingerprint]]
-) -> bool:
+def _is_it(reference: RecordingReference, place: Path) -> bool:
     """Whether the recording with these fingerprints stands there, whatever its files are called."""
     try:
-        found = _plain(look(place))
+        found = fingerprints_at(place)
     except TrackwrightError:
         return False
     wanted = [(part.size_bytes, part.sha256) for part in reference.sources]

@@ -1,0 +1,26 @@
+"""Fixtures of the session's tests."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from made_up_sessions import make_session
+
+from tracking.session import Session, reading
+from tracking.session.inspection import inspect
+
+
+@pytest.fixture(autouse=True)
+def look_over(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Look files over in this process: the same check, without waiting for another Python."""
+    monkeypatch.setattr(reading, "check_file", lambda path: inspect(path))
+
+
+@pytest.fixture
+def session(tmp_path: Path) -> Iterator[Session]:
+    """A saved session, open for writing."""
+    made = make_session(tmp_path)
+    yield made
+    made.close()

@@ -1,0 +1,242 @@
+"""Files that are damaged, of another program or made to harm are refused in one line."""
+
+from __future__ import annotations
+
+import random
+import shutil
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from made_up_sessions import make_session, state_of
+
+from tracking.editing import plan_delete, plan_rename
+from tracking.errors import SessionError, TrackwrightError
+from tracking.session import Session, describe
+from tracking.session.inspection import Refused, inspect
+
+
+@pytest.fixture
+def look_over() -> None:
+    """Look files over as the program does: in a process of its own."""
+
+
+@pytest.fixture(scope="module")
+def good(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A session with edits and labels, closed."""
+    session = make_session(tmp_path_factory.mktemp("good"))
+    session.apply(plan_delete(session.tracks, 2))
+    session.apply(plan_rename(session.tracks, session.labels, 1, "red coat"))
+    path = session.save()
+    session.close()
+    return path
+
+
+@pytest.fixture
+def copy(good: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copy(good, tmp_path / "s.h5"))
+
+
+def refused(path: Path, why: str) -> None:
+    before = sorted(path.parent.iterdir())
+    with pytest.raises(SessionError, match=why) as told:
+        Session.open(path)
+    assert str(path) in str(told.value)
+    assert "\n" not in str(told.value)
+    assert sorted(path.parent.iterdir()) == before
+
+
+def test_a_good_session_is_looked_over_and_opened_quickly(copy: Path) -> None:
+    started = time.perf_counter()
+    Session.open(copy).close()
+    assert time.perf_counter() - started < 5.0
+
+
+@pytest.mark.parametrize(
+    ("data", "why"),
+    [
+        (b"", "is empty"),
+        (b"frame,id,left,top\n" * 100, "is not an HDF5 file"),
+        (b"\x89HDF\r\n\x1a\n" + bytes(4000), "damaged or cut short"),
+    ],
+)
+def test_what_is_no_hdf5_is_refused(tmp_path: Path, data: bytes, why: str) -> None:
+    path = tmp_path / "s.h5"
+    path.write_bytes(data)
+    refused(path, why)
+
+
+def test_a_missing_file_and_a_folder_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(SessionError, match="no such session"):
+        Session.open(tmp_path / "none.h5")
+    with pytest.raises(SessionError, match="this is a folder"):
+        describe(tmp_path)
+
+
+def test_a_path_that_looks_like_an_option_is_a_path(good: Path, tmp_path: Path) -> None:
+    Session.open(Path(shutil.copy(good, tmp_path / "-c.h5"))).close()
+
+
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.9, 0.999])
+def test_a_file_cut_short_is_refused(copy: Path, share: float) -> None:
+    data = copy.read_bytes()
+    copy.write_bytes(data[: int(len(data) * share)])
+    refused(copy, "damaged or cut short")
+
+
+def spoiled(copy: Path, spoil: Callable[[h5py.File], object]) -> Path:
+    with h5py.File(copy, "a") as file:
+        spoil(file)
+    return copy
+
+
+def replaced(file: h5py.File, name: str, **how: object) -> None:
+    """Another dataset under a name the session has."""
+    del file[name]
+    file.create_dataset(name, **how)
+
+
+def nested(file: h5py.File) -> None:
+    group = file["samples"]
+    for _ in range(50):
+        group = group.create_group("deeper")
+
+
+def virtual(file: h5py.File) -> None:
+    layout = h5py.VirtualLayout((5,), "f8")
+    layout[:] = h5py.VirtualSource("/etc/passwd", "x", (5,))
+    file.create_virtual_dataset("samples/x", layout)
+
+
+def circle(file: h5py.File) -> None:
+    file["samples/again"] = file["samples"]
+
+
+@pytest.mark.parametrize(
+    ("spoil", "why"),
+    [
+        (lambda file: file.attrs.__delitem__("format"), "of another program"),
+        (lambda file: file.attrs.__setitem__("format", "other"), "of another program"),
+        (lambda file: file.attrs.__setitem__("format_version", "2.0"), "newer trackwright"),
+        (lambda file: file.attrs.__setitem__("format_version", "x"), "names 'x'"),
+        (lambda file: file.attrs.__setitem__("format_version", "0.9"), "never was"),
+        (lambda file: file.attrs.__setitem__("session", 5), "damaged"),
+        (lambda file: file["tracks"].attrs.__delitem__("highest_track"), "damaged"),
+        (lambda file: file.__delitem__("edits"), "has no column id in edits"),
+        (lambda file: file.__delitem__("runs"), "number its runs"),
+        (lambda file: file.move("runs/0", "runs/7"), "number its runs"),
+        (lambda file: file.__delitem__("tracks/left"), "has no column left in tracks"),
+        (lambda file: replaced(file, "tracks/left", data=np.zeros(3)), "different lengths"),
+        (lambda file: replaced(file, "tracks/left", data=["a"]), "not float64"),
+        (lambda file: replaced(file, "tracks/left", data=np.zeros((3, 3))), "2 dimensions"),
+        (lambda file: replaced(file, "recording/manifest", data=5), "no text at"),
+        (
+            lambda file: replaced(file, "tracks/left", shape=(10**12,), dtype="f8", chunks=(4096,)),
+            "1000000000000 rows",
+        ),
+        (
+            lambda file: file.create_dataset("samples/x", (10**9,), "f8", chunks=(10**8,)),
+            "pieces larger",
+        ),
+        (
+            lambda file: file.create_dataset(
+                "samples/x", (5,), "f8", external=[("/etc/passwd", 0, 40)]
+            ),
+            "in other files",
+        ),
+        (
+            lambda file: file.create_dataset("samples/x", data=np.zeros(5), compression="lzf"),
+            "filter of its own",
+        ),
+        (
+            lambda file: file.create_dataset("samples/x", data=file.ref, dtype=h5py.ref_dtype),
+            "references",
+        ),
+        (
+            lambda file: file.create_dataset("samples/x", (2,), h5py.vlen_dtype(np.int32)),
+            "references or lists",
+        ),
+        (lambda file: file.__setitem__("samples/x", h5py.ExternalLink("o.h5", "/")), "link to"),
+        (lambda file: file.__setitem__("samples/x", h5py.SoftLink("/tracks")), "link to"),
+        (lambda file: file.__setitem__("samples/x", np.dtype("f8")), "no table"),
+        (virtual, "in other files"),
+        (nested, "nested deeper"),
+        (circle, "nested deeper"),
+        (lambda file: file["samples"].attrs.create("x", np.zeros(4, "S4")), "attribute 'x'"),
+        (
+            lambda file: replaced(file, "tracks/track", data=-file["tracks/track"][()]),
+            "ids are positive",
+        ),
+        (
+            lambda file: replaced(file, "edits/id", data=np.array([7, 9])),
+            "not numbered from 1",
+        ),
+    ],
+)
+def test_what_a_session_never_holds_is_refused(
+    copy: Path, spoil: Callable[[h5py.File], object], why: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = spoiled(copy, spoil)
+    monkeypatch.setattr("tracking.session.reading.check_file", in_this_process)
+    refused(path, why)
+
+
+def in_this_process(path: Path) -> tuple[int, int]:
+    try:
+        return inspect(path)
+    except Refused as why:
+        raise SessionError(f"{path} {why}") from why
+
+
+def test_the_verdict_of_the_other_process_is_told(copy: Path) -> None:
+    spoiled(copy, lambda file: file.attrs.__setitem__("format_version", "2.0"))
+    refused(copy, "made by a newer trackwright; update to open it")
+
+
+def test_particles_that_do_not_add_up_are_told_when_they_are_looked_at(copy: Path) -> None:
+    spoiled(copy, lambda file: file["runs/0/particles/start"].__setitem__(3, 10**9))
+    session = Session.open(copy)
+    with pytest.raises(SessionError, match="particles of run 0"):
+        session.runs[0].particles.of_frame(2)
+    session.close()
+
+
+def test_an_edit_in_the_log_that_is_none_is_told_when_it_is_undone(copy: Path) -> None:
+    spoiled(copy, lambda file: file["edits/before"].__setitem__(1, "{"))
+    session = Session.open(copy)
+    before = state_of(session)
+    with pytest.raises(TrackwrightError, match="cannot be read"):
+        session.undo()
+    assert state_of(session) == before
+    session.close()
+
+
+def test_spoiled_bytes_never_end_in_anything_but_an_error(
+    copy: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tracking.session.reading.check_file", in_this_process_or_damaged)
+    chance, data = random.Random(5), copy.read_bytes()
+    opened = 0
+    for _ in range(60):
+        spoilt = bytearray(data)
+        for _ in range(chance.choice((1, 4, 64))):
+            spoilt[chance.randrange(len(spoilt))] = chance.randrange(256)
+        copy.write_bytes(spoilt)
+        try:
+            session = Session.open(copy)
+            session.runs[0].particles.of_frame(3)
+            session.close()
+        except TrackwrightError:
+            continue
+        opened += 1
+    assert opened < 60
+
+
+def in_this_process_or_damaged(path: Path) -> tuple[int, int]:
+    try:
+        return inspect(path)
+    except Exception as why:  # the other process turns whatever comes into a verdict
+        raise SessionError(f"{path} is damaged ({why})") from why

@@ -1,0 +1,304 @@
+"""Edits are on disk before they are acknowledged, and come back after a crash."""
+
+from __future__ import annotations
+
+import shutil
+import sqlite3
+from pathlib import Path
+
+import h5py
+import pytest
+from made_up_sessions import make_recording, make_run, make_session, state_of
+
+from tracking.editing import Change, State, plan_delete, plan_rename, plan_split, plan_swap
+from tracking.errors import EditError, OutputError, SessionError
+from tracking.session import Session, describe
+from tracking.session.saving import companions
+
+
+def crashed(session: Session, folder: Path) -> Path:
+    """What a crash at this moment leaves on the disk, elsewhere."""
+    assert session.path is not None
+    folder.mkdir(parents=True)
+    shutil.copy(session.path, folder)
+    shutil.copytree(companions(session.path), folder / companions(session.path).name)
+    return folder / session.path.name
+
+
+def edit(session: Session, *, swaps: int = 1) -> None:
+    for frame in range(10, 10 + swaps):
+        session.apply(plan_swap(session.tracks, 1, 2, frame))
+
+
+def test_a_new_session_is_saved_and_clean(session: Session) -> None:
+    assert not session.dirty
+    assert not session.read_only
+    assert session.notes == ()
+
+
+def test_an_edit_makes_the_session_dirty_until_it_is_saved(session: Session) -> None:
+    edit(session)
+    assert session.dirty
+    session.save()
+    assert not session.dirty
+
+
+def test_edits_survive_a_crash(session: Session, tmp_path: Path) -> None:
+    edit(session, swaps=2)
+    session.undo()
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert state_of(again) == state_of(session)
+    assert again.recovered == 3
+    assert again.dirty
+    assert again.notes == ("recovered: 3 edits made after the session was saved last",)
+    again.close()
+
+
+def test_edits_made_after_recovery_survive_the_next_crash(session: Session, tmp_path: Path) -> None:
+    edit(session)
+    second = Session.open(crashed(session, tmp_path / "one"))
+    second.apply(plan_split(second.tracks, 1, 20))
+    third = Session.open(crashed(second, tmp_path / "two"))
+    assert state_of(third) == state_of(second)
+    third.close()
+    second.close()
+
+
+def test_a_crash_between_replacing_and_trimming_replays_nothing_twice(
+    session: Session, tmp_path: Path
+) -> None:
+    edit(session)
+    pending = session.begin_save()
+    session.apply(plan_split(session.tracks, 1, 20))  # made while the file was being written
+    pending.write()
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert state_of(again) == state_of(session)
+    assert again.recovered == 1
+    third = Session.open(crashed(again, tmp_path / "twice"))
+    assert state_of(third) == state_of(session)
+    again.close()
+    third.close()
+
+
+def test_edits_made_while_saving_stay_in_the_journal(session: Session, tmp_path: Path) -> None:
+    edit(session)
+    pending = session.begin_save()
+    session.apply(plan_split(session.tracks, 1, 20))
+    pending.write()
+    session.finish_save(pending)
+    assert session.dirty
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert state_of(again) == state_of(session)
+    assert again.recovered == 1
+    again.close()
+
+
+def test_undo_works_after_reopening(session: Session) -> None:
+    before = state_of(session)[0]
+    session.apply(plan_delete(session.tracks, 2))
+    edit_state = state_of(session)[0]
+    path = session.save()
+    session.close()
+    again = Session.open(path)
+    again.undo()
+    assert state_of(again)[0] == before
+    again.redo()
+    assert state_of(again)[0] == edit_state
+    again.close()
+
+
+def test_closing_without_saving_keeps_the_edits_for_the_next_time(session: Session) -> None:
+    edit(session)
+    after = state_of(session)
+    path = session.path
+    session.close()
+    assert path is not None
+    assert describe(path)["edits_waiting_in_journal"]
+    again = Session.open(path)
+    assert state_of(again) == after
+    again.close()
+
+
+def test_discarded_edits_are_gone(session: Session) -> None:
+    before = state_of(session)
+    path = session.path
+    edit(session)
+    session.close(discard=True)
+    assert path is not None
+    again = Session.open(path)
+    assert state_of(again) == before
+    again.close()
+
+
+def test_a_closed_clean_session_leaves_nothing_beside_it(session: Session) -> None:
+    path = session.path
+    session.close()
+    assert path is not None
+    assert sorted(file.name for file in path.parent.iterdir()) == ["recording", "s.h5"]
+
+
+def test_a_refused_edit_is_in_no_log(session: Session, tmp_path: Path) -> None:
+    change = plan_swap(session.tracks, 1, 2, 10)
+    session.apply(plan_delete(session.tracks, 2))
+    with pytest.raises(EditError):
+        session.apply(change)
+    assert len(session.history) == 1
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert state_of(again) == state_of(session)
+    again.close()
+
+
+def test_undo_of_nothing_is_told(session: Session) -> None:
+    with pytest.raises(EditError, match="nothing to undo"):
+        session.undo()
+    with pytest.raises(EditError, match="nothing to redo"):
+        session.redo()
+
+
+def test_an_edit_that_cannot_be_journalled_is_not_made(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    edit(session)
+    before = state_of(session)
+
+    def full(*_: object) -> None:
+        raise OutputError("disk is full")
+
+    monkeypatch.setattr("tracking.session.journal.Journal.append", full)
+    with pytest.raises(OutputError):
+        session.apply(plan_rename(session.tracks, session.labels, 1, "red coat"))
+    with pytest.raises(OutputError):
+        session.undo()
+    assert state_of(session) == before
+    monkeypatch.undo()
+    session.undo()
+
+
+def test_an_edit_on_a_run_that_is_not_saved_saves_it_first(
+    session: Session, tmp_path: Path
+) -> None:
+    session.add_run(make_run(seed=1, tracks=6))
+    edit(session)
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert state_of(again) == state_of(session)
+    again.close()
+
+
+def test_saving_under_another_name_goes_on_there(session: Session, tmp_path: Path) -> None:
+    edit(session)
+    first = session.path
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    session.save(elsewhere / "copy.h5")
+    assert session.path == elsewhere / "copy.h5"
+    assert session.recording.path == "../recording"
+    session.apply(plan_split(session.tracks, 1, 20))
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert state_of(again) == state_of(session)
+    again.close()
+    assert first is not None
+    old = Session.open(first)
+    assert (len(old.history), old.read_only) == (0, False)
+    old.close()
+
+
+def test_a_session_never_saved_is_saved_where_it_is_told(tmp_path: Path) -> None:
+    made = Session.create(make_recording(tmp_path / "recording"), [make_run()])
+    edit(made)
+    with pytest.raises(SessionError, match="name one"):
+        made.save()
+    made.save(tmp_path / "s.h5")
+    edit(made)
+    again = Session.open(crashed(made, tmp_path / "after"))
+    assert state_of(again) == state_of(made)
+    again.close()
+    made.close()
+
+
+def test_a_second_opener_reads_only_and_is_told(session: Session) -> None:
+    edit(session)
+    assert session.path is not None
+    second = Session.open(session.path)
+    assert second.read_only
+    assert "open in process" in second.notes[0]
+    assert "not shown" in second.notes[1]
+    with pytest.raises(SessionError, match="another name"):
+        edit(second)
+    with pytest.raises(SessionError, match="another name"):
+        second.save()
+    second.close()
+    assert not session.read_only
+    edit(session)
+
+
+def test_a_session_open_for_reading_can_be_saved_elsewhere(
+    session: Session, tmp_path: Path
+) -> None:
+    assert session.path is not None
+    second = Session.open(session.path)
+    second.save(tmp_path / "mine.h5")
+    assert not second.read_only
+    edit(second)
+    second.close()
+
+
+def test_nobody_saves_over_a_session_that_is_open(session: Session, tmp_path: Path) -> None:
+    other = make_session(tmp_path / "other")
+    with pytest.raises(SessionError, match="close it there first"):
+        other.save(session.path)
+    assert other.path == tmp_path / "other" / "s.h5"
+    other.close()
+
+
+def test_the_journal_of_another_save_is_kept_aside(session: Session, tmp_path: Path) -> None:
+    old = tmp_path / "old.h5"
+    assert session.path is not None
+    shutil.copy(session.path, old)
+    edit(session)
+    session.save()
+    edit(session)
+    after = crashed(session, tmp_path / "after")
+    shutil.copy(old, after)  # the user put an older file in its place
+    again = Session.open(after)
+    assert len(again.history) == 0
+    assert "kept aside" in again.notes[0]
+    edit(again)
+    again.close()
+    assert list(companions(after).glob("kept-aside-*.sqlite"))
+
+
+@pytest.mark.parametrize("data", [b"", b"no journal at all" * 400])
+def test_a_damaged_journal_does_not_keep_a_session_from_opening(
+    session: Session, data: bytes
+) -> None:
+    assert session.path is not None
+    session.close()
+    companions(session.path).mkdir()
+    (companions(session.path) / "journal.sqlite").write_bytes(data)
+    again = Session.open(session.path)
+    edit(again)
+    again.save()
+    again.close()
+
+
+def test_steps_that_do_not_fit_are_kept_aside(session: Session, tmp_path: Path) -> None:
+    edit(session, swaps=3)
+    after = crashed(session, tmp_path / "after")
+    with sqlite3.connect(companions(after) / "journal.sqlite") as journal:
+        journal.execute("UPDATE steps SET before = '{', after = '{' WHERE number = 2")
+    journal.close()
+    again = Session.open(after)
+    assert again.recovered == 1
+    assert "2 edits do not fit" in again.notes[1]
+    again.close()
+
+
+def test_an_edit_made_by_hand_must_touch_what_is_there(session: Session) -> None:
+    nothing = Change("swap", "Swap nothing", 0, State(), State())
+    session.apply(nothing)
+    assert session.history.entries[0].text == "Swap nothing"
+
+
+def test_the_file_is_never_open_while_nobody_reads_it(session: Session) -> None:
+    with h5py.File(session.path, "a"):  # would fail for a file that is open elsewhere
+        pass
