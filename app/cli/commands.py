@@ -196,3 +196,14 @@ def export(
     from app.cli.export import run_export
 
     run_export(session, out, file_format, run, as_json=json)
+
+
+@program.command()
+def bench(
+    only: Annotated[str | None, typer.Option(help="One group of them.")] = None,
+    json: options.Json = False,
+) -> None:
+    """Measure speed, as ratios against peers; from a checkout of the source."""
+    from app.cli.bench import run_bench
+
+    run_bench(only, as_json=json)

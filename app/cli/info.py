@@ -12,7 +12,6 @@ from app.cli.recordings import Bare, opened
 from app.cli.tracks import is_session
 from tracking.formats import read_mot
 from tracking.recording import Recording
-from tracking.session import describe
 
 
 def run_info(path: Path | None, bare: Bare, *, as_json: bool) -> None:
@@ -51,6 +50,8 @@ def _of_recording(recording: Recording) -> dict[str, Any]:
 
 
 def _of_session(path: Path) -> dict[str, Any]:
+    from tracking.session import describe  # takes longer to import than a recording to open
+
     facts = describe(path)
     facts["duration"] = facts.pop("duration_s")
     return facts

@@ -42,6 +42,12 @@ def shown(monkeypatch: pytest.MonkeyPatch) -> list[Path | None]:
     return paths
 
 
+@pytest.fixture
+def no_picture(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Saves the time of drawing the window where it is not looked at."""
+    monkeypatch.setattr("app.cli.demo._picture", lambda _, place: place)
+
+
 def test_the_demo_ends_in_a_session_a_score_and_a_picture(
     trackwright: Trackwright, tmp_path: Path, quick_recording: list[Path]
 ) -> None:
@@ -59,7 +65,9 @@ def test_the_demo_ends_in_a_session_a_score_and_a_picture(
     assert quick_recording == [folder / "recording"]
 
 
-def test_corrections_in_the_demo_are_kept(trackwright: Trackwright, tmp_path: Path) -> None:
+def test_corrections_in_the_demo_are_kept(
+    trackwright: Trackwright, tmp_path: Path, no_picture: None
+) -> None:
     words = ["demo", "--out", tmp_path, "--no-gui", "--json"]
     assert trackwright(*words)[0] == 0
     with closing(Session.open(tmp_path / "session.h5")) as session:
@@ -113,7 +121,7 @@ def test_open_needs_a_screen(
 
 
 def test_a_moved_recording_can_be_named(
-    trackwright: Trackwright, tmp_path: Path, shown: list[Path | None]
+    trackwright: Trackwright, tmp_path: Path, shown: list[Path | None], no_picture: None
 ) -> None:
     assert trackwright("demo", "--out", tmp_path / "demo", "--no-gui")[0] == 0
     (tmp_path / "demo" / "recording").rename(tmp_path / "elsewhere")

@@ -119,7 +119,7 @@ def test_what_is_no_recording_is_told(trackwright: Trackwright, tmp_path: Path, 
 
 
 def test_synth_renders_a_recording(trackwright: Trackwright, tmp_path: Path) -> None:
-    words = ["--scene", "lobby", "--seconds", "0.2", "--people", "1", "--seed", "5", "--json"]
+    words = ["--scene", "lobby", "--seconds", "0.2", "--people", "0", "--seed", "5", "--json"]
     status, out, err = trackwright("synth", tmp_path / "new" / "lobby", *words)
     assert (status, err) == (0, "")
     assert json.loads(out) == {"recording": str(tmp_path / "new" / "lobby")}

@@ -252,7 +252,16 @@ def test_a_full_disk_leaves_what_was_there(
         resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))
 
     words: dict[str, list[str | Path]] = {
-        "synth": ["synth", tmp_path / "new", "--scene", "lobby", "--seconds", "0.2"],
+        "synth": [
+            "synth",
+            tmp_path / "new",
+            "--scene",
+            "lobby",
+            "--seconds",
+            "0.2",
+            "--people",
+            "0",
+        ],
         "track": ["track", footage, "-o", tmp_path / "s.h5", "--frames", "0:70", "--force"],
         "export": ["export", made, "-o", tmp_path / "t.txt", "--format", "mot"],
     }

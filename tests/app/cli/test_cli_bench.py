@@ -1,0 +1,34 @@
+"""`bench` hands over to the checkout's benchmarks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from command_line import Trackwright
+
+import app
+from app.__main__ import run
+
+
+@pytest.fixture
+def checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A checkout that stands elsewhere."""
+    monkeypatch.setattr(app, "__file__", str(tmp_path / "app" / "__init__.py"))
+    return tmp_path
+
+
+def test_the_benchmarks_are_given_what_was_asked(
+    checkout: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    folder = checkout / "tests" / "benchmarks"
+    folder.mkdir(parents=True)
+    (folder / "__main__.py").write_text("import sys; print(sys.argv[1:]); sys.exit(1)")
+    assert run(["bench", "--only", "scoring", "--json"]) == 1
+    assert capfd.readouterr().out == "['--only', 'scoring', '--json']\n"
+
+
+def test_without_a_checkout_there_are_none(trackwright: Trackwright, checkout: Path) -> None:
+    status, _, err = trackwright("bench")
+    assert status == 1
+    assert "checkout" in err
