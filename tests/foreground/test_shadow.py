@@ -75,3 +75,12 @@ def test_a_score_is_the_constant_where_nothing_but_the_light_changed() -> None:
     weight = 1 - settings.shadow_texture - settings.shadow_hue
     theta = ShadowRemover(settings).score(dim, even)
     np.testing.assert_allclose(theta, weight * settings.shadow_constant, atol=1e-6)
+
+
+def test_a_speck_of_foreground_is_scored_too() -> None:
+    seen = subtraction((floor() * 0.6).astype(np.uint8), floor())
+    seen.mask[:] = 0
+    seen.mask[11:13, 21:24] = 255
+    seen.mask[95:, 126:] = 255
+    shadow = ShadowRemover().shadows(seen)
+    assert not shadow[seen.mask == 0].any()

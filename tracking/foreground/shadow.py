@@ -71,15 +71,19 @@ class ShadowRemover:
         x, y, width, height = cv2.boundingRect(seen.mask)
         if width < 2 or height < 2:
             return shadow
-        box = np.s_[y : y + height, x : x + width]
+        # Between even corners halving is exact, and much faster.
+        box = np.s_[
+            y // 2 * 2 : y + height + (y + height) % 2, x // 2 * 2 : x + width + (x + width) % 2
+        ]
+        mask = seen.mask[box]
         theta = self.score(_half(seen.picture[box]), _half(seen.background[box]))
         certain = theta < self._settings.shadow_threshold
         dark = np.where(
             theta < self._settings.floor_shadow_threshold, np.uint8(PERHAPS), np.uint8(0)
         )
         dark[certain] = 255
-        full = cv2.resize(dark, (width, height), interpolation=cv2.INTER_NEAREST)
-        shadow[box] = cv2.bitwise_and(full, seen.mask[box])
+        full = cv2.resize(dark, mask.shape[::-1], interpolation=cv2.INTER_NEAREST)
+        shadow[box] = cv2.bitwise_and(full, mask)
         return shadow
 
 
@@ -99,8 +103,8 @@ def _is_grey(picture: Picture) -> bool:
 def _texture(log_ratio: NDArray[np.float32]) -> Scores:
     """Psi, 0 to 1; the least of the neighbourhood, so that a shadow's own edge does not count."""
     change = np.zeros_like(log_ratio)
-    change[:, 1:] = cv2.absdiff(log_ratio[:, 1:], log_ratio[:, :-1])
-    change[1:] += cv2.absdiff(log_ratio[1:], log_ratio[:-1])
+    change[:, 1:] = np.abs(np.diff(log_ratio, axis=1))
+    change[1:] += np.abs(np.diff(log_ratio, axis=0))
     least = cv2.erode(cv2.blur(change, _SMALL.shape), _WIDE)
     return np.asarray(np.minimum(least / np.float32(_TEXTURE_FULL), 1), np.float32)
 

@@ -95,9 +95,16 @@ def measure(
         world, surface = points.world[rows], points.area[rows]
         area[k] = surface.sum()
         middle[k] = surface @ world / area[k]
-        low[k], high[k] = np.percentile(world[:, 2], (2, 98))
+        low[k], high[k] = _trimmed(world[:, 2], 0.02)
         sight = middle[k, :2] - eye
-        normal = np.array((-sight[1], sight[0])) / max(float(np.hypot(*sight)), 1e-3)
-        left, right = np.percentile(world[:, :2] @ normal, (3, 97))
+        normal = np.array((-sight[1], sight[0]), np.float32) / max(float(np.hypot(*sight)), 1e-3)
+        left, right = _trimmed(world[:, :2] @ normal, 0.03)
         width[k] = right - left
     return Extent(middle, low, high, width, area)
+
+
+def _trimmed(values: NDArray[np.float32], share: float) -> tuple[float, float]:
+    """The lowest and the highest of the values with a share left out at both ends."""
+    ordered = np.sort(values)
+    left_out = int(share * len(ordered))
+    return float(ordered[left_out]), float(ordered[-1 - left_out])
