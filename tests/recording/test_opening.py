@@ -12,7 +12,14 @@ from numbered_videos import number_in, numbered_picture, write_video
 
 from tracking.errors import CalibrationError, RecordingError, TrackwrightError
 from tracking.geometry import Camera, StereoCalibration, write_calibration
-from tracking.recording import Manifest, OpenOptions, Recording, open_recording, write_manifest
+from tracking.recording import (
+    Manifest,
+    OpenOptions,
+    Recording,
+    open_from_manifest,
+    open_recording,
+    write_manifest,
+)
 
 COUNT = 12
 RIGHT_OFFSET = 100
@@ -208,8 +215,10 @@ def test_a_frame_one_eye_dropped_does_not_shift_the_rest(tmp_path: Path) -> None
         frame = recording.read(30)
         assert frame.right is not None
         assert number_in(frame.right) == 30 + RIGHT_OFFSET
-        assert any("1 frames show the right picture before" in note for note in recording.notes)
-        assert any("right.mp4: 1 frames were not recorded" in note for note in recording.notes)
+        assert any(
+            "in 1 frame the right picture is the one before" in note for note in recording.notes
+        )
+        assert any("right.mp4: 1 frame not recorded" in note for note in recording.notes)
 
 
 def test_an_image_one_eye_lacks_does_not_shift_the_rest(tmp_path: Path) -> None:
@@ -227,14 +236,14 @@ def test_a_broken_image_is_shown_as_the_one_before_and_told(tmp_path: Path) -> N
     cv2.imwrite(str(folder / "000000.png"), numbered_picture(0, 64, 48))
     with open_recording(folder, OpenOptions(fps=10.0)) as recording:
         assert [left for left, _ in numbers_of(recording)] == [1, 1, 2, 3, 3, *range(5, COUNT)]
-        assert any("2 images cannot be read" in note for note in recording.notes)
+        assert any("2 images broken or of another size" in note for note in recording.notes)
 
 
 def test_numbers_missing_among_images_are_told(tmp_path: Path) -> None:
     folder = write_images(tmp_path / "images", [*range(5), *range(7, 12)])
     with open_recording(folder, OpenOptions(fps=10.0)) as recording:
         assert recording.frame_count == 10
-        assert any("2 numbers are missing" in note for note in recording.notes)
+        assert any("2 numbers missing" in note for note in recording.notes)
 
 
 def test_images_stand_in_natural_order(tmp_path: Path) -> None:
@@ -379,6 +388,25 @@ def test_what_is_no_recording_ends_in_one_line(tmp_path: Path, made: object) -> 
     with pytest.raises(TrackwrightError) as caught:
         open_recording(made(tmp_path))
     assert "\n" not in str(caught.value)
+
+
+def test_a_recording_opens_from_its_folder_and_the_manifest_a_session_keeps(
+    tmp_path: Path,
+) -> None:
+    write_pair(tmp_path)
+    options = OpenOptions(left=tmp_path / "left.mp4", right=tmp_path / "right.mp4", fps=5.0)
+    with open_recording(tmp_path, options) as first:
+        text, folder = first.manifest_text, first.folder
+    with open_from_manifest(folder, text) as again:
+        assert numbers_of(again) == pairs()
+        assert again.fps == 5
+
+
+def test_a_closed_recording_says_so(tmp_path: Path) -> None:
+    recording = open_recording(write_video(tmp_path / "v.mp4", range(5)))
+    recording.close()
+    with pytest.raises(RecordingError, match="closed"):
+        recording.read(0)
 
 
 def test_frames_out_of_range_are_told(tmp_path: Path) -> None:

@@ -11,9 +11,11 @@ from typing import Any
 import av
 import numpy as np
 import pytest
+from av.video.reformatter import VideoReformatter
 from numbered_videos import number_in, numbered_picture, write_video
 
 from tracking.errors import RecordingError
+from tracking.recording.conversion import bgr
 from tracking.recording.video import VideoSource
 
 COUNT = 120
@@ -119,7 +121,7 @@ def test_frames_that_were_never_recorded_are_told(tmp_path: Path) -> None:
     source = opened(write_video(tmp_path / "gap.mp4", range(38), times=times))
     assert source.frame_count == 38
     assert source.fps == pytest.approx(25)
-    assert "2 frames were not recorded (first after frame 16)" in source.notes[0]
+    assert "2 frames not recorded, first after 16" in source.notes[0]
 
 
 def test_a_broken_frame_is_shown_as_the_one_before_and_told(tmp_path: Path) -> None:
@@ -131,7 +133,7 @@ def test_a_broken_frame_is_shown_as_the_one_before_and_told(tmp_path: Path) -> N
     assert shown == [*range(20), 19, *range(21, 40)]
     assert number_in(source.read(20)) == 19
     assert number_in(source.read(21)) == 21
-    assert any("1 frames are broken (first 20)" in note for note in source.notes)
+    assert any("1 broken frame, first 20" in note for note in source.notes)
 
 
 def test_a_video_cut_short_gives_the_frames_it_still_has(tmp_path: Path) -> None:
@@ -230,3 +232,10 @@ def _joined(first: Path, second: Path, target: Path) -> Path:
             packet.stream, packet.pts, packet.dts = stream, number, number
             out.mux(packet)
     return target
+
+
+def test_a_colour_space_that_cannot_be_converted_is_read_as_the_usual_one(tmp_path: Path) -> None:
+    with av.open(str(write_video(tmp_path / "v.mp4", [5]))) as container:
+        frame = next(container.decode(video=0))
+    frame.colorspace = 14
+    assert number_in(bgr(frame, VideoReformatter())) == 5

@@ -11,7 +11,7 @@ from tracking.recording.manifest import (
     read_manifest,
     write_manifest,
 )
-from tracking.recording.opening import open_recording
+from tracking.recording.opening import open_from_manifest, open_recording
 from tracking.recording.options import OpenOptions
 from tracking.recording.recording import Recording
 
@@ -25,6 +25,7 @@ __all__ = [
     "Recording",
     "StereoFrame",
     "format_manifest",
+    "open_from_manifest",
     "open_recording",
     "parse_manifest",
     "read_manifest",

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
+from tracking.recording.wording import counted
 
 IMAGE_SUFFIXES = frozenset(
     (".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff", ".webp")
@@ -87,13 +88,13 @@ class ImageSource:
         gaps = numbers[-1] - numbers[0] + 1 - len(numbers) if numbers else 0
         if 0 < gaps < self.frame_count:
             notes.append(
-                f"{self.name}: {gaps} numbers are missing among the images; frames are counted "
-                "image by image"
+                f"{self.name}: {counted(gaps, 'number')} missing among the images; frames are "
+                "counted image by image"
             )
         if self._lost:
             notes.append(
-                f"{self.name}: {len(self._lost)} images cannot be read or have another size "
-                f"(first {self._files[min(self._lost)].name}); the picture before is shown"
+                f"{self.name}: {counted(len(self._lost), 'image')} broken or of another size, "
+                f"first {self._files[min(self._lost)].name}; the picture before is shown"
             )
         return tuple(notes)
 

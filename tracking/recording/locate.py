@@ -34,7 +34,6 @@ class Located:
         manifest: the recording's own, or one made up for what was found.
         text: the manifest's text.
         trusted: the paths come from the user or were found, not from a file.
-        has_manifest: the folder has a recording.toml.
     """
 
     path: Path
@@ -42,7 +41,6 @@ class Located:
     manifest: Manifest
     text: str
     trusted: bool
-    has_manifest: bool = False
 
 
 def locate(path: Path, options: OpenOptions) -> Located:
@@ -52,7 +50,9 @@ def locate(path: Path, options: OpenOptions) -> Located:
         RecordingError: nothing is there, or nothing that could be a recording.
     """
     if options.left is not None:
-        return _with_options(_made_up(path, path.name, options.left, options.right), options)
+        return _with_options(
+            _made_up(path, options.left.stem, options.left, options.right), options
+        )
     if not path.exists():
         raise RecordingError(f"{path}: no such recording; check the path")
     if path.is_dir():
@@ -64,11 +64,20 @@ def locate(path: Path, options: OpenOptions) -> Located:
     return _with_options(_made_up(path, path.stem, path, None), options)
 
 
+def from_manifest(folder: Path, text: str) -> Located:
+    """A recording whose manifest is kept elsewhere; its paths are relative to the folder.
+
+    Raises:
+        RecordingError: the text is no manifest.
+    """
+    where = str(folder / MANIFEST_NAME)
+    manifest = parse_manifest(text, where, folder.resolve().name)
+    return Located(folder, folder, manifest, text, trusted=False)
+
+
 def _in_folder(folder: Path) -> Located:
     if (folder / MANIFEST_NAME).exists():
-        text = manifest_text(folder)
-        manifest = parse_manifest(text, str(folder / MANIFEST_NAME), folder.resolve().name)
-        return Located(folder, folder, manifest, text, trusted=False, has_manifest=True)
+        return from_manifest(folder, manifest_text(folder))
     kitti = _kitti(folder)
     if kitti is not None:
         return kitti
@@ -122,7 +131,9 @@ def _with_options(found: Located, options: OpenOptions) -> Located:
     if changed == manifest:
         return found
     if changed.layout and changed.right:
-        raise RecordingError(f"{found.path}: one source a eye, and a layout for both in one; drop")
+        raise RecordingError(
+            f"{found.path}: has a source for each eye; leave out the layout of both in one"
+        )
     return replace(found, manifest=changed, text=format_manifest(changed))
 
 
@@ -140,7 +151,7 @@ def _kitti(folder: Path) -> Located | None:
                 (folder, "calib.txt"), (folder, "calib_cam_to_cam.txt"),
                 (folder.parent, "calib_cam_to_cam.txt"),
             )  # fmt: skip
-            return _made_up(folder, folder.name, left, right, calibration, _KITTI_FPS)
+            return _made_up(folder, folder.resolve().name, left, right, calibration, _KITTI_FPS)
     if folder.parent.name == "image_02" and _images_in(folder) is not None:
         training = folder.parent.parent
         right = _images_in(training / "image_03" / folder.name)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tracking.recording.calibrated import read_calibrated
 from tracking.recording.eyes import Eyes, OneEye, SplitEyes, TwoEyes
-from tracking.recording.locate import Located, locate
+from tracking.recording.locate import Located, from_manifest, locate
 from tracking.recording.options import OpenOptions
 from tracking.recording.places import open_pictures, place_inside
 from tracking.recording.recording import Recording
@@ -26,7 +26,24 @@ def open_recording(path: Path, options: OpenOptions | None = None) -> Recording:
         CalibrationError: the calibration is unreadable or does not fit the pictures.
     """
     options = options or OpenOptions()
-    located = locate(path, options)
+    return _open(locate(path, options), options)
+
+
+def open_from_manifest(folder: Path, text: str, options: OpenOptions | None = None) -> Recording:
+    """Open a recording whose manifest was kept elsewhere, as in a session.
+
+    Args:
+        folder: what the manifest's paths are relative to (`Recording.folder`).
+        text: the manifest (`Recording.manifest_text`).
+        options: only `allow_outside` counts.
+
+    Raises:
+        RecordingError, CalibrationError: as `open_recording`.
+    """
+    return _open(from_manifest(folder, text), options or OpenOptions())
+
+
+def _open(located: Located, options: OpenOptions) -> Recording:
     inside = located.trusted or options.allow_outside
     eyes = _open_eyes(located, inside)
     files = list(options.calibration) or [

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.recording.wording import counted
+
 _REGULAR_SHARE = 0.9
 
 
@@ -50,5 +52,5 @@ def pace_of(times_s: NDArray[np.float64] | None, told_fps: float | None) -> Pace
         return Pace(fps, ())
     return Pace(
         fps,
-        (f"{missing[gaps].sum()} frames were not recorded (first after frame {gaps[0]})",),
+        (f"{counted(int(missing[gaps].sum()), 'frame')} not recorded, first after {gaps[0]}",),
     )

@@ -81,6 +81,10 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
         container.close()
         raise RecordingError(f"{where}: holds no video of its own; give the video file")
     stream = container.streams.video[0]
+    # PyAV leaves it None, against its own types, where it has no decoder.
+    if getattr(stream, "codec_context", None) is None:
+        container.close()
+        raise RecordingError(f"{where}: its encoding is not known; convert it to H.264")
     # One thread keeps frames in step with packets, and leaves the other cores to other eyes.
     stream.codec_context.thread_count = 1
     return container, stream
@@ -92,8 +96,9 @@ def video_packets(container: InputContainer, stream: VideoStream) -> Iterator[Vi
         for packet in container.demux(stream):
             if packet.size:
                 yield packet
-    except av.error.FFmpegError:
-        # Cut short while it was written: what came before is still good.
+    except (av.error.FFmpegError, IndexError):
+        # Cut short while it was written, or damaged (PyAV fails by IndexError at a stream that
+        # turns up late): what came before is still good.
         return
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.recording.images import ImageSource, frame_numbers
 from tracking.recording.pictures import PictureSource
+from tracking.recording.wording import counted
 
 _SAME_CLOCK_SHARE = 0.9
 
@@ -35,7 +36,7 @@ def pair_eyes(left: PictureSource, right: PictureSource) -> Pairing:
     one before it.
     """
     keys = _common_keys(left, right)
-    if keys is not None and not _alike(*keys):
+    if keys is not None and not _alike(*keys) and not all(map(_is_gapless, keys)):
         paired = _by_key(*keys)
         if paired is not None:
             return paired
@@ -70,6 +71,10 @@ def _alike(left: NDArray[np.float64], right: NDArray[np.float64]) -> bool:
     return bool((np.abs(left[:count] - right[:count]) < 0.5).all())
 
 
+def _is_gapless(keys: NDArray[np.float64]) -> bool:
+    return bool((np.diff(keys) < 1.5).all())
+
+
 def _by_key(left: NDArray[np.float64], right: NDArray[np.float64]) -> Pairing | None:
     """Pair by the shared clock; None where too few pictures have a partner on it."""
     left = left[left <= right[-1] + 0.5]
@@ -85,7 +90,7 @@ def _by_key(left: NDArray[np.float64], right: NDArray[np.float64]) -> Pairing | 
     alone = int((~met).sum())
     filled = np.maximum.accumulate(np.where(met, nearest, 0))
     note = (
-        f"the eyes lost different frames; they are paired by when they were taken, and {alone} "
-        "frames show the right picture before"
+        "the eyes lost different frames; they are paired by when they were taken, and in "
+        f"{counted(alone, 'frame')} the right picture is the one before"
     )
     return Pairing(filled.astype(np.int64), (note,))

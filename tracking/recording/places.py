@@ -18,7 +18,10 @@ def place_inside(folder: Path, named: str, allow_outside: bool) -> Path:
     Raises:
         RecordingError: it is absolute or climbs out, also by a link, and that is not allowed.
     """
-    path = folder / named.replace("\\", "/")
+    path = folder / named
+    if "\\" in named and not path.exists():
+        # Written on Windows.
+        path = folder / named.replace("\\", "/")
     if allow_outside:
         return path
     absolute = PurePosixPath(named).is_absolute() or PureWindowsPath(named).anchor

@@ -37,7 +37,7 @@ class Recording:
         calibration, ground, view, rectification: None where not known; a rectification needs two
             calibrated eyes, a view a calibrated left eye and the floor.
         manifest_text, calibration_text: as read; the manifest's is made up where there is none.
-        truth_path: the truth.txt beside the manifest; None without one.
+        truth_path: the truth.txt in the recording's folder; None without one.
     """
 
     def __init__(self, located: Located, eyes: Eyes, calibrated: Calibrated) -> None:
@@ -53,8 +53,8 @@ class Recording:
         self.rectification: Rectification | None = calibrated.rectification
         self.manifest_text: str = located.text
         self.calibration_text: str = calibrated.text
-        truth = located.folder / "truth.txt"
-        self.truth_path: Path | None = truth if located.has_manifest and truth.is_file() else None
+        truth = located.path / "truth.txt"
+        self.truth_path: Path | None = truth if truth.is_file() else None
         self._eyes = eyes
         self._times_s = _uneven_times(eyes, self.fps, self.frame_count)
         self._lock = Lock()

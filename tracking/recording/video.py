@@ -13,10 +13,12 @@ from av.video.reformatter import VideoReformatter
 from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
+from tracking.recording.conversion import bgr
 from tracking.recording.frame import Image
 from tracking.recording.pace import Pace, pace_of
 from tracking.recording.packet_index import PacketIndex, index_video, open_video
 from tracking.recording.video_cursor import NumberedFrame, VideoCursor
+from tracking.recording.wording import counted
 
 _RECENT_BYTES = 48 * 1024 * 1024
 _STEPS_BACK = 2
@@ -56,6 +58,7 @@ class VideoSource:
         self._reformatter = VideoReformatter()
         self._run: Iterator[NumberedFrame] = iter(())
         self._next = -1
+        self._closed = False
         self._recent: OrderedDict[int, av.VideoFrame] = OrderedDict()
         self._lost: set[int] = set()
 
@@ -90,13 +93,13 @@ class VideoSource:
         notes = [f"{self.name}: {note}" for note in self._pace.notes]
         if self._index.left_out:
             notes.append(
-                f"{self.name}: {self._index.left_out} frames before the first whole picture are "
-                "left out"
+                f"{self.name}: {counted(self._index.left_out, 'frame')} before the first whole "
+                "picture left out"
             )
         if self._lost:
             notes.append(
-                f"{self.name}: {len(self._lost)} frames are broken (first {min(self._lost)}); "
-                "the picture before is shown"
+                f"{self.name}: {counted(len(self._lost), 'broken frame')}, first "
+                f"{min(self._lost)}; the picture before is shown"
             )
         return tuple(notes)
 
@@ -107,23 +110,26 @@ class VideoSource:
                 f"{self._path}: frame {number} is not among 0 to {self.frame_count - 1}"
             )
         with self._lock:
+            if self._closed:
+                raise RecordingError(f"{self._path}: was closed; open it again")
             frame = self._recent.get(number)
             if frame is None:
                 frame = self._found(number)
-            return _bgr(frame, self._reformatter)
+            return bgr(frame, self._reformatter)
 
     def pictures(self, start: int, stop: int) -> Iterator[Image]:
         """Frames start to stop (half-open) in order, with a decoder of their own."""
         cursor, reformatter = VideoCursor(str(self._path), self._index), VideoReformatter()
         try:
             for frame in self._every(cursor, start, stop):
-                yield _bgr(frame, reformatter)
+                yield bgr(frame, reformatter)
         finally:
             cursor.close()
 
     def close(self) -> None:
         """Let go of the file."""
         with self._lock:
+            self._closed = True
             self._recent.clear()
             self._cursor.close()
 
@@ -218,7 +224,3 @@ class VideoSource:
         if frame is None:
             raise RecordingError(f"{self._path}: no frame can be decoded; record it again")
         return frame
-
-
-def _bgr(frame: av.VideoFrame, reformatter: VideoReformatter) -> Image:
-    return np.asarray(reformatter.reformat(frame, format="bgr24").to_ndarray(), np.uint8)
