@@ -19,12 +19,8 @@ def _triangle(*corners: tuple[float, float, float]) -> np.ndarray:
 @given(st.integers(0, 10_000))
 def test_triangles_that_share_an_edge_cover_each_sample_once(seed: int) -> None:
     rng = np.random.default_rng(seed)
-    a, b, c, d = (
-        (*rng.uniform((0, 0), (8, 8)), 1),
-        (*rng.uniform((30, 0), (39, 9)), 1),
-        (*rng.uniform((30, 20), (39, 29)), 1),
-        (*rng.uniform((0, 20), (9, 29)), 1),
-    )
+    corners = [((0, 0), (8, 8)), ((30, 0), (39, 9)), ((30, 20), (39, 29)), ((0, 20), (9, 29))]
+    a, b, c, d = ((*rng.uniform(low, high), 1.0) for low, high in corners)
     samples = fill(np.stack((_triangle(a, b, c), _triangle(a, c, d))), WINDOW)
     count = np.zeros((30, 40), int)
     np.add.at(count, (samples.y, samples.x), 1)

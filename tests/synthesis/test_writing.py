@@ -13,6 +13,7 @@ import pytest
 from tracking.errors import CancelledError, OutputError, SettingsError
 from tracking.formats import read_mot
 from tracking.geometry import read_calibration
+from tracking.recording import open_recording
 from tracking.synthesis import SCENES, Scene, render_recording
 
 SMALL = (160, 120)
@@ -59,6 +60,19 @@ def test_the_manifest_and_calibration_say_what_the_camera_is(recording: Path) ->
     calibration = read_calibration([recording / manifest["calibration"]["file"]])
     assert calibration.left.size == SMALL
     assert calibration.translation[0] == pytest.approx(-0.12)
+
+
+def test_it_opens_as_a_recording(recording: Path) -> None:
+    with open_recording(recording) as opened:
+        assert (opened.frame_count, opened.fps, opened.size) == (100, 20.0, SMALL)
+        assert opened.is_stereo
+        assert opened.notes == ()
+        assert opened.truth_path == recording / "truth.txt"
+        assert opened.rectification is not None
+        assert opened.rectification.identity
+        shown = opened.read(77)
+    drawn, _ = Scene(SCENES["plaza"], 5, 7, seconds=5.0, size=SMALL).frame(77)
+    assert np.abs(shown.left.astype(float) - drawn.left).mean() < 4.0
 
 
 def test_the_truth_text_is_the_scene_s_truth(recording: Path) -> None:

@@ -17,7 +17,7 @@ EMPTY_S = 2.0
 
 _OUTWARD = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "near": (0.0, -1.0), "far": (0.0, 1.0)}
 _STEP_M = 0.15
-_OUT_OF_VIEW_M = 0.5
+_OUT_OF_VIEW_M = 0.3
 _FARTHEST_STEPS = 200
 
 
@@ -56,7 +56,9 @@ def plan_itineraries(
 def _starts(people: int, seconds: float, rng: np.random.Generator) -> Floats:
     """Times to set off, evenly spread with some chance; the last ones still get to be seen."""
     last = max(seconds - 6.0, EMPTY_S + 0.4 * max(seconds - EMPTY_S, 0.0))
-    slots = (np.arange(people) + rng.uniform(0.0, 0.9, people)) / max(people, 1)
+    late = rng.uniform(0.0, 0.9, people)
+    late[:1] = 0.0
+    slots = (np.arange(people) + late) / max(people, 1)
     return EMPTY_S + slots * (last - EMPTY_S)
 
 

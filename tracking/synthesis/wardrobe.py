@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -142,9 +142,8 @@ def random_outfit(
 
 def _in_uniform(outfit: Outfit) -> Outfit:
     navy = np.array((0.20, 0.23, 0.33))
-    return Outfit(
-        skin=outfit.skin,
-        hair=outfit.hair,
+    return replace(
+        outfit,
         top=navy,
         second=navy * 1.15,
         bottom=navy,
@@ -154,9 +153,7 @@ def _in_uniform(outfit: Outfit) -> Outfit:
         sleeve=1.0,
         shorts=False,
         jeans=False,
-        long_hair=outfit.long_hair,
         cap=False,
-        coat=outfit.coat,
         stockings=None,
     )
 

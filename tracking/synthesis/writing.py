@@ -13,7 +13,7 @@ import numpy as np
 from tracking.errors import CancelledError, OutputError, SettingsError
 from tracking.formats import write_mot
 from tracking.geometry import write_calibration
-from tracking.recording.manifest import Manifest, write_manifest
+from tracking.recording import Manifest, write_manifest
 from tracking.synthesis.body import PARTS
 from tracking.synthesis.scene import FPS, VGA, Scene
 from tracking.synthesis.scenes import SCENES, SceneSpec
