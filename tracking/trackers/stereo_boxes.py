@@ -11,10 +11,9 @@ from tracking.people import Detections
 from tracking.trackers.population import Population
 
 Floats = NDArray[np.float64]
-_ACROSS, _DOWN = np.meshgrid((np.arange(6) + 0.5) / 6, (np.arange(12) + 0.5) / 12)
-_SAMPLES = np.column_stack((_ACROSS.ravel(), _DOWN.ravel()))
+_ACROSS = (np.arange(6) + 0.5) / 6
+_DOWN = (np.arange(12) + 0.5) / 12
 """Where a box is probed for what covers it, as shares of its width and height."""
-
 _MIDDLE_M = 0.9
 """Height of a body's middle over the floor."""
 _MIXED = 0.1
@@ -79,13 +78,23 @@ def visibility(box: Floats, range_m: Floats, size: tuple[int, int]) -> Floats:
         box: (people, 4) px. range_m: (people,) distance from the camera over the floor.
         size: width and height of the picture.
     """
-    points = box[:, None, :2] + box[:, None, 2:] * _SAMPLES
-    inside = ((points >= 0) & (points < size)).all(axis=2)
-    low, high = box[:, :2], box[:, :2] + box[:, 2:]
-    covered = (points[:, None] >= low[None, :, None]) & (points[:, None] < high[None, :, None])
+    columns = box[:, None, 0] + box[:, None, 2] * _ACROSS
+    rows = box[:, None, 1] + box[:, None, 3] * _DOWN
     nearer = range_m[None, :] < range_m[:, None]
-    hidden = (covered.all(axis=3) & nearer[:, :, None]).any(axis=1)
-    return np.asarray((inside & ~hidden).mean(axis=1))
+    over_columns = _between(columns, box[:, 0], box[:, 2]) & nearer[:, :, None]
+    over_rows = _between(rows, box[:, 1], box[:, 3])
+    # A place is hidden where one nearer box lies over both its column and its row.
+    covers = over_columns.astype(np.float32).transpose(0, 2, 1) @ over_rows.astype(np.float32)
+    inside_columns = (columns >= 0) & (columns < size[0])
+    inside_rows = (rows >= 0) & (rows < size[1])
+    shown = inside_columns[:, :, None] & inside_rows[:, None, :] & (covers == 0)
+    return np.asarray(shown.mean(axis=(1, 2)))
+
+
+def _between(places: Floats, low: Floats, length: Floats) -> NDArray[np.bool_]:
+    """(people, others, places) whether each person's places (people, k) lie in others' spans."""
+    offset = places[:, None, :] - low[None, :, None]
+    return np.asarray((offset >= 0) & (offset < length[None, :, None]))
 
 
 def expected_visibility(people: Population, view: View) -> Floats:

@@ -1,0 +1,38 @@
+"""Measure the project's speed: `python -m tests.benchmarks [--only GROUP] [--json]`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+from importlib import import_module
+from typing import Any
+
+GROUPS = ("pipeline", "filter", "window")
+
+
+def main() -> None:
+    """Print the figures of each group; everything runs on one core."""
+    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=__doc__)
+    parser.add_argument("--only", choices=GROUPS, metavar="GROUP", help=", ".join(GROUPS))
+    parser.add_argument("--json", action="store_true", help="one JSON document instead of a table")
+    asked = parser.parse_args()
+    for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+        os.environ[variable] = "1"
+    figures: dict[str, Any] = {}
+    for group in [asked.only] if asked.only else GROUPS:
+        figures[group] = import_module(f"tests.benchmarks.{group}").measure()
+        if not asked.json:
+            _print_group(group, figures[group])
+    if asked.json:
+        print(json.dumps(figures, indent=2))
+
+
+def _print_group(group: str, figures: dict[str, Any]) -> None:
+    print(group)
+    for name, value in figures.items():
+        print(f"  {name:<24} {'not measured' if value is None else f'{value:10.2f}'}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,149 @@
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tracking.errors import CalibrationError, RecordingError, SettingsError
+from tracking.formats import read_mot
+from tracking.pipeline import track
+from tracking.recording import OpenOptions, Recording, open_recording
+from tracking.scoring import BoxMatch, ScoringTable, score
+from tracking.synthesis import render_recording
+from tracking.trackers import TRACKERS, best_tracker, parse_settings, tracker_named
+from tracking.tracks import Run
+
+FAST = parse_settings(TRACKERS["stereo-direction"], {"particles": "100"})
+
+
+@pytest.fixture(scope="module")
+def rendered(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("recordings") / "square"
+    render_recording(folder, "square", 6.0, 4, 11)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def recording(rendered: Path) -> Recording:
+    with open_recording(rendered) as opened:
+        yield opened
+
+
+@pytest.fixture(scope="module")
+def whole(recording: Recording) -> Run:
+    with track(recording, settings=FAST) as tracking:
+        assert [step.frame for step in tracking] == list(range(recording.frame_count))
+        return tracking.run()
+
+
+def arrays(run: Run) -> dict[str, bytes]:
+    tables = {
+        "t": run.tracks,
+        "d": run.detections,
+        "p": run.particles.columns,
+        "a": run.associations,
+    }
+    named = {f"{t}.{name}": column for t, table in tables.items() for name, column in table.items()}
+    return {name: column.tobytes() for name, column in named.items()}
+
+
+def test_people_in_a_rendered_scene_are_found_where_they_are(whole: Run, rendered: Path):
+    truth = ScoringTable.from_columns(read_mot(rendered / "truth.txt"), dont_cares=True)
+    result = score(truth, ScoringTable.from_columns(whole.tracks), BoxMatch(0.5)).as_json()
+    assert result["people_kept"] == result["people_detected"] > 0
+    assert result["position_error_m"]["mean"] < 0.2
+    assert result["MOTA"] > 0.7
+
+
+def test_the_same_seed_gives_the_same_run_byte_for_byte(recording: Recording, whole: Run):
+    with track(recording, settings=FAST) as tracking:
+        list(tracking)
+        assert arrays(tracking.run()) == arrays(whole)
+
+
+def test_particles_of_every_frame_belong_to_the_people_of_that_frame(whole: Run):
+    assert len(whole.particles.start) == whole.frames[1] + 1
+    for frame in range(*whole.frames):
+        people = whole.tracks["track"][whole.tracks["frame"] == frame]
+        particles = whole.particles.of_frame(frame)
+        assert np.unique(particles["track"]).tolist() == people.tolist()
+        assert len(particles["x"]) == 100 * len(people)
+
+
+def test_closing_keeps_what_was_tracked_so_far(recording: Recording):
+    tracking = track(recording, settings=FAST)
+    for _ in range(5):
+        next(tracking)
+    tracking.close()
+    assert list(tracking) == []
+    assert tracking.run().frames == (0, 5)
+    assert tracking.observation is not None
+    assert tracking.observation.frame == 4
+
+
+def test_a_range_is_tracked_with_frame_numbers_of_the_recording(recording: Recording):
+    with track(recording, settings=FAST, frames=(60, 70)) as tracking:
+        assert [step.frame for step in tracking] == list(range(60, 70))
+        run = tracking.run()
+    assert run.frames == (60, 70)
+    assert set(run.detections["frame"].tolist()) <= set(range(60, 70))
+    assert len(run.particles.start) == recording.frame_count + 1
+
+
+def test_a_range_that_starts_with_people_in_view_sees_them_at_once(
+    recording: Recording, whole: Run
+):
+    busiest = int(np.bincount(whole.tracks["frame"]).argmax())
+    with track(recording, settings=FAST, frames=(busiest, busiest + 8)) as tracking:
+        *_, last = tracking
+    seen = whole.detections["frame"] == busiest + 7
+    assert len(last.tracks["track"]) >= np.count_nonzero(seen & (whole.detections["track"] > 0)) - 1
+
+
+def test_nothing_tracked_is_an_empty_run(recording: Recording):
+    run = track(recording, settings=FAST).run()
+    assert run.frames == (0, 0)
+    assert all(len(column) == 0 for column in run.tracks.values())
+
+
+def test_a_run_knows_how_it_was_made(whole: Run):
+    assert (whole.tracker, whole.seed, whole.settings["particles"]) == ("stereo-direction", 0, 100)
+    assert whole.software.startswith("trackwright ")
+
+
+@pytest.mark.parametrize("frames", [(5, 5), (-1, 5), (0, 10**6), (9, 3)])
+def test_a_range_outside_the_recording_is_refused(recording: Recording, frames: tuple[int, int]):
+    with pytest.raises(SettingsError, match="choose a range within 0:120"):
+        track(recording, frames=frames)
+
+
+@pytest.mark.parametrize("name", ["three-part", "spheroid", "flow"])
+def test_a_tracker_that_is_not_built_yet_is_refused_with_what_there_is(name: str):
+    with pytest.raises(SettingsError, match="not built yet: available are stereo-direction"):
+        tracker_named(name)
+
+
+def test_an_unknown_tracker_is_refused_with_what_there_is():
+    with pytest.raises(SettingsError, match="tracker sort is unknown: available are"):
+        tracker_named("sort")
+
+
+def test_one_camera_has_no_tracker_yet(rendered: Path):
+    with (
+        open_recording(rendered / "left.mp4") as alone,
+        pytest.raises(RecordingError, match="one camera"),
+    ):
+        best_tracker(alone)
+
+
+def test_two_cameras_without_calibration_are_refused(rendered: Path, tmp_path: Path):
+    for eye in ("left.mp4", "right.mp4"):
+        shutil.copy(rendered / eye, tmp_path / eye)
+    eyes = OpenOptions(left=tmp_path / "left.mp4", right=tmp_path / "right.mp4")
+    with (
+        open_recording(tmp_path, eyes) as bare,
+        pytest.raises(CalibrationError, match="has no calibration"),
+    ):
+        track(bare)
