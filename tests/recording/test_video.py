@@ -146,6 +146,15 @@ def test_a_video_cut_short_gives_the_frames_it_still_has(tmp_path: Path) -> None
         assert number_in(source.read(number)) == number
 
 
+def test_a_video_that_promises_more_than_it_holds_says_so(tmp_path: Path) -> None:
+    path = write_video(tmp_path / "v.avi", range(60), codec="mjpeg", pixels="yuvj420p")
+    content = path.read_bytes()
+    path.write_bytes(content[: len(content) // 2])
+    source = opened(path)
+    assert 20 < source.frame_count < 40
+    assert any("cut short" in note and "of 60 frames" in note for note in source.notes)
+
+
 def test_a_stream_that_begins_inside_a_group_begins_with_its_first_whole_picture(
     tmp_path: Path,
 ) -> None:

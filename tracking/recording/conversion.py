@@ -15,14 +15,15 @@ def bgr(frame: av.VideoFrame, reformatter: VideoReformatter) -> Image:
 
     Args:
         frame: in whatever pixel format the decoder gave.
-        reformatter: kept by the caller from frame to frame, which makes it fast.
+        reformatter: kept by the caller from frame to frame, which makes it fast. Threads of its
+            own would cost it more than they save.
 
     Raises:
         RecordingError: the pixel format cannot be converted.
     """
     try:
         try:
-            converted = reformatter.reformat(frame, format="bgr24")
+            converted = reformatter.reformat(frame, format="bgr24", threads=1)
         except av.error.FFmpegError:
             # A colour space that FFmpeg does not convert, often only a damaged header.
             converted = reformatter.reformat(
@@ -30,6 +31,7 @@ def bgr(frame: av.VideoFrame, reformatter: VideoReformatter) -> Image:
                 format="bgr24",
                 src_colorspace=Colorspace.ITU601,
                 src_color_range=ColorRange.MPEG,
+                threads=1,
             )
         return np.asarray(converted.to_ndarray(), np.uint8)
     except (av.error.FFmpegError, ValueError) as error:

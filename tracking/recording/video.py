@@ -50,6 +50,7 @@ class VideoSource:
             raise RecordingError(f"{path}: holds no frame that can be decoded; record it again")
         container, stream = open_video(str(path))
         with container:
+            self._promised = stream.frames
             rate = stream.average_rate or stream.guessed_rate
         self._pace: Pace = pace_of(self._index.times_s, float(rate) if rate else None)
         self._lock = Lock()
@@ -95,6 +96,11 @@ class VideoSource:
             notes.append(
                 f"{self.name}: {counted(self._index.left_out, 'frame')} before the first whole "
                 "picture left out"
+            )
+        if self._promised > len(self._index.number):
+            notes.append(
+                f"{self.name}: cut short, {len(self._index.number)} of {self._promised} frames "
+                "are there"
             )
         if self._lost:
             notes.append(
