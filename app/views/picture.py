@@ -107,12 +107,14 @@ class PictureView(Canvas):
         shown = area.intersected(self.viewport.rect(self.content()))
         draw_preview(painter, self._scene.preview, self.viewport)
         draw_people(painter, self._scene.people, self.viewport, shown)
-        if self._scene.message:
-            draw_message(painter, area, self._scene.message, theme)
         painter.setFont(scaled_font(self.font(), 0.92))
-        rect = plate_rect(QFontMetricsF(painter.font()), self._eye_name, QPointF(0, 0))
-        rect.moveTopLeft(QPointF(8, 8))
-        draw_note(painter, rect, self._eye_name, theme)
+        metrics = QFontMetricsF(painter.font())
+        eye = plate_rect(metrics, self._eye_name, QPointF(8, 12 + metrics.height()))
+        draw_note(painter, eye, self._eye_name, theme)
+        if self._scene.message:
+            said = plate_rect(metrics, self._scene.message, QPointF(0, area.bottom() - 12))
+            said.moveLeft(area.center().x() - said.width() / 2)
+            draw_note(painter, said, self._scene.message, theme)
 
     def _draw_image(self, painter: QPainter) -> None:
         target = self.viewport.rect(self.content())

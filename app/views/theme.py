@@ -66,12 +66,7 @@ class Theme:
 
     def track(self, colour: Colour) -> QColor:
         """A track's colour, moved towards the text's where the ground would swallow it."""
-        own = QColor(*colour)
-        for share in (0.0, 0.15, 0.3, 0.45, 0.6):
-            moved = _mixed(own, self.text, share)
-            if contrast(moved, self.sunken) >= _LEAST_CONTRAST:
-                return moved
-        return self.text
+        return _standing_out(self.name, colour)
 
 
 @cache
@@ -80,6 +75,16 @@ def load_theme(name: str) -> Theme:
     text = (files("resources") / "themes" / f"{name}.toml").read_text(encoding="utf-8")
     table = tomllib.loads(text)
     return Theme(table["name"], **{key: QColor(code) for key, code in table["colours"].items()})
+
+
+@cache
+def _standing_out(theme_name: str, colour: Colour) -> QColor:
+    theme = load_theme(theme_name)
+    for share in (0.0, 0.15, 0.3, 0.45, 0.6):
+        moved = _mixed(QColor(*colour), theme.text, share)
+        if contrast(moved, theme.sunken) >= _LEAST_CONTRAST:
+            return moved
+    return theme.text
 
 
 def current_theme() -> Theme:
@@ -168,8 +173,13 @@ def faded(colour: QColor, opacity: float) -> QColor:
 
 def ink_on(ground: QColor) -> QColor:
     """Black or white, whichever reads better on the ground."""
+    return _ink_on(ground.rgb())
+
+
+@cache
+def _ink_on(rgb: int) -> QColor:
     dark, light = QColor(16, 18, 20), QColor(255, 255, 255)
-    return max(dark, light, key=lambda ink: contrast(ink, ground))
+    return max(dark, light, key=lambda ink: contrast(ink, QColor.fromRgb(rgb)))
 
 
 def contrast(one: QColor, other: QColor) -> float:

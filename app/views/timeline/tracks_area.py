@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import (
     QFontMetricsF,
@@ -46,6 +47,7 @@ class TracksArea(QWidget):
         super().__init__(parent)
         self._scene: TimelineScene | None = None
         self._axis = TimeAxis(0.0, 1.0, 0.0, 1.0, 0)
+        self._lives = np.zeros((0, 2), np.int64)  # first and end frame of each lane
         self._drawn: QPixmap | None = None
         self._dragging = ""
         self._drag_x = 0.0
@@ -96,22 +98,37 @@ class TracksArea(QWidget):
         elif before.frame != scene.frame and not self._dragging:
             self._set_axis(self._axis.showing(scene.frame))
         if before is None or before.lanes is not scene.lanes:
+            self._lives = np.array([_life(lane) for lane in scene.lanes]).reshape(-1, 2)
             self._fit_scroll_bar()
             self._redraw()
+        if before is not None and before.frame != scene.frame and not self._dragging:
+            self._follow(scene.frame)
         self.update()
-
-    def show_axis(self, axis: TimeAxis) -> None:
-        """Show other frames."""
-        self._set_axis(axis)
 
     def reveal(self, track: int) -> None:
         """Scroll to a track's lane."""
         lanes = self._scene.lanes if self._scene is not None else ()
         row = next((index for index, lane in enumerate(lanes) if lane.track == track), None)
         if row is not None:
-            top, bar = round(row * self.lane_height), self.scroll_bar
-            lowest = top - self._lanes_rect().height() + self.lane_height
-            bar.setValue(min(max(bar.value(), round(lowest)), top))
+            self._reveal_row(row)
+
+    def _follow(self, frame: int) -> None:
+        """Scroll to somebody who is there at a frame where nobody in sight is."""
+        there = np.flatnonzero((self._lives[:, 0] <= frame) & (frame < self._lives[:, 1]))
+        first, stop = self._rows_in_sight()
+        if len(there) and not ((there >= first) & (there < stop)).any():
+            self._reveal_row(int(there[-1]))
+            self._reveal_row(int(there[0]))
+
+    def _reveal_row(self, row: int) -> None:
+        top, bar = round(row * self.lane_height), self.scroll_bar
+        lowest = top - self._lanes_rect().height() + self.lane_height
+        bar.setValue(min(max(bar.value(), round(lowest)), top))
+
+    def _rows_in_sight(self) -> tuple[int, int]:
+        """The lanes of which anything is seen, half-open; may go past the last."""
+        offset, height = self.scroll_bar.value(), self.lane_height
+        return int(offset // height), int((offset + self._lanes_rect().height()) // height) + 1
 
     def _set_axis(self, axis: TimeAxis) -> None:
         fitted = axis.resized(self._name_width(), self.width() - self._name_width() - 14)
@@ -182,9 +199,8 @@ class TracksArea(QWidget):
             return
         painter.setClipRect(area)
         offset, height = self.scroll_bar.value(), self.lane_height
-        first = int(offset // height)
-        last = int((offset + area.height()) // height)
-        for index in range(first, min(last + 1, len(scene.lanes))):
+        first, stop = self._rows_in_sight()
+        for index in range(first, min(stop, len(scene.lanes))):
             row = QRectF(0, area.top() + index * height - offset, self.width(), height)
             draw_lane(painter, scene.lanes[index], row, self._axis, theme)
             self.lanes_drawn += 1
@@ -282,3 +298,7 @@ class TracksArea(QWidget):
             QToolTip.showText(event.globalPos(), ", ".join(words), self)
             return True
         return super().event(event)
+
+
+def _life(lane: Lane) -> tuple[int, int]:
+    return (int(lane.spans[0, 0]), int(lane.spans[-1, 1])) if len(lane.spans) else (0, 0)

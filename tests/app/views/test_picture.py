@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from drawn_scenes import BLUE, RED, person, picture
@@ -105,6 +107,13 @@ def test_without_a_picture_the_message_is_said(view, drawn):
     blank = drawn(view)
     view.show_scene(PictureScene(Eye.LEFT, 7, None, message="Reading frame 7"))
     assert drawn(view) != blank
+
+
+def test_a_message_over_a_picture_stands_on_a_plate(view, drawn, near, theme):
+    view.show_scene(replace(picture(), message="Frame 8 cannot be read"))
+    shot = drawn(view)
+    rows = [shot.pixelColor(320, y) for y in range(440, 480)]
+    assert min(abs(one.lightness() - theme.window.lightness()) for one in rows) < 50
 
 
 def test_a_click_on_a_person_picks_them(view, qtbot):

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from drawn_scenes import RED, lane, timeline
@@ -106,10 +108,7 @@ def test_moving_the_playhead_draws_no_lane(view):
     view.show_scene(scene)
     view.grab()
     view.area.lanes_drawn = 0
-    moved = timeline(frame=300)
-    view.show_scene(
-        type(moved)(1000, 20.0, 300, scene.lanes, scene.activity)  # the same tuple of lanes
-    )
+    view.show_scene(replace(scene, frame=300))
     view.grab()
     assert view.area.lanes_drawn == 0
 
@@ -120,6 +119,22 @@ def test_a_newly_selected_lane_is_scrolled_to(view):
     view.grab()
     assert view.area.lane_at(QPointF(lane_point(view, 899, 10))).track == 900
     assert view.area.ruler_height <= lane_point(view, 899, 10).y() <= view.area.height()
+
+
+def test_while_playing_the_people_who_are_there_come_into_sight(view):
+    lanes = tuple(lane(track, (10 * track, 10 * track + 10, 0)) for track in range(1, 91))
+    view.show_scene(timeline(*lanes))
+    view.show_scene(replace(timeline(*lanes, frame=705), lanes=view.area._scene.lanes))
+    rows = range(*view.area._rows_in_sight())
+    assert 69 in rows
+
+
+def test_lanes_are_not_scrolled_away_under_the_mouse(view, qtbot):
+    lanes = tuple(lane(track, (10 * track, 10 * track + 10, 0)) for track in range(1, 91))
+    view.show_scene(timeline(*lanes))
+    qtbot.mousePress(view.area, LEFT, pos=lane_point(view, 2, 705))
+    view.show_scene(timeline(*lanes, frame=705))
+    assert view.area.scroll_bar.value() == 0
 
 
 def test_measured_spans_are_solid_and_predicted_ones_are_not(view, drawn, theme, near):
