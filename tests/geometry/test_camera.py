@@ -72,6 +72,15 @@ def test_a_polynomial_that_turns_back_never_folds_the_far_into_the_picture() -> 
     assert far[1, 0] > far[0, 0]
 
 
+def test_pixels_that_are_no_numbers_have_no_ray_and_do_not_spoil_the_others() -> None:
+    camera = Camera(MATRIX, np.array([-0.2, 0.05, 0.0, 0.0]), 640, 480)
+    rays = camera.undistort(np.array([[np.nan, 1.0], [np.inf, 1.0], [100.0, 200.0]]))
+    assert np.isnan(rays[:2]).all()
+    assert np.isfinite(rays[2]).all()
+    assert camera.undistort(np.zeros((0, 2))).shape == (0, 2)
+    assert camera.project(np.zeros((0, 3))).shape == (0, 2)
+
+
 @pytest.mark.parametrize(
     ("matrix", "distortion", "size"),
     [

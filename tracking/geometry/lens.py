@@ -17,6 +17,7 @@ _LEAST_SLOPE = 0.1
 _POLE_MARGIN = 0.9
 _ITERATIONS = 30
 _CONVERGED = 1e-10
+_FOUND = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,13 +66,15 @@ class Lens:
         """Ideal rays (n, 2) of normalised image coordinates; NaN where none is found."""
         if self.is_ideal or not len(points):
             return points
+        points = np.where(np.isfinite(points).all(axis=1, keepdims=True), points, np.nan)
         rays = self._first_guess(points)
         for _ in range(_ITERATIONS):
             miss = points - self.distort(rays)
             if np.nanmax(np.abs(miss), initial=0.0) < _CONVERGED:
                 break
             rays = rays + self._step(rays, miss)
-        found = np.abs(self.distort(rays) - points).max(axis=1) < 1e-6
+        reach = np.maximum(1.0, np.abs(points).max(axis=1))
+        found = np.abs(self.distort(rays) - points).max(axis=1) < _FOUND * reach
         return np.where(found[:, None], rays, np.nan)
 
     def _distort_within(self, points: Floats) -> Floats:
