@@ -14,19 +14,31 @@ GridBox = tuple[int, int, int, int]
 _COVERED = 0.3
 """Share of a side along which somebody nearer must stand to hide what is behind."""
 _EDGE_PLACES = 1
+_FEWEST_PLACES = 2
 _RINGS = ((0.0, 0.5), (0.45, 0.9), (0.8, 1.0), (1.0, 0.3))
 """A standing body as rings: height and radius as shares of its height and half its width."""
 _RING_POINTS = 8
 
 
 def region_boxes(labels: NDArray[np.uint8], count: int) -> list[GridBox]:
-    """Left, top, width, height of the pixels labelled 1 to count; (0, 0, 0, 0) where none are."""
-    return [_bounding_box((labels == k).view(np.uint8)) for k in range(1, count + 1)]
+    """Left, top, width, height of the pixels labelled 1 to count; (0, 0, 0, 0) where none are.
+
+    Rows and columns with a single pixel at a region's ends are left out: specks, not limbs.
+    """
+    return [_bounding_box(labels, k) for k in range(1, count + 1)]
 
 
-def _bounding_box(mask: NDArray[np.uint8]) -> GridBox:
-    left, top, width, height = cv2.boundingRect(mask)
-    return left, top, width, height
+def _bounding_box(labels: NDArray[np.uint8], label: int) -> GridBox:
+    own = (labels == label).view(np.uint8)
+    left, top, width, height = cv2.boundingRect(own)
+    own = own[top : top + height, left : left + width]
+    columns = np.flatnonzero(own.sum(axis=0, dtype=np.int32) >= _FEWEST_PLACES)
+    rows = np.flatnonzero(own.sum(axis=1, dtype=np.int32) >= _FEWEST_PLACES)
+    if len(columns) == 0 or len(rows) == 0:
+        return left, top, width, height
+    first, last = int(columns[0]), int(columns[-1])
+    highest, lowest = int(rows[0]), int(rows[-1])
+    return left + first, top + highest, last - first + 1, lowest - highest + 1
 
 
 def hidden_sides(

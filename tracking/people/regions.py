@@ -12,8 +12,8 @@ from tracking.people.plan_view import SurfacePoints, apart
 from tracking.people.settings import PeopleSettings
 
 Labels = NDArray[np.uint8]
-_GROWTH = cv2.getStructuringElement(cv2.MORPH_RECT, (5, 5))
-_GROWTH_STEPS = 3
+_GROWTH = cv2.getStructuringElement(cv2.MORPH_RECT, (9, 9))
+_GROWTH_STEPS = 4
 _FARTHEST = 2.0
 _FLOOR_SLACK_M = 0.12
 
