@@ -21,6 +21,7 @@ class ReviewPanel(Panel):
     def show_scene(self, message: str = "") -> None:
         """Say why there is nothing to review."""
         self._empty.say(
-            self.tr("No suspicions"),
-            message or self.tr("Play the recording and watch for ids that change place."),
+            self.tr("Not looked for yet"),
+            message
+            or self.tr("Likely mistakes are not searched for. Watch for ids that change place."),
         )

@@ -194,7 +194,7 @@ class TracksArea(QWidget):
         area = self._lanes_rect()
         self.lanes_drawn = 0
         if not scene.lanes:
-            text = self.tr("No tracks yet. Play to track, and every person gets a lane here.")
+            text = self.tr("No tracks yet. Every person who is tracked gets a lane here.")
             draw_message(painter, area, text, theme)
             return
         painter.setClipRect(area)

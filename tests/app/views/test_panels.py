@@ -205,7 +205,7 @@ def test_without_a_preview_the_bar_is_hidden(preview):
 def test_the_review_queue_is_honest_about_being_empty(qtbot, dark):
     panel = ReviewPanel()
     qtbot.addWidget(panel)
-    assert "No suspicions" in words(panel)
+    assert "not searched for" in words(panel)
 
 
 @pytest.mark.parametrize("kind", [TrackPanel, HistoryPanel, PreviewBar, ReviewPanel])
