@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import sqlite3
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import h5py
@@ -182,6 +183,44 @@ def test_an_edit_on_a_run_that_is_not_saved_saves_it_first(
     again = Session.open(crashed(session, tmp_path / "after"))
     assert state_of(again) == state_of(session)
     again.close()
+
+
+def test_an_edit_waits_for_the_run_it_is_about_to_be_on_disk(
+    session: Session, tmp_path: Path
+) -> None:
+    session.add_run(make_run(seed=1, tracks=6))
+    pending = session.begin_save()
+    with ThreadPoolExecutor(1) as worker:
+        worker.submit(pending.write)
+        edit(session)
+    after = crashed(session, tmp_path / "after")
+    session.finish_save(pending)
+    later = crashed(session, tmp_path / "later")
+    for path in (after, later):
+        again = Session.open(path)
+        assert state_of(again) == state_of(session)
+        again.close()
+
+
+def test_two_saves_at_once_are_refused(session: Session, tmp_path: Path) -> None:
+    pending = session.begin_save()
+    with pytest.raises(SessionError, match="is being saved"):
+        session.save()
+    with pytest.raises(SessionError, match="is being saved"):
+        session.begin_save(tmp_path / "other.h5")
+    session.abandon_save(pending)
+    session.save()
+
+
+def test_a_run_that_is_being_saved_elsewhere_is_not_edited(
+    session: Session, tmp_path: Path
+) -> None:
+    session.add_run(make_run(seed=1, tracks=6))
+    pending = session.begin_save(tmp_path / "other.h5")
+    with pytest.raises(SessionError, match="edit again"):
+        edit(session)
+    session.abandon_save(pending)
+    edit(session)
 
 
 def test_saving_under_another_name_goes_on_there(session: Session, tmp_path: Path) -> None:

@@ -106,6 +106,7 @@ class SessionAgainstStates(RuleBasedStateMachine):
         """Go on with a copy of what is on the disk at some moment, as after a power cut."""
         if while_saving != "not":
             pending = self.session.begin_save()
+            self.session.abandon_save(pending)
             if while_saving == "after":
                 pending.write()
         self.crashes += 1

@@ -43,6 +43,7 @@ class Session:
         self._author = author
         self._place: Path | None = None
         self._store: Store | None = None
+        self._pending: PendingSave | None = None
         self._notes: list[str] = []
         self._recovered = 0
         # What changed is counted; saved says which count the file holds, base which one the
@@ -210,10 +211,20 @@ class Session:
     def _do(self, act: Act, entry: Entry, change: Change) -> Entry:
         self._refuse_read_only()
         if self._store is not None and self._saved < self._base:
-            self.save()  # the journal must build on a file that holds what is edited
+            self._put_base_on_disk()
         logged = self._edited.do(act, entry, change, self._keep)
         self._content += 1
         return logged
+
+    def _put_base_on_disk(self) -> None:
+        """See to it that the file holds the run that is edited: the journal builds on it."""
+        pending = self._pending
+        if pending is None:
+            self.save()
+        elif pending.store is self._store and pending.content >= self._base:
+            pending.written.result()
+        else:
+            raise SessionError(f"{self._path} is being saved; edit again when that is done")
 
     def _keep(self, act: Act, entry: Entry) -> None:
         """Put a step into the journal; a session that was never saved has none."""
@@ -253,13 +264,18 @@ class Session:
         pending = self.begin_save(path)
         try:
             pending.write()
+            return self.finish_save(pending)
         except BaseException:
             self.abandon_save(pending)
             raise
-        return self.finish_save(pending)
 
     def begin_save(self, path: Path | None = None) -> PendingSave:
-        """The first of three steps of `save`: quick. `write` of what it gives may take long."""
+        """The first of three steps of `save`: quick. `write` of what it gives may take long.
+
+        One save at a time: raises SessionError while another one is on its way.
+        """
+        if self._pending is not None:
+            raise SessionError(f"{self._pending.path} is being saved; wait until that is done")
         target = path if path is not None else self._path
         if target is None:
             raise SessionError("the session has no file yet; name one to save it in")
@@ -284,7 +300,8 @@ class Session:
             labels=self.labels,
             edits=self.history.entries,
         )
-        return PendingSave(snapshot, target, self._content, store)
+        self._pending = PendingSave(snapshot, target, self._content, store)
+        return self._pending
 
     def finish_save(self, pending: PendingSave) -> Path:
         """The last step, after `write`: from now on the journal builds on the new file."""
@@ -298,13 +315,14 @@ class Session:
         self._store, self._path = pending.store, pending.path
         self._stamps, self._recording = stamps, pending.snapshot.recording
         self._runs.stored_in(pending.path, len(pending.snapshot.runs))
-        self._saved = pending.content
+        self._saved, self._pending = pending.content, None
         if self.dirty and not own:
             self.save()  # edits made meanwhile are in no journal of this file
         return pending.path
 
     def abandon_save(self, pending: PendingSave) -> None:
         """Instead of `finish_save`, where `write` failed or was not called."""
+        self._pending = None
         if pending.store is not self._store:
             pending.store.release(keep_journal=True)
 
@@ -322,7 +340,7 @@ class Session:
         What is found is remembered in known, and in the session file when it is saved next.
         Raises RecordingMissing, which says where it was and how to name its place.
         """
-        if self._place is None or search:
+        if self._place is None or (search and self._place not in search):
             remembered = None if known is None else known.find(self._recording)
             folder = Path() if self._path is None else self._path.parent
             self._place = locate(

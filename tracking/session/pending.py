@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from concurrent.futures import Future
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from tracking.session.image import Snapshot, build_image
@@ -18,16 +19,23 @@ class PendingSave:
         snapshot, path: what to write and where to.
         content: the session's count of changes that the snapshot holds.
         store: the right to write there.
+        written: done when the new file is in its place; holds the error where that failed.
     """
 
     snapshot: Snapshot
     path: Path
     content: int
     store: Store
+    written: Future[None] = field(default_factory=Future)
 
     def write(self) -> None:
         """Build, write and verify the file, and put it in its place.
 
         Raises OutputError, with the old file whole, where that fails.
         """
-        replace_verified(self.path, build_image(self.snapshot))
+        try:
+            replace_verified(self.path, build_image(self.snapshot))
+        except BaseException as why:
+            self.written.set_exception(why)
+            raise
+        self.written.set_result(None)

@@ -7,6 +7,7 @@ import errno
 import os
 import shutil
 import sys
+import uuid
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -34,7 +35,7 @@ def replace_verified(path: Path, image: memoryview) -> None:
     disk and read back equal. Raises OutputError, with the old file untouched.
     """
     folder = companions(path)
-    beside = folder / f"saving-{os.getpid()}.h5"
+    beside = folder / f"saving-{uuid.uuid4().hex}.h5"
     with telling_where(path):
         try:
             _write(beside, image)
