@@ -1,0 +1,125 @@
+"""From recorded frames to people: rendered ones against truth, real ones by eye."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from tracking.errors import RecordingError
+from tracking.people import Observation, StereoPerception
+from tracking.recording import Recording, open_recording
+from tracking.recording.frame import StereoFrame
+
+Floats = NDArray[np.float64]
+LEARNT_FROM = 12
+
+
+def prepared(recording: Recording) -> StereoPerception:
+    """Perception that knows the background, as the pipeline makes it."""
+    assert recording.rectification is not None
+    assert recording.ground is not None
+    perception = StereoPerception(recording.rectification, recording.ground, recording.fps)
+    numbers = np.linspace(0, recording.frame_count - 1, LEARNT_FROM).astype(int)
+    perception.learn([recording.read(int(n)) for n in numbers])
+    return perception
+
+
+def observed(folder: Path, start: int, stop: int) -> Iterator[Observation]:
+    with open_recording(folder) as recording:
+        perception = prepared(recording)
+        for frame in recording.frames(start, stop):
+            yield perception.observe(frame)
+
+
+def truth_of(folder: Path) -> dict[int, Floats]:
+    """Frame (from 0) to rows left, top, width, height, x, y of people seen well enough."""
+    rows = np.loadtxt(folder / "truth.txt", delimiter=",")
+    rows = rows[rows[:, 6] == 1]
+    rows[:, 2:4] -= 1
+    return {int(n) - 1: rows[rows[:, 0] == n][:, [2, 3, 4, 5, 7, 8]] for n in np.unique(rows[:, 0])}
+
+
+def overlap(one: Floats, other: Floats) -> float:
+    low = np.maximum(one[:2], other[:2])
+    high = np.minimum(one[:2] + one[2:], other[:2] + other[2:])
+    shared = float(np.prod(np.maximum(high - low, 0)))
+    return shared / (float(np.prod(one[2:]) + np.prod(other[2:])) - shared)
+
+
+def compare(folder: Path, start: int, stop: int) -> tuple[float, float, float, float]:
+    """Recall, precision, mean floor error in metres and share of boxes that overlap by half."""
+    truth = truth_of(folder)
+    wanted = found = 0
+    errors: list[float] = []
+    overlaps: list[float] = []
+    for seen in observed(folder, start, stop):
+        real = truth.get(seen.frame, np.zeros((0, 6)))
+        wanted, found = wanted + len(real), found + len(seen.people)
+        apart = np.hypot(
+            *(real[:, None, 4:] - seen.people.position[None, :, :2]).transpose(2, 0, 1)
+        )
+        for i, j in zip(*linear_sum_assignment(np.minimum(apart, 0.6)), strict=True):
+            if apart[i, j] < 0.6:
+                errors.append(float(apart[i, j]))
+                overlaps.append(overlap(real[i, :4], seen.people.box[j]))
+    half = float(np.mean(np.array(overlaps) >= 0.5))
+    return len(errors) / wanted, len(errors) / found, float(np.mean(errors)), half
+
+
+@pytest.mark.parametrize(("name", "recall"), [("rendered-lobby", 0.93), ("rendered-plaza", 0.85)])
+def test_people_come_out_where_they_are(shared_data: Path, name: str, recall: float) -> None:
+    reached, precision, error_m, half = compare(shared_data / name, 260, 360)
+    assert reached > recall
+    assert precision > 0.95
+    assert error_m < 0.10
+    assert half > 0.9
+
+
+def test_the_empty_lobby_holds_nobody(shared_data: Path) -> None:
+    assert all(len(o.people) == 0 for o in observed(shared_data / "rendered-lobby", 0, 30))
+
+
+def test_a_real_passage_below_the_camera_is_one_person_all_the_way(shared_data: Path) -> None:
+    counts, places = [], []
+    for seen in observed(shared_data / "overhead-real", 232, 262):
+        counts.append(len(seen.people))
+        places.extend(seen.people.position[:, 0])
+    assert np.mean(np.array(counts) == 1) > 0.85
+    assert np.all(np.diff(places[2::6]) > 0)
+
+
+def test_hard_shadows_and_sun_flecks_are_nobody(shared_data: Path) -> None:
+    counts = [len(o.people) for o in observed(shared_data / "overhead-real", 140, 180)]
+    assert np.mean(np.array(counts) > 0) < 0.05
+
+
+def test_the_same_frames_give_the_same_people(shared_data: Path) -> None:
+    folder = shared_data / "rendered-lobby"
+    for one, other in zip(observed(folder, 300, 304), observed(folder, 300, 304), strict=True):
+        np.testing.assert_array_equal(one.people.position, other.people.position)
+        np.testing.assert_array_equal(one.people.regions, other.people.regions)
+
+
+def test_overlays_have_the_size_of_the_recording(shared_data: Path) -> None:
+    for name in ("rendered-lobby", "overhead-real"):
+        with open_recording(shared_data / name) as recording:
+            seen = prepared(recording).observe(recording.read(240))
+            width, height = recording.size
+        assert seen.overlays.foreground.shape == (height, width)
+        assert seen.overlays.disparity is not None
+        assert seen.overlays.disparity.shape == (height, width)
+        assert seen.people.regions.shape == (height, width)
+        assert set(np.unique(seen.overlays.foreground)) <= {0, 127, 255}
+
+
+def test_a_frame_without_a_right_eye_is_refused(shared_data: Path) -> None:
+    with open_recording(shared_data / "rendered-lobby") as recording:
+        perception = prepared(recording)
+        left = recording.read(0).left
+    with pytest.raises(RecordingError, match="no right eye"):
+        perception.observe(StereoFrame(0, 0.0, left, None))
