@@ -12,7 +12,7 @@ from tracking.tracks.columns import (
     empty,
 )
 from tracking.tracks.labels import Labels, Occluder, ReviewedRange, TrackLabel
-from tracking.tracks.run import Particles, ParticleColumn, Run
+from tracking.tracks.run import ParticleColumn, Particles, Run
 from tracking.tracks.table import TrackTable, check_known
 from tracking.tracks.validation import between, check_tracks, checked_columns
 
