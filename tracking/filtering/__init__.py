@@ -6,6 +6,7 @@ weights (people, N) beside it. Nothing here loops over particles or people.
 
 from tracking.filtering.association import Association, associate
 from tracking.filtering.direction import direction_cost, turning_angle
+from tracking.filtering.hiding import hiding_reach, out_of_hiding
 from tracking.filtering.histograms import bhattacharyya_distance
 from tracking.filtering.particles import (
     effective_share,
@@ -23,8 +24,10 @@ __all__ = [
     "bhattacharyya_distance",
     "direction_cost",
     "effective_share",
+    "hiding_reach",
     "likelihood",
     "move",
+    "out_of_hiding",
     "resample",
     "scatter",
     "turning_angle",

@@ -17,7 +17,7 @@ from tracking.trackers.stereo_boxes import expected_visibility, outlined
 from tracking.trackers.stereo_cues import Costs, Cues, costs_of
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_settings import StereoTrackerSettings
-from tracking.trackers.stereo_update import Match, aged, matched
+from tracking.trackers.stereo_update import Match, aged, matched, unseen
 
 Colours = NDArray[np.float32]
 _LONG_MISSED_S = 0.5
@@ -98,6 +98,7 @@ class StereoTracker:
         since_s = expected.missed_s[pairs.track] + elapsed_s
         match = Match(pairs, seen, colours, since_s)
         people = matched(people, match, self._cues, self._settings, self._random)
+        people = unseen(people, elapsed_s, self._view, self._settings)
         people = outlined(people, pairs, seen, elapsed_s, self._view)
         people = self._cues.walked(people, elapsed_s)
         people, self._last_id = confirmed(people, self._settings.confirm_matches, self._last_id)

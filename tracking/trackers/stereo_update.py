@@ -7,7 +7,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.filtering import Association, effective_share, scatter, weigh, weighted_mean
+from tracking.filtering import (
+    Association,
+    effective_share,
+    hiding_reach,
+    out_of_hiding,
+    scatter,
+    weigh,
+    weighted_mean,
+)
+from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.population import Population
 from tracking.trackers.stereo_cues import Cues, likelihood_sigma
@@ -17,6 +26,7 @@ Floats = NDArray[np.float64]
 _SCATTERED_SHARE = 0.01
 """Below this share of particles that carry weight, the cloud has lost its person."""
 _FASTEST_M_PER_S = 3.0
+_BODY_M = 0.3
 _CONFIDENCE_MEMORY_S = 0.5
 
 
@@ -76,6 +86,34 @@ def matched(
             cues.updated(mine.colour, match.colours[chosen], mine.matches),
             mine.colour,
         ),
+    )
+
+
+def unseen(
+    people: Population, elapsed_s: float, view: View, settings: StereoTrackerSettings
+) -> Population:
+    """Those not seen, weighed by where they would not be: behind the people who were seen.
+
+    Where we differ from the sources: there prediction alone carries people who are not detected.
+    That somebody is not seen tells where he is not.
+    """
+    lost = np.flatnonzero(people.missed_s > 0.0)
+    present = people.position[people.missed_s == 0.0]
+    if len(lost) == 0 or len(present) == 0:
+        return people
+    reach_m = hiding_reach(present, view.ground.height_m)
+    away_m = out_of_hiding(people.particles[lost], present, reach_m, _BODY_M)
+    # A longer time says more; a person far from every hiding place is just missed.
+    weight = np.exp(-elapsed_s / settings.unseen_s * np.minimum(away_m / _BODY_M, 2.0))
+    weight /= weight.sum(axis=1, keepdims=True)
+    mine = people.particles[lost]
+    before = mine.mean(axis=1)
+    position = people.position[lost] + weighted_mean(mine, weight) - before
+    return people.changed(
+        lost,
+        weight=weight,
+        position=position,
+        velocity=people.velocity[lost] * np.exp(-elapsed_s / settings.stop_s),
     )
 
 
