@@ -30,7 +30,7 @@ _UPDATES_PER_SCENE = 9
 class StereoPerception:
     """Turns stereo frames into people on the floor; holds both eyes' background models.
 
-    Each frame passes the stages `rectify`, `subtract`, `match` and `find`; `remember` then lets
+    Each frame passes the stages `rectify`, `subtract`, `shade`, `match` and `find`; `remember` then lets
     the backgrounds follow. `observe` does all of them; they are public so that each can be timed.
 
     Args:
@@ -76,7 +76,7 @@ class StereoPerception:
             RecordingError: the frame has no right eye.
         """
         left, right = self.subtract(*self.rectify(frame))
-        shadow = self._shadows.shadows(left)
+        shadow = self.shade(left)
         disparity = self.match(left, right)
         people = self.find(left, shadow, disparity)
         self.remember(left, right, people)
@@ -107,6 +107,10 @@ class StereoPerception:
     def subtract(self, left: Image, right: Image) -> tuple[Subtraction, Subtraction]:
         """Both eyes against their backgrounds."""
         return self._eyes[0].subtract(left), self._eyes[1].subtract(right)
+
+    def shade(self, left: Subtraction) -> Mask:
+        """(height, width) uint8, which of the left eye's foreground is shadow: `ShadowRemover`."""
+        return self._shadows.shadows(left)
 
     def match(self, left: Subtraction, right: Subtraction) -> NDArray[np.float32]:
         """(rows, columns) disparity of the left eye's foreground, of `SubtractionStereo`."""
