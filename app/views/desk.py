@@ -24,11 +24,13 @@ from tracking.tracks import Run
 class Desk(QObject):
     """Holds the document, the playback and the tracker at work of one open recording.
 
-    Signals: `changed()`, commands may be enabled or disabled by now; `failed(error)`;
-    `said(text)`; `tracked(run)`, the tracker at work came to its end with a `Run`.
+    Signals: `changed()`, commands may be enabled or disabled by now; `progressed()`, the tracker
+    at work is further; `failed(error)`; `said(text)`; `tracked(run)`, it came to its end with a
+    `Run`.
     """
 
     changed = Signal()
+    progressed = Signal()
     failed = Signal(object)
     said = Signal(str)
     tracked = Signal(object)
@@ -167,11 +169,14 @@ class Desk(QObject):
         return None
 
     def _take_live(self, results: tuple[StepResult, ...]) -> None:
+        nobody_before = not self.document.tracks.ids
         self.document.take_live(results)
         if results[0].frame <= self.playback.number <= results[-1].frame:
             self.draw_instant()
         self.draw_playhead()
-        self.changed.emit()
+        self.progressed.emit()
+        if nobody_before and self.document.tracks.ids:
+            self.changed.emit()
 
     def _end_live(self, run: object) -> None:
         self.tracked.emit(run)

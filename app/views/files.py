@@ -36,10 +36,12 @@ _OPENABLE = "Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mo
 class Files(QObject):
     """Opens recordings and sessions on the window's desk, saves and closes them.
 
-    Signals: `changed()`, another document, title or save state; `failed(error)`; `said(text)`.
+    Signals: `changed()`, another document, title or save state; `progressed()`, the tracker at
+    work is further; `failed(error)`; `said(text)`.
     """
 
     changed = Signal()
+    progressed = Signal()
     failed = Signal(object)
     said = Signal(str)
 
@@ -109,6 +111,7 @@ class Files(QObject):
         self.desk = desk = Desk(opened.document, self._window.workspace, self)
         desk.changed.connect(self.changed)
         desk.changed.connect(self._note_place)
+        desk.progressed.connect(self.progressed)
         desk.failed.connect(self.failed)
         desk.said.connect(self.said)
         desk.tracked.connect(self._keep)
@@ -342,4 +345,5 @@ class Files(QObject):
 
 
 def _item(path: Path, detail: str = "") -> RecentItem:
-    return RecentItem(str(path), path.stem, detail or str(path.parent), path.exists())
+    kind = tr("session") if path.suffix.lower() == ".h5" else tr("recording")
+    return RecentItem(str(path), path.stem, detail or kind, path.exists())

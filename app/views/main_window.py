@@ -36,6 +36,7 @@ from app.views.workspace import Workspace
 
 _FIRST_SIZE = (1440, 900)
 _NOTE_MS = 6000
+_PROGRESS_MS = 200
 
 
 class MainWindow(QMainWindow):
@@ -57,6 +58,7 @@ class MainWindow(QMainWindow):
         self._guard = TypingGuard(self)
         self._commands: dict[str, Callable[[], None]] = runnable_commands(self)
         self._refreshing = QTimer(self, singleShot=True, interval=0)
+        self._progressing = QTimer(self, singleShot=True, interval=_PROGRESS_MS)
         self._lay_out()
         self._connect()
         self._restore()
@@ -101,7 +103,9 @@ class MainWindow(QMainWindow):
         self.work.failed.connect(self.files.tell_failure)
         self.work.said.connect(self.say)
         self.progress.cancelled.connect(self._cancel)
+        self.files.progressed.connect(self._progress_soon)
         self._refreshing.timeout.connect(self._refresh_now)
+        self._progressing.timeout.connect(self._show_progress)
         QApplication.styleHints().colorSchemeChanged.connect(self._follow_system)
         application = QApplication.instance()
         if application is not None:
@@ -139,6 +143,14 @@ class MainWindow(QMainWindow):
         self.menus.show_items(self.command_items())
         self.setWindowTitle(self.files.title())
         self.setWindowModified(self.files.unsaved)
+        self._show_progress()
+
+    def _progress_soon(self) -> None:
+        if not self._progressing.isActive():
+            self._progressing.start()
+
+    def _show_progress(self) -> None:
+        """Show how far the tracker at work is; other work shows itself."""
         live = self.desk.live if self.desk is not None else None
         if self.work.busy:
             return

@@ -6,6 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractScrollArea,
     QApplication,
+    QFrame,
+    QHBoxLayout,
+    QScrollArea,
     QSplitter,
     QVBoxLayout,
     QWidget,
@@ -31,7 +34,7 @@ class Workspace(QWidget):
         super().__init__(parent)
         self.left = PictureView(Eye.LEFT, self)
         self.right = PictureView(Eye.RIGHT, self)
-        self.eye_switch = EyeSwitch(self.left)
+        self.eye_switch = EyeSwitch(self)
         self.overhead = OverheadView(self)
         self.review = ReviewPanel(self)
         self.card = TrackPanel(self)
@@ -43,27 +46,41 @@ class Workspace(QWidget):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        corner = QVBoxLayout(self.left)
-        corner.setContentsMargins(8, 8, 8, 8)
-        corner.addWidget(
-            self.eye_switch, 0, Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignRight
-        )
         eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
         side = self._split(
             "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (2, 5, 3)
         )
-        top = self._split("top", Qt.Orientation.Horizontal, (eyes, self.overhead, side), (9, 10, 6))
+        # On a low screen the panels scroll, so that they never make the window too high for it.
+        panels = QScrollArea(self)
+        panels.setWidget(side)
+        panels.setWidgetResizable(True)
+        panels.setFrameShape(QFrame.Shape.NoFrame)
+        panels.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        panels.setMinimumWidth(side.minimumSizeHint().width() + 12)
+        top = self._split(
+            "top", Qt.Orientation.Horizontal, (eyes, self.overhead, panels), (9, 10, 6)
+        )
         upper = QWidget(self)
         column = QVBoxLayout(upper)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(top, 1)
         column.addWidget(self.preview)
-        column.addWidget(self.transport)
-        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (7, 2))
+        column.addWidget(self._transport_line())
+        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (10, 3))
         page = QVBoxLayout(self)
         page.setContentsMargins(0, 0, 0, 0)
         page.addWidget(whole)
+
+    def _transport_line(self) -> QFrame:
+        """Playback and, at its end, which eyes are shown: no picture is covered by a switch."""
+        line = QFrame(self)
+        line.setProperty("bar", True)
+        row = QHBoxLayout(line)
+        row.setContentsMargins(0, 0, 12, 0)
+        row.addWidget(self.transport, 1)
+        row.addWidget(self.eye_switch, 0, Qt.AlignmentFlag.AlignVCenter)
+        return line
 
     def _split(
         self,

@@ -1,0 +1,1 @@
+"""The pictures in `docs/`, made from the real window on a virtual screen."""

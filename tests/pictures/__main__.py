@@ -1,0 +1,140 @@
+"""Make `docs/*.png`: the welcome page, two recordings playing, a swap waiting for Enter."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from app.presenters.palette import colours_of_tracks
+from app.views.application import borrowed_window, show_document, wait_until
+from app.views.desk import Desk
+from app.views.main_window import MainWindow
+from app.views.theme import Look
+from tests.pictures.screen import virtual_screen
+from tests.pictures.small_png import save_small
+from tracking.synthesis import render_recording
+
+DOCS = Path(__file__).parents[2] / "docs"
+SIZE = (1440, 900)
+LOOKS = (Look.DARK, Look.LIGHT)
+_PATIENCE_MS = 300_000
+
+
+def main() -> int:
+    """Make all pictures; names given on the command line make only those."""
+    wanted = set(sys.argv[1:])
+    DOCS.mkdir(exist_ok=True)
+    with virtual_screen(), TemporaryDirectory(prefix="trackwright-") as own:
+        os.environ |= {"XDG_DATA_HOME": own, "XDG_CONFIG_HOME": own}
+        for name, make in PICTURES.items():
+            if not wanted or name in wanted:
+                make(name, Path(own))
+    return 0
+
+
+def welcome(name: str, own: Path) -> None:
+    """The first page, with some recordings opened before."""
+    with borrowed_window(LOOKS[0].value, SIZE) as window:
+        for folder in ("Lobby, camera 3", "Square, market day"):
+            place = own / folder
+            place.mkdir(exist_ok=True)
+            window.remembered.add_recent(place)
+        window.show_welcome()
+        window.show()
+        _shoot(window, name)
+
+
+def playing(recording: str, scene: str, frame: int) -> Callable[[str, Path], None]:
+    """A recording that plays while the tracker is at work."""
+
+    def make(name: str, own: Path) -> None:
+        with _playing(_recording(recording, scene, own), frame) as window:
+            _shoot(window, name)
+
+    return make
+
+
+def swap_preview(name: str, own: Path) -> None:
+    """Two people who met, and the swap that would change their ids over."""
+    with _playing(_recording("rendered-plaza", "plaza", own), 120) as window:
+        desk = window.desk
+        assert desk is not None
+        wait_until(lambda: not desk.live.running and not window.work.busy, _PATIENCE_MS)
+        desk.playback.pause()
+        a, b, frame = _who_met(desk)
+        desk.playback.go(frame)
+        desk.editing.rename(a, "red coat")
+        desk.editing.pick(a)
+        window.run_command("tracks.swap")
+        desk.editing.pick(b)
+        _shoot(window, name)
+
+
+PICTURES: dict[str, Callable[[str, Path], None]] = {
+    "welcome": welcome,
+    "playing-plaza": playing("rendered-plaza", "plaza", 215),
+    "playing-overhead": playing("overhead-real", "hall", 250),
+    "swap-preview": swap_preview,
+}
+
+
+def _recording(name: str, scene: str, own: Path) -> Path:
+    """A shared test recording where there is one, else a built-in scene."""
+    named = os.environ.get("TRACKWRIGHT_DATA")
+    shared = Path(named) if named else Path(__file__).parents[3] / "shared" / "data"
+    if (shared / name).is_dir():
+        return shared / name
+    folder = own / scene
+    if not folder.is_dir():
+        render_recording(folder, scene, 20.0, 9, 4)
+    return folder
+
+
+@contextmanager
+def _playing(recording: Path, frame: int) -> Iterator[MainWindow]:
+    """The window while it plays and tracks, once it has come to the frame."""
+    with borrowed_window(LOOKS[0].value, SIZE) as window:
+        show_document(window, recording, 0)
+        desk = window.desk
+        assert desk is not None
+        window.run_command("play.toggle")
+        wait_until(lambda: desk.playback.number >= frame, _PATIENCE_MS)
+        yield window
+
+
+def _who_met(desk: Desk) -> tuple[int, int, int]:
+    """The two long tracks of clearly different colours that came closest to each other."""
+    tracks = desk.document.tracks
+    nearest = (np.inf, 0, 0, 0)
+    for frame in range(100, desk.document.recording.frame_count - 100, 5):
+        rows = tracks.of_frame(frame)
+        lasting = [len(tracks.of_track(int(one))["frame"]) > 120 for one in rows["track"]]
+        ids, x, y = (rows[name][lasting] for name in ("track", "x", "y"))
+        apart = np.hypot(x[:, None] - x, y[:, None] - y)
+        colours = colours_of_tracks(ids).astype(float)
+        alike = np.linalg.norm(colours[:, None] - colours, axis=2) < 150
+        apart[alike] = np.inf
+        if len(x) > 1 and apart.min() < nearest[0]:
+            i, j = np.unravel_index(int(apart.argmin()), apart.shape)
+            nearest = (float(apart.min()), int(ids[i]), int(ids[j]), frame)
+    return nearest[1:]
+
+
+def _shoot(window: MainWindow, name: str) -> None:
+    """Draw the window in both looks."""
+    for look in LOOKS:
+        window.set_look(look)
+        wait_until(lambda: False, 400)
+        path = DOCS / f"{name}-{look.value}.png"
+        save_small(window.grab(), path)
+        print(f"{path.name}: {path.stat().st_size // 1000} kB", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
