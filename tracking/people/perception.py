@@ -30,8 +30,9 @@ _UPDATES_PER_SCENE = 9
 class StereoPerception:
     """Turns stereo frames into people on the floor; holds both eyes' background models.
 
-    Each frame passes the stages `rectify`, `subtract`, `shade`, `match` and `find`; `remember` then lets
-    the backgrounds follow. `observe` does all of them; they are public so that each can be timed.
+    Each frame passes the stages `rectify`, `subtract`, `shade`, `match` and `find`; `remember`
+    then lets the backgrounds follow. `observe` does all of them; they are public so that each can
+    be timed.
 
     Args:
         rectification: of the recording.

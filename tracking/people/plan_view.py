@@ -31,7 +31,7 @@ class SurfacePoints:
         pixel: (n,) flat index into the grid of disparities they come from.
         world: (n, 3) metres.
         area: (n,) m² of surface, seen squarely, that the pixel covers.
-        range_noise: (n,) m, the spread of the distance from the camera.
+        range_noise: (n,) m, the spread of the distance from the camera on the floor.
     """
 
     pixel: NDArray[np.intp]
@@ -60,10 +60,13 @@ def surface_points(
     """
     pixel = np.flatnonzero(np.isfinite(disparity))
     depth = lines.depth(disparity.ravel()[pixel])
-    world = depth[:, None] * rays.reshape(-1, 3)[pixel]
+    sight = rays.reshape(-1, 3)[pixel]
+    world = depth[:, None] * sight
     world += lines.centre.astype(np.float32)
     area = (depth / np.float32(lines.focal)) ** 2 * np.float32(pixel_area)
-    noise = depth**2 * np.float32(noise_px / lines.focal_baseline)
+    # Straight below the camera, noise of range is noise of height: it moves nobody on the floor.
+    level = np.hypot(sight[:, 0], sight[:, 1])
+    noise = depth**2 * level * np.float32(noise_px / lines.focal_baseline)
     return SurfacePoints(pixel, world, area, noise)
 
 
@@ -85,12 +88,14 @@ def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) ->
     thinned = points.chosen(slice(None, None, -(-len(points.area) // _MOST_POINTS)))
     share = np.float32(points.area.sum() / max(float(thinned.area.sum()), 1e-9))
     places = _seeds(thinned, share, settings)
-    mass = np.zeros(len(places), np.float32)
+    mass = noise = np.zeros(len(places), np.float32)
     for _ in range(_STEPS):
         weight = _kernel(places, thinned, eye, settings) * thinned.area
         mass = weight.sum(axis=1)
-        places = (weight @ thinned.world[:, :2]) / np.maximum(mass, 1e-9)[:, None]
-    return _distinct(places, mass * share, thinned, eye, settings)
+        weight /= np.maximum(mass, 1e-9)[:, None]
+        places = np.asarray(weight @ thinned.world[:, :2], np.float32)
+        noise = np.asarray(weight @ thinned.range_noise, np.float32)
+    return _distinct(places, mass * share, noise, eye, settings)
 
 
 def apart(places: Floats, points: Floats, spread: Floats, eye: Floats, width_m: float) -> Floats:
@@ -105,7 +110,6 @@ def apart(places: Floats, points: Floats, spread: Floats, eye: Floats, width_m: 
     from_eye = points - eye
     distance = np.maximum(np.hypot(from_eye[:, 0], from_eye[:, 1]), 1e-3)
     along = from_eye / distance[:, None]
-    # Straight below the camera, noise of range is noise of height: it moves nobody on the floor.
     to_eye = places - eye
     radial = distance[None] - to_eye @ along.T
     across = to_eye @ np.stack((-along[:, 1], along[:, 0]))
@@ -137,26 +141,15 @@ def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -
 
 
 def _distinct(
-    places: Floats, mass: Floats, points: SurfacePoints, eye: Floats, settings: PeopleSettings
+    places: Floats, mass: Floats, noise: Floats, eye: Floats, settings: PeopleSettings
 ) -> Floats:
     """The places with enough surface, each once."""
     order = np.argsort(-mass, kind="stable")
     order = order[mass[order] > settings.least_area_m2]
     kept: list[int] = []
-    noise_at = _noise_at(places, points, eye)
     for i in order.tolist():
-        if kept:
-            close = apart(
-                places[kept], places[i : i + 1], noise_at[i : i + 1], eye, settings.body_width_m
-            )
-            if float(close.min()) < _SAME_PERSON:
-                continue
-        kept.append(i)
+        one = slice(i, i + 1)
+        close = apart(places[kept], places[one], noise[one], eye, settings.body_width_m)
+        if not kept or float(close.min()) >= _SAME_PERSON:
+            kept.append(i)
     return places[kept]
-
-
-def _noise_at(places: Floats, points: SurfacePoints, eye: Floats) -> Floats:
-    """(k,) m noise of range at places, by the points' own growth with distance."""
-    distance = np.hypot(*(points.world[:, :2] - eye).T)
-    growth = np.median(points.range_noise / np.maximum(distance, 0.5) ** 2)
-    return np.asarray(growth * (np.hypot(*(places - eye).T)) ** 2, np.float32)
