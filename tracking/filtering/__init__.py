@@ -4,7 +4,7 @@ The particles of all people stand in one array (people, N, 2) of metres on the f
 weights (people, N) beside it. Nothing here loops over particles or people.
 """
 
-from tracking.filtering.association import Association, associate
+from tracking.filtering.association import Association, associate, margins
 from tracking.filtering.direction import direction_cost, turning_angle
 from tracking.filtering.hiding import hiding_reach, out_of_hiding
 from tracking.filtering.histograms import bhattacharyya_distance
@@ -26,6 +26,7 @@ __all__ = [
     "effective_share",
     "hiding_reach",
     "likelihood",
+    "margins",
     "move",
     "out_of_hiding",
     "resample",

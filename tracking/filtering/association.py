@@ -42,12 +42,24 @@ def associate(cost: Floats, allowed: NDArray[np.bool_], left_out: float) -> Asso
     rows, columns = linear_sum_assignment(choices)
     real = columns < detections
     track, detection = rows[real], columns[real]
-    margin = _margins(np.where(allowed, cost, np.inf), track, detection)
-    return Association(track, detection, margin)
+    return Association(track, detection, margins(cost, allowed, track, detection))
 
 
-def _margins(cost: Floats, track: NDArray[np.intp], detection: NDArray[np.intp]) -> Floats:
-    """The growth of the total by the best single change that breaks each pair."""
+def margins(
+    cost: Floats,
+    allowed: NDArray[np.bool_],
+    track: NDArray[np.intp],
+    detection: NDArray[np.intp],
+) -> Floats:
+    """By how much the total grows with the best single change that breaks each pair.
+
+    Args:
+        cost, allowed: as in `associate`. track, detection: the pairs, each of both once.
+
+    Returns:
+        (pairs,); NaN where there is no other choice.
+    """
+    cost = np.where(allowed, cost, np.inf)
     own = cost[track, detection]
     free_tracks = np.delete(cost, track, axis=0)[:, detection]
     free_detections = np.delete(cost, detection, axis=1)[track]

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import CalibrationError
-from tracking.filtering import Association, associate, move, resample
+from tracking.filtering import Association, move, resample
 from tracking.geometry import View
 from tracking.people import Detections, Observation, StereoPerception
 from tracking.recording import Recording
@@ -14,14 +14,13 @@ from tracking.trackers.births_and_ends import Newcomers, confirmed, newcomers, s
 from tracking.trackers.population import Population, joined, nobody
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.stereo_boxes import expected_visibility, outlined
-from tracking.trackers.stereo_cues import Costs, Cues, costs_of
+from tracking.trackers.stereo_cues import Cues, costs_of
+from tracking.trackers.stereo_matching import match_people
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 from tracking.trackers.stereo_update import Match, aged, matched, unseen
 
 Colours = NDArray[np.float32]
-_LONG_MISSED_S = 0.5
-"""People missed for longer choose after those who were just seen."""
 
 
 def start(
@@ -59,10 +58,15 @@ class StereoTracker:
         - a newcomer must be seen in several frames before it gets an id: noise is not a person;
         - people seen a moment ago choose their detections before those missed for long, who
           search wider: an old track does not take what belongs to a present one;
+        - a person expected to be hidden by others pays for a detection: what is seen is more
+          likely the one in front;
+        - a detection that suits two people nearly alike is nobody's, as a merged region is;
+        - those not seen are weighed by where they could not be seen (see `unseen`);
         - a match far from all particles scatters them anew around it: the cloud had lost its
           person, and resampling would leave it as one point;
         - velocity is smoothed over several matches: one frame's movement is mostly noise;
-        - a person who is expected outside the picture, or was last seen at its edge, ends sooner.
+        - colours are learnt only while nobody else is close;
+        - people who leave the picture end at once, those at its edge soon, the hidden late.
     """
 
     def __init__(self, view: View, settings: StereoTrackerSettings, cues: Cues, seed: int) -> None:
@@ -93,7 +97,7 @@ class StereoTracker:
         expected = self._predicted(self._people, elapsed_s)
         shown = expected_visibility(expected, self._view)
         costs = costs_of(expected, measured, colours, self._cues, self._settings, shown)
-        pairs = self._matched(expected, costs, ~seen.merged)
+        pairs = match_people(expected, costs, ~seen.merged, self._settings)
         people = aged(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
         match = Match(pairs, seen, colours, since_s)
@@ -116,39 +120,6 @@ class StereoTracker:
             particles=move(people.particles, step, spreads, self._random),
             position=people.position + step,
         )
-
-    def _matched(self, people: Population, costs: Costs, usable: NDArray[np.bool_]) -> Association:
-        """Who is which detection: first those just seen, then newcomers and the long missed."""
-        present = people.confirmed & (people.missed_s < _LONG_MISSED_S)
-        free = usable.copy()
-        stages = []
-        lost = people.confirmed & ~present
-        for rows in map(np.flatnonzero, (present, lost, ~people.confirmed)):
-            columns = np.flatnonzero(free)
-            block = np.ix_(rows, columns)
-            found = associate(costs.total[block], costs.allowed[block], self._settings.cost_limit)
-            track, detection = rows[found.track], columns[found.detection]
-            free[detection] = False
-            stages.append((track, detection, found.margin))
-        track, detection, margin = (np.concatenate(parts) for parts in zip(*stages, strict=True))
-        clear = self._clear(people, costs, track, detection)
-        order = clear[np.argsort(track[clear])]
-        return Association(track[order], detection[order], margin[order])
-
-    def _clear(
-        self,
-        people: Population,
-        costs: Costs,
-        track: NDArray[np.intp],
-        detection: NDArray[np.intp],
-    ) -> NDArray[np.intp]:
-        """The pairs whose detection suits no other, unmatched person nearly as well."""
-        rivals = people.confirmed & (people.missed_s < _LONG_MISSED_S)
-        rivals[track] = False
-        other = np.where(costs.allowed, costs.total, np.inf)[np.ix_(rivals, detection)]
-        rival = other.min(axis=0, initial=np.inf)
-        own = costs.total[track, detection]
-        return np.flatnonzero(rival - own >= self._settings.least_margin)
 
     def _carried(
         self, people: Population, pairs: Association, seen: Detections, colours: Colours

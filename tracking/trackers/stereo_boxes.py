@@ -17,9 +17,12 @@ _DOWN = (np.arange(12) + 0.5) / 12
 _MIDDLE_M = 0.9
 """Height of a body's middle over the floor."""
 _MIXED = 0.1
-_OUTLINE_MEMORY_S = 0.05
-_HIDDEN_MEMORY_S = 0.15
-"""The same while others hide part of the body, and its region may hold pieces of theirs."""
+"""Share of a box that others cover from which on its region may hold pieces of theirs."""
+_OUTLINE_MEMORY_S = 0.3
+_MIXED_MEMORY_S = 2.0
+_TRUST = 0.9
+"""Weight of the box seen against the remembered outline; the next is where boxes overlap."""
+_TRUST_MIXED = 0.8
 
 
 def body_boxes(people: Population, view: View) -> Floats:
@@ -43,12 +46,24 @@ def outlined(
     """The people with the outlines of those matched brought up to date."""
     rows, chosen = pairs.track, pairs.detection
     mixed = overlap(body_boxes(people, view))[rows] > _MIXED
-    memory_s = np.where(mixed, _HIDDEN_MEMORY_S, _OUTLINE_MEMORY_S)
+    memory_s = np.where(mixed, _MIXED_MEMORY_S, _OUTLINE_MEMORY_S)
     share = 1.0 - np.exp(-elapsed_s / memory_s)
     share = np.maximum(share, 1.0 / people.matches[rows])[:, None]
     old = people.outline[rows]
     new = outlines_of(seen.box[chosen], people.position[rows], view)
     return people.changed(rows, outline=old + share * (new - old))
+
+
+def shown_boxes(people: Population, pairs: Association, seen: Detections, view: View) -> Floats:
+    """The boxes to report: what was seen this frame, drawn towards the remembered outline.
+
+    More so where boxes overlap, as a region may then hold pieces of somebody else.
+    """
+    box = body_boxes(people, view)
+    own = box[pairs.track]
+    trust = np.where(overlap(box)[pairs.track] > _MIXED, _TRUST_MIXED, _TRUST)[:, None]
+    box[pairs.track] = own + trust * (seen.box[pairs.detection] - own)
+    return box
 
 
 def _middles(position: Floats, view: View) -> tuple[Floats, Floats]:

@@ -23,7 +23,7 @@ class StereoColourSettings(StereoTrackerSettings):
 
     particles: int = setting(700, "", (10, 20000), "particles for each person")
     cost_limit: float = setting(
-        1.6, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
+        2.5, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
     )
     model_frames: int = setting(
         5, "", (1, 1000), "first frames of a person that its colours are the mean of"

@@ -13,7 +13,7 @@ from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.population import Population
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
-from tracking.trackers.stereo_boxes import body_boxes, visibility
+from tracking.trackers.stereo_boxes import shown_boxes, visibility
 from tracking.trackers.stereo_cues import Costs
 from tracking.tracks.columns import (
     DETECTION_COLUMNS,
@@ -27,21 +27,21 @@ def step_result(
     observation: Observation, people: Population, pairs: Association, costs: Costs, view: View
 ) -> StepResult:
     """The frame's result: confirmed people only, sorted by track."""
+    box = shown_boxes(people, pairs, observation.people, view)
     rows = np.flatnonzero(people.confirmed)
     rows = rows[np.argsort(people.track[rows])]
     shown = people.select(rows)
     frame = observation.frame
     return StepResult(
         frame=frame,
-        tracks=_tracks(frame, shown, view),
+        tracks=_tracks(frame, shown, box[rows], view),
         detections=_detections(frame, observation.people, people, pairs),
         particles=_particles(shown),
         associations=_associations(frame, people, pairs, costs),
     )
 
 
-def _tracks(frame: int, people: Population, view: View) -> Columns:
-    box = body_boxes(people, view)
+def _tracks(frame: int, people: Population, box: NDArray[np.float64], view: View) -> Columns:
     range_m = np.hypot(people.position[:, 0], people.position[:, 1])
     values = {
         "frame": np.full(len(people), frame),

@@ -40,7 +40,7 @@ class StereoTrackerSettings:
         1.0, "1/s", (0.0, 10.0), "how much wider that is with each second a person is missed"
     )
     cost_limit: float = setting(
-        1.1, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
+        2.0, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
     )
     distance_weight: float = setting(
         2.0, "1/m", (0.0, 20.0), "weight of the distance cue in the cost"
@@ -55,23 +55,20 @@ class StereoTrackerSettings:
     unseen_s: float = setting(
         0.3, "s", (0.01, 60.0), "time in which somebody not seen is thought to be behind others"
     )
-    stop_s: float = setting(
-        2.0, "s", (0.05, 60.0), "time in which the velocity of somebody not seen fades"
-    )
     least_margin: float = setting(
-        0.1, "", (0.0, 5.0), "a detection that suits two people nearly alike is nobody's"
+        0.2, "", (0.0, 5.0), "a detection that suits two people nearly alike is nobody's"
     )
     colour_distance_m: float = setting(
         0.6, "m", (0.0, 5.0), "colours are learnt while nobody else is closer than this"
     )
     confirm_matches: int = setting(
-        4, "", (1, 100), "frames a newcomer must be seen in before it becomes a track"
+        3, "", (1, 100), "frames a newcomer must be seen in before it becomes a track"
     )
     birth_distance_m: float = setting(
         0.5, "m", (0.0, 5.0), "no newcomer starts closer than this to somebody followed"
     )
     lost_after_s: float = setting(
-        2.0, "s", (0.05, 60.0), "time without a detection after which a track ends"
+        1.5, "s", (0.05, 60.0), "time without a detection after which a track ends"
     )
     lost_hidden_s: float = setting(
         4.0, "s", (0.05, 60.0), "the same while a person is expected to be hidden by others"

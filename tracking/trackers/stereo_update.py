@@ -109,12 +109,7 @@ def unseen(
     mine = people.particles[lost]
     before = mine.mean(axis=1)
     position = people.position[lost] + weighted_mean(mine, weight) - before
-    return people.changed(
-        lost,
-        weight=weight,
-        position=position,
-        velocity=people.velocity[lost] * np.exp(-elapsed_s / settings.stop_s),
-    )
+    return people.changed(lost, weight=weight, position=position)
 
 
 def _weighed(

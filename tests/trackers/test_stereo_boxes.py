@@ -1,0 +1,64 @@
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+from people_on_a_floor import view
+
+from tracking.trackers.births_and_ends import confirmed
+from tracking.trackers.population import nobody
+from tracking.trackers.stereo_boxes import body_boxes, outlines_of, overlap, visibility
+
+FRONT, BEHIND = [100.0, 100.0, 50.0, 150.0], [110.0, 60.0, 50.0, 150.0]
+
+
+def test_the_one_behind_is_hidden_by_what_the_one_in_front_covers():
+    shown = visibility(np.array([FRONT, BEHIND]), np.array([4.0, 5.0]), (640, 480))
+    assert shown[0] == 1.0
+    assert 0.35 < shown[1] < 0.5
+
+
+def test_what_lies_outside_the_picture_is_not_seen():
+    shown = visibility(np.array([[-25.0, 100.0, 50.0, 100.0]]), np.array([4.0]), (640, 480))
+    np.testing.assert_allclose(shown, [0.5])
+
+
+def test_overlap_is_the_largest_share_in_common_with_another():
+    boxes = np.array([[0.0, 0, 10, 10], [5.0, 0, 10, 10], [100.0, 0, 10, 10]])
+    np.testing.assert_allclose(overlap(boxes), [0.5, 0.5, 0.0])
+
+
+@given(st.floats(-3, 3), st.floats(3, 12), st.floats(5, 80), st.floats(20, 300))
+def test_an_outline_gives_back_the_box_it_was_taken_from(x, y, width, height):
+    box, position = np.array([[200.0, 90.0, width, height]]), np.array([[x, y]])
+    outline = outlines_of(box, position, view())
+    people = _somebody(position, outline)
+    np.testing.assert_allclose(body_boxes(people, view()), box, atol=1e-6)
+
+
+def test_an_outline_moves_and_shrinks_with_its_person():
+    box = view().box_of_person(np.array([[0.0, 4.0]]), 1.7, 0.5)
+    outline = outlines_of(box, np.array([[0.0, 4.0]]), view())
+    far = body_boxes(_somebody(np.array([[1.0, 9.0]]), outline), view())
+    expected = view().box_of_person(np.array([[1.0, 9.0]]), 1.7, 0.5)
+    np.testing.assert_allclose(far, expected, atol=12.0)
+
+
+def _somebody(position: np.ndarray, outline: np.ndarray):
+    rows = np.zeros(1, int)
+    empty = nobody(10, 1, 4)
+    columns = {
+        name: np.zeros((1, *getattr(empty, name).shape[1:]), getattr(empty, name).dtype)
+        for name in ("track", "particles", "weight", "velocity", "matches", "missed_s", "colour")
+    }
+    columns |= {"seen_at": position, "position": position, "outline": outline}
+    columns |= {"anchors": np.zeros((1, 2, 2)), "anchor_age_s": np.zeros(1)}
+    return empty.replace(**columns, confidence=np.zeros(1)).select(rows)
+
+
+def test_ids_go_on_from_the_last_one_and_only_to_people_seen_often_enough():
+    five = _somebody(np.zeros((1, 2)), np.zeros((1, 4))).select(np.zeros(5, int))
+    five = five.replace(matches=np.array([1, 9, 3, 2, 3], np.int32))
+    people, last = confirmed(five, 3, last_id=7)
+    assert people.track.tolist() == [0, 8, 9, 0, 10]
+    assert last == 10

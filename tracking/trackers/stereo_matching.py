@@ -1,0 +1,58 @@
+"""Who of the people followed is which detection."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import Association, associate, margins
+from tracking.trackers.population import Population
+from tracking.trackers.stereo_cues import Costs
+from tracking.trackers.stereo_settings import StereoTrackerSettings
+
+_LONG_MISSED_S = 0.5
+"""People missed for longer choose after those who were just seen."""
+
+
+def match_people(
+    people: Population, costs: Costs, usable: NDArray[np.bool_], settings: StereoTrackerSettings
+) -> Association:
+    """Pairs of people and detections with the smallest total cost, in three turns.
+
+    First choose those seen a moment ago, then those missed for long, then newcomers. A detection
+    that suits somebody left over nearly as well is taken back: it may be both of them.
+
+    Args:
+        people: predicted to this frame. costs: of all pairs.
+        usable: (detections,) False for merged regions, which are nobody's observation
+            ([Kawashita2014] section 3.4).
+    """
+    present = people.confirmed & (people.missed_s < _LONG_MISSED_S)
+    missed = people.confirmed & ~present
+    free = usable.copy()
+    taken = np.full(len(people), -1)
+    for turn in (present, missed, ~people.confirmed):
+        rows, columns = np.flatnonzero(turn), np.flatnonzero(free)
+        block = np.ix_(rows, columns)
+        found = associate(costs.total[block], costs.allowed[block], settings.cost_limit)
+        taken[rows[found.track]] = columns[found.detection]
+        free[columns[found.detection]] = False
+    track = np.flatnonzero(taken >= 0)
+    track = track[_uncontested(costs, track, taken[track], present, settings.least_margin)]
+    detection = taken[track]
+    return Association(track, detection, margins(costs.total, costs.allowed, track, detection))
+
+
+def _uncontested(
+    costs: Costs,
+    track: NDArray[np.intp],
+    detection: NDArray[np.intp],
+    present: NDArray[np.bool_],
+    least_margin: float,
+) -> NDArray[np.bool_]:
+    """(pairs,) whose detection suits nobody left over nearly as well."""
+    left_over = present.copy()
+    left_over[track] = False
+    rivals = np.where(costs.allowed, costs.total, np.inf)[np.ix_(left_over, detection)]
+    gap = rivals.min(axis=0, initial=np.inf) - costs.total[track, detection]
+    return np.asarray(gap >= least_margin)
