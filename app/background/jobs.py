@@ -45,15 +45,14 @@ class Progress:
 class Job(QObject):
     """Runs `work(progress)` in a thread of its own.
 
-    Signals: `progressed(done, total)`; then exactly one of `done(result)`, `failed(error)` and
-    `cancelled()`, and last `ended()`.
+    Signals: `progressed(done, total)`; at last exactly one of `done(result)`, `failed(error)` and
+    `cancelled()`.
     """
 
     progressed = Signal(int, int)
     done = Signal(object)
     failed = Signal(object)
     cancelled = Signal()
-    ended = Signal()
     _finished = Signal(object, object)
 
     def __init__(self, title: str, work: Callable[[Progress], Any], parent: QObject) -> None:
@@ -94,4 +93,3 @@ class Job(QObject):
         else:
             _log.info("%s failed: %s", self.title, error)
             self.failed.emit(error)
-        self.ended.emit()

@@ -52,13 +52,10 @@ class Work(QObject):
             return
         job = Job(title, work, self)
         job.progressed.connect(self._show)
-        if undone is not None:
-            job.failed.connect(lambda _: undone())
-            job.cancelled.connect(undone)
-        job.failed.connect(self.failed)
-        job.cancelled.connect(lambda: self.said.emit(tr("Stopped: {title}", title=title)))
         job.done.connect(lambda result: self._end(lambda: done(result)))
-        job.ended.connect(self._end)
+        job.failed.connect(lambda error: self._end(undone, lambda: self.failed.emit(error)))
+        stopped = tr("Stopped: {title}", title=title)
+        job.cancelled.connect(lambda: self._end(undone, lambda: self.said.emit(stopped)))
         self._job = job
         self._strip.show_scene(title, None)
         job.start()
@@ -85,11 +82,13 @@ class Work(QObject):
         left = passed_s * (total - done) / done if done and passed_s > _TELL_LEFT_AFTER_S else None
         self._strip.show_scene(self._job.title, done / total, left)
 
-    def _end(self, then: Callable[[], None] | None = None) -> None:
+    def _end(self, *then: Callable[[], object] | None) -> None:
+        """Let the job go first: what comes then may begin another one."""
         if self._job is not None:
             self._job.deleteLater()
             self._job = None
             self._strip.finish()
-        if then is not None:
-            then()
+        for step in then:
+            if step is not None:
+                step()
         self.changed.emit()

@@ -91,3 +91,10 @@ def test_after_a_crash_the_window_opens_where_it_was_and_says_so(
     qtbot.waitUntil(lambda: _is_open(window))
     assert window.desk.playback.clock.frame == 42
     assert "here is where you were" in window.notice.text
+
+
+def test_the_demo_is_made_and_opened(window, qtbot, tiny_recording, monkeypatch):
+    monkeypatch.setattr(opening, "make_demo", lambda _: tiny_recording)
+    window.run_command("file.demo")
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert window.desk.document.recording.path == tiny_recording

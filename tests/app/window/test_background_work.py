@@ -1,0 +1,135 @@
+import threading
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QObject
+
+from app.background import FrameReader, Job
+from app.views.progress_strip import ProgressStrip
+from app.views.work import Work
+from tracking.errors import OutputError, RecordingError
+from tracking.recording import open_recording
+
+
+@pytest.fixture
+def strip(qtbot):
+    strip = ProgressStrip()
+    qtbot.addWidget(strip)
+    return strip
+
+
+@pytest.fixture
+def work(strip, no_threads_left):
+    work = Work(strip, strip)
+    yield work
+    work.close()
+
+
+def test_a_job_gives_its_result_in_the_thread_it_was_started_from(work, qtbot):
+    threads = []
+    work.run(
+        "Counting",
+        lambda _: threads.append(threading.current_thread()) or 42,
+        lambda result: threads.append((threading.current_thread(), result)),
+    )
+    qtbot.waitUntil(lambda: len(threads) == 2)
+    assert threads[0] is not threading.current_thread()
+    assert threads[1] == (threading.current_thread(), 42)
+    assert not work.busy
+
+
+def test_one_job_may_begin_another(work, qtbot):
+    results = []
+    work.run(
+        "First", lambda _: 1, lambda one: work.run("Second", lambda _: one + 1, results.append)
+    )
+    qtbot.waitUntil(lambda: results == [2])
+    assert not work.busy
+
+
+def test_while_a_job_runs_a_second_is_refused_with_a_word(work, qtbot):
+    go, said, results = threading.Event(), [], []
+    work.said.connect(said.append)
+    work.run("First", lambda _: go.wait(5), results.append)
+    work.run("Second", lambda _: 2, results.append)
+    go.set()
+    qtbot.waitUntil(lambda: results == [True])
+    assert said == ["Wait until the work in progress is done"]
+
+
+def test_cancelled_work_stops_at_its_next_word_and_is_undone(work, strip, qtbot):
+    undone = []
+
+    def count(progress) -> None:
+        for at in range(1_000_000):
+            progress(at, 1_000_000)
+
+    work.run("Counting", count, lambda _: undone.append("done"), lambda: undone.append("undone"))
+    qtbot.wait(20)
+    assert strip.isVisibleTo(strip.parentWidget())
+    work.cancel()
+    qtbot.waitUntil(lambda: undone == ["undone"])
+    assert strip.isHidden()
+
+
+def test_failed_work_is_told_with_its_error(work, qtbot):
+    told = []
+
+    def fail(_) -> None:
+        raise OutputError("disk full")
+
+    work.failed.connect(told.append)
+    work.run("Saving", fail, told.append)
+    qtbot.waitUntil(lambda: len(told) == 1)
+    assert str(told[0]) == "disk full"
+
+
+def test_closing_waits_for_the_work(work):
+    work.run("Waiting", lambda progress: [progress(n, 9) for n in iter(int, 1)], lambda _: None)
+    work.close()
+    assert not work.busy
+
+
+def test_a_job_reports_how_far_it_is(qtbot, no_threads_left):
+    parent, steps = QObject(), []
+    job = Job("Counting", lambda progress: progress(3, 3), parent)
+    job.progressed.connect(lambda done, total: steps.append((done, total)))
+    with qtbot.waitSignal(job.done):
+        job.start()
+    assert steps == [(3, 3)]
+
+
+@pytest.fixture
+def reader(tiny_recording, no_threads_left):
+    parent = QObject()
+    with open_recording(tiny_recording) as recording:
+        reader = FrameReader(recording, 50_000_000, parent)
+        yield reader
+        reader.close()
+
+
+def test_the_newest_request_is_answered_with_both_eyes_of_its_frame(reader, qtbot):
+    answers = []
+    reader.ready.connect(lambda ticket, frame: answers.append((ticket, frame)))
+    for number in (3, 9, 27):
+        ticket = reader.request(number)
+    qtbot.waitUntil(lambda: bool(answers) and answers[-1][0] == ticket)
+    frame = answers[-1][1]
+    assert frame.number == 27
+    assert frame.left.shape == frame.right.shape
+    assert not np.array_equal(frame.left, frame.right)
+
+
+def test_what_comes_next_is_read_ahead_in_the_play_direction(reader, qtbot):
+    reader.request(40, -1)
+    qtbot.waitUntil(lambda: reader.cached(35) is not None)
+    assert reader.cached(45) is None
+
+
+def test_a_frame_that_is_not_there_is_told_and_the_next_request_works(reader, qtbot):
+    with qtbot.waitSignal(reader.failed) as told:
+        reader.request(9999)
+    assert isinstance(told.args[1], RecordingError)
+    with qtbot.waitSignal(reader.ready) as answer:
+        reader.request(5)
+    assert answer.args[1].number == 5
