@@ -19,7 +19,7 @@ _MOST_SEEDS = 80
 _KERNEL = 0.28
 """Standard deviation of the mean-shift kernel, as a share of a person's breadth."""
 _STEPS = 5
-_SAME_PERSON = 0.5
+_SAME_PERSON = 0.4
 """Squared distance of two places, in units of a person's breadth, below which they are one."""
 
 
