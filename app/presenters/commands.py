@@ -186,7 +186,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
     Command(
         "tracks.stop",
         "Tracks",
-        "Stop tracking and keep the result",
+        "Stop tracking, keep the result",
         ("Ctrl+Shift+T",),
         lambda now: "" if now.live else tr("no tracker is at work"),
     ),
@@ -202,7 +202,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
         "tracks.previous",
         "Tracks",
         "Select previous track",
-        ("Shift+Tab", "Shift+Backtab"),
+        ("Shift+Tab",),
         lambda now: "" if now.tracks else tr("there are no tracks yet"),
     ),
     Command(

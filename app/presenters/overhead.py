@@ -17,6 +17,7 @@ Floats = NDArray[np.float64]
 Bounds = tuple[float, float, float, float]
 
 _MARGIN_M = 0.6
+_LOOKS_DOWN_DEG = 75.0
 
 
 class OverheadPresenter:
@@ -26,13 +27,15 @@ class OverheadPresenter:
         self._trail_frames = max(1, round(TRAIL_S * recording.fps))
         self._field_of_view: Floats = np.zeros((0, 2))
         self._message = tr("No calibration: people cannot be placed on the floor")
+        self._looks_down = False
         self._bounds: Bounds = (-5.0, -1.0, 5.0, 9.0)
         if recording.view is not None:
             height_m = recording.view.ground.height_m
-            reach_m = float(np.clip(3.0 * height_m, 8.0, 30.0))
+            reach_m = float(np.clip(4.5 * height_m, 8.0, 40.0))
             self._field_of_view = recording.view.field_of_view(reach_m)
             self._bounds = _bounds(self._field_of_view)
             self._message = ""
+            self._looks_down = recording.view.ground.tilt_deg > _LOOKS_DOWN_DEG
 
     def scene(self, instant: Instant) -> OverheadScene:
         """The floor at the instant."""
@@ -50,6 +53,7 @@ class OverheadPresenter:
             bounds=self._bounds,
             preview=instant.preview,
             message=self._message,
+            looks_down=self._looks_down,
         )
 
     def _people(self, instant: Instant) -> tuple[FloorPerson, ...]:

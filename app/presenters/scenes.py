@@ -114,6 +114,7 @@ class OverheadScene:
         bounds: left, bottom, right, top in metres of what is worth showing.
         preview: trails before (dashed) and after (solid) of an edit being previewed.
         message: said where there is nothing to show, e.g. no calibration.
+        looks_down: the camera looks (nearly) straight down, not forward.
     """
 
     frame: int
@@ -127,6 +128,7 @@ class OverheadScene:
     bounds: tuple[float, float, float, float]
     preview: tuple[PreviewTrail, ...] = ()
     message: str = ""
+    looks_down: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,6 +181,7 @@ class TransportScene:
     time_s: float
     tracker: str
     status: str  # e.g. "live 43 fps", "tracked", "no tracker"
+    live: bool = False  # a tracker is at work
 
 
 @dataclass(frozen=True, slots=True)

@@ -240,6 +240,7 @@ class Desk(QObject):
                 time_s=self.document.recording.time_s(clock.frame),
                 tracker=self._tracker_name(),
                 status=self._status(),
+                live=self.live.running and self.live.done > 0,
             )
         )
 

@@ -200,6 +200,7 @@ class Files(QObject):
 
     def save(self, then: Then | None = None) -> None:
         """Save where the session stands; ask for a place where it has none yet."""
+        self._window.workspace.take_typed()
         session = self.session
         if session is None:
             return
@@ -210,6 +211,7 @@ class Files(QObject):
 
     def save_as(self, then: Then | None = None) -> None:
         """Ask for a place and save there."""
+        self._window.workspace.take_typed()
         if self.desk is not None:
             start = self.desk.document.recording.folder / "session.h5"
             chosen = partial(self.save_to, then=then)
@@ -274,6 +276,7 @@ class Files(QObject):
 
     def may_leave(self, again: Then) -> bool:
         """Whether the open document can be let go; if not, ask, and do `again` afterwards."""
+        self._window.workspace.take_typed()
         if self._leave or not self.unsaved:
             self._leave = False
             return True

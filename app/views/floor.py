@@ -102,12 +102,21 @@ def draw_field_of_view(
 
 
 def draw_camera(
-    painter: QPainter, camera: tuple[float, float], viewport: Viewport, theme: Theme
+    painter: QPainter,
+    camera: tuple[float, float],
+    viewport: Viewport,
+    theme: Theme,
+    looks_down: bool = False,
 ) -> None:
-    """A small camera that looks forward (up)."""
+    """A small camera that looks forward (up on the screen), or down: then its lens alone."""
     at = viewport.point(*camera)
     painter.setPen(QPen(theme.sunken, 1.0))
     painter.setBrush(theme.text_muted)
+    if looks_down:
+        painter.drawEllipse(at, 7.0, 7.0)
+        painter.setBrush(theme.sunken)
+        painter.drawEllipse(at, 3.5, 3.5)
+        return
     lens = [QPointF(-4, -3), QPointF(-7, -10), QPointF(7, -10), QPointF(4, -3)]
     painter.drawPolygon(QPolygonF([at + corner for corner in lens]))
     painter.drawRoundedRect(QRectF(at.x() - 7, at.y() - 4, 14, 11), 2.5, 2.5)

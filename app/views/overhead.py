@@ -121,7 +121,7 @@ class OverheadView(Canvas):
             painter.setFont(scaled_font(self.font(), 0.85))
             draw_grid(painter, QRectF(self.rect()), self.viewport, theme)
             draw_field_of_view(painter, scene.field_of_view, self.viewport, theme)
-            draw_camera(painter, scene.camera, self.viewport, theme)
+            draw_camera(painter, scene.camera, self.viewport, theme, scene.looks_down)
             painter.end()
         return self._floor_drawn
 

@@ -187,7 +187,7 @@ class TransportBar(QFrame):
     def _colour_light(self) -> None:
         theme = current_theme()
         status = self._scene.status if self._scene is not None else ""
-        live = status.startswith("live")
+        live = self._scene is not None and self._scene.live
         self._light.set_colour(theme.good if live else theme.line_strong)
         self._light.setVisible(bool(status))
 

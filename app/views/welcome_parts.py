@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
@@ -24,6 +26,14 @@ _PATHS = (
     ((0.06, 0.99), (0.36, 0.80), (0.62, 0.96), (0.91, 0.66), QColor(230, 159, 0)),
     ((0.95, 0.99), (0.66, 0.84), (0.40, 0.95), (0.09, 0.68), QColor(86, 180, 233)),
 )
+
+
+def from_home(path: str) -> str:
+    """The path as people read it: ~ for the user's own folder."""
+    try:
+        return str("~" / Path(path).relative_to(Path.home()))
+    except (ValueError, RuntimeError):  # elsewhere, or nobody has a home here
+        return path
 
 
 class ChoiceButton(QPushButton):
@@ -96,7 +106,7 @@ class RecentRow(QToolButton):
         super().paintEvent(event)
         theme, painter, item = current_theme(), QPainter(self), self._item
         detail = item.detail if item.exists else self.tr("not there any more")
-        below = "  \u00b7  ".join(part for part in (detail, item.path) if part)
+        below = "  \u00b7  ".join(part for part in (detail, from_home(item.path)) if part)
         quiet = theme.text_muted if item.exists else theme.text_faint
         for text, factor, bold, colour, side in (
             (

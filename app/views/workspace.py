@@ -67,7 +67,7 @@ class Workspace(QWidget):
         column.addWidget(top, 1)
         column.addWidget(self.preview)
         column.addWidget(self._transport_line())
-        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (10, 3))
+        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (9, 4))
         page = QVBoxLayout(self)
         page.setContentsMargins(0, 0, 0, 0)
         page.addWidget(whole)
@@ -103,6 +103,12 @@ class Workspace(QWidget):
         self.right.setVisible(mode == "both" and stereo)
         self.eye_switch.show_scene(mode, stereo)
         self.eye_switch.setVisible(stereo)
+
+    def take_typed(self) -> None:
+        """Take what is being typed into the card as if its field had been left."""
+        typed_into = QApplication.focusWidget()
+        if typed_into is not None and self.card.isAncestorOf(typed_into):
+            typed_into.clearFocus()
 
     def focus_next_pane(self) -> None:
         """Give the keyboard to the next part: picture, floor, card, history, timeline."""

@@ -21,7 +21,7 @@ from tests.pictures.small_png import save_small
 from tracking.synthesis import render_recording
 
 DOCS = Path(__file__).parents[2] / "docs"
-SIZE = (1440, 900)
+SIZE = (1600, 1000)
 LOOKS = (Look.DARK, Look.LIGHT)
 _PATIENCE_MS = 300_000
 
@@ -31,7 +31,7 @@ def main() -> int:
     wanted = set(sys.argv[1:])
     DOCS.mkdir(exist_ok=True)
     with virtual_screen(), TemporaryDirectory(prefix="trackwright-") as own:
-        os.environ |= {"XDG_DATA_HOME": own, "XDG_CONFIG_HOME": own}
+        os.environ |= {"HOME": own, "XDG_DATA_HOME": own, "XDG_CONFIG_HOME": own}
         for name, make in PICTURES.items():
             if not wanted or name in wanted:
                 make(name, Path(own))
@@ -42,8 +42,8 @@ def welcome(name: str, own: Path) -> None:
     """The first page, with some recordings opened before."""
     with borrowed_window(LOOKS[0].value, SIZE) as window:
         for folder in ("Lobby, camera 3", "Square, market day"):
-            place = own / folder
-            place.mkdir(exist_ok=True)
+            place = own / "Recordings" / folder
+            place.mkdir(parents=True, exist_ok=True)
             window.remembered.add_recent(place)
         window.show_welcome()
         window.show()

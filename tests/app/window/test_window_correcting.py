@@ -243,3 +243,17 @@ def test_closing_with_edits_asks_first(window, desk, qtbot, answer):
     assert again.labels.of_track(track).name == ("anna" if answer == "Save" else "")
     assert again.recovered == 0
     again.close()
+
+
+def test_notes_still_being_typed_are_saved_too(window, desk, press, qtbot):
+    from PySide6.QtWidgets import QPlainTextEdit
+
+    press(Key.Key_Tab)
+    track = desk.document.selection.track
+    notes = window.workspace.card.findChild(QPlainTextEdit)
+    notes.setFocus()
+    QTest.keyClicks(notes, "limps")
+    assert desk.document.label(track).notes == ""
+    press(Key.Key_S, _CTRL)
+    qtbot.waitUntil(lambda: not window.files.unsaved and not window.work.busy)
+    assert desk.document.label(track).notes == "limps"

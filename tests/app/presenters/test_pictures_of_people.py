@@ -1,0 +1,130 @@
+import numpy as np
+import pytest
+import two_people
+
+from app.presenters.document import Document
+from app.presenters.overhead import relative_weights
+from app.presenters.pictures import anaglyph_image
+from app.presenters.scenes import Eye
+from app.presenters.session_tracks import SessionTracks
+from app.presenters.setting import Instant, Pictured
+from tracking.recording import open_recording
+from tracking.session import Session
+from tracking.tracks import TrackTable
+
+CROWDED = 60
+
+
+@pytest.fixture
+def document(tiny_recording, tiny_session):
+    with open_recording(tiny_recording) as recording:
+        document = Document(recording, Session.open(tiny_session))
+        yield document
+        document.session.close()
+
+
+def _scene(document, eye=Eye.LEFT, pictured=Pictured()):  # noqa: B008 - frozen
+    frame = document.recording.read(CROWDED)
+    return document.pictures.scene(eye, frame, document.instant(CROWDED), pictured)
+
+
+def test_everybody_of_the_frame_is_marked_in_their_colour_and_the_selected_one_last(document):
+    ids = document.tracks.of_frame(CROWDED)["track"].tolist()
+    document.pick(ids[0])
+    people = _scene(document).people
+    assert sorted(mark.track for mark in people) == ids
+    assert people[-1].track == ids[0]
+    assert people[-1].selected
+    assert len({mark.colour for mark in people}) == len(people)
+
+
+def test_the_right_eye_has_the_same_people_shifted_by_their_disparity(document):
+    left = {mark.track: mark for mark in _scene(document).people}
+    right = {mark.track: mark for mark in _scene(document, Eye.RIGHT).people}
+    assert left.keys() == right.keys()
+    rectification = document.recording.rectification
+    for row in range(len(document.tracks.of_frame(CROWDED)["track"])):
+        rows = document.tracks.of_frame(CROWDED)
+        track = int(rows["track"][row])
+        middle = np.array([[rows["x"][row], rows["y"][row], 0.85]])
+        shift = left[track].box[0] - right[track].box[0]
+        assert shift == pytest.approx(rectification.disparity_from_world(middle)[0], abs=0.5)
+        assert left[track].box[1:] == pytest.approx(right[track].box[1:], abs=0.5)
+
+
+def test_trails_end_where_the_people_stand(document):
+    for mark in _scene(document).people:
+        left, top, width, height = mark.box
+        foot = mark.trail[-1]
+        assert left - width < foot[0] < left + 2 * width
+        assert top + height / 2 < foot[1] < top + 1.5 * height
+
+
+def test_without_trails_none_are_made(document):
+    people = _scene(document, pictured=Pictured(trails=False)).people
+    assert all(len(mark.trail) == 0 for mark in people)
+
+
+def test_particles_are_laid_over_the_picture_near_their_people(document):
+    scene = _scene(document, pictured=Pictured(particles=True))
+    assert scene.overlay.shape == (*scene.image.shape[:2], 4)
+    assert scene.overlay[..., 3].any()
+    assert _scene(document).overlay is None
+
+
+def test_the_floor_grid_is_made_once_and_lies_in_view(document):
+    first = _scene(document, pictured=Pictured(grid=True)).grid
+    assert len(first) > 20
+    assert _scene(document, pictured=Pictured(grid=True)).grid is first
+    assert len(_scene(document).grid) == 0
+
+
+def test_a_frame_that_is_being_read_is_said(document):
+    scene = document.pictures.scene(Eye.LEFT, None, document.instant(0), Pictured())
+    assert scene.image is None
+    assert scene.message == "Reading..."
+
+
+def test_an_anaglyph_has_the_left_eye_in_red_and_the_right_eye_in_green_and_blue():
+    left, right = np.full((2, 2, 3), 200, np.uint8), np.full((2, 2, 3), 50, np.uint8)
+    assert anaglyph_image(left, right)[0, 0].tolist() == [50, 50, 200]
+
+
+def test_the_floor_shows_people_particles_and_what_was_measured(document):
+    scene = document.overhead.scene(document.instant(CROWDED))
+    ids = document.tracks.of_frame(CROWDED)["track"].tolist()
+    assert sorted(person.track for person in scene.people) == ids
+    assert len(scene.particles) == len(scene.particle_colours) == len(scene.particle_weights)
+    assert len(scene.measured) >= 1
+    left, bottom, right, top = scene.bounds
+    assert (scene.field_of_view >= (left, bottom)).all()
+    assert (scene.field_of_view <= (right, top)).all()
+
+
+def test_weights_are_relative_to_the_heaviest_particle_of_each_person():
+    particles = two_people.run().particles.of_frame(50)
+    weights = relative_weights(particles).reshape(2, two_people.PARTICLES)
+    assert weights.max(axis=1).tolist() == [1.0, 1.0]
+    assert weights[0, 1] == pytest.approx(0.75)
+    assert len(relative_weights(two_people.run().particles.of_frame(999))) == 0
+
+
+def test_people_without_metres_are_left_out_of_the_floor_but_not_of_the_picture(document):
+    rows = dict(two_people.columns())
+    rows["x"] = np.where(rows["track"] == 7, np.nan, rows["x"])
+    instant = Instant(50, SessionTracks(TrackTable(rows), None))
+    assert [person.track for person in document.overhead.scene(instant).people] == [4]
+    frame = document.recording.read(50)
+    marks = document.pictures.scene(Eye.LEFT, frame, instant, Pictured()).people
+    assert [mark.track for mark in marks] == [4, 7]
+
+
+def test_the_card_tells_of_the_selected_track(document):
+    assert document.card() is None
+    track = document.tracks.ids[0]
+    document.pick(track)
+    card = document.card()
+    rows = document.tracks.of_track(track)
+    assert card.track == track
+    assert card.frames_seen + card.frames_predicted == len(rows["frame"])
+    assert (card.first_frame, card.last_frame) == (rows["frame"][0], rows["frame"][-1])
