@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from contextlib import closing
 from pathlib import Path
 
 from app.cli.display import has_display
 from app.cli.recordings import Bare, options_of
-from app.presenters.opening import remember_place
+from app.presenters.opening import open_path
 from tracking.errors import OutputError
-from tracking.recording import open_recording
-from tracking.session import Session
+from tracking.recording import OpenOptions
 
 
 def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
@@ -27,7 +25,7 @@ def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
     """
     options = options_of(bare)
     if path is not None and recording is not None:
-        _note_place(path, recording)
+        _note_place(path, recording, options)
     if not has_display():
         raise OutputError("no display to open a window on; use info, track or demo --no-gui")
     from app.views.application import run
@@ -35,10 +33,9 @@ def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
     raise SystemExit(run(path or bare.left, options))
 
 
-def _note_place(path: Path, recording: Path) -> None:
+def _note_place(path: Path, recording: Path, options: OpenOptions) -> None:
     """Remember where a session's recording stands now; the window finds it there."""
-    with (
-        closing(Session.open(path)) as session,
-        open_recording(session.locate_recording([recording])) as found,
-    ):
-        remember_place(session, found)
+    document = open_path(path, recording, options).document
+    document.recording.close()
+    if document.session is not None:
+        document.session.close()

@@ -51,7 +51,8 @@ def open_path(
     Args:
         path: what to open.
         recording: where the recording of a session is by now, if it is known to have moved.
-        options: what a bare recording does not say of itself.
+        options: what a bare recording does not say of itself; of a session's recording only
+            `allow_outside` counts, the rest is in the session.
 
     Raises:
         TrackwrightError: it cannot be opened; `RecordingMissing` where only the recording is gone.
@@ -61,8 +62,9 @@ def open_path(
     session = Session.open(path)
     try:
         search = [recording] if recording is not None else []
-        place = session.locate_recording(search, KnownRecordings(_own_folder()))
-        return Opened(path, Document(open_recording(place), session))
+        allowed = options is not None and options.allow_outside
+        found = session.open_recording(search, _known(), allow_outside=allowed)
+        return Opened(path, Document(found, session))
     except BaseException:
         session.close()
         raise
@@ -80,7 +82,7 @@ def keep_run(recording: Recording, run: Run) -> Session:
 
 def remember_place(session: Session, recording: Recording) -> None:
     """Note where the recording stands, so that the session finds it again unasked."""
-    session.locate_recording([recording.path], KnownRecordings(_own_folder()))
+    _known().remember(session.recording, recording.folder)
 
 
 def finish_save(session: Session, pending: PendingSave) -> None:
@@ -135,6 +137,10 @@ def score_against_truth(session: Session, recording: Recording) -> dict[str, Any
     truth = ScoringTable.from_columns(read_mot(recording.truth_path), dont_cares=True)
     result = ScoringTable.from_columns(session.tracks.columns())
     return score(truth, result, frames=recording.frame_count).as_json()
+
+
+def _known() -> KnownRecordings:
+    return KnownRecordings(_own_folder())
 
 
 def _own_folder() -> Path:

@@ -402,6 +402,38 @@ def test_a_recording_opens_from_its_folder_and_the_manifest_a_session_keeps(
         assert again.fps == 5
 
 
+def test_a_kept_manifest_leads_to_pictures_by_another_name(tmp_path: Path) -> None:
+    options = OpenOptions(fps=5.0)
+    with open_recording(write_video(tmp_path / "v.mp4", range(COUNT)), options) as first:
+        text = first.manifest_text
+        assert not first.own_manifest
+    renamed = (tmp_path / "v.mp4").rename(tmp_path / "w.mp4")
+    with open_from_manifest(renamed, text) as again:
+        assert (numbers_of(again), again.fps) == (ones(), 5)
+        assert again.path == renamed
+        text = again.manifest_text
+    with open_from_manifest(tmp_path, text) as again:
+        assert again.path == renamed
+
+
+def test_a_manifest_made_of_options_never_climbs_out_of_its_folder(tmp_path: Path) -> None:
+    folder = tmp_path / "deep" / "recording"
+    folder.mkdir(parents=True)
+    write_pair(folder)
+    write_manifest(folder, Manifest("Hall", "left.mp4", "right.mp4"))
+    write_calibration(tmp_path / "rigs.yaml", rig())
+    with open_recording(folder) as own:
+        assert own.own_manifest
+    with open_recording(folder, OpenOptions(calibration=(tmp_path / "rigs.yaml",))) as recording:
+        assert not recording.own_manifest
+        assert (recording.path, recording.folder) == (folder, tmp_path)
+        assert ".." not in recording.manifest_text
+        text = recording.manifest_text
+    with open_from_manifest(tmp_path, text) as again:
+        assert again.rectification is not None
+        assert again.name == "Hall"
+
+
 def test_a_closed_recording_says_so(tmp_path: Path) -> None:
     recording = open_recording(write_video(tmp_path / "v.mp4", range(5)))
     recording.close()

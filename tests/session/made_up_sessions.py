@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 
-from tracking.errors import RecordingError
 from tracking.session import Session, SourceFingerprint
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
@@ -27,26 +26,19 @@ FRAMES = 40
 class OneFile:
     """A recording as far as a session asks for one."""
 
-    path: Path
+    folder: Path
     name: str = "Lobby, camera 3"
     fps: float = 20.0
     frame_count: int = FRAMES
     size: tuple[int, int] = (640, 480)
     is_stereo: bool = True
     manifest_text: str = 'format = 1\nname = "Lobby, camera 3"\n'
+    own_manifest: bool = True
     calibration_text: str = "M1: ä\n"
 
     def fingerprints(self) -> Sequence[SourceFingerprint]:
-        return fingerprints_of(self.path)
-
-
-def fingerprints_of(place: Path) -> tuple[SourceFingerprint, ...]:
-    """What a look at a recording's place gives, without the decoders."""
-    try:
-        data = (place / "left.mp4").read_bytes()
-    except OSError as why:
-        raise RecordingError(f"{place}: no recording") from why
-    return (SourceFingerprint("left.mp4", len(data), hashlib.sha256(data).hexdigest()),)
+        data = (self.folder / "left.mp4").read_bytes()
+        return (SourceFingerprint("left.mp4", len(data), hashlib.sha256(data).hexdigest()),)
 
 
 def make_recording(folder: Path, data: bytes = b"pictures") -> OneFile:

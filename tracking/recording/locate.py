@@ -17,6 +17,7 @@ from tracking.recording.manifest import (
     parse_manifest,
 )
 from tracking.recording.options import OpenOptions
+from tracking.recording.places import is_pattern, place_inside
 
 _KITTI_FPS = 10.0
 _VIDEO_SUFFIXES = frozenset(
@@ -34,6 +35,7 @@ class Located:
         manifest: the recording's own, or one made up for what was found.
         text: the manifest's text.
         trusted: the paths come from the user or were found, not from a file.
+        own: the text is the folder's recording.toml, as read.
     """
 
     path: Path
@@ -41,6 +43,7 @@ class Located:
     manifest: Manifest
     text: str
     trusted: bool
+    own: bool = False
 
 
 def locate(path: Path, options: OpenOptions) -> Located:
@@ -64,20 +67,42 @@ def locate(path: Path, options: OpenOptions) -> Located:
     return _with_options(_made_up(path, path.stem, path, None), options)
 
 
-def from_manifest(folder: Path, text: str) -> Located:
-    """A recording whose manifest is kept elsewhere; its paths are relative to the folder.
+def from_manifest(place: Path, text: str) -> Located:
+    """A recording whose manifest is kept elsewhere.
+
+    Args:
+        place: the folder the manifest's paths are relative to; or the left (or only) eye's
+            pictures, by whatever name they have now, with everything else beside them.
+        text: the manifest.
 
     Raises:
         RecordingError: the text is no manifest.
     """
-    where = str(folder / MANIFEST_NAME)
-    manifest = parse_manifest(text, where, folder.resolve().name)
-    return Located(folder, folder, manifest, text, trusted=False)
+    manifest = parse_manifest(text, f"{place}: its manifest", place.resolve().name)
+    folder = place
+    if _is_source(place, manifest.left):
+        folder = place.parent
+        if place.name != manifest.left:
+            manifest = replace(manifest, left=place.name)
+            text = format_manifest(manifest)
+    alone = manifest.right is None and not is_pattern(manifest.left)
+    return Located(folder / manifest.left if alone else folder, folder, manifest, text, False)
+
+
+def _is_source(place: Path, left: str) -> bool:
+    """Whether pictures stand at a place, and not the folder from which `left` leads to them."""
+    if not place.is_dir():
+        return True
+    if is_pattern(left) or (place / left).exists():
+        return False
+    return _images_in(place) == place
 
 
 def _in_folder(folder: Path) -> Located:
     if (folder / MANIFEST_NAME).exists():
-        return from_manifest(folder, manifest_text(folder))
+        text = manifest_text(folder)
+        manifest = parse_manifest(text, str(folder / MANIFEST_NAME), folder.resolve().name)
+        return Located(folder, folder, manifest, text, trusted=False, own=True)
     kitti = _kitti(folder)
     if kitti is not None:
         return kitti
@@ -102,15 +127,12 @@ def _made_up(
     fps: float | None = None,
 ) -> Located:
     """A manifest for files that have none, with paths relative to a folder they share."""
-    files = [Path(os.path.abspath(file)) for file in (left, right) if file is not None]  # noqa: PTH100 - links stay
-    try:
-        folder = Path(os.path.commonpath([file.parent for file in files]))
-    except ValueError:
-        folder = files[0].parent
+    eyes = [left] if right is None else [left, right]
+    folder = _shared_folder([*eyes, *calibration])
     manifest = Manifest(
         name,
-        _relative(files[0], folder),
-        _relative(files[1], folder) if right is not None else None,
+        _relative(left, folder),
+        _relative(right, folder) if right is not None else None,
         fps=fps,
         calibration=tuple(_relative(file, folder) for file in calibration),
     )
@@ -118,14 +140,14 @@ def _made_up(
 
 
 def _with_options(found: Located, options: OpenOptions) -> Located:
+    if options.calibration:
+        found = _with_calibration(found, options)
     manifest = found.manifest
-    calibration = tuple(_relative(file, found.folder) for file in options.calibration)
     changed = replace(
         manifest,
         fps=options.fps or manifest.fps,
         layout=options.layout or manifest.layout,
         first=options.first or manifest.first,
-        calibration=calibration or manifest.calibration,
         ground=options.ground(manifest.ground),
     )
     if changed == manifest:
@@ -134,7 +156,26 @@ def _with_options(found: Located, options: OpenOptions) -> Located:
         raise RecordingError(
             f"{found.path}: has a source for each eye; leave out the layout of both in one"
         )
-    return replace(found, manifest=changed, text=format_manifest(changed))
+    return replace(found, manifest=changed, text=format_manifest(changed), own=False)
+
+
+def _with_calibration(found: Located, options: OpenOptions) -> Located:
+    """The same with the calibration the user names, relative to a folder that holds both.
+
+    So the manifest leads to everything without climbing out, wherever it is kept.
+    """
+    manifest = found.manifest
+    sources = [manifest.left] if manifest.right is None else [manifest.left, manifest.right]
+    inside = found.trusted or options.allow_outside
+    eyes = [place_inside(found.folder, source, inside) for source in sources]
+    folder = _shared_folder([found.folder / "any", *eyes, *options.calibration])
+    left, *right = (_relative(eye, folder) for eye in eyes)
+    calibration = tuple(_relative(file, folder) for file in options.calibration)
+    changed = replace(
+        manifest, left=left, right=right[0] if right else None, calibration=calibration
+    )
+    text = format_manifest(changed)
+    return replace(found, folder=folder, manifest=changed, text=text, own=False)
 
 
 def _kitti(folder: Path) -> Located | None:
@@ -178,6 +219,15 @@ def _eye(folder: Path, side: str) -> Path | None:
 
 def _first_file(*places: tuple[Path, str]) -> tuple[Path, ...]:
     return next(((place / name,) for place, name in places if (place / name).is_file()), ())
+
+
+def _shared_folder(files: Sequence[Path]) -> Path:
+    """The deepest folder that holds all files; the first one's where they share no drive."""
+    folders = [Path(os.path.abspath(file)).parent for file in files]  # noqa: PTH100 - links stay
+    try:
+        return Path(os.path.commonpath(folders))
+    except ValueError:
+        return folders[0]
 
 
 def _relative(file: Path, folder: Path) -> str:

@@ -29,18 +29,19 @@ def open_recording(path: Path, options: OpenOptions | None = None) -> Recording:
     return _open(locate(path, options), options)
 
 
-def open_from_manifest(folder: Path, text: str, options: OpenOptions | None = None) -> Recording:
+def open_from_manifest(place: Path, text: str, options: OpenOptions | None = None) -> Recording:
     """Open a recording whose manifest was kept elsewhere, as in a session.
 
     Args:
-        folder: what the manifest's paths are relative to (`Recording.folder`).
+        place: what the manifest's paths are relative to (`Recording.folder`); or the left (or
+            only) eye's pictures, by whatever name they have now, with all else beside them.
         text: the manifest (`Recording.manifest_text`).
         options: only `allow_outside` counts.
 
     Raises:
         RecordingError, CalibrationError: as `open_recording`.
     """
-    return _open(from_manifest(folder, text), options or OpenOptions())
+    return _open(from_manifest(place, text), options or OpenOptions())
 
 
 def _open(located: Located, options: OpenOptions) -> Recording:

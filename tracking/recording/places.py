@@ -25,7 +25,7 @@ def place_inside(folder: Path, named: str, allow_outside: bool) -> Path:
     if allow_outside:
         return path
     absolute = PurePosixPath(named).is_absolute() or PureWindowsPath(named).anchor
-    fixed = path.parent if _is_pattern(named) else path
+    fixed = path.parent if is_pattern(named) else path
     if absolute or ".." in path.relative_to(folder).parts or not _lies_in(fixed, folder):
         raise RecordingError(
             f"{folder}: its manifest names {named!r} outside the folder; move the file inside, "
@@ -44,7 +44,7 @@ def open_pictures(path: Path, name: str) -> PictureSource:
     Raises:
         RecordingError: nothing is there, or it cannot be read.
     """
-    if _is_pattern(path.name) and not path.exists():
+    if is_pattern(path.name) and not path.exists():
         return ImageSource(image_files(_matching(path)), name)
     if path.is_dir():
         return ImageSource(image_files([file for file in path.iterdir() if file.is_file()]), name)
@@ -55,14 +55,15 @@ def open_pictures(path: Path, name: str) -> PictureSource:
 
 def _matching(pattern: Path) -> list[Path]:
     fixed = pattern.parent
-    while _is_pattern(fixed.name):
+    while is_pattern(fixed.name):
         fixed = fixed.parent
     if not fixed.is_dir():
         raise RecordingError(f"{pattern}: there is no folder {fixed}; check the path")
     return [file for file in fixed.glob(pattern.relative_to(fixed).as_posix()) if file.is_file()]
 
 
-def _is_pattern(name: str) -> bool:
+def is_pattern(name: str) -> bool:
+    """Whether a source is a glob of images."""
     return any(sign in name for sign in _GLOB_SIGNS)
 
 

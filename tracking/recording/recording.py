@@ -36,7 +36,9 @@ class Recording:
         size: width and height of one eye's pictures in px.
         calibration, ground, view, rectification: None where not known; a rectification needs two
             calibrated eyes, a view a calibrated left eye and the floor.
-        manifest_text, calibration_text: as read; the manifest's is made up where there is none.
+        manifest_text, calibration_text: as read; the manifest's is made up where there is none,
+            or where options said otherwise.
+        own_manifest: whether that text is the folder's recording.toml, as read.
         truth_path: the truth.txt in the recording's folder; None without one.
     """
 
@@ -52,6 +54,7 @@ class Recording:
         self.view: View | None = calibrated.view
         self.rectification: Rectification | None = calibrated.rectification
         self.manifest_text: str = located.text
+        self.own_manifest: bool = located.own
         self.calibration_text: str = calibrated.text
         truth = located.path / "truth.txt"
         self.truth_path: Path | None = truth if truth.is_file() else None

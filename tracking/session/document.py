@@ -9,20 +9,25 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from importlib import metadata
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tracking.editing import Change, Entry, History
 from tracking.errors import OutputError, SessionError
 from tracking.session.edited import Edited
+from tracking.session.finding import find_recording
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.journal import Act
 from tracking.session.known import KnownRecordings
 from tracking.session.pending import PendingSave
 from tracking.session.reading import read_session
 from tracking.session.recovery import recover
-from tracking.session.reference import Footage, RecordingReference, locate, refer_to, relative
+from tracking.session.reference import Footage, RecordingReference, refer_to, relative
 from tracking.session.runs import Runs
 from tracking.session.store import Store, has_waiting_journal
 from tracking.tracks import Labels, Run, TrackTable
+
+if TYPE_CHECKING:
+    from tracking.recording import Recording
 
 
 class Session:
@@ -67,14 +72,14 @@ class Session:
         until `save` names one.
         Raises OutputError where it cannot be saved, SessionError where another program has it.
         """
-        folder = path.parent if path is not None else recording.path.parent
+        folder = path.parent if path is not None else recording.folder
         now = _now()
         stamps = Stamps(_made_up(), "", "", 0, now, now, _software())
         empty = Snapshot(stamps, refer_to(recording, folder), (), TrackTable(), None, Labels(), ())
         session = cls(empty, None, _author(author))
         for run in runs:
             session.add_run(run)
-        session._place = recording.path
+        session._place = recording.folder
         if path is not None:
             session.save(path)
         return session
@@ -328,27 +333,31 @@ class Session:
 
     # The recording
 
-    def locate_recording(
+    def open_recording(
         self,
         search: Sequence[Path] = (),
         known: KnownRecordings | None = None,
         *,
         allow_outside: bool = False,
-    ) -> Path:
-        """Where the recording stands now; see `locate` for where it is looked for.
+    ) -> Recording:
+        """The recording, found where it stands now and opened as the session saw it.
 
-        What is found is remembered in known, and in the session file when it is saved next.
+        See `find_recording` for where it is looked for and what counts. Its place is remembered in
+        known, and in the session file when it is saved next; what has changed is in `notes`.
         Raises RecordingMissing, which says where it was and how to name its place.
         """
-        if self._place is None or (search and self._place not in search):
-            remembered = None if known is None else known.find(self._recording)
-            folder = Path() if self._path is None else self._path.parent
-            self._place = locate(
-                self._recording, folder, search, remembered, allow_outside=allow_outside
-            )
+        folder = Path() if self._path is None else self._path.parent
+        before, last = self._recording, self._place
+        if last is None and known is not None:
+            last = known.find(before)
+        found = find_recording(before, folder, search, last, allow_outside=allow_outside)
+        self._place = found.recording.folder
+        self._recording = before.found_as(found.recording, folder)
+        self._notes += [note for note in found.notes if note not in self._notes]
         if known is not None:
+            known.remember(before, found.place)
             known.remember(self._recording, self._place)
-        return self._place
+        return found.recording
 
     def _recording_seen_from(self, folder: Path) -> RecordingReference:
         place = self._place

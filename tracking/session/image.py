@@ -122,6 +122,7 @@ def _write_recording(group: h5py.Group, recording: RecordingReference) -> None:
     group.attrs["frame_count"] = recording.frame_count
     group.attrs["width"], group.attrs["height"] = recording.size
     group.attrs["stereo"] = recording.is_stereo
+    group.attrs["own_manifest"] = recording.own_manifest
     for name in ("manifest", "calibration"):
         group.create_dataset(name, data=getattr(recording, name), dtype=h5py.string_dtype())
     sources = {

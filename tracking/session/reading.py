@@ -131,6 +131,7 @@ def read_recording(group: h5py.Group) -> RecordingReference:
         size=(int(group.attrs["width"]), int(group.attrs["height"])),
         is_stereo=bool(group.attrs["stereo"]),
         manifest=str(group["manifest"].asstr(errors="replace")[()]),
+        own_manifest=bool(group.attrs.get("own_manifest", True)),
         calibration=str(group["calibration"].asstr(errors="replace")[()]),
         sources=tuple(SourceFingerprint(*row) for row in rows),
     )

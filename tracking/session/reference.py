@@ -4,23 +4,18 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Protocol
-
-from tracking.errors import TrackwrightError
-from tracking.session.errors import RecordingMissing
-
-_PARENTS_SEARCHED = 3
 
 
 class Footage(Protocol):
     """What is asked of a recording; `tracking.recording.Recording` is one."""
 
     @property
-    def path(self) -> Path:
-        """The folder or file it was opened from."""
+    def folder(self) -> Path:
+        """What the manifest's paths are relative to."""
 
     @property
     def name(self) -> str:
@@ -44,7 +39,11 @@ class Footage(Protocol):
 
     @property
     def manifest_text(self) -> str:
-        """The manifest as written."""
+        """The manifest, as written or made up."""
+
+    @property
+    def own_manifest(self) -> bool:
+        """Whether that is the folder's recording.toml, as read."""
 
     @property
     def calibration_text(self) -> str:
@@ -85,8 +84,11 @@ class RecordingReference:
 
     Attributes:
         name, fps, frame_count, size (width, height px), is_stereo: of the recording.
-        path: where it stands, relative to the session's folder, with forward slashes.
+        path: the folder that the manifest's paths are relative to, seen from the session's folder,
+            with forward slashes.
         manifest, calibration: their text, so that a session explains itself without them.
+        own_manifest: whether the manifest was the folder's recording.toml; else it was made up of
+            what was found there and what the user said, and stands nowhere but here.
         sources: fingerprints, by which the recording is known again.
     """
 
@@ -97,6 +99,7 @@ class RecordingReference:
     size: tuple[int, int]
     is_stereo: bool
     manifest: str
+    own_manifest: bool
     calibration: str
     sources: tuple[SourceFingerprint, ...]
 
@@ -107,33 +110,40 @@ class RecordingReference:
 
     @property
     def key(self) -> str:
-        """One digest over all sources: the recording's identity wherever it stands."""
-        parts = "\n".join(f"{part.size_bytes} {part.sha256}" for part in self.sources)
-        return hashlib.sha256(parts.encode()).hexdigest()
+        """One digest over all sources and the manifest: the recording wherever it stands."""
+        parts = [f"{part.size_bytes} {part.sha256}" for part in self.sources]
+        return hashlib.sha256("\n".join([*parts, self.manifest]).encode()).hexdigest()
+
+    def found_as(self, recording: Footage, session_folder: Path) -> RecordingReference:
+        """The reference by which it is found again as it was opened now.
+
+        Of a recording.toml it goes on to say what the tracks were made with.
+        """
+        path = relative(recording.folder, session_folder)
+        if self.own_manifest and recording.own_manifest:
+            return replace(self, path=path)
+        return replace(
+            self,
+            path=path,
+            manifest=recording.manifest_text,
+            own_manifest=recording.own_manifest,
+        )
 
 
 def refer_to(recording: Footage, session_folder: Path) -> RecordingReference:
     """The reference a session in that folder holds to a recording."""
     return RecordingReference(
         name=recording.name,
-        path=relative(recording.path, session_folder),
+        path=relative(recording.folder, session_folder),
         fps=float(recording.fps),
         frame_count=int(recording.frame_count),
         size=(int(recording.size[0]), int(recording.size[1])),
         is_stereo=bool(recording.is_stereo),
         manifest=recording.manifest_text,
+        own_manifest=bool(recording.own_manifest),
         calibration=recording.calibration_text,
         sources=_plain(recording.fingerprints()),
     )
-
-
-def fingerprints_at(place: Path) -> tuple[SourceFingerprint, ...]:
-    """The fingerprints of the recording at a place. Raises RecordingError where there is none."""
-    # Imported here: the decoders behind it take longer to load than a session to open.
-    from tracking.recording import open_recording
-
-    with open_recording(place) as recording:
-        return _plain(recording.fingerprints())
 
 
 def stays_inside(path: str) -> bool:
@@ -141,68 +151,6 @@ def stays_inside(path: str) -> bool:
     parts = PurePosixPath(path.replace("\\", "/")).parts
     absolute = PurePosixPath(path).is_absolute() or PureWindowsPath(path).drive
     return not (absolute or ".." in parts or path.startswith(("/", "\\", "~")))
-
-
-def locate(
-    reference: RecordingReference,
-    session_folder: Path,
-    search: Sequence[Path] = (),
-    known: Path | None = None,
-    *,
-    allow_outside: bool = False,
-) -> Path:
-    """Where the recording stands now, checked against the fingerprints.
-
-    Looks, in this order: in the places the user named (search: the recording itself or a folder
-    it stands in), where this user had it last (known), at the session's own path (where it climbs
-    out of the session's folder only if allow_outside), and under the same name in the session's
-    folder and the three above it.
-
-    Raises RecordingMissing, which says where it was and how to name its place.
-    """
-    places = [place for named in search for place in (named, named / _name(reference))]
-    places += [known] if known is not None else []
-    if reference.is_inside or allow_outside:
-        places.append(session_folder / reference.path)
-    others = []
-    for place in dict.fromkeys([*places, *_same_name(reference, session_folder)]):
-        if place.exists():
-            if _is_it(reference, place):
-                return Path(os.path.normpath(place))
-            others.append(place)
-    raise RecordingMissing(_missing(reference, others))
-
-
-def _is_it(reference: RecordingReference, place: Path) -> bool:
-    """Whether the recording with these fingerprints stands there, whatever its files are called."""
-    try:
-        found = fingerprints_at(place)
-    except TrackwrightError:
-        return False
-    wanted = [(part.size_bytes, part.sha256) for part in reference.sources]
-    return wanted == [(part.size_bytes, part.sha256) for part in found]
-
-
-def _missing(reference: RecordingReference, others: Sequence[Path]) -> str:
-    found = f"; what stands at {others[0]} is another one" if others else ""
-    if reference.is_inside:
-        was = f"was at {reference.path}, beside the session, and is gone"
-    else:
-        was = f"is at {reference.path}, outside the session's folder, and is not opened unasked"
-    return f'recording "{reference.name}" {was}{found}; name its place (--recording PATH)'
-
-
-def _same_name(reference: RecordingReference, session_folder: Path) -> Iterator[Path]:
-    """The name is a single part of a path, so these places are ours, not the file's."""
-    name = _name(reference)
-    folder = session_folder.resolve()
-    for parent in [folder, *folder.parents][: 1 + _PARENTS_SEARCHED]:
-        if stays_inside(name) and name not in ("", "."):
-            yield parent / name
-
-
-def _name(reference: RecordingReference) -> str:
-    return PurePosixPath(reference.path.replace("\\", "/")).name
 
 
 def _plain(fingerprints: Sequence[Fingerprint]) -> tuple[SourceFingerprint, ...]:

@@ -14,8 +14,10 @@ import pytest
 from command_line import Trackwright
 
 import app.cli.track
+from app.presenters.opening import open_path
 from tracking.editing import plan_delete
 from tracking.formats import read_mot
+from tracking.geometry import Ground
 from tracking.session import Session
 
 
@@ -87,6 +89,27 @@ def test_a_wrong_order_is_told_before_any_work(
     assert err.count("\n") == 1
     assert reason in err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_session_of_bare_videos_opens_whole(
+    trackwright: Trackwright, recording: Path, tmp_path: Path, own_folder: Path
+) -> None:
+    left = (recording / "left.mp4").rename(tmp_path / "l.mp4")
+    right = (recording / "right.mp4").rename(recording / "r.mp4")
+    (recording / "recording.toml").unlink()
+    words = ["--left", left, "--right", right, "--calibration", recording / "calibration.yaml"]
+    words += ["--height", "6.4", "--tilt", "60", "--frames", "0:5"]
+    out = tmp_path / "results" / "s.h5"
+    out.parent.mkdir()
+    assert trackwright("track", *words, "-o", out)[0] == 0
+    document = open_path(out).document
+    assert document.session is not None
+    with closing(document.session), document.recording as found:
+        assert found.rectification is not None
+        assert found.ground == Ground(6.4, 60.0)
+        assert found.frame_count == 80
+    facts = json.loads(trackwright("info", out, "--json")[1])
+    assert (facts["stereo"], facts["calibrated"]) == (True, True)
 
 
 def test_a_detector_cannot_be_given_yet(
