@@ -18,13 +18,16 @@ class SessionTracks:
     def __init__(self, table: TrackTable, run: Run | None) -> None:
         self._table = table
         self._run = run
+        self._stop = (-1, 0)  # revision of the table, one past its last frame
 
     @property
     def frames(self) -> tuple[int, int]:
         """The frames the run went through; without a run, all that have rows."""
         if self._run is not None:
             return self._run.frames
-        return 0, self._table.frame_stop
+        if self._stop[0] != self._table.revision:
+            self._stop = (self._table.revision, self._table.frame_stop)
+        return 0, self._stop[1]
 
     @property
     def ids(self) -> Sequence[int]:

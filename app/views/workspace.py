@@ -67,7 +67,7 @@ class Workspace(QWidget):
         column.addWidget(top, 1)
         column.addWidget(self.preview)
         column.addWidget(self._transport_line())
-        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (9, 4))
+        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (11, 4))
         page = QVBoxLayout(self)
         page.setContentsMargins(0, 0, 0, 0)
         page.addWidget(whole)
