@@ -22,7 +22,7 @@ _OUTLINE_MEMORY_S = 0.3
 _MIXED_MEMORY_S = 2.0
 _TRUST = 0.9
 """Weight of the box seen against the remembered outline; the next is where boxes overlap."""
-_TRUST_MIXED = 0.8
+_TRUST_MIXED = 0.5
 
 
 def body_boxes(people: Population, view: View) -> Floats:

@@ -53,7 +53,7 @@ class StereoTrackerSettings:
         0.3, "", (0.0, 1.0), "share of a body that must be expected to show to look for it"
     )
     unseen_s: float = setting(
-        0.3, "s", (0.01, 60.0), "time in which somebody not seen is thought to be behind others"
+        0.2, "s", (0.01, 60.0), "time in which somebody not seen is thought to be behind others"
     )
     least_margin: float = setting(
         0.2, "", (0.0, 5.0), "a detection that suits two people nearly alike is nobody's"
