@@ -1,0 +1,21 @@
+import logging
+
+from app.presenters.explaining import explain
+from tracking.errors import SessionError
+
+
+def test_errors_raised_on_purpose_speak_for_themselves():
+    assert explain(SessionError("a.h5: damaged; open a generation")) == (
+        "a.h5: damaged; open a generation"
+    )
+
+
+def test_a_bug_is_logged_with_where_it_came_from_and_told_as_one(caplog):
+    try:
+        raise KeyError("frame")
+    except KeyError as error:
+        with caplog.at_level(logging.ERROR):
+            said = explain(error)
+    assert said.startswith("A bug in trackwright: KeyError: 'frame'.")
+    assert "safe on disk" in said
+    assert caplog.records[0].exc_info[0] is KeyError

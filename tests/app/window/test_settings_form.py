@@ -1,0 +1,41 @@
+import pytest
+
+from app.views.settings_form import SettingsForm
+from tracking.trackers import TRACKERS, settings_fields
+
+
+@pytest.fixture(params=list(TRACKERS))
+def form(request, qtbot):
+    form = SettingsForm(TRACKERS[request.param])
+    qtbot.addWidget(form)
+    form.spec = TRACKERS[request.param]
+    return form
+
+
+def test_a_form_left_alone_gives_the_defaults(form):
+    assert form.values() == {}
+    assert form.settings() == form.spec.settings_type()
+
+
+def test_a_changed_value_is_the_only_one_that_differs(form, qtbot):
+    with qtbot.waitSignal(form.edited):
+        form.put("particles", 321)
+    assert form.values() == {"particles": 321}
+    assert form.settings().particles == 321
+    form.reset()
+    assert form.values() == {}
+
+
+def test_values_stay_within_their_range(form):
+    low, high = {f.name: f for f in settings_fields(form.spec.settings_type)}["particles"].range
+    form.put("particles", int(high) + 1000)
+    assert form.values() == {"particles": int(high)}
+    form.put("particles", int(low) - 1000)
+    assert form.values() == {"particles": int(low)}
+
+
+def test_every_control_has_a_name_and_a_description(form):
+    for field in settings_fields(form.spec.settings_type):
+        control = form._controls[field.name]
+        assert control.accessibleName()
+        assert control.toolTip().startswith(field.help)
