@@ -13,7 +13,7 @@ from tracking.pipeline import Tracking, track
 from tracking.recording import open_recording
 from tracking.synthesis import render_recording
 
-SCENE, PEOPLE, SECONDS, SEED = "square", 24, 12.0, 1
+SCENE, PEOPLE, SECONDS, SEED = "square", 17, 12.0, 1
 """A scene with about fifteen people in view in the frames that count."""
 _KEPT = Path(tempfile.gettempdir()) / f"trackwright-benchmark-{SCENE}-{PEOPLE}-{SEED}"
 _IN_VIEW = 13
