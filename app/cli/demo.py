@@ -6,55 +6,43 @@ import os
 from contextlib import closing
 from pathlib import Path
 
-from platformdirs import user_data_path
-
 from app.cli.destination import check_folder, nearest_folder
 from app.cli.display import has_display
 from app.cli.output import print_json, print_table, progress, say
 from app.cli.score import score_of
 from app.cli.track import Order, has_work, save_session, tracked
 from app.cli.tracks import tracks_at, truth_at
-from tracking.errors import OutputError, TrackwrightError
+from app.presenters.demonstration import Demonstration
 from tracking.recording import open_recording
 from tracking.scoring import Score
 from tracking.session import Session
-from tracking.synthesis import render_recording
 
-SCENE, SECONDS, PEOPLE, SEED = "plaza", 20.0, 8, 4
 _BYTES = 64 << 20
 
 
 def run_demo(out: Path | None, *, gui: bool, as_json: bool) -> None:
     """Make the recording and open the window on it, or do without a window what it would do."""
-    folder = out or user_data_path("trackwright", appauthor=False) / "demonstration"
-    recording = _recording(folder)
-    if gui and not as_json and has_display():
-        from app.views.application import run
-
-        say(f"opening the window on {recording}")
-        raise SystemExit(run(recording))
-    session = _session(recording, folder / "session.h5")
-    score = score_of(tracks_at(session), truth_at(recording))
-    picture = _picture(session, folder / "window.png")
-    _print(recording, session, picture, score, as_json=as_json)
-
-
-def _recording(folder: Path) -> Path:
-    """The built-in recording, made where it is not there yet."""
-    place = folder / "recording"
-    if place.exists():
-        _check_whole(place)
-        return place
-    check_folder(nearest_folder(folder), _BYTES)
+    demo = Demonstration(out) if out is not None else Demonstration.of_user()
+    if not demo.recording.exists():
+        check_folder(nearest_folder(demo.folder), _BYTES)
     with progress("making the recording") as advance:
-        return render_recording(place, SCENE, SECONDS, PEOPLE, SEED, advance)
+        demo.make(advance)
+    if gui and not as_json and has_display():
+        raise SystemExit(_show(demo))
+    session = _session(demo.recording, demo.session)
+    score = score_of(tracks_at(session), truth_at(demo.recording))
+    picture = _picture(session, demo.picture)
+    _print(demo.recording, session, picture, score, as_json=as_json)
 
 
-def _check_whole(place: Path) -> None:
-    try:
-        open_recording(place).close()
-    except TrackwrightError as error:
-        raise OutputError(f"{error}; remove {place} and it is made anew") from error
+def _show(demo: Demonstration) -> int:
+    """The window, playing: on what somebody has worked on, else tracking the recording anew."""
+    from app.views.application import run
+
+    worked_on = demo.session.exists() and _is_worked_on(demo.session)
+    shown = demo.session if worked_on else demo.recording
+    say(f"opening the window on {shown}")
+    return run(shown, play=True, save_at=demo.session)
 
 
 def _session(recording: Path, place: Path) -> Path:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,17 +10,12 @@ from typing import Any
 from platformdirs import user_data_path
 
 from app.presenters.document import Document
-from tracking.formats import read_mot, write_mot
+from tracking.formats import read_mot
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.scoring import ScoringTable, score
 from tracking.session import KnownRecordings, PendingSave, Session
 from tracking.session.saving import companions
-from tracking.synthesis import render_recording
 from tracking.tracks import Run
-
-Report = Callable[[int, int], None]
-
-_DEMO_SCENE, _DEMO_SECONDS, _DEMO_PEOPLE, _DEMO_SEED = "plaza", 30.0, 9, 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,13 +28,13 @@ class Opened:
 
 def unsaved_folder() -> Path:
     """Where sessions stand that were never given a place by the user."""
-    return _own_folder() / "unsaved"
+    return own_folder() / "unsaved"
 
 
 def window_lock() -> Path:
     """A file that is locked while a window of this user is open."""
-    _own_folder().mkdir(parents=True, exist_ok=True)
-    return _own_folder() / "window.lock"
+    own_folder().mkdir(parents=True, exist_ok=True)
+    return own_folder() / "window.lock"
 
 
 def open_path(
@@ -111,22 +105,6 @@ def is_unsaved_place(path: Path | None) -> bool:
     return path is None or path.parent == unsaved_folder()
 
 
-def make_demo(report: Report) -> Path:
-    """The built-in recording in the user's own data folder, made where it is not there yet."""
-    folder = _own_folder() / "demo"
-    if (folder / "recording.toml").is_file():
-        return folder
-    return render_recording(
-        folder, _DEMO_SCENE, _DEMO_SECONDS, _DEMO_PEOPLE, _DEMO_SEED, progress=report
-    )
-
-
-def export_mot(session: Session, path: Path) -> Path:
-    """Write the corrected tracks as MOT text."""
-    write_mot(path, session.tracks.columns())
-    return path
-
-
 def score_against_truth(session: Session, recording: Recording) -> dict[str, Any]:
     """The figures of the corrected tracks against the recording's truth.
 
@@ -140,10 +118,11 @@ def score_against_truth(session: Session, recording: Recording) -> dict[str, Any
 
 
 def _known() -> KnownRecordings:
-    return KnownRecordings(_own_folder())
+    return KnownRecordings(own_folder())
 
 
-def _own_folder() -> Path:
+def own_folder() -> Path:
+    """The program's folder among the user's data."""
     return user_data_path("trackwright", appauthor=False)
 
 

@@ -33,12 +33,20 @@ _log = logging.getLogger(__name__)
 _PATIENCE_MS = 60_000
 
 
-def run(path: Path | None, options: OpenOptions | None = None) -> int:
+def run(
+    path: Path | None,
+    options: OpenOptions | None = None,
+    *,
+    play: bool = False,
+    save_at: Path | None = None,
+) -> int:
     """Show the window until it is closed; the exit status.
 
     Args:
         path: a recording or session to open, None for the welcome page.
         options: what a bare recording does not say of itself.
+        play: play at once, and track what has no tracks yet.
+        save_at: the place that is proposed for the session.
     """
     remembered = Remembered()
     application = start_application(remembered)
@@ -47,7 +55,7 @@ def run(path: Path | None, options: OpenOptions | None = None) -> int:
     alone = QLockFile(str(opening.window_lock()))
     left_open = remembered.left_open if alone.tryLock(0) else None
     if path is not None:
-        window.files.open_path(path, options=options)
+        window.files.open_path(path, options=options, play=play, save_at=save_at)
     elif left_open is not None:
         window.files.reopen(*left_open)
     window.show()

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QUrl, Signal
 
 from app.presenters import opening
+from app.presenters.demonstration import Demonstration
+from app.presenters.exporting import exported_tracks
 from app.presenters.opening import Opened
 from app.presenters.scenes import RecentItem, WelcomeScene
 from app.presenters.words import tr
@@ -20,7 +22,8 @@ from app.views.score_dialog import ScoreDialog
 from app.views.track_dialog import TrackDialog
 from app.views.work import Work
 from tracking.errors import TrackwrightError
-from tracking.recording import OpenOptions
+from tracking.formats import write_mot
+from tracking.recording import OpenOptions, Recording
 from tracking.session import RecordingMissing, Session
 from tracking.tracks import Run
 
@@ -52,6 +55,7 @@ class Files(QObject):
         self._remembered = remembered
         self._opening: Path | None = None
         self._opened: Path | None = None
+        self._save_at: Path | None = None
         self._start_at = 0
         self._greeting = ""
         self._leave = False
@@ -74,19 +78,43 @@ class Files(QObject):
             self.open_path(paths[0])
 
     def open_path(
-        self, path: Path, recording: Path | None = None, options: OpenOptions | None = None
+        self,
+        path: Path,
+        recording: Path | None = None,
+        options: OpenOptions | None = None,
+        *,
+        play: bool = False,
+        save_at: Path | None = None,
     ) -> None:
-        """Open a recording or a session; `recording` says where a session's one is by now."""
-        if not self.may_leave(lambda: self.open_path(path, recording, options)):
+        """Open a recording or a session.
+
+        Args:
+            path: what to open.
+            recording: where a session's recording is by now.
+            options: what a bare recording does not say of itself.
+            play: play at once, and track what has no tracks yet.
+            save_at: the place that is proposed for the session; beside the recording if None.
+        """
+        again = partial(self.open_path, path, recording, options, play=play, save_at=save_at)
+        if not self.may_leave(again):
             return
         self._opening = path
         self._remembered.note_closed()  # what crashes while it opens is not opened again unasked
         title = tr("Opening {name}", name=path.name)
-        self._work.run(title, lambda _: opening.open_path(path, recording, options), self._show)
+
+        def show(opened: Opened) -> None:
+            self._show(opened)
+            self._save_at = save_at
+            if play and self.desk is not None:
+                self.desk.toggle()
+
+        self._work.run(title, lambda _: opening.open_path(path, recording, options), show)
 
     def open_demo(self) -> None:
-        """Make the built-in recording where it is not there yet, and open it."""
-        self._work.run(tr("Making the demo recording"), opening.make_demo, self.open_path)
+        """Make the built-in recording where it is not there yet, and play it."""
+        demo = Demonstration.of_user()
+        play = partial(self.open_path, play=True, save_at=demo.session)
+        self._work.run(tr("Making the demo recording"), demo.make, play)
 
     def tell_failure(self, error: Exception) -> None:
         """Tell why something did not work; offer to find a recording that has moved."""
@@ -213,7 +241,7 @@ class Files(QObject):
         """Ask for a place and save there."""
         self._window.workspace.take_typed()
         if self.desk is not None:
-            start = self.desk.document.recording.folder / "session.h5"
+            start = self._save_at or _beside(self.desk.document.recording, "session.h5")
             chosen = partial(self.save_to, then=then)
             choose_new_file(self._window, tr("Save session"), start, _SESSIONS, chosen)
 
@@ -245,7 +273,7 @@ class Files(QObject):
         """Ask for a place and write the tracks as MOT text."""
         session = self.session
         if session is not None and self.desk is not None:
-            start = self.desk.document.recording.folder / "tracks.txt"
+            start = _beside(self.desk.document.recording, "tracks.txt")
             choose_new_file(
                 self._window, tr("Export MOT text"), start, "MOT (*.txt)", self.export_mot_to
             )
@@ -256,7 +284,7 @@ class Files(QObject):
         if session is not None:
             self._work.run(
                 tr("Exporting {name}", name=path.name),
-                lambda _: opening.export_mot(session, path),
+                lambda _: write_mot(path, exported_tracks(session)),
                 lambda _: self.said.emit(tr("Exported: {path}", path=path)),
             )
 
@@ -345,6 +373,12 @@ class Files(QObject):
         left = sorted(folder.glob("*.h5")) if folder.is_dir() else []
         items = tuple(_item(path, tr("never saved, kept for you")) for path in left)
         return WelcomeScene((*items, *recent))
+
+
+def _beside(recording: Recording, name: str) -> Path:
+    """Where a file of that name is proposed: in the recording's folder."""
+    place = recording.path
+    return (place if place.is_dir() else place.parent) / name
 
 
 def _item(path: Path, detail: str = "") -> RecentItem:

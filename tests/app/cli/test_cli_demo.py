@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import shutil
 from contextlib import closing
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 from command_line import Trackwright
 
+from app.presenters.opening import open_path
 from tracking.editing import plan_delete
 from tracking.session import Session
 
@@ -19,27 +21,49 @@ def quick_recording(footage: Path, monkeypatch: pytest.MonkeyPatch) -> list[Path
     """The demo's recording is a copy of a small one; gives the places it was made at."""
     made: list[Path] = []
 
-    def copied(folder: Path, *_: object) -> Path:
+    def copied(folder: Path, *_: object, **__: object) -> Path:
         made.append(folder)
         return Path(shutil.copytree(footage, folder))
 
-    monkeypatch.setattr("app.cli.demo.render_recording", copied)
+    monkeypatch.setattr("app.presenters.demonstration.render_recording", copied)
     return made
 
 
-@pytest.fixture
-def shown(monkeypatch: pytest.MonkeyPatch) -> list[Path | None]:
-    """A screen is there; gives what windows were opened on."""
-    paths: list[Path | None] = []
+@dataclass(frozen=True)
+class Shown:
+    """A window that was opened."""
 
-    def run(path: Path | None, options: object = None) -> int:
-        paths.append(path)
+    path: Path | None
+    play: bool
+    save_at: Path | None
+
+
+@pytest.fixture
+def shown(monkeypatch: pytest.MonkeyPatch) -> list[Shown]:
+    """A screen is there; gives what windows were opened."""
+    windows: list[Shown] = []
+
+    def run(
+        path: Path | None, _: object = None, *, play: bool = False, save_at: Path | None = None
+    ) -> int:
+        windows.append(Shown(path, play, save_at))
         return 0
 
     monkeypatch.setattr("app.views.application.run", run)
     monkeypatch.setattr("app.cli.demo.has_display", lambda: True)
     monkeypatch.setattr("app.cli.open_window.has_display", lambda: True)
-    return paths
+    return windows
+
+
+@pytest.fixture
+def corrected(footage: Path, made: Path, tmp_path: Path) -> Path:
+    """A demo's folder whose session somebody has worked on."""
+    shutil.copytree(footage, tmp_path / "recording")
+    shutil.copy(made, tmp_path / "session.h5")
+    with closing(Session.open(tmp_path / "session.h5")) as session:
+        session.apply(plan_delete(session.tracks, session.tracks.track_ids[0], 0, 80))
+        session.save()
+    return tmp_path
 
 
 @pytest.fixture
@@ -59,32 +83,45 @@ def test_the_demo_ends_in_a_session_a_score_and_a_picture(
     assert result["session"] == str(folder / "session.h5")
     assert Path(result["picture"]).read_bytes().startswith(b"\x89PNG")
     assert result["score"]["frames"] == 80
-    again = trackwright("demo", "--out", folder, "--no-gui")
-    assert again[0] == 0
-    assert str(folder / "window.png") in again[1]
     assert quick_recording == [folder / "recording"]
 
 
-def test_corrections_in_the_demo_are_kept(
-    trackwright: Trackwright, tmp_path: Path, no_picture: None
-) -> None:
-    words = ["demo", "--out", tmp_path, "--no-gui", "--json"]
-    assert trackwright(*words)[0] == 0
-    with closing(Session.open(tmp_path / "session.h5")) as session:
-        session.apply(plan_delete(session.tracks, session.tracks.track_ids[0], 0, 80))
-        session.save()
+def test_the_demo_is_made_once_and_tracked_anew(
+    trackwright: Trackwright, footage: Path, made: Path, tmp_path: Path, no_picture: None,
+    quick_recording: list[Path],
+) -> None:  # fmt: skip
+    shutil.copytree(footage, tmp_path / "recording")
+    shutil.copy(made, tmp_path / "session.h5")
     before = (tmp_path / "session.h5").read_bytes()
-    status, _, err = trackwright(*words)
+    status, out, _ = trackwright("demo", "--out", tmp_path, "--no-gui")
+    assert status == 0
+    assert str(tmp_path / "window.png") in out
+    assert quick_recording == []
+    assert (tmp_path / "session.h5").read_bytes() != before
+
+
+def test_corrections_in_the_demo_are_kept(
+    trackwright: Trackwright, corrected: Path, no_picture: None
+) -> None:
+    before = (corrected / "session.h5").read_bytes()
+    status, _, err = trackwright("demo", "--out", corrected, "--no-gui", "--json")
     assert status == 0
     assert "is kept" in err
-    assert (tmp_path / "session.h5").read_bytes() == before
+    assert (corrected / "session.h5").read_bytes() == before
 
 
-def test_with_a_screen_the_window_opens_on_the_recording(
-    trackwright: Trackwright, tmp_path: Path, shown: list[Path | None]
+def test_with_a_screen_the_window_plays_the_recording_and_proposes_a_place_for_the_session(
+    trackwright: Trackwright, tmp_path: Path, shown: list[Shown]
 ) -> None:
     assert trackwright("demo", "--out", tmp_path)[0] == 0
-    assert shown == [tmp_path / "recording"]
+    assert shown == [Shown(tmp_path / "recording", True, tmp_path / "session.h5")]
+
+
+def test_with_a_screen_the_window_goes_on_with_corrections(
+    trackwright: Trackwright, corrected: Path, shown: list[Shown]
+) -> None:
+    assert trackwright("demo", "--out", corrected)[0] == 0
+    assert shown == [Shown(corrected / "session.h5", True, corrected / "session.h5")]
 
 
 def test_a_damaged_demo_says_how_to_mend_it(trackwright: Trackwright, tmp_path: Path) -> None:
@@ -103,12 +140,13 @@ def test_a_demo_that_cannot_be_written_is_told(trackwright: Trackwright, tmp_pat
 
 
 def test_open_shows_what_is_named(
-    trackwright: Trackwright, footage: Path, shown: list[Path | None]
+    trackwright: Trackwright, footage: Path, shown: list[Shown]
 ) -> None:
     assert trackwright("open")[0] == 0
     assert trackwright("open", footage)[0] == 0
     assert trackwright("open", "--left", footage / "left.mp4")[0] == 0
-    assert shown == [None, footage, footage / "left.mp4"]
+    paths = [None, footage, footage / "left.mp4"]
+    assert shown == [Shown(path, False, None) for path in paths]
 
 
 def test_open_needs_a_screen(
@@ -121,13 +159,15 @@ def test_open_needs_a_screen(
 
 
 def test_a_moved_recording_can_be_named(
-    trackwright: Trackwright, tmp_path: Path, shown: list[Path | None], no_picture: None
+    trackwright: Trackwright, session: Path, footage: Path, tmp_path: Path, shown: list[Shown]
 ) -> None:
-    assert trackwright("demo", "--out", tmp_path / "demo", "--no-gui")[0] == 0
-    (tmp_path / "demo" / "recording").rename(tmp_path / "elsewhere")
-    session = tmp_path / "demo" / "session.h5"
     status, _, err = trackwright("open", session, "--recording", tmp_path / "nowhere")
     assert status == 1
     assert "--recording" in err
-    assert trackwright("open", session, "--recording", tmp_path / "elsewhere")[0] == 0
-    assert shown == [session]
+    assert trackwright("open", session, "--recording", footage)[0] == 0
+    assert shown == [Shown(session, False, None)]
+    document = open_path(session).document
+    assert document.recording.path == footage
+    document.recording.close()
+    assert document.session is not None
+    document.session.close()

@@ -21,24 +21,6 @@ from tracking.geometry import Ground
 from tracking.session import Session
 
 
-@pytest.fixture(scope="session")
-def made(footage: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A session of the small recording; not to be changed."""
-    from app.__main__ import run
-
-    place = tmp_path_factory.mktemp("made") / "square.h5"
-    assert run(["track", str(footage), "-o", str(place)]) == 0
-    return place
-
-
-@pytest.fixture
-def session(made: Path, tmp_path: Path) -> Path:
-    """A copy of it."""
-    place = tmp_path / "square.h5"
-    place.write_bytes(made.read_bytes())
-    return place
-
-
 def test_track_makes_a_session(trackwright: Trackwright, footage: Path, tmp_path: Path) -> None:
     out = tmp_path / "square.h5"
     words = ["--tracker", "stereo-colour", "--set", "particles=100", "--frames", "10:60", "--json"]

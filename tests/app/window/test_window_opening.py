@@ -1,6 +1,10 @@
+import shutil
 from pathlib import Path
 
-from app.presenters import opening
+from PySide6.QtWidgets import QFileDialog
+
+from app.presenters import demonstration, opening
+from app.presenters.demonstration import Demonstration
 
 
 def _is_open(window) -> bool:
@@ -93,8 +97,20 @@ def test_after_a_crash_the_window_opens_where_it_was_and_says_so(
     assert "here is where you were" in window.notice.text
 
 
-def test_the_demo_is_made_and_opened(window, qtbot, tiny_recording, monkeypatch):
-    monkeypatch.setattr(opening, "make_demo", lambda _: tiny_recording)
+def test_the_demo_is_made_played_and_tracked_and_saved_beside(
+    window, qtbot, tiny_recording, monkeypatch, own_folder
+):
+    demo = Demonstration.of_user()
+    assert demo.folder == own_folder / "demonstration"
+    copy = lambda folder, *_, **__: Path(shutil.copytree(tiny_recording, folder))  # noqa: E731
+    monkeypatch.setattr(demonstration, "render_recording", copy)
     window.run_command("file.demo")
     qtbot.waitUntil(lambda: _is_open(window))
-    assert window.desk.document.recording.path == tiny_recording
+    assert window.desk.document.recording.path == demo.recording
+    assert window.desk.playback.clock.playing
+    assert window.desk.live.running
+    qtbot.waitUntil(lambda: window.files.session is not None, timeout=20_000)
+    window.run_command("file.save")
+    dialog = window.findChild(QFileDialog)
+    assert dialog.selectedFiles() == [str(demo.session)]
+    dialog.reject()
