@@ -8,11 +8,14 @@ import os
 from importlib import import_module
 from typing import Any
 
-GROUPS = ("pipeline", "filter", "window")
+GROUPS = ("pipeline", "filter", "scoring", "session", "window")
 
 
 def main() -> None:
-    """Print the figures of each group; everything runs on one core."""
+    """Print the figures of each group; everything runs on one core.
+
+    A figure called `vs_` is our time over a peer's in the same run; null without the peer.
+    """
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=__doc__)
     parser.add_argument("--only", choices=GROUPS, metavar="GROUP", help=", ".join(GROUPS))
     parser.add_argument("--json", action="store_true", help="one JSON document instead of a table")

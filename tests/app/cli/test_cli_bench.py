@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,13 @@ def test_the_benchmarks_are_given_what_was_asked(
     (folder / "__main__.py").write_text("import sys; print(sys.argv[1:]); sys.exit(1)")
     assert run(["bench", "--only", "scoring", "--json"]) == 1
     assert capfd.readouterr().out == "['--only', 'scoring', '--json']\n"
+
+
+def test_a_group_is_one_document(capfd: pytest.CaptureFixture[str]) -> None:
+    assert run(["bench", "--only", "scoring", "--json"]) == 0
+    figures = json.loads(capfd.readouterr().out)
+    assert figures["scoring"]["ms"] > 0
+    assert {"vs_trackeval", "vs_motrics"} <= set(figures["scoring"])
 
 
 def test_without_a_checkout_there_are_none(trackwright: Trackwright, checkout: Path) -> None:
