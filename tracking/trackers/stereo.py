@@ -18,7 +18,8 @@ from tracking.trackers.stereo_cues import Cues, costs_of
 from tracking.trackers.stereo_matching import match_people
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_settings import StereoTrackerSettings
-from tracking.trackers.stereo_update import Match, aged, matched, unseen
+from tracking.trackers.stereo_sharing import shared_regions
+from tracking.trackers.stereo_update import Match, aged, guests_kept, matched, unseen
 
 Colours = NDArray[np.float32]
 
@@ -100,13 +101,16 @@ class StereoTracker:
         pairs = match_people(expected, costs, ~seen.merged, self._settings)
         people = aged(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
-        match = Match(pairs, seen, colours, since_s)
+        shared = shared_regions(expected, pairs, seen, self._view)
+        alone = ~np.isin(np.arange(len(pairs.track)), shared.owner)
+        match = Match(pairs, shared, seen, colours, since_s)
         people = matched(people, match, self._cues, self._settings, self._random)
         people = unseen(people, elapsed_s, self._view, self._settings)
-        people = outlined(people, pairs, seen, elapsed_s, self._view)
+        people = guests_kept(people, expected, shared, self._settings, self._random)
+        people = outlined(people, pairs, alone, seen, elapsed_s, self._view)
         people = self._cues.walked(people, elapsed_s)
         people, self._last_id = confirmed(people, self._settings.confirm_matches, self._last_id)
-        result = step_result(observation, people, pairs, costs, self._view)
+        result = step_result(observation, people, pairs, alone, costs, self._view)
         self._people = self._carried(people, pairs, seen, colours)
         return result
 

@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 _ACROSS = (np.arange(6) + 0.5) / 6
 _DOWN = (np.arange(12) + 0.5) / 12
 """Where a box is probed for what covers it, as shares of its width and height."""
-_MIDDLE_M = 0.9
+MIDDLE_M = 0.9
 """Height of a body's middle over the floor."""
 _MIXED = 0.1
 """Share of a box that others cover from which on its region may hold pieces of theirs."""
@@ -27,7 +27,7 @@ _TRUST_MIXED = 0.5
 
 def body_boxes(people: Population, view: View) -> Floats:
     """Where the bodies are in the picture, hidden or not: (people, 4) px as recorded."""
-    middle, px_per_m = _middles(people.position, view)
+    middle, px_per_m = middles(people.position, view)
     low = middle + people.outline[:, :2] * px_per_m
     high = middle + people.outline[:, 2:] * px_per_m
     return np.concatenate((low, high - low), axis=1)
@@ -35,16 +35,25 @@ def body_boxes(people: Population, view: View) -> Floats:
 
 def outlines_of(box: Floats, position: Floats, view: View) -> Floats:
     """Boxes (people, 4) as `Population.outline` of people at these positions (people, 2)."""
-    middle, px_per_m = _middles(position, view)
+    middle, px_per_m = middles(position, view)
     low = box[:, :2] - middle
     return np.concatenate((low, low + box[:, 2:]), axis=1) / np.tile(px_per_m, 4)
 
 
 def outlined(
-    people: Population, pairs: Association, seen: Detections, elapsed_s: float, view: View
+    people: Population,
+    pairs: Association,
+    alone: NDArray[np.bool_],
+    seen: Detections,
+    elapsed_s: float,
+    view: View,
 ) -> Population:
-    """The people with the outlines of those matched brought up to date."""
-    rows, chosen = pairs.track, pairs.detection
+    """The people with the outlines of those matched brought up to date.
+
+    Args:
+        alone: (pairs,) False where the region holds somebody else too.
+    """
+    rows, chosen = pairs.track[alone], pairs.detection[alone]
     mixed = overlap(body_boxes(people, view))[rows] > _MIXED
     memory_s = np.where(mixed, _MIXED_MEMORY_S, _OUTLINE_MEMORY_S)
     share = 1.0 - np.exp(-elapsed_s / memory_s)
@@ -54,7 +63,13 @@ def outlined(
     return people.changed(rows, outline=old + share * (new - old))
 
 
-def shown_boxes(people: Population, pairs: Association, seen: Detections, view: View) -> Floats:
+def shown_boxes(
+    people: Population,
+    pairs: Association,
+    alone: NDArray[np.bool_],
+    seen: Detections,
+    view: View,
+) -> Floats:
     """The boxes to report: what was seen this frame, drawn towards the remembered outline.
 
     More so where boxes overlap, as a region may then hold pieces of somebody else.
@@ -62,15 +77,16 @@ def shown_boxes(people: Population, pairs: Association, seen: Detections, view: 
     box = body_boxes(people, view)
     own = box[pairs.track]
     trust = np.where(overlap(box)[pairs.track] > _MIXED, _TRUST_MIXED, _TRUST)[:, None]
+    trust *= alone[:, None]
     box[pairs.track] = own + trust * (seen.box[pairs.detection] - own)
     return box
 
 
-def _middles(position: Floats, view: View) -> tuple[Floats, Floats]:
+def middles(position: Floats, view: View) -> tuple[Floats, Floats]:
     """Where bodies' middles are, (people, 2) px, and how large a metre looks there, (people, 1)."""
     range_m = np.maximum(np.hypot(position[:, 0], position[:, 1]), 1e-6)[:, None]
     across = 0.5 * position[:, ::-1] * (-1.0, 1.0) / range_m
-    points = np.full((2, len(position), 3), _MIDDLE_M)
+    points = np.full((2, len(position), 3), MIDDLE_M)
     points[0, :, :2] = position - across
     points[1, :, :2] = position + across
     one, other = view.pixel_from_world(points.reshape(-1, 3)).reshape(2, -1, 2)

@@ -23,7 +23,7 @@ class StereoDirectionSettings(StereoTrackerSettings):
     """Settings of `stereo-direction`."""
 
     direction_weight: float = setting(
-        0.5, "", (0.0, 10.0), "cost of a turn by the threshold or more (k)"
+        0.3, "", (0.0, 10.0), "cost of a turn by the threshold or more (k)"
     )
     direction_threshold_rad: float = setting(
         1.22, "rad", (0.01, 3.1416), "turn from which on the cost no longer grows"

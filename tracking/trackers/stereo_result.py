@@ -24,10 +24,15 @@ from tracking.tracks.columns import (
 
 
 def step_result(
-    observation: Observation, people: Population, pairs: Association, costs: Costs, view: View
+    observation: Observation,
+    people: Population,
+    pairs: Association,
+    alone: NDArray[np.bool_],
+    costs: Costs,
+    view: View,
 ) -> StepResult:
     """The frame's result: confirmed people only, sorted by track."""
-    box = shown_boxes(people, pairs, observation.people, view)
+    box = shown_boxes(people, pairs, alone, observation.people, view)
     rows = np.flatnonzero(people.confirmed)
     rows = rows[np.argsort(people.track[rows])]
     shown = people.select(rows)

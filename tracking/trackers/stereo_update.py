@@ -21,6 +21,7 @@ from tracking.people import Detections
 from tracking.trackers.population import Population
 from tracking.trackers.stereo_cues import Cues, likelihood_sigma
 from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.trackers.stereo_sharing import Shared
 
 Floats = NDArray[np.float64]
 _SCATTERED_SHARE = 0.01
@@ -36,11 +37,13 @@ class Match:
 
     Attributes:
         pairs: rows of the population and of the detections.
+        shared: which of their regions hold somebody else too.
         seen: all detections. colours: (detections, cues, bins) of all.
         since_s: (pairs,) seconds since each matched person's last match.
     """
 
     pairs: Association
+    shared: Shared
     seen: Detections
     colours: NDArray[np.float32]
     since_s: Floats
@@ -71,7 +74,9 @@ def matched(
     rows, chosen = match.pairs.track, match.pairs.detection
     mine = people.select(rows)
     measured = match.seen.position[chosen, :2]
-    particles, weight = _weighed(mine.particles, measured, settings, random)
+    measured[match.shared.owner] = match.shared.owner_at
+    sigma = likelihood_sigma(measured, settings)
+    particles, weight = _weighed(mine.particles, measured, sigma, random)
     position = weighted_mean(particles, weight)
     return people.changed(
         rows,
@@ -86,6 +91,29 @@ def matched(
             cues.updated(mine.colour, match.colours[chosen], mine.matches),
             mine.colour,
         ),
+    )
+
+
+def guests_kept(
+    people: Population,
+    expected: Population,
+    shared: Shared,
+    settings: StereoTrackerSettings,
+    random: np.random.Generator,
+) -> Population:
+    """People seen only as a part of somebody else's region: weighed, and no longer missed.
+
+    They count as predicted: [Kawashita2014] takes people in merged regions as undetected.
+    """
+    rows = shared.guest
+    sigma = 2.0 * likelihood_sigma(shared.guest_at, settings)
+    particles, weight = _weighed(people.particles[rows], shared.guest_at, sigma, random)
+    return people.changed(
+        rows,
+        particles=particles,
+        weight=weight,
+        position=weighted_mean(particles, weight),
+        missed_s=np.maximum(expected.missed_s[rows], 1e-3),
     )
 
 
@@ -115,11 +143,10 @@ def unseen(
 def _weighed(
     particles: NDArray[np.float32],
     measured: Floats,
-    settings: StereoTrackerSettings,
+    sigma: Floats,
     random: np.random.Generator,
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Particles and weights by the likelihood; lost clouds are scattered anew first."""
-    sigma = likelihood_sigma(measured, settings)
     weight = weigh(particles, measured, sigma)
     lost = np.flatnonzero(effective_share(weight) < _SCATTERED_SHARE)
     particles = particles.copy()

@@ -1,0 +1,98 @@
+"""Two people in one region: who is on which side of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import Association
+from tracking.geometry import View
+from tracking.people import Detections
+from tracking.trackers.population import Population
+from tracking.trackers.stereo_boxes import MIDDLE_M, body_boxes, middles
+
+Floats = NDArray[np.float64]
+_INSIDE = 0.5
+"""Share of a person's expected box in a region from which on it may be part of it."""
+_WIDER = 1.2
+"""A region so many times wider than the body of who took it has room for another."""
+_PATIENCE_S = 2.0
+_FARTHEST_M = 0.6
+
+
+@dataclass(frozen=True, slots=True)
+class Shared:
+    """People in regions that hold two of them.
+
+    Attributes:
+        owner: (k,) index of the pair whose detection is shared. guest: (k,) row of the person
+            without a detection who is part of it.
+        owner_at, guest_at: (k, 2) m, where the region's sides put them.
+    """
+
+    owner: NDArray[np.intp]
+    guest: NDArray[np.intp]
+    owner_at: Floats
+    guest_at: Floats
+
+
+def shared_regions(people: Population, pairs: Association, seen: Detections, view: View) -> Shared:
+    """Find the regions that hold two people and put each on its side.
+
+    [Kawashita2014] section 3.4 leaves regions larger than a person out. Where we differ: a region
+    wider than the remembered outline of who took it, with somebody else expected in it, is both
+    of them; its left side is the left one's and its right side the right one's, so that both stay
+    where they are instead of one taking the middle and the other drifting off.
+
+    Args:
+        people: predicted to this frame. pairs: rows of people and of detections.
+    """
+    box = body_boxes(people, view)
+    guest = np.flatnonzero(people.confirmed & (people.missed_s < _PATIENCE_S))
+    guest = np.setdiff1d(guest, pairs.track)
+    region = seen.box[pairs.detection]
+    inside = _share_inside(box[guest], region)
+    room = region[:, 2] > _WIDER * box[pairs.track, 2]
+    inside[:, ~room] = 0.0
+    rows = np.flatnonzero(inside.max(axis=1, initial=0.0) >= _INSIDE)
+    owner = inside[rows].argmax(axis=1) if len(rows) else np.zeros(0, np.intp)
+    owner, first = np.unique(owner, return_index=True)
+    guest = guest[rows[first]]
+    host = pairs.track[owner]
+    left_guest = (box[guest, 0] + box[guest, 2] / 2) < (box[host, 0] + box[host, 2] / 2)
+    return Shared(
+        owner,
+        guest,
+        _beside(people, host, box, region[owner], ~left_guest, view),
+        _beside(people, guest, box, region[owner], left_guest, view),
+    )
+
+
+def _share_inside(box: Floats, region: Floats) -> Floats:
+    """(people, regions) the share of each box that lies in each region."""
+    low = np.maximum(box[:, None, :2], region[None, :, :2])
+    high = np.minimum(
+        box[:, None, :2] + box[:, None, 2:], region[None, :, :2] + region[None, :, 2:]
+    )
+    common = np.prod(np.clip(high - low, 0.0, None), axis=2)
+    return np.asarray(common / np.prod(box[:, 2:], axis=1)[:, None])
+
+
+def _beside(
+    people: Population,
+    rows: NDArray[np.intp],
+    box: Floats,
+    region: Floats,
+    left: NDArray[np.bool_],
+    view: View,
+) -> Floats:
+    """(k, 2) m where people stand whose left or right side is the region's."""
+    own = box[rows]
+    to_left = region[:, 0] - own[:, 0]
+    to_right = region[:, 0] + region[:, 2] - own[:, 0] - own[:, 2]
+    middle, px_per_m = middles(people.position[rows], view)
+    farthest = _FARTHEST_M * px_per_m[:, 0]
+    middle[:, 0] += np.clip(np.where(left, to_left, to_right), -farthest, farthest)
+    return view.floor_from_pixel(middle, MIDDLE_M)
