@@ -11,7 +11,7 @@ import numpy as np
 
 import tracking
 from tracking.errors import SettingsError
-from tracking.recording import Recording
+from tracking.recording import Recording, StereoFrame
 from tracking.trackers import (
     ASSOCIATION_COLUMNS,
     Observation,
@@ -34,7 +34,7 @@ from tracking.tracks.run import Particles, Run
 
 T = TypeVar("T")
 
-BACKGROUND_SAMPLES = 24
+BACKGROUND_SAMPLES = 15
 """Frames spread over the recording that the background is learnt from before the first step."""
 
 
@@ -155,11 +155,15 @@ class Tracking:
         return done
 
 
-def _learn(perception: Perception, recording: Recording) -> None:
-    """Show the perception frames spread evenly over the recording."""
+def background_samples(recording: Recording) -> list[StereoFrame]:
+    """Frames spread evenly over the recording; raises `RecordingError` where one is unreadable."""
     count = min(BACKGROUND_SAMPLES, recording.frame_count)
     numbers = np.linspace(0, recording.frame_count - 1, count).astype(int)
-    perception.learn([recording.read(int(number)) for number in numbers])
+    return [recording.read(int(number)) for number in numbers]
+
+
+def _learn(perception: Perception, recording: Recording) -> None:
+    perception.learn(background_samples(recording))
 
 
 def _joined(parts: Sequence[Columns], columns: Mapping[str, np.dtype[Any]]) -> Columns:
