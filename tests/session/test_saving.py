@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import stat
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -217,3 +218,90 @@ def test_a_folder_that_may_not_be_written_opens_for_reading(session: Session) ->
         again.close()
     finally:
         session.path.parent.chmod(0o755)
+
+
+def test_a_disk_that_keeps_refusing_does_not_push_older_generations_out(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert session.path is not None
+    for frame in range(3):
+        session.apply(plan_swap(session.tracks, 1, 2, frame))
+        session.save()
+    before = [file.read_bytes() for file in generations(session.path)]
+    present = session.path.read_bytes()
+
+    def refusing(*_: object) -> None:
+        raise PermissionError(errno.EACCES, "in use")
+
+    session.apply(plan_swap(session.tracks, 1, 2, 3))
+    monkeypatch.setattr(os, "replace", refusing)
+    for _ in range(6):
+        with pytest.raises(OutputError):
+            session.save()
+    monkeypatch.undo()
+    session.save()
+    assert [file.read_bytes() for file in generations(session.path)] == [present, *before]
+
+
+def test_a_save_keeps_a_private_session_private(session: Session) -> None:
+    assert session.path is not None
+    session.path.chmod(0o600)
+    session.save()
+    if sys.platform != "win32":
+        assert session.path.stat().st_mode & 0o777 == 0o600
+
+
+def test_a_folder_that_cannot_be_synced_is_no_failed_save(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sync = os.fsync
+
+    def only_files(handle: int) -> None:
+        if stat.S_ISDIR(os.fstat(handle).st_mode):
+            raise OSError(errno.EINVAL, "Invalid argument")
+        sync(handle)
+
+    session.apply(plan_swap(session.tracks, 1, 2, 10))
+    monkeypatch.setattr(os, "fsync", only_files)
+    session.save()
+    assert not session.dirty
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
+def test_a_link_to_a_session_is_the_session_itself(session: Session, tmp_path: Path) -> None:
+    assert session.path is not None
+    link = tmp_path / "elsewhere" / "link.h5"
+    link.parent.mkdir()
+    link.symlink_to(session.path)
+    second = Session.open(link)
+    assert second.read_only
+    second.close()
+    session.close()
+    third = Session.open(link)
+    third.apply(plan_swap(third.tracks, 1, 2, 10))
+    third.save()
+    assert link.is_symlink()
+    assert [file.name for file in link.parent.iterdir()] == ["link.h5"]
+    third.close()
+    again = Session.open(session.path)
+    assert len(again.history) == 1
+    again.close()
+
+
+def test_a_lock_is_given_back_where_there_is_no_room_to_say_who_holds_it(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert session.path is not None
+    session.close()
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "ftruncate", full)
+        first = Session.open(session.path)
+        assert not first.read_only
+        first.close()
+    second = Session.open(session.path)
+    assert not second.read_only
+    second.close()

@@ -14,7 +14,9 @@ from made_up_sessions import make_recording, make_run, make_session, state_of
 from tracking.editing import Change, State, plan_delete, plan_rename, plan_split, plan_swap
 from tracking.errors import EditError, OutputError, SessionError
 from tracking.session import Session, describe
+from tracking.session.journal import Journal
 from tracking.session.saving import companions
+from tracking.session.store import Store
 
 
 def crashed(session: Session, folder: Path) -> Path:
@@ -341,3 +343,73 @@ def test_an_edit_made_by_hand_must_touch_what_is_there(session: Session) -> None
 def test_the_file_is_never_open_while_nobody_reads_it(session: Session) -> None:
     with h5py.File(session.path, "a"):  # would fail for a file that is open elsewhere
         pass
+
+
+def test_a_journal_that_cannot_be_trimmed_is_no_failed_save(
+    session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OutputError("no room")
+
+    edit(session)
+    with monkeypatch.context() as patch:
+        patch.setattr(Journal, "start_over", full)
+        session.save()
+    assert not session.dirty
+    session.apply(plan_split(session.tracks, 1, 20))
+    once = Session.open(crashed(session, tmp_path / "once"))
+    assert (state_of(once), once.recovered) == (state_of(session), 1)
+    once.close()
+    pending = session.begin_save()
+    session.undo()
+    pending.write()
+    twice = Session.open(crashed(session, tmp_path / "twice"))
+    assert (state_of(twice), twice.recovered) == (state_of(session), 1)
+    twice.close()
+    session.finish_save(pending)
+
+
+def test_edits_made_while_saving_elsewhere_outlive_a_second_save_that_fails(
+    session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = session.path
+    pending = session.begin_save(tmp_path / "other.h5")
+    edit(session)
+    pending.write()
+
+    def full(*_: object) -> None:
+        raise OutputError("no room")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("tracking.session.pending.replace_verified", full)
+        with pytest.raises(OutputError):
+            session.finish_save(pending)
+    session.abandon_save(pending)
+    assert session.path == tmp_path / "other.h5"
+    assert first is not None
+    old = Session.open(first)
+    assert state_of(old) == state_of(session)
+    old.close()
+    session.apply(plan_split(session.tracks, 1, 20))
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert state_of(again) == state_of(session)
+    again.close()
+
+
+def test_what_another_program_saved_while_a_session_was_opened_is_not_missed(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert session.path is not None
+    claim = Store.claim
+
+    def late(path: Path) -> Store:
+        if session.dirty:
+            session.save()
+            session.close()
+        return claim(path)
+
+    edit(session)
+    monkeypatch.setattr(Store, "claim", late)
+    second = Session.open(session.path)
+    assert (state_of(second), second.read_only) == (state_of(session), False)
+    second.close()

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import getpass
-import uuid
+import contextlib
 from collections.abc import Sequence
 from dataclasses import replace
-from datetime import UTC, datetime
-from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -23,6 +20,8 @@ from tracking.session.reading import read_session
 from tracking.session.recovery import recover
 from tracking.session.reference import Footage, RecordingReference, refer_to, relative
 from tracking.session.runs import Runs
+from tracking.session.saving import file_state, real_path
+from tracking.session.stamping import author_named, made_up, now, software
 from tracking.session.store import Store, has_waiting_journal
 from tracking.tracks import Labels, Run, TrackTable
 
@@ -73,10 +72,10 @@ class Session:
         Raises OutputError where it cannot be saved, SessionError where another program has it.
         """
         folder = path.parent if path is not None else recording.folder
-        now = _now()
-        stamps = Stamps(_made_up(), "", "", 0, now, now, _software())
+        made = now()
+        stamps = Stamps(made_up(), "", "", 0, made, made, software())
         empty = Snapshot(stamps, refer_to(recording, folder), (), TrackTable(), None, Labels(), ())
-        session = cls(empty, None, _author(author))
+        session = cls(empty, None, author_named(author))
         for run in runs:
             session.add_run(run)
         session._place = recording.folder
@@ -92,10 +91,14 @@ class Session:
         as it does when edits were recovered.
         Raises SessionError where the file is missing, no session, damaged, hostile or too new.
         """
-        snapshot = read_session(path)
-        session = cls(snapshot, path, _author(author))
+        path = real_path(path)
+        before = file_state(path)
+        session = cls(read_session(path), path, author_named(author))
         try:
             session._store = Store.claim(path)
+            if file_state(path) != before:  # another program saved it a moment ago
+                session.close()
+                return cls.open(path, author=author)
             if session._store.has_journal:
                 session._recover(session._store)
         except (SessionError, OutputError) as why:
@@ -183,7 +186,7 @@ class Session:
         Raises EditError where it does not apply, OutputError where it cannot be put on disk
         (nothing is changed then), SessionError for a session open for reading only.
         """
-        entry = self.history.draft(change, _now(), self._author)
+        entry = self.history.draft(change, now(), self._author)
         return self._do("apply", entry, change)
 
     def undo(self) -> Entry:
@@ -284,17 +287,20 @@ class Session:
         target = path if path is not None else self._path
         if target is None:
             raise SessionError("the session has no file yet; name one to save it in")
+        target = real_path(target)
         own = self._path is not None and target.resolve() == self._path.resolve()
         if own:
             self._refuse_read_only()
         store = self._store if own and self._store is not None else Store.claim(target)
+        journal = store.journal() if own and store.has_journal else None
+        origin = journal.origin if journal is not None else None
         stamps = replace(
             self._stamps,
-            save=_made_up(),
-            previous_save=self._stamps.save if own else "",
-            included=store.journal().last if own and store.has_journal else 0,
-            modified=_now(),
-            software=_software(),
+            save=made_up(),
+            previous_save=origin[1] if origin else self._stamps.save if own else "",
+            included=journal.last if journal is not None else 0,
+            modified=now(),
+            software=software(),
         )
         snapshot = Snapshot(
             stamps=stamps,
@@ -312,17 +318,22 @@ class Session:
         """The last step, after `write`: from now on the journal builds on the new file."""
         stamps, own = pending.snapshot.stamps, pending.store is self._store
         if own and pending.store.has_journal:
-            pending.store.journal().start_over(stamps.session, stamps.save, stamps.included)
+            with contextlib.suppress(OutputError):  # it stays longer; the file says what it holds
+                pending.store.journal().start_over(stamps.session, stamps.save, stamps.included)
         elif pending.store.has_journal:
             pending.store.set_journal_aside()  # of the session that was there before
-        if self._store is not None and not own:
-            self._store.release(keep_journal=False)
+        left = None if own else self._store
         self._store, self._path = pending.store, pending.path
         self._stamps, self._recording = stamps, pending.snapshot.recording
         self._runs.stored_in(pending.path, len(pending.snapshot.runs))
         self._saved, self._pending = pending.content, None
-        if self.dirty and not own:
-            self.save()  # edits made meanwhile are in no journal of this file
+        try:
+            if self.dirty and not own:  # edits made meanwhile are in no journal of this file
+                self._base = self._content
+                self.save()
+        finally:
+            if left is not None:
+                left.release(keep_journal=self.dirty)
         return pending.path
 
     def abandon_save(self, pending: PendingSave) -> None:
@@ -365,24 +376,3 @@ class Session:
             place = self._path.parent / self._recording.path
         path = self._recording.path if place is None else relative(place, folder)
         return replace(self._recording, path=path)
-
-
-def _now() -> str:
-    return datetime.now(UTC).isoformat(timespec="milliseconds")
-
-
-def _made_up() -> str:
-    return uuid.uuid4().hex
-
-
-def _software() -> str:
-    return f"trackwright {metadata.version('trackwright')}"
-
-
-def _author(named: str | None) -> str:
-    if named is not None:
-        return named
-    try:
-        return getpass.getuser()
-    except (OSError, KeyError):  # an account without a name
-        return ""

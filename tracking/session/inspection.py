@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import re
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -28,6 +29,7 @@ _LARGEST_ATTRIBUTE = 16 << 20
 _MOST_ATTRIBUTES = 64
 _MOST_BYTES = 16 << 30
 """Of all tables together, unpacked; particles are never read whole and do not count."""
+_PARTICLE_COLUMN = re.compile(rf"runs/\d+/particles/({'|'.join(RUN_TABLES['particles'])})")
 _BEST_RATIO = 1100
 """DEFLATE packs at most 1032 bytes into one."""
 _FILTERS = frozenset({h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE})
@@ -119,7 +121,7 @@ class _Walk:
         unpacked = dataset.size * dataset.dtype.itemsize
         if unpacked > stored * _BEST_RATIO:
             raise Refused(f"says {where} has {dataset.size} rows, which {stored} bytes cannot hold")
-        self._unpacked += 0 if "/particles/" in where else unpacked
+        self._unpacked += 0 if _PARTICLE_COLUMN.fullmatch(where) else unpacked
         if self._unpacked > _MOST_BYTES:
             raise Refused("holds more rows than fit into memory")
         self._datasets[where] = dataset
@@ -183,12 +185,14 @@ def _check_table(
 
 def _limit() -> None:
     """Where the system knows limits: a file that makes reading run away ends this program only."""
-    with contextlib.suppress(ImportError):
+    try:
         import resource
-
-        for kind, most in ((resource.RLIMIT_AS, MEMORY_BYTES), (resource.RLIMIT_CPU, SECONDS)):
-            _, hard = resource.getrlimit(kind)
-            limit = most if hard == resource.RLIM_INFINITY else min(most, hard)
+    except ImportError:  # Windows
+        return
+    for kind, most in ((resource.RLIMIT_AS, MEMORY_BYTES), (resource.RLIMIT_CPU, SECONDS)):
+        _, hard = resource.getrlimit(kind)
+        limit = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        with contextlib.suppress(OSError, ValueError):  # macOS knows RLIMIT_AS but may refuse it
             resource.setrlimit(kind, (limit, hard))
 
 

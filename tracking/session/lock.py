@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import platform
@@ -26,17 +27,23 @@ class SessionLock:
         Raises OSError where the file cannot be written.
         """
         handle = os.open(self._path, os.O_RDWR | os.O_CREAT, 0o644)
-        if not _lock(handle):
+        try:
+            taken = _lock(handle)
+        except OSError:  # a disk that knows no locks
+            os.close(handle)
+            raise
+        if not taken:
             os.close(handle)
             return False
         if os.fstat(handle).st_nlink == 0:  # its holder just let go and took the name with it
             os.close(handle)
             return self.acquire()
-        os.ftruncate(handle, 0)
+        self._handle = handle
         # The first byte is the one that is locked; others must be able to read what follows.
         holder = json.dumps({"process": os.getpid(), "computer": platform.node()})
-        os.write(handle, b" " + holder.encode())
-        self._handle = handle
+        with contextlib.suppress(OSError):  # no room to say who: the lock holds all the same
+            os.ftruncate(handle, 0)
+            os.write(handle, b" " + holder.encode())
         return True
 
     def holder(self) -> str:

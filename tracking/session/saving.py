@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import filecmp
 import os
 import shutil
 import sys
+import time
 import uuid
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,6 +17,21 @@ from tracking.errors import OutputError
 
 GENERATIONS = 5
 _PIECE = 8 << 20
+_TRIES, _PAUSE_S = 20, 0.1
+
+
+def real_path(path: Path) -> Path:
+    """The file itself where a path is a link to it: lock, journal and saves are the file's."""
+    return path.resolve() if path.is_symlink() else path
+
+
+def file_state(path: Path) -> tuple[int, int, int] | None:
+    """What changes when another file takes a path's place; None where there is none."""
+    try:
+        state = path.stat()
+    except OSError:
+        return None
+    return state.st_ino, state.st_size, state.st_mtime_ns
 
 
 def companions(path: Path) -> Path:
@@ -40,13 +57,15 @@ def replace_verified(path: Path, image: memoryview) -> None:
         try:
             _write(beside, image)
             _verify(beside, image)
+            with contextlib.suppress(OSError):  # whoever could read the old one, and nobody else
+                shutil.copymode(path, beside)
             _keep_generation(path)
-            os.replace(beside, path)  # noqa: PTH105 - says that it is atomic
+            _replace(beside, path)
         finally:
             with contextlib.suppress(OSError):
                 beside.unlink(missing_ok=True)
-        _sync_folder(folder)
-        _sync_folder(path.parent)
+        sync_folder(folder)
+        sync_folder(path.parent)
 
 
 def clear_leftovers(path: Path) -> None:
@@ -99,9 +118,26 @@ def _verify(file: Path, image: memoryview) -> None:
         raise OSError(errno.EIO, "what was written reads back shorter; check the disk")
 
 
+def _replace(new: Path, path: Path) -> None:
+    """Put a file in another's place at once.
+
+    Windows refuses while somebody reads the old one, which the window does for moments: wait.
+    """
+    for _ in range(_TRIES - 1 if sys.platform == "win32" else 0):
+        with contextlib.suppress(PermissionError):
+            os.replace(new, path)  # noqa: PTH105 - says that it is atomic
+            return
+        time.sleep(_PAUSE_S)
+    os.replace(new, path)  # noqa: PTH105
+
+
 def _keep_generation(path: Path) -> None:
-    """Give the present file a second name, as the newest generation; drop the oldest."""
-    if not path.exists():
+    """Give the present file a second name, as the newest generation; drop the oldest.
+
+    A save that failed later on may have kept it already: saving again and again on a disk that
+    refuses must not push the older ones out.
+    """
+    if not path.exists() or _is_kept(path):
         return
     for age in range(GENERATIONS - 1, 0, -1):
         if _generation(path, age).exists():
@@ -118,16 +154,28 @@ def _keep_generation(path: Path) -> None:
             unfinished.unlink(missing_ok=True)
 
 
+def _is_kept(path: Path) -> bool:
+    """Whether the newest generation is the present file."""
+    newest = _generation(path, 1)
+    if not newest.exists():
+        return False
+    return newest.samefile(path) or filecmp.cmp(newest, path, shallow=False)
+
+
 def _generation(path: Path, age: int) -> Path:
     return companions(path) / f"{path.stem}.{age}{path.suffix}"
 
 
-def _sync_folder(folder: Path) -> None:
-    """Make a folder's new names last through a power cut; Windows does so by itself."""
+def sync_folder(folder: Path) -> None:
+    """Make a folder's new names last through a power cut.
+
+    Windows does so by itself, and some network disks cannot: there is nothing to do about either.
+    """
     if sys.platform == "win32":
         return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
+    with contextlib.suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)

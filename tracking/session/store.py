@@ -8,7 +8,7 @@ from pathlib import Path
 from tracking.errors import SessionError
 from tracking.session.journal import Journal
 from tracking.session.lock import SessionLock
-from tracking.session.saving import clear_leftovers, companions, telling_where
+from tracking.session.saving import clear_leftovers, companions, sync_folder, telling_where
 
 _JOURNAL = "journal.sqlite"
 
@@ -31,7 +31,9 @@ class Store:
         """
         folder = companions(path)
         with telling_where(path, "its folder cannot be written to"):
-            folder.mkdir(exist_ok=True)
+            if not folder.exists():
+                folder.mkdir(exist_ok=True)
+                sync_folder(path.parent)  # what is journalled in it must not vanish with it
             lock = SessionLock(folder / "lock")
             if not lock.acquire():
                 raise SessionError(
