@@ -102,6 +102,15 @@ def _trackable(now: Situation) -> str:
     return _recording(now) or ("" if now.can_track else now.why_no_tracking)
 
 
+def _two_eyes(now: Situation) -> str:
+    return _recording(now) or ("" if now.stereo else tr("the recording has one camera"))
+
+
+def _floor(now: Situation) -> str:
+    said = tr("the recording does not say where the floor is")
+    return _recording(now) or ("" if now.calibrated else said)
+
+
 COMMANDS: Final[tuple[Command, ...]] = (
     Command("file.open", "File", "Open...", ("Ctrl+O",), icon="open"),
     Command("file.open_folder", "File", "Open folder...", ("Ctrl+Shift+O",)),
@@ -131,36 +140,27 @@ COMMANDS: Final[tuple[Command, ...]] = (
         "edit.commands", "Edit", "Search commands...", ("Ctrl+K",), separated=True, icon="search"
     ),
     Command("view.left", "View", "Left eye", ("1",), _recording, checkable=True),
-    Command(
-        "view.both",
-        "View",
-        "Both eyes",
-        ("2",),
-        lambda now: _recording(now) or ("" if now.stereo else tr("the recording has one camera")),
-        checkable=True,
-    ),
-    Command(
-        "view.anaglyph",
-        "View",
-        "Anaglyph (red and cyan)",
-        ("3",),
-        lambda now: _recording(now) or ("" if now.stereo else tr("the recording has one camera")),
-        checkable=True,
-    ),
-    Command(
-        "view.grid",
-        "View",
-        "Floor grid on the picture",
-        ("F",),
-        lambda now: (
-            _recording(now)
-            or ("" if now.calibrated else tr("the recording does not say where the floor is"))
-        ),
-        checkable=True,
-        separated=True,
-    ),
+    Command("view.both", "View", "Both eyes", ("2",), _two_eyes, True),
+    Command("view.anaglyph", "View", "Anaglyph (red and cyan)", ("3",), _two_eyes, True),
+    Command("view.grid", "View", "Floor grid on the picture", ("F",), _floor, True, True),
     Command("view.particles", "View", "Particles on the picture", ("O",), _recording, True),
     Command("view.trails", "View", "Trails on the picture", ("T",), _recording, True),
+    Command(
+        "view.foreground",
+        "View",
+        "Foreground and shadows on the picture",
+        ("B",),
+        lambda now: _two_eyes(now) or _floor(now),
+        True,
+    ),
+    Command(
+        "view.disparity",
+        "View",
+        "Distances (disparity) on the picture",
+        ("D",),
+        lambda now: _two_eyes(now) or _floor(now),
+        True,
+    ),
     Command("view.next_pane", "View", "To the next part of the window", ("F6",), _recording),
     Command("view.look_system", "View", "Look: as the system", (), checkable=True, separated=True),
     Command("view.look_light", "View", "Look: light", checkable=True),

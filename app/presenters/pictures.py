@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.anaglyph import Anaglyph
 from app.presenters.palette import colour_of_track, colours_of_tracks
 from app.presenters.right_eye import boxes_in_right_eye
 from app.presenters.scenes import Eye, PersonMark, PictureScene
-from app.presenters.setting import Instant, Pictured
+from app.presenters.setting import NOTHING_LAID, Instant, Laid, Pictured
 from app.presenters.trails import TRAIL_S, floor_points, foot_points, trails_by_track
 from app.presenters.words import tr
 from tracking.recording import Image, Recording, StereoFrame
@@ -27,11 +28,20 @@ class PicturePresenter:
         self._recording = recording
         self._trail_frames = max(1, round(TRAIL_S * recording.fps))
         self._grid: dict[Eye, Floats] = {}
+        self._anaglyph = Anaglyph(recording)
 
     def scene(
-        self, eye: Eye, frame: StereoFrame | None, instant: Instant, pictured: Pictured
+        self,
+        eye: Eye,
+        frame: StereoFrame | None,
+        instant: Instant,
+        pictured: Pictured,
+        laid: Laid = NOTHING_LAID,
     ) -> PictureScene:
-        """One eye at the instant; without a frame, a scene that says it is being read."""
+        """One eye at the instant; without a frame, a scene that says it is being read.
+
+        `laid` is what lies over the picture below the particles.
+        """
         image = None if frame is None else (frame.left if eye is Eye.LEFT else frame.right)
         if eye is Eye.RIGHT and not self._recording.is_stereo:
             return PictureScene(eye, instant.frame, None, message=tr("Recorded with one camera"))
@@ -42,27 +52,27 @@ class PicturePresenter:
             instant.frame,
             image,
             people=self._people(eye, instant, pictured),
-            overlay=self._particles(eye, instant, image) if pictured.particles else None,
+            overlay=(
+                self._particles(eye, instant, image, laid.image)
+                if pictured.particles
+                else laid.image
+            ),
             grid=self._floor_grid(eye) if pictured.grid else np.zeros((0, 2, 2)),
+            message=laid.message,
             preview=instant.picture_preview if eye is Eye.LEFT else (),
+            legend=laid.legend,
         )
 
     def anaglyph(
-        self, frame: StereoFrame | None, instant: Instant, pictured: Pictured
+        self,
+        frame: StereoFrame | None,
+        instant: Instant,
+        pictured: Pictured,
+        laid: Laid = NOTHING_LAID,
     ) -> PictureScene:
         """Both eyes in one picture for red and cyan glasses, with the left eye's people."""
-        scene = self.scene(Eye.LEFT, frame, instant, pictured)
-        if frame is None or frame.right is None or frame.right.shape != frame.left.shape:
-            return scene
-        return PictureScene(
-            Eye.LEFT,
-            scene.frame,
-            anaglyph_image(frame.left, frame.right),
-            scene.people,
-            scene.overlay,
-            scene.grid,
-            preview=scene.preview,
-        )
+        scene = self.scene(Eye.LEFT, frame, instant, pictured, laid)
+        return scene if frame is None else self._anaglyph.scene(frame, scene)
 
     def _people(self, eye: Eye, instant: Instant, pictured: Pictured) -> tuple[PersonMark, ...]:
         rows = instant.tracks.of_frame(instant.frame)
@@ -119,10 +129,12 @@ class PicturePresenter:
             return np.full_like(boxes, np.nan)
         return boxes_in_right_eye(rectification, boxes, floor_points(rows))
 
-    def _particles(self, eye: Eye, instant: Instant, image: Image) -> NDArray[np.uint8]:
+    def _particles(
+        self, eye: Eye, instant: Instant, image: Image, below: NDArray[np.uint8] | None
+    ) -> NDArray[np.uint8]:
         """The particles as dots of their person's colour in a picture to lay over."""
         particles = instant.tracks.particles(instant.frame)
-        overlay = np.zeros((*image.shape[:2], 4), np.uint8)
+        overlay = np.zeros((*image.shape[:2], 4), np.uint8) if below is None else below.copy()
         floor = np.column_stack((particles["x"], particles["y"])).astype(np.float64)
         pixels = self._project(eye, floor)
         height, width = image.shape[:2]
@@ -144,14 +156,6 @@ class PicturePresenter:
                 near = (np.abs(pixels) < 4 * max(width, height)).all(axis=(1, 2))
             self._grid[eye] = pixels[near & np.isfinite(pixels).all(axis=(1, 2))]
         return self._grid[eye]
-
-
-def anaglyph_image(left: Image, right: Image) -> Image:
-    """Red from the left eye's brightness, green and blue from the right eye's."""
-    both = np.empty_like(left)
-    both[..., 2] = left.mean(axis=2)
-    both[..., 0] = both[..., 1] = right.mean(axis=2)
-    return both
 
 
 def _nowhere(points: Floats) -> Floats:

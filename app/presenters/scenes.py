@@ -18,10 +18,11 @@ Points = NDArray[np.float64]  # (n, 2)
 
 
 class Eye(Enum):
-    """Which camera a picture is of."""
+    """Which camera a picture is of; BOTH: one over the other, in the left one's pixels."""
 
     LEFT = "left"
     RIGHT = "right"
+    BOTH = "both"
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +58,14 @@ class PreviewTrail:
 
 
 @dataclass(frozen=True, slots=True)
+class LegendEntry:
+    """What a colour laid over a picture means."""
+
+    colour: Colour
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class PictureScene:
     """One eye at one instant.
 
@@ -65,7 +74,9 @@ class PictureScene:
         frame: frame number shown.
         image: the picture as recorded; None while it is being read.
         people: marks, the selected one last.
-        overlay: (height, width, 4) uint8 RGBA laid over the picture, or None.
+        overlay: (height, width, 4) uint8 RGBA laid over the picture, or None; the very same array
+            while nothing in it changed.
+        legend: what the overlay's colours mean.
         grid: line segments (n, 2, 2) of the floor grid in pixels, or empty.
         message: said in the middle where there is no picture.
         preview: trails in pixels before (dashed) and after (solid) of an edit being previewed.
@@ -79,6 +90,7 @@ class PictureScene:
     grid: NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 2, 2)))
     message: str = ""
     preview: tuple[PreviewTrail, ...] = ()
+    legend: tuple[LegendEntry, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from app.presenters.scenes import PreviewTrail
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.overlays import Kinds
+from app.presenters.scenes import LegendEntry, PreviewTrail
 from app.presenters.shown import ShownTracks
 
 
@@ -16,6 +20,30 @@ class Pictured:
     grid: bool = False
     particles: bool = False
     trails: bool = True
+    foreground: bool = False
+    disparity: bool = False
+
+    @property
+    def kinds(self) -> Kinds:
+        """What of subtraction stereo is asked for."""
+        return Kinds(self.foreground, self.disparity)
+
+
+@dataclass(frozen=True, slots=True)
+class Laid:
+    """What of subtraction stereo lies over the left picture at an instant.
+
+    Attributes:
+        image: (height, width, 4) uint8 RGBA; None while it is being made.
+        legend: what its colours mean. message: said meanwhile.
+    """
+
+    image: NDArray[np.uint8] | None = None
+    legend: tuple[LegendEntry, ...] = ()
+    message: str = ""
+
+
+NOTHING_LAID = Laid()
 
 
 @dataclass(frozen=True, slots=True)

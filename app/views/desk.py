@@ -13,6 +13,7 @@ from app.presenters.setting import Pictured
 from app.presenters.words import tr
 from app.views.editing import Editing
 from app.views.live import LiveTracking
+from app.views.overlaying import Overlaying
 from app.views.playback import Playback
 from app.views.workspace import Workspace
 from tracking.errors import TrackwrightError
@@ -40,6 +41,7 @@ class Desk(QObject):
         self.document = document
         self.playback = Playback(document.recording, self)
         self.editing = Editing(document, self.playback, self)
+        self.overlaying = Overlaying(document, self.playback, self)
         self.live = LiveTracking(document.recording, self)
         self.pictured = Pictured()
         self.eyes = "left"
@@ -56,6 +58,8 @@ class Desk(QObject):
         self.editing.changed.connect(self.draw)
         self.editing.failed.connect(self.failed)
         self.editing.said.connect(self.said)
+        self.overlaying.changed.connect(self.draw_instant)
+        self.overlaying.failed.connect(self.failed)
         self.live.tracked.connect(self._take_live)
         self.live.finished.connect(self._end_live)
         self.live.failed.connect(self._fail_live)
@@ -87,6 +91,7 @@ class Desk(QObject):
     def close(self) -> None:
         """End all threads and let the recording go."""
         self.live.close()
+        self.overlaying.close()
         self.playback.close()
         if self.document.session is not None:
             self.document.session.close()
@@ -216,11 +221,11 @@ class Desk(QObject):
         """Draw the pictures and the floor: the same frame in all of them."""
         view, document, frame = self._workspace, self.document, self.playback.frame
         instant = document.instant(self.playback.number)
-        pictures = document.pictures
+        pictures, laid = document.pictures, self.overlaying.laid(self.pictured.kinds)
         if self.eyes == "anaglyph":
-            view.left.show_scene(pictures.anaglyph(frame, instant, self.pictured))
+            view.left.show_scene(pictures.anaglyph(frame, instant, self.pictured, laid))
         else:
-            view.left.show_scene(pictures.scene(Eye.LEFT, frame, instant, self.pictured))
+            view.left.show_scene(pictures.scene(Eye.LEFT, frame, instant, self.pictured, laid))
         if self.eyes == "both":
             view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
         view.overhead.show_scene(document.overhead.scene(instant))

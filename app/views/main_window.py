@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import asdict
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
@@ -169,9 +170,7 @@ class MainWindow(QMainWindow):
         if self.desk is not None:
             pictured = self.desk.pictured
             on.add(f"view.{self.desk.eyes}")
-            shown = {"grid": pictured.grid, "particles": pictured.particles}
-            shown["trails"] = pictured.trails
-            on |= {f"view.{name}" for name, is_on in shown.items() if is_on}
+            on |= {f"view.{name}" for name, is_on in asdict(pictured).items() if is_on}
         return frozenset(on)
 
     # messages

@@ -44,6 +44,10 @@ class Playback(QObject):
         """The frame shown; the playhead's while none is."""
         return self.clock.frame if self.frame is None else self.frame.number
 
+    def at_hand(self, frame: int) -> StereoFrame | None:
+        """A frame where it need not be read first; may be asked from any thread."""
+        return self._reader.cached(frame)
+
     def go(self, frame: int) -> None:
         """Go to a frame; playing goes on from there."""
         self.clock.seek(frame)

@@ -133,6 +133,8 @@ _VIEWING: dict[str, OnDesk] = {
     "view.grid": _toggle("grid"),
     "view.particles": _toggle("particles"),
     "view.trails": _toggle("trails"),
+    "view.foreground": _toggle("foreground"),
+    "view.disparity": _toggle("disparity"),
 }
 _CORRECTING: dict[str, OnDesk] = {
     "edit.undo": lambda desk: desk.editing.undo(),

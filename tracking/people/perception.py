@@ -84,6 +84,15 @@ class StereoPerception:
         overlays = self._overlays(left.mask, shadow, disparity)
         return Observation(frame.number, frame.time_s, people, overlays)
 
+    def overlays(self, frame: StereoFrame) -> Overlays:
+        """What a view may lay over a frame; nothing is remembered, frames come in any order.
+
+        Raises:
+            RecordingError: the frame has no right eye.
+        """
+        left, right = self.subtract(*self.rectify(frame))
+        return self._overlays(left.mask, self.shade(left), self.match(left, right))
+
     def rectify(self, frame: StereoFrame) -> tuple[Image, Image]:
         """Both eyes rectified, at the working scale."""
         if frame.right is None:

@@ -4,7 +4,6 @@ import two_people
 
 from app.presenters.document import Document
 from app.presenters.overhead import relative_weights
-from app.presenters.pictures import anaglyph_image
 from app.presenters.scenes import Eye
 from app.presenters.session_tracks import SessionTracks
 from app.presenters.setting import Instant, Pictured
@@ -83,11 +82,6 @@ def test_a_frame_that_is_being_read_is_said(document):
     scene = document.pictures.scene(Eye.LEFT, None, document.instant(0), Pictured())
     assert scene.image is None
     assert scene.message == "Reading..."
-
-
-def test_an_anaglyph_has_the_left_eye_in_red_and_the_right_eye_in_green_and_blue():
-    left, right = np.full((2, 2, 3), 200, np.uint8), np.full((2, 2, 3), 50, np.uint8)
-    assert anaglyph_image(left, right)[0, 0].tolist() == [50, 50, 200]
 
 
 def test_the_floor_shows_people_particles_and_what_was_measured(document):
