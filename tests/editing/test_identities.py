@@ -8,6 +8,7 @@ from tables_of_people import bytes_of, frames, table_of
 
 from tracking.editing import (
     Change,
+    State,
     apply_change,
     plan_delete,
     plan_merge,
@@ -16,7 +17,7 @@ from tracking.editing import (
     plan_swap,
 )
 from tracking.errors import EditError
-from tracking.tracks import Labels, TrackLabel, TrackTable
+from tracking.tracks import LARGEST_NUMBER, Labels, TrackLabel, TrackTable
 
 
 @pytest.fixture
@@ -131,6 +132,7 @@ def test_a_reassigned_range_belongs_to_the_other_track(table: TrackTable) -> Non
         (lambda table: plan_merge(table, 1, 2, "third"), "keep is 'third'"),
         (lambda table: plan_reassign(table, 1, 1), "choose another"),
         (lambda table: plan_reassign(table, 1, 0), "choose another"),
+        (lambda table: plan_reassign(table, 1, 2**31), "choose another"),
         (lambda table: plan_reassign(table, 1, 2), "both stand in frame 2"),
         (lambda table: plan_reassign(table, 1, 2, 15, 20), "does not stand"),
     ],
@@ -155,3 +157,19 @@ def test_ids_beyond_16_bits_are_tracks_like_others() -> None:
     apply(table, plan_swap(table, 70_000, 4464, 2))
     assert lefts(table, 4464)[2:] == first[2:]
     assert np.array_equal(table.track_ids, [4464, 70_000])
+
+
+def test_where_no_higher_id_is_left_nothing_is_split() -> None:
+    table = table_of({LARGEST_NUMBER: [(0, 5)]})
+    with pytest.raises(EditError, match="no id above"):
+        plan_split(table, LARGEST_NUMBER, 2)
+
+
+def test_a_change_to_an_id_that_no_file_can_hold_changes_nothing(table: TrackTable) -> None:
+    before = bytes_of(table)
+    here = State(np.array([[1, 0, 10]]))
+    there = State(np.array([[2**31, 0, 10]]))
+    with pytest.raises(EditError, match="ids go up to"):
+        apply(table, Change("reassign", "too high", 0, here, there))
+    assert bytes_of(table) == before
+    assert frames(table, 1) == list(range(10))

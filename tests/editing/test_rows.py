@@ -84,3 +84,11 @@ def test_a_drawn_box_fills_a_track_s_gap(table: TrackTable) -> None:
 def test_nonsense_is_refused_in_words(table: TrackTable, plan: object, why: str) -> None:
     with pytest.raises(EditError, match=why):
         plan(table)  # type: ignore[operator]
+
+
+@pytest.mark.parametrize(("track", "frame"), [(0, 5), (2**31, 5), (1, 2**31 - 1)])
+def test_a_box_of_an_id_or_frame_that_no_file_can_hold_is_refused(
+    table: TrackTable, track: int, frame: int
+) -> None:
+    with pytest.raises(EditError, match="go up to"):
+        plan_draw_box(table, track, frame, BOX)

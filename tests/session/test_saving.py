@@ -230,8 +230,12 @@ def test_a_disk_that_keeps_refusing_does_not_push_older_generations_out(
     before = [file.read_bytes() for file in generations(session.path)]
     present = session.path.read_bytes()
 
-    def refusing(*_: object) -> None:
-        raise PermissionError(errno.EACCES, "in use")
+    replace = os.replace
+
+    def refusing(new: Path, old: Path) -> None:
+        if old == session.path:
+            raise PermissionError(errno.EACCES, "in use")
+        replace(new, old)
 
     session.apply(plan_swap(session.tracks, 1, 2, 3))
     monkeypatch.setattr(os, "replace", refusing)

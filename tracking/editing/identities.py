@@ -9,7 +9,16 @@ from numpy.typing import NDArray
 
 from tracking.editing.change import Change, LabelState, State, Stretches, no_rows
 from tracking.errors import EditError
-from tracking.tracks import Columns, Labels, TrackLabel, TrackTable, between, check_known
+from tracking.tracks import (
+    LARGEST_NUMBER,
+    Columns,
+    Labels,
+    TrackLabel,
+    TrackTable,
+    between,
+    check_known,
+    next_track,
+)
 
 Keep = Literal["first", "second"]
 
@@ -37,7 +46,7 @@ def plan_split(table: TrackTable, track: int, frame: int) -> Change:
     """Cut a track before a frame: the first half keeps its id, the second gets a new one.
 
     The new id is one more than the highest ever used, also by tracks that are gone.
-    Raises EditError where one of the halves would be empty.
+    Raises EditError where one of the halves would be empty, or no higher id is left.
     """
     check_known(table, track)
     start, end = table.frame_range(track)
@@ -45,7 +54,7 @@ def plan_split(table: TrackTable, track: int, frame: int) -> Change:
         raise EditError(
             f"track {track} stands in frames {start} to {end - 1}; it cannot be split at {frame}"
         )
-    new = table.highest_track + 1
+    new = next_track(table)
     before = _stretch(table, track, frame, end)
     text = f"Split {track} at frame {frame}; the rest is {new}"
     return Change("split", text, frame, State(before), State(_given_to(before, new)))
@@ -93,8 +102,10 @@ def plan_reassign(
     keep), and where the range is empty.
     """
     check_known(table, track)
-    if track == to or to < 1:
-        raise EditError(f"track {track} cannot be given to {to}; choose another positive id")
+    if track == to or not 1 <= to <= LARGEST_NUMBER:
+        raise EditError(
+            f"track {track} cannot be given to {to}; choose another id from 1 to {LARGEST_NUMBER}"
+        )
     stop = _stop(table, start, end, track)
     moving = _within(table.frames_of_track(track), start, stop)
     if not len(moving):

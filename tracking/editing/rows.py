@@ -6,7 +6,15 @@ import numpy as np
 
 from tracking.editing.change import Change, State
 from tracking.errors import EditError
-from tracking.tracks import CORRECTED_COLUMNS, Columns, Source, TrackTable, check_known
+from tracking.tracks import (
+    CORRECTED_COLUMNS,
+    LARGEST_NUMBER,
+    Columns,
+    Source,
+    TrackTable,
+    check_known,
+    next_track,
+)
 
 Box = tuple[float, float, float, float]
 """left, top, width, height in 0-based pixels of the left image as recorded."""
@@ -73,8 +81,10 @@ def plan_draw_box(
     if frame < 0:
         raise EditError(f"frame {frame} is negative; frames count from 0")
     new_track = track is None
-    owner = table.highest_track + 1 if track is None else track
-    if owner < 1 or len(table.of_track(owner, frame, frame + 1)["frame"]):
+    owner = next_track(table) if track is None else track
+    if not 1 <= owner <= LARGEST_NUMBER or frame >= LARGEST_NUMBER:
+        raise EditError(f"track {owner} in frame {frame}: ids and frames go up to {LARGEST_NUMBER}")
+    if len(table.of_track(owner, frame, frame + 1)["frame"]):
         raise EditError(f"track {owner} stands in frame {frame} already; move its box instead")
     row = {name: np.zeros(1, dtype) for name, dtype in CORRECTED_COLUMNS.items()}
     row["frame"][0], row["track"][0] = frame, owner

@@ -13,13 +13,14 @@ from tracking.tracks.columns import (
 )
 from tracking.tracks.labels import Labels, Occluder, ReviewedRange, TrackLabel
 from tracking.tracks.run import ParticleColumn, Particles, Run
-from tracking.tracks.table import TrackTable, check_known
-from tracking.tracks.validation import between, check_tracks, checked_columns
+from tracking.tracks.table import TrackTable, check_known, next_track
+from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, checked_columns
 
 __all__ = [
     "ASSOCIATION_COLUMNS",
     "CORRECTED_COLUMNS",
     "DETECTION_COLUMNS",
+    "LARGEST_NUMBER",
     "PARTICLE_COLUMNS",
     "PART_COLUMNS",
     "TRACK_COLUMNS",
@@ -38,4 +39,5 @@ __all__ = [
     "check_tracks",
     "checked_columns",
     "empty",
+    "next_track",
 ]

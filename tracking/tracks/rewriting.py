@@ -9,7 +9,12 @@ from numpy.typing import NDArray
 
 from tracking.errors import EditError
 from tracking.tracks.columns import CORRECTED_COLUMNS, Columns
-from tracking.tracks.validation import between, check_tracks, is_sorted_strictly
+from tracking.tracks.validation import (
+    LARGEST_NUMBER,
+    between,
+    check_tracks,
+    is_sorted_strictly,
+)
 
 Slots = NDArray[np.int64]
 Frames = NDArray[np.int32]
@@ -57,6 +62,8 @@ class Rewriting:
             inside = between(frames, start, end)
             if source == target or target < 1 or inside.start == inside.stop:
                 raise EditError(f"track {source} has nothing to give in frames {start} to {end}")
+            if target > LARGEST_NUMBER:
+                raise EditError(f"track {target}: ids go up to {LARGEST_NUMBER}; choose another")
             self._leave(source, np.arange(inside.start, inside.stop))
             self._arrive(target, slots[inside], frames[inside])
             self._receiving.append((target, start, end, inside.stop - inside.start))

@@ -42,6 +42,8 @@ class TrackTable:
         highest id ever used, where that is higher than any in the columns.
         Raises EditError for columns that are no table (see `checked_columns`, `check_tracks`).
         """
+        if not 0 <= highest_track <= LARGEST_NUMBER:
+            raise EditError(f"highest track {highest_track}: ids are 1 to {LARGEST_NUMBER}")
         given: dict[str, ArrayLike] = dict(empty(CORRECTED_COLUMNS) if columns is None else columns)
         if "source" not in given and "frame" in given:
             given["source"] = np.full(len(np.asarray(given["frame"])), Source.TRACKER, np.uint8)
@@ -256,6 +258,13 @@ def _read_only(array: NDArray[Any]) -> NDArray[Any]:
     view = array.view()
     view.flags.writeable = False
     return view
+
+
+def next_track(table: TrackTable) -> int:
+    """The id of a new track: one more than the highest ever used. EditError where none is left."""
+    if table.highest_track >= LARGEST_NUMBER:
+        raise EditError(f"no id above {LARGEST_NUMBER} is left for a new track; use a known one")
+    return table.highest_track + 1
 
 
 def check_known(table: TrackTable, *tracks: int) -> None:
