@@ -25,10 +25,10 @@ class StereoTrackerSettings:
         1.0, "1/s", (0.0, 10.0), "how much the spread grows with each second a person is missed"
     )
     sigma_near_m: float = setting(
-        0.15, "m", (0.01, 2.0), "likelihood's standard deviation close to the camera"
+        0.12, "m", (0.01, 2.0), "likelihood's standard deviation close to the camera"
     )
     sigma_range: float = setting(
-        0.002, "m/m²", (0.0, 0.1), "growth of that deviation with the square of the range"
+        0.001, "m/m²", (0.0, 0.1), "growth of that deviation with the square of the range"
     )
     velocity_memory_s: float = setting(
         0.4, "s", (0.05, 5.0), "time over which the velocity is smoothed"
