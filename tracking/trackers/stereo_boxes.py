@@ -20,9 +20,8 @@ _MIXED = 0.1
 """Share of a box that others cover from which on its region may hold pieces of theirs."""
 _OUTLINE_MEMORY_S = 0.3
 _MIXED_MEMORY_S = 2.0
-_TRUST = 0.9
-"""Weight of the box seen against the remembered outline; the next is where boxes overlap."""
-_TRUST_MIXED = 0.5
+_TRUST = 0.85
+"""Weight of the box seen against the remembered outline."""
 
 
 def body_boxes(people: Population, view: View) -> Floats:
@@ -70,14 +69,13 @@ def shown_boxes(
     seen: Detections,
     view: View,
 ) -> Floats:
-    """The boxes to report: what was seen this frame, drawn towards the remembered outline.
+    """The boxes to report: what was seen this frame, drawn a little to the remembered outline.
 
-    More so where boxes overlap, as a region may then hold pieces of somebody else.
+    Where a region holds somebody else too, the outline alone counts.
     """
     box = body_boxes(people, view)
     own = box[pairs.track]
-    trust = np.where(overlap(box)[pairs.track] > _MIXED, _TRUST_MIXED, _TRUST)[:, None]
-    trust *= alone[:, None]
+    trust = _TRUST * alone[:, None]
     box[pairs.track] = own + trust * (seen.box[pairs.detection] - own)
     return box
 
