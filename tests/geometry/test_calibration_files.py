@@ -204,6 +204,16 @@ HOSTILE = {
     + _matrix(3, 1, "[-0.1, 0., 0.]").replace("M1", "T"),
     "huge number": "a: " + "9" * 50_000,
     "a date for a key": "2020-13-45: 1\n",
+    "endless width": _matrix(3, 3, "[9., 0., 1., 0., 9., 1., 0., 0., 1.]")
+    + "image_width: .inf\nimage_height: 480\n",
+    "endless rows": _matrix(".inf", 1, "[1.]"),
+    "a number beyond floats": _matrix(1, 1, f"[1{'0' * 400}]"),
+    "a truth that is none": "a: !!bool maybe\n",
+    "an empty number": 'a: !!int ""\n',
+    "a time that is none": "a: !!timestamp soon\n",
+    "ros with an endless width": "camera_matrix: {rows: 3, cols: 3, data: "
+    "[9, 0, 1, 0, 9, 1, 0, 0, 1]}\nimage_width: .inf\n"
+    "distortion_coefficients: {rows: 1, cols: 1, data: [0]}\n",
     "xml bomb": '<?xml version="1.0"?><!DOCTYPE a [<!ENTITY b "bb">]><opencv_storage>&b;'
     "</opencv_storage>",
     "other xml": "<?xml version='1.0'?><svg/>",

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import random
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from numbered_videos import number_in, numbered_picture, write_video
 from tracking.errors import RecordingError
 from tracking.recording.conversion import bgr
 from tracking.recording.video import VideoSource
+from tracking.recording.video_cursor import NumberedFrame, VideoCursor
 
 COUNT = 120
 UNEVEN = np.cumsum(np.random.default_rng(0).integers(50, 300, COUNT)).tolist()
@@ -94,6 +96,27 @@ def test_a_step_back_within_what_was_decoded_needs_no_seek(
     assert number_in(source.read(49)) == 49
     assert number_in(source.read(12)) == 12
     assert number_in(source.read(51)) == 51
+
+
+def test_one_keyframe_at_the_beginning_does_not_fill_the_memory(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    video = write_video(tmp_path / "v.mp4", range(60), options={"g": "600"})
+    source = VideoSource(video, "v", recent_bytes=5 * 128 * 96 * 2)
+    gc.collect()
+    before, most = frames_alive(), 0
+    frames_from = VideoCursor.frames_from
+
+    def counted(cursor: VideoCursor, packet: int) -> Iterator[NumberedFrame]:
+        nonlocal most
+        for number, frame in frames_from(cursor, packet):
+            most = max(most, frames_alive() - before)
+            yield number, frame
+
+    monkeypatch.setattr(VideoCursor, "frames_from", counted)
+    assert number_in(source.read(50)) == 50
+    assert number_in(next(iter(source.pictures(55, 56)))) == 55
+    assert most < 20
 
 
 def test_reads_from_several_threads_do_not_mix(tmp_path: Path) -> None:
@@ -209,6 +232,10 @@ def test_a_missing_video_and_a_frame_out_of_range_are_told(tmp_path: Path) -> No
     for number in (-1, 5):
         with pytest.raises(RecordingError, match="not among 0 to 4"):
             source.read(number)
+
+
+def frames_alive() -> int:
+    return sum(isinstance(held, av.VideoFrame) for held in gc.get_objects())
 
 
 def _overwrite_packet(path: Path, wanted: int) -> None:

@@ -152,5 +152,5 @@ def _decoded(file: Path) -> Image | None:
 
 
 def _natural(file: Path) -> list[tuple[int, str]]:
-    parts = _NUMBER.split(file.name)
-    return [(int(part), "") if part.isdigit() else (-1, part.lower()) for part in parts]
+    parts = _NUMBER.split(file.name)  # text and number in turn
+    return [(int(part), "") if at % 2 else (-1, part.lower()) for at, part in enumerate(parts)]

@@ -18,6 +18,7 @@ MANIFEST_NAME = "recording.toml"
 FORMAT = 1
 _T = TypeVar("_T", bound=str)
 _MAX_BYTES = 64 * 1024
+_LARGEST_WHOLE = 10**15
 _LAYOUTS: tuple[Layout, ...] = ("side-by-side", "top-bottom")
 _SIDES: tuple[Side, ...] = ("left", "right")
 _KNOWN: Mapping[str, frozenset[str]] = {
@@ -162,7 +163,7 @@ class _Table:
     def get(self, key: str, kind: type, default: Any) -> Any:
         """A value of the kind; `float` takes whole numbers as well."""
         value = self._values.get(key, default)
-        if kind is float and isinstance(value, int) and not isinstance(value, bool):
+        if kind is float and type(value) is int and abs(value) < _LARGEST_WHOLE:
             value = float(value)
         if key in self._values and (type(value) is not kind):
             raise self.error(key, f"must be {_KIND_NAMES[kind]}")
@@ -200,6 +201,8 @@ def _source(table: _Table) -> str:
     source: str = table.get("source", str, "")
     if not source:
         raise table.error("source", "is missing; name a video, or images such as left/*.png")
+    if "\0" in source:
+        raise table.error("source", "holds a zero character; write the file's name")
     return source
 
 
@@ -226,9 +229,13 @@ def _calibration(table: _Table) -> tuple[str, ...]:
         files = [section.get("file", str, "")]
     except RecordingError:
         files = section.get("file", list, [])
-    if not 1 <= len(files) <= 2 or not all(isinstance(file, str) and file for file in files):
+    if not 1 <= len(files) <= 2 or not all(map(_is_file_name, files)):
         raise section.error("file", "must be one file name, or a list of two")
     return tuple(files)
+
+
+def _is_file_name(value: object) -> bool:
+    return isinstance(value, str) and value != "" and "\0" not in value
 
 
 def _ground(table: _Table) -> Ground | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from tracking.errors import RecordingError
@@ -25,8 +26,8 @@ def place_inside(folder: Path, named: str, allow_outside: bool) -> Path:
     if allow_outside:
         return path
     absolute = PurePosixPath(named).is_absolute() or PureWindowsPath(named).anchor
-    fixed = path.parent if is_pattern(named) else path
-    if absolute or ".." in path.relative_to(folder).parts or not _lies_in(fixed, folder):
+    inside = not absolute and ".." not in path.relative_to(folder).parts
+    if not inside or not all(_lies_in(place, folder) for place in _places(path)):
         raise RecordingError(
             f"{folder}: its manifest names {named!r} outside the folder; move the file inside, "
             "or allow outside files where you trust the recording"
@@ -53,10 +54,27 @@ def open_pictures(path: Path, name: str) -> PictureSource:
     return VideoSource(path, name)
 
 
-def _matching(pattern: Path) -> list[Path]:
+def _places(path: Path) -> Iterator[Path]:
+    """What a path leads to: itself, or the folders whose files a pattern takes."""
+    if not is_pattern(path.name) or path.exists():
+        yield path
+        return
+    fixed = _fixed(path)
+    yield fixed
+    if fixed != path.parent and fixed.is_dir():
+        yield from fixed.glob(path.parent.relative_to(fixed).as_posix())
+
+
+def _fixed(pattern: Path) -> Path:
+    """The deepest folder of a pattern that is there: signs in its own name are no pattern."""
     fixed = pattern.parent
-    while is_pattern(fixed.name):
+    while is_pattern(str(fixed)) and not fixed.is_dir():
         fixed = fixed.parent
+    return fixed
+
+
+def _matching(pattern: Path) -> list[Path]:
+    fixed = _fixed(pattern)
     if not fixed.is_dir():
         raise RecordingError(f"{pattern}: there is no folder {fixed}; check the path")
     return [file for file in fixed.glob(pattern.relative_to(fixed).as_posix()) if file.is_file()]

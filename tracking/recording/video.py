@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
+from collections import OrderedDict, deque
 from collections.abc import Iterator
 from pathlib import Path
 from threading import Lock
@@ -197,15 +197,17 @@ class VideoSource:
         (intra refresh): where the wanted frame does not come, begin a keyframe earlier.
         """
         start: int | None = self._index.start_for(number)
-        held: list[NumberedFrame] = []
+        held: deque[NumberedFrame] = deque()
         run: Iterator[NumberedFrame] = iter(())
         for _ in range(_STEPS_BACK + 1):
             if start is None:
                 break
-            run, held = cursor.frames_from(start), []
+            run, held = cursor.frames_from(start), deque()
             for found, frame in run:
                 if (frame.width, frame.height) == self._size:
                     held.append((found, frame))
+                    if len(held) > self._most_kept(frame):  # a keyframe may be hours back
+                        held.popleft()
                 if found >= number:
                     break
             if held and held[-1][0] == number and not held[-1][1].is_corrupt:
@@ -216,11 +218,12 @@ class VideoSource:
 
     def _keep(self, number: int, frame: av.VideoFrame) -> None:
         self._recent[number] = frame
-        limit = max(
-            2, self._recent_bytes // max(1, sum(plane.buffer_size for plane in frame.planes))
-        )
-        while len(self._recent) > limit:
+        while len(self._recent) > self._most_kept(frame):
             self._recent.popitem(last=False)
+
+    def _most_kept(self, frame: av.VideoFrame) -> int:
+        """How many frames like this one may be in memory at once."""
+        return max(2, self._recent_bytes // max(1, sum(p.buffer_size for p in frame.planes)))
 
     def _nearest_kept(self, number: int) -> av.VideoFrame | None:
         earlier = [kept for kept in self._recent if kept < number]

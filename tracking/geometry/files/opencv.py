@@ -60,7 +60,7 @@ def _size(values: Mapping[str, Any], where: Path, size: tuple[int, int] | None) 
         raise CalibrationError(f"{where}: says no image size; add image_width and image_height")
     try:
         return int(values["image_width"]), int(values["image_height"])
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, TypeError, ValueError, OverflowError) as error:
         raise CalibrationError(
             f"{where}: image_width and image_height are not both whole numbers"
         ) from error

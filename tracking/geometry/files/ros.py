@@ -55,7 +55,7 @@ def _camera(where: Path, values: Mapping[str, Any], size: tuple[int, int] | None
         width, height = size if size and "image_width" not in values else (
             int(values["image_width"]), int(values["image_height"])
         )  # fmt: skip
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, TypeError, ValueError, OverflowError) as error:
         raise CalibrationError(
             f"{where}: image_width and image_height are not both whole numbers"
         ) from error
@@ -79,7 +79,7 @@ def _matrix(
         found = matrix(parts.get("rows"), parts.get("cols"), parts.get("data"))
         if shape is not None and found.shape != shape:
             raise ValueError(f"{found.shape[0]} x {found.shape[1]}")
-    except (ValueError, TypeError) as error:
+    except (ValueError, TypeError, OverflowError) as error:
         raise CalibrationError(
             f"{where}: {name} is not what camera_info has ({error}); calibrate again"
         ) from error

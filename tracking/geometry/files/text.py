@@ -21,6 +21,13 @@ _MAX_NUMBERS = 10_000
 _MATRIX_TAG = "tag:yaml.org,2002:opencv-matrix"
 
 
+_BROKEN = (
+    *(yaml.YAMLError, ValueError, TypeError, RecursionError),
+    *(LookupError, AttributeError, OverflowError),
+)
+"""What PyYAML and conversions raise on text that is not what its tags say."""
+
+
 def read_text(path: Path) -> str:
     """The text of a calibration file; CalibrationError where it is missing, binary or too large."""
     try:
@@ -45,7 +52,7 @@ def parse_yaml(text: str, where: Path) -> dict[str, Any]:
         text = text.partition("\n")[2]
     try:
         content = yaml.load(text, _CappedLoader)
-    except (yaml.YAMLError, ValueError, TypeError, RecursionError) as error:
+    except _BROKEN as error:
         raise CalibrationError(f"{where}: not readable as YAML ({_one_line(error)})") from error
     if not isinstance(content, dict):
         raise CalibrationError(f"{where}: holds no named values; give a calibration file")
@@ -62,7 +69,7 @@ def parse_xml(text: str, where: Path) -> dict[str, Any]:
         raise CalibrationError(f"{where}: not an OpenCV file, its root is <{root.tag[:40]}>")
     try:
         return {child.tag: _xml_value(child) for child in root}
-    except (ValueError, TypeError) as error:
+    except (ValueError, TypeError, OverflowError) as error:
         raise CalibrationError(f"{where}: a broken value ({_one_line(error)})") from error
 
 
