@@ -17,6 +17,7 @@ from app.presenters.setting import Instant
 from app.presenters.shown import ShownTracks
 from app.presenters.timeline import TimelinePresenter
 from app.presenters.trails import floor_points
+from app.presenters.words import tr
 from tracking.editing import Change
 from tracking.recording import Recording
 from tracking.session import Session
@@ -118,10 +119,15 @@ class Document:
             ),
         )
 
-    def timeline(self, playhead: int, frame: int) -> TimelineScene:
-        """The timeline with its playhead; lanes are those of `frame`'s instant."""
+    def timeline(
+        self, playhead: int, frame: int, loaded: tuple[tuple[int, int], ...] = ()
+    ) -> TimelineScene:
+        """The timeline with its playhead; lanes are those of `frame`'s instant.
+
+        `loaded` are the half-open ranges of frames at hand.
+        """
         cut = self.flow.cut if self.flow is not None and self.flow.has_cut else None
-        return self._timeline.scene(playhead, self.instant(frame), (0, 0), cut)
+        return self._timeline.scene(playhead, self.instant(frame), loaded, cut)
 
     def card(self) -> TrackCard | None:
         """The selected track in words."""
@@ -152,6 +158,18 @@ class Document:
         elif self.flow is None:
             self.selection.choose(track)
 
+    def pick_typed(self, track: int) -> None:
+        """An id was typed for the other person of the edit; one that is not there is told."""
+        flow, session = self.flow, self.session
+        if flow is None or session is None or not flow.takes_other:
+            return
+        if track == flow.track:
+            self._put(flow, tr("{track} is the selected person: type another id", track=track))
+        elif track not in session.tracks:
+            self._put(flow, tr("There is no track {track}", track=track))
+        else:
+            self._put(flow.with_other(track, session.tracks))
+
     def pick_next(self, frame: int, step: int) -> None:
         """Tab: the next person of the frame, or of all where nobody stands in it."""
         here = self._tracks.of_frame(frame)["track"].tolist() or list(self._tracks.ids)
@@ -179,11 +197,11 @@ class Document:
         """Leave the edit; everything stays as it is."""
         self.flow = self.planned = None
 
-    def _put(self, flow: EditFlow) -> None:
+    def _put(self, flow: EditFlow, problem: str = "") -> None:
         if self.session is not None:
             self.flow = flow
-            session = self.session
-            self.planned = planned_edit(flow, session.tracks, session.labels, self.recording.fps)
+            tracks, labels = self.session.tracks, self.session.labels
+            self.planned = planned_edit(flow, tracks, labels, self.recording.fps, problem)
 
     def confirm_edit(self) -> Change | None:
         """Do the edit that waits; None where it is not ready."""

@@ -168,7 +168,7 @@ class TimelineScene:
         frame_count, fps: of the recording. frame: the playhead.
         lanes: a track each, by first frame.
         activity: (frame_count,) people per frame, uint16.
-        loaded, tracked: half-open frame ranges.
+        tracked: half-open frame range. loaded: the half-open ranges of frames at hand.
         cut: a frame with an edit being previewed, or None.
     """
 
@@ -178,7 +178,7 @@ class TimelineScene:
     lanes: tuple[Lane, ...]
     activity: NDArray[np.uint16]
     tracked: tuple[int, int] = (0, 0)
-    loaded: tuple[int, int] = (0, 0)
+    loaded: tuple[tuple[int, int], ...] = ()
     cut: int | None = None
 
 
@@ -230,19 +230,23 @@ class EditPreview:
 
     Attributes:
         title: e.g. "Swap 4 and 7 from frame 834 on".
-        scope: the one of `scopes` in force, e.g. "from here on".
         details: lines that say what will change.
-        frame: the cut, moved by the arrow keys.
-        scopes: what can be chosen, e.g. "from here on", "this range", "this frame".
+        frame: the cut, moved by the arrow keys, where it `has_cut`.
+        choice_title: what can be chosen, e.g. "How far". choices: e.g. "from here on", "this
+            range", "this frame". choice: the number of the one in force.
+        other: id of the second person, 0 while they are to be picked, None where none is needed.
         ready: False while the other person is still to be picked; Enter does nothing then.
         hint: the keys that work now, e.g. "arrows move the frame, Enter does it, Esc leaves".
     """
 
     title: str
-    scope: str
     details: tuple[str, ...]
     frame: int
-    scopes: tuple[str, ...] = ()
+    choice_title: str = ""
+    choices: tuple[str, ...] = ()
+    choice: int = 0
+    other: int | None = None
+    has_cut: bool = True
     ready: bool = True
     hint: str = ""
 

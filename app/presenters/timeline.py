@@ -66,7 +66,11 @@ class TimelinePresenter:
         self._version += 1
 
     def scene(
-        self, playhead: int, instant: Instant, loaded: tuple[int, int], cut: int | None
+        self,
+        playhead: int,
+        instant: Instant,
+        loaded: tuple[tuple[int, int], ...],
+        cut: int | None,
     ) -> TimelineScene:
         """The timeline with its playhead."""
         known = (self._version, instant.names)

@@ -86,7 +86,8 @@ class Desk(QObject):
         view.preview.confirmed.connect(desk.editing.confirm)
         view.preview.cancelled.connect(desk.editing.leave)
         view.preview.cut_moved.connect(desk.editing.move_cut)
-        view.preview.scope_chosen.connect(desk.editing.choose_scope)
+        view.preview.choice_made.connect(desk.editing.choose)
+        view.preview.other_typed.connect(desk.editing.pick_typed)
 
     def close(self) -> None:
         """End all threads and let the recording go."""
@@ -234,7 +235,7 @@ class Desk(QObject):
         """Draw the timeline and the transport line."""
         clock = self.playback.clock
         self._workspace.timeline.show_scene(
-            self.document.timeline(clock.frame, self.playback.number)
+            self.document.timeline(clock.frame, self.playback.number, self.playback.loaded)
         )
         self._workspace.transport.show_scene(
             TransportScene(

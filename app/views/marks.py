@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from app.presenters.scenes import PersonMark, PreviewTrail
+from app.presenters.scenes import Colour, PersonMark, PreviewTrail
 from app.views.labels import draw_plate, place_plates, plate_rect
 from app.views.theme import faded
 from app.views.viewport import Points, Viewport, polygon
 
 _CORNER = 4.0
-_AGES = 6  # steps in which a trail fades
-_MOST_POINTS = 80  # of a trail
+_AGES = 5  # steps in which a trail fades
+_MOST_POINTS = 26  # of a trail: broad lines of many short pieces take most of a paint
 
 
 def draw_people(
@@ -49,17 +51,29 @@ def draw_fading_trail(
     """
     shown = _thinned(points[np.isfinite(points).all(axis=1)])
     last = len(shown) - 1
+    if last < 1:
+        return
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    for ink, broad in ((QColor(0, 0, 0, 70), width + 2.0), (colour, width)):
-        if not casing and ink is not colour:
-            continue
-        pen = QPen(ink, broad)
-        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-        for age in range(_AGES if last > 0 else 0):
-            start, stop = age * last // _AGES, (age + 1) * last // _AGES
-            pen.setColor(faded(ink, 0.08 + 0.82 * (age + 1) / _AGES))
+    edges = [age * last // _AGES for age in range(_AGES + 1)]
+    pieces = [shown[start : stop + 1] for start, stop in pairwise(edges) if stop > start]
+    casings = _fading_pens((0, 0, 0), 70, width + 2.0)[-len(pieces) :] if casing else ()
+    inks = _fading_pens((colour.red(), colour.green(), colour.blue()), 255, width)[-len(pieces) :]
+    for pens in (casings, inks):
+        for pen, piece in zip(pens, pieces, strict=False):
             painter.setPen(pen)
-            painter.drawPolyline(shown[start : stop + 1])
+            painter.drawPolyline(piece)
+
+
+@lru_cache(maxsize=256)
+def _fading_pens(colour: Colour, alpha: int, width: float) -> tuple[QPen, ...]:
+    """A pen for each age of a trail, the faintest first."""
+    pens = [
+        QPen(faded(QColor(*colour, alpha), 0.08 + 0.82 * (age + 1) / _AGES), width)
+        for age in range(_AGES)
+    ]
+    for pen in pens:
+        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+    return tuple(pens)
 
 
 def _thinned(points: Points) -> list[QPointF]:

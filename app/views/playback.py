@@ -12,6 +12,7 @@ from tracking.recording import Recording, StereoFrame
 
 CACHE_BYTES = 400 * 2**20
 _TICK_MS = 8
+_LOOK_MS = 250
 
 
 class Playback(QObject):
@@ -19,7 +20,8 @@ class Playback(QObject):
 
     `frame` is what all views show: both eyes of one instant. While the reader is busy it may stand
     behind `clock.frame`, the playhead. Signals: `shown()`, another frame is there; `moved()`, the
-    playhead, the speed or playing changed; `failed(error)`, a frame cannot be read.
+    playhead, the speed, playing or what is at hand changed; `failed(error)`, a frame cannot be
+    read.
     """
 
     shown = Signal()
@@ -30,6 +32,7 @@ class Playback(QObject):
         super().__init__(parent)
         self.clock = PlaybackClock(recording.frame_count, recording.fps)
         self.frame: StereoFrame | None = None
+        self.loaded: tuple[tuple[int, int], ...] = ()
         self.wait_at: Callable[[], int | None] = lambda: None
         self._ticket = 0
         self._reader = FrameReader(recording, CACHE_BYTES, self)
@@ -38,6 +41,8 @@ class Playback(QObject):
         self._since_tick = QElapsedTimer()
         self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._tick)
+        self._looking = QTimer(self, interval=_LOOK_MS)
+        self._looking.timeout.connect(self._look_what_is_loaded)
 
     @property
     def number(self) -> int:
@@ -86,6 +91,7 @@ class Playback(QObject):
     def close(self) -> None:
         """Stop the timer and the reader's thread."""
         self._timer.stop()
+        self._looking.stop()
         self._reader.close()
 
     def _changed(self) -> None:
@@ -110,10 +116,20 @@ class Playback(QObject):
         due = self.clock.frame
         if self.frame is not None and self.frame.number == due:
             return
+        if not self._looking.isActive():
+            self._looking.start()
         at_hand = self._reader.cached(due)
         self._ticket = self._reader.request(due, 1 if self.clock.rate >= 0 else -1)
         if at_hand is not None:
             self._show(at_hand)
+
+    def _look_what_is_loaded(self) -> None:
+        """Tell which frames are at hand, now and then while more are being read."""
+        before, self.loaded = self.loaded, tuple(self._reader.kept)
+        if before != self.loaded:
+            self.moved.emit()
+        elif not self.clock.playing:
+            self._looking.stop()
 
     def _take(self, ticket: int, frame: StereoFrame) -> None:
         """Show a frame that was read, also one asked for a moment ago while more is coming."""

@@ -153,13 +153,13 @@ class TransportBar(QFrame):
         row.addWidget(self._status)
 
     def show_scene(self, scene: TransportScene) -> None:
-        """Show another instant."""
+        """Show another instant; while playing only the numbers are drawn anew."""
         before, self._scene = self._scene, scene
-        if not self._frame.hasFocus():
-            self._write_frame()
-        self._time.setText(clock_text(scene.time_s))
         if before is None or before.frame_count != scene.frame_count:
             self._widen(scene)
+        if not self._frame.hasFocus():
+            self._write_frame()
+        self._write_time(scene.time_s)
         if before is None or before.playing != scene.playing:
             self._play.set_drawing("pause" if scene.playing else "play")
             name = self.tr("Pause") if scene.playing else self.tr("Play")
@@ -167,11 +167,13 @@ class TransportBar(QFrame):
             self._play.setToolTip(self.tr("{0}  (Space)").format(name))
         if before is None or before.speed != scene.speed:
             self._show_speed(scene.speed)
-        self._tracker.setText(scene.tracker)
-        self._tracker.setVisible(bool(scene.tracker))
-        self._tracker.setAccessibleName(self.tr("Tracker: {0}").format(scene.tracker))
-        self._status.setText(scene.status)
-        self._colour_light()
+        if before is None or before.tracker != scene.tracker:
+            self._tracker.setText(scene.tracker)
+            self._tracker.setVisible(bool(scene.tracker))
+            self._tracker.setAccessibleName(self.tr("Tracker: {0}").format(scene.tracker))
+        if before is None or (before.status, before.live) != (scene.status, scene.live):
+            self._status.setText(scene.status)
+            self._colour_light()
 
     def edit_frame(self) -> None:
         """Put the cursor into the frame number, to go elsewhere."""
@@ -205,14 +207,20 @@ class TransportBar(QFrame):
             if text != self._frame.text():
                 self._frame.setText(text)
 
+    def _write_time(self, time_s: float) -> None:
+        """The label has a fixed size: a text of its own size would lay the window out anew."""
+        text = clock_text(time_s)
+        if len(text) > len(self._time.text()):
+            metrics = self._time.fontMetrics()
+            self._time.setFixedSize(metrics.horizontalAdvance(text) + 8, metrics.height())
+        self._time.setText(text)
+
     def _widen(self, scene: TransportScene) -> None:
         """Room for the largest numbers, so that nothing moves while playing."""
         digits = "0" * max(4, len(str(scene.frame_count)))
         metrics = self._frame.fontMetrics()
         self._frame.setFixedWidth(metrics.horizontalAdvance(digits) + 22)
         self._count.setText(self.tr("/ {0}").format(scene.frame_count))
-        end = clock_text(scene.time_s + 3600 if scene.time_s > 3500 else 0.0)
-        self._time.setMinimumWidth(self._time.fontMetrics().horizontalAdvance(end) + 8)
 
     def _show_speed(self, speed: float) -> None:
         self._speed.setText(self._speed_text(speed))

@@ -85,7 +85,7 @@ def timeline_scene(frame: int, rng: np.random.Generator) -> TimelineScene:
         spans = np.column_stack([edges[:-1], edges[1:], predicted])
         lanes.append(Lane(track, str(track), _COLOURS[track % 5], track == 3, spans))
     activity = rng.integers(0, 12, FRAMES).astype(np.uint16)
-    return TimelineScene(FRAMES, 20.0, frame, tuple(lanes), activity, (0, 20_000))
+    return TimelineScene(FRAMES, 20.0, frame, tuple(lanes), activity, (0, 20_000), ((0, 200),))
 
 
 def _paint_ms(widget: QWidget, show: Callable[[int], None]) -> float:

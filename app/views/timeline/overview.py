@@ -42,15 +42,18 @@ class OverviewStrip(QWidget):
         self._drawn: QPixmap | None = None
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(self.tr("Overview of the whole recording"))
-        self.setToolTip(self.tr("The whole recording: people at once; the line: what is tracked"))
+        self.setToolTip(
+            self.tr(
+                "The whole recording: people at once; the line below: what is tracked; above: what is at hand"
+            )
+        )
 
     def show_scene(self, scene: TimelineScene) -> None:
         """Draw another instant; activity only where it is another one."""
         before, self._scene = self._scene, scene
         if before is None or (
             before.activity is not scene.activity
-            or (before.tracked, before.loaded, before.frame_count)
-            != (scene.tracked, scene.loaded, scene.frame_count)
+            or (before.tracked, before.frame_count) != (scene.tracked, scene.frame_count)
         ):
             self._drawn = None
         self.update()
@@ -86,6 +89,7 @@ class OverviewStrip(QWidget):
         painter.drawPixmap(0, 0, self._drawn)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if self._scene is not None:
+            self._draw_loaded(painter, self._scene, theme)
             self._draw_window(painter, theme)
             x = self._axis().x_of(self._scene.frame + 0.5)
             painter.setPen(QPen(theme.accent, 1.6))
@@ -105,9 +109,9 @@ class OverviewStrip(QWidget):
         ground = QRectF(axis.left, 4, axis.width, self.height() - 8)
         painter.fillRect(ground, theme.sunken)
         if self._scene is not None:
+            foot = QRectF(ground.left(), ground.bottom() - 3, ground.width(), 3)
             self._draw_activity(painter, self._scene, ground, theme)
-            self._draw_band(painter, self._scene.loaded, ground, faded(theme.text_faint, 0.5))
-            self._draw_band(painter, self._scene.tracked, ground, theme.accent)
+            self._draw_band(painter, self._scene.tracked, foot, theme.accent)
         painter.end()
         return picture
 
@@ -125,13 +129,20 @@ class OverviewStrip(QWidget):
         image = QImage(pixels.data, columns, rows, 4 * columns, QImage.Format.Format_ARGB32)
         painter.drawImage(QPointF(ground.left(), ground.top() + 2), image)
 
+    def _draw_loaded(self, painter: QPainter, scene: TimelineScene, theme: Theme) -> None:
+        """What is at hand, changing all the time, on top of the picture of what stays."""
+        axis = self._axis()
+        ground = QRectF(axis.left, 4, axis.width, 2)
+        for frames in scene.loaded:
+            self._draw_band(painter, frames, ground, faded(theme.text_muted, 0.7))
+
     def _draw_band(
-        self, painter: QPainter, frames: tuple[int, int], ground: QRectF, colour: QColor
+        self, painter: QPainter, frames: tuple[int, int], band: QRectF, colour: QColor
     ) -> None:
         axis = self._axis()
         left, right = axis.x_of(frames[0]), axis.x_of(frames[1])
         if right > left:
-            painter.fillRect(QRectF(left, ground.bottom() - 3, right - left, 3), colour)
+            painter.fillRect(QRectF(left, band.top(), right - left, band.height()), colour)
 
     def _draw_window(self, painter: QPainter, theme: Theme) -> None:
         shown = self._shown

@@ -25,6 +25,7 @@ from app.views.timeline.lanes import draw_lane
 from app.views.timeline.ruler import SMALL, draw_cut, draw_playhead, draw_ruler, draw_tick_lines
 
 _NOTCH = 120.0
+_PLAYHEAD_PX = 8.0  # to either side of its line
 _ZOOM_PER_NOTCH = 1.25
 
 
@@ -100,10 +101,9 @@ class TracksArea(QWidget):
         if before is None or before.lanes is not scene.lanes:
             self._lives = np.array([_life(lane) for lane in scene.lanes]).reshape(-1, 2)
             self._fit_scroll_bar()
-            self._redraw()
         if before is not None and before.frame != scene.frame and not self._dragging:
             self._follow(scene.frame)
-        self.update()
+        self._update_moved(before, scene)
 
     def reveal(self, track: int) -> None:
         """Scroll to a track's lane."""
@@ -140,6 +140,19 @@ class TracksArea(QWidget):
     def _redraw(self) -> None:
         self._drawn = None
         self.update()
+
+    def _update_moved(self, before: TimelineScene | None, scene: TimelineScene) -> None:
+        """Paint where the playhead was and is; all where something else changed, too."""
+        if (
+            before is None
+            or before.lanes is not scene.lanes
+            or (before.tracked, before.cut) != (scene.tracked, scene.cut)
+        ):
+            self._redraw()
+            return
+        for frame in (before.frame, scene.frame):
+            left = self._axis.x_of(frame + 0.5) - _PLAYHEAD_PX
+            self.update(QRectF(left, 0, 2 * _PLAYHEAD_PX, self.height()).toAlignedRect())
 
     def _lanes_rect(self) -> QRectF:
         return QRectF(self.rect()).adjusted(0, self.ruler_height, 0, 0)

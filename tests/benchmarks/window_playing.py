@@ -1,0 +1,174 @@
+"""The whole real window while it plays what is cached: both eyes, floor and timeline."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtWidgets import QWidget
+
+from app.views.application import borrowed_window, show_document, wait_until
+from app.views.desk import Desk
+from app.views.main_window import MainWindow
+from app.views.overhead import OverheadView
+from app.views.picture import PictureView
+from app.views.timeline.overview import OverviewStrip
+from app.views.timeline.tracks_area import TracksArea
+from tracking.recording import Recording, open_recording
+from tracking.session import Session
+from tracking.synthesis import render_recording
+from tracking.tracks import DETECTION_COLUMNS, TRACK_COLUMNS, Particles, Run, empty
+
+PEOPLE, PARTICLES_EACH = 15, 500
+FPS, FRAMES, ROUNDS = 60.0, 150, 3
+WINDOW = (1600, 1000)
+_BEAT_MS, _LATE_MS = 5, 16.0
+_DRAWN = {PictureView: "picture", OverheadView: "floor", TracksArea: "lanes", OverviewStrip: "overview"}
+
+
+class Heartbeat(QObject):
+    """A timer that notes how long the event loop kept it waiting, in ms."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.gaps_ms: list[float] = []
+        self._last_s = 0.0
+        self._timer = QTimer(self, interval=_BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._beat)
+
+    def start(self) -> None:
+        self.gaps_ms.clear()
+        self._last_s = time.perf_counter()
+        self._timer.start()
+
+    def stop(self) -> None:
+        self._timer.stop()
+
+    def figures(self) -> dict[str, float]:
+        """Of the time between two beats; `late_share`: how many took longer than 16 ms."""
+        gaps = np.array(self.gaps_ms)
+        return {
+            "gap_median_ms": float(np.median(gaps)),
+            "gap_p99_ms": float(np.quantile(gaps, 0.99)),
+            "gap_max_ms": float(gaps.max()),
+            "late_share": float((gaps > _LATE_MS).mean()),
+        }
+
+    def _beat(self) -> None:
+        now_s = time.perf_counter()
+        self.gaps_ms.append(1000 * (now_s - self._last_s))
+        self._last_s = now_s
+
+
+@contextmanager
+def timed_paints() -> Iterator[dict[str, list[float]]]:
+    """Milliseconds of every paint of the views that are made inside, by kind of view."""
+    taken: dict[str, list[float]] = {name: [] for name in _DRAWN.values()}
+    before = {kind: kind.paintEvent for kind in _DRAWN}
+    try:
+        for kind, name in _DRAWN.items():
+            kind.paintEvent = _timed(kind.paintEvent, taken[name])
+        yield taken
+    finally:
+        for kind, paint in before.items():
+            kind.paintEvent = paint
+
+
+def _timed(paint: Callable[[Any, Any], None], taken: list[float]) -> Callable[[Any, Any], None]:
+    def paint_timed(self: QWidget, event: Any) -> None:
+        begun_s = time.perf_counter()
+        paint(self, event)
+        taken.append(1000 * (time.perf_counter() - begun_s))
+
+    return paint_timed
+
+
+def walkers(recording: Recording) -> Run:
+    """Fifteen people who walk in circles, with five hundred particles each."""
+    rng, view = np.random.default_rng(0), recording.view
+    assert view is not None
+    rows, frames = PEOPLE * FRAMES, np.repeat(np.arange(FRAMES), PEOPLE)
+    phase = np.tile(np.arange(PEOPLE) * 2.4, FRAMES) + frames / FPS
+    radius = np.tile(np.linspace(0.5, 2.5, PEOPLE), FRAMES)
+    middle_y = float(view.field_of_view(12.0)[:, 1].mean())
+    xy = np.column_stack((radius * np.cos(phase), middle_y + radius * np.sin(phase)))
+    boxes = view.box_of_person(xy, 1.7, 0.5)
+    values = {"frame": frames, "track": np.tile(np.arange(1, PEOPLE + 1), FRAMES)}
+    values |= dict(zip(("left", "top", "width", "height"), boxes.T, strict=True))
+    values |= {"x": xy[:, 0], "y": xy[:, 1], "confidence": np.full(rows, 0.9)}
+    values |= {"vx": -radius * np.sin(phase), "vy": radius * np.cos(phase)}
+    values |= {"visibility": np.ones(rows), "predicted": (frames // 30 + values["track"]) % 5 == 0}
+    spread = rng.normal(0, 0.2, (rows, PARTICLES_EACH, 2))
+    weights = np.exp(-(spread**2).sum(axis=2) / 0.05).ravel()
+    at = (xy[:, None] + spread).reshape(-1, 2).astype(np.float32)
+    track = np.repeat(values["track"], PARTICLES_EACH).astype(np.int32)
+    columns = {"track": track, "x": at[:, 0], "y": at[:, 1], "weight": weights.astype(np.float32)}
+    return Run(
+        tracker="benchmark",
+        settings={},
+        seed=0,
+        frames=(0, FRAMES),
+        tracks={name: values[name].astype(dtype) for name, dtype in TRACK_COLUMNS.items()},
+        detections=empty(DETECTION_COLUMNS),
+        particles=Particles(np.arange(FRAMES + 1) * PEOPLE * PARTICLES_EACH, columns),
+    )
+
+
+def measure() -> dict[str, float]:
+    """Frames a second shown, ms a paint of each view, and how long the event loop is kept busy.
+
+    `shown_fps` counts different frames painted while a 60 fps recording plays at its own speed.
+    """
+    with tempfile.TemporaryDirectory(prefix="trackwright-") as folder:
+        place, session = Path(folder) / "plaza", Path(folder) / "plaza.h5"
+        render_recording(place, "plaza", FRAMES / FPS, PEOPLE, 1, fps=FPS)
+        with open_recording(place) as recording:
+            Session.create(recording, [walkers(recording)], session).close()
+        with timed_paints() as taken, borrowed_window("dark", WINDOW) as window:
+            return _play(window, session, taken)
+
+
+def _play(window: MainWindow, session: Path, taken: dict[str, list[float]]) -> dict[str, float]:
+    show_document(window, session, 0)
+    desk, heart = window.desk, Heartbeat()
+    assert desk is not None
+    desk.set_eyes("both")
+    desk.editing.pick(1)
+    wait_until(lambda: desk.playback.loaded == ((0, FRAMES),))
+    shown: list[int] = []
+    desk.playback.shown.connect(lambda: shown.append(desk.playback.number))
+    _round(desk)  # what is made once is made
+    for times in taken.values():
+        times.clear()
+    shown.clear()
+    heart.start()
+    begun_s, busy_s = time.perf_counter(), time.process_time()
+    for _ in range(ROUNDS):
+        _round(desk)
+    passed_s, busy_s = time.perf_counter() - begun_s, time.process_time() - busy_s
+    heart.stop()
+    paints = {f"{name}_paint_ms": float(np.median(times)) for name, times in taken.items()}
+    return {
+        "shown_fps": len(taken["floor"]) / passed_s,
+        "frame_cpu_ms": 1000 * busy_s / len(taken["floor"]),
+        **paints,
+        **heart.figures(),
+    }
+
+
+def _round(desk: Desk) -> None:
+    """Play from the start to the end."""
+    desk.playback.go(0)
+    desk.toggle()
+    wait_until(lambda: not desk.playback.clock.playing)
+
+
+if __name__ == "__main__":
+    for key, value in measure().items():
+        print(f"{key:18} {value:.3f}")
