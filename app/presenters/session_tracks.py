@@ -9,7 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.shown import Spans, joined
-from tracking.tracks import DETECTION_COLUMNS, PARTICLE_COLUMNS, Columns, Run, TrackTable, empty
+from tracking.tracks import (
+    DETECTION_COLUMNS,
+    PARTICLE_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+    Run,
+    TrackTable,
+    empty,
+)
 
 
 class SessionTracks:
@@ -19,6 +27,7 @@ class SessionTracks:
         self._table = table
         self._run = run
         self._stop = (-1, 0)  # revision of the table, one past its last frame
+        self._recent: tuple[tuple[int, int, int], Columns] = ((-1, 0, 0), empty(TRACK_COLUMNS))
 
     @property
     def frames(self) -> tuple[int, int]:
@@ -39,10 +48,17 @@ class SessionTracks:
         return self._table.of_frame(frame)
 
     def recent(self, frame: int, back: int) -> Columns:
-        """The rows of the frame's people, from `back` frames before it."""
-        here = self._table.of_frame(frame)["track"].tolist()
-        start = max(0, frame - back)
-        return joined([self._table.of_track(track, start, frame + 1) for track in here])
+        """The rows of the frame's people, from `back` frames before it.
+
+        All views ask for the same ones one after the other: they are kept until others are asked.
+        """
+        asked = (self._table.revision, frame, back)
+        if self._recent[0] != asked:
+            here = self._table.of_frame(frame)["track"].tolist()
+            start = max(0, frame - back)
+            rows = [self._table.of_track(track, start, frame + 1) for track in here]
+            self._recent = (asked, joined(rows))
+        return self._recent[1]
 
     def of_track(self, track: int) -> Columns:
         """The rows of a track."""

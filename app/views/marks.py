@@ -16,8 +16,8 @@ from app.views.theme import faded
 from app.views.viewport import Points, Viewport, polygon
 
 _CORNER = 4.0
-_AGES = 5  # steps in which a trail fades
-_MOST_POINTS = 26  # of a trail: broad lines of many short pieces take most of a paint
+_AGES = 4  # steps in which a trail fades
+_MOST_POINTS = 18  # of a trail: broad lines of many short pieces take most of a paint
 
 
 def draw_people(
