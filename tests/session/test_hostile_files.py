@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import shutil
+import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -16,7 +17,7 @@ from made_up_sessions import make_session, state_of
 from tracking.editing import plan_delete, plan_rename
 from tracking.errors import SessionError, TrackwrightError
 from tracking.session import Session, describe
-from tracking.session.inspection import Refused, inspect
+from tracking.session.inspection import Refused, _limit, inspect
 
 
 @pytest.fixture
@@ -166,6 +167,11 @@ def circle(file: h5py.File) -> None:
         (nested, "nested deeper"),
         (circle, "nested deeper"),
         (lambda file: file["samples"].attrs.create("x", np.zeros(4, "S4")), "attribute 'x'"),
+        (lambda file: file["recording"].attrs.__setitem__("fps", np.nan), "fps is nan"),
+        (lambda file: file["recording"].attrs.__setitem__("frame_count", 10**15), "frame_count"),
+        (lambda file: file["recording"].attrs.__setitem__("width", -1), "width is -1"),
+        (lambda file: file["tracks"].attrs.__setitem__("highest_track", 10**12), "highest track"),
+        (lambda file: file["tracks"].attrs.__setitem__("run", 7), "began as run 7"),
         (
             lambda file: replaced(file, "tracks/track", data=-file["tracks/track"][()]),
             "ids are positive",
@@ -194,6 +200,48 @@ def in_this_process(path: Path) -> tuple[int, int]:
 def test_the_verdict_of_the_other_process_is_told(copy: Path) -> None:
     spoiled(copy, lambda file: file.attrs.__setitem__("format_version", "2.0"))
     refused(copy, "made by a newer trackwright; update to open it")
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda file: replaced(
+            file, "runs/0/tracks/frame", data=file["runs/0/tracks/frame"][()][::-1]
+        ),
+        lambda file: file["runs/0"].attrs.__setitem__("frames", [0, 10**12]),
+    ],
+)
+def test_a_run_that_no_tracker_found_is_told_when_it_is_looked_at(
+    copy: Path, spoil: Callable[[h5py.File], object]
+) -> None:
+    session = Session.open(spoiled(copy, spoil))
+    with pytest.raises(SessionError, match="damaged"):
+        session.runs[0]
+    session.close()
+
+
+def test_particle_offsets_that_fill_the_memory_are_refused(
+    copy: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Whole columns of particles are never read, but their offsets are.
+    monkeypatch.setattr("tracking.session.inspection._MOST_BYTES", 1 << 20)
+    inspect(copy)
+    offsets = {"data": np.zeros(1 << 20, np.int64), "compression": "gzip"}
+    with pytest.raises(Refused, match="memory"):
+        inspect(spoiled(copy, lambda file: replaced(file, "runs/0/particles/start", **offsets)))
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no such limits there")
+def test_a_system_that_refuses_limits_still_looks_files_over(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    import resource
+
+    def refusing(*_: object) -> None:
+        raise ValueError("current limit exceeds maximum limit")
+
+    monkeypatch.setattr(resource, "setrlimit", refusing)
+    _limit()
 
 
 def test_particles_that_do_not_add_up_are_told_when_they_are_looked_at(copy: Path) -> None:

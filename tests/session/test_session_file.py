@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import sys
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
@@ -199,3 +202,32 @@ def test_info_tells_what_the_session_holds(session: Session) -> None:
     assert told["runs"] == [{"tracker": "stereo-direction", "frames": [0, FRAMES], "seed": 0}]
     assert told["recording"] == "recording"
     json.dumps(told)
+
+
+def test_tables_of_a_run_are_sorted_by_frame_then_track(tmp_path: Path) -> None:
+    run = make_run()
+    backwards = {name: column[::-1].copy() for name, column in run.detections.items()}
+    made = Session.create(
+        make_recording(tmp_path / "recording"),
+        [replace(run, detections=backwards)],
+        tmp_path / "s.h5",
+    )
+    made.close()
+    with h5py.File(tmp_path / "s.h5") as file:
+        for table in ("tracks", "detections", "associations", "parts"):
+            group = file[f"runs/0/{table}"]
+            rows = list(zip(group["frame"][()], group["track"][()], strict=True))
+            assert rows == sorted(rows)
+        kept = {name: file[f"runs/0/detections/{name}"][()] for name in run.detections}
+    np.testing.assert_equal(kept, dict(run.detections))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="names are text elsewhere")
+def test_a_recording_whose_name_is_no_text_is_kept_as_well_as_a_file_can(tmp_path: Path) -> None:
+    folder = tmp_path / os.fsdecode(b"caf\xe9")
+    recording = replace(make_recording(folder), name=folder.name)
+    made = Session.create(recording, [make_run()], tmp_path / "s.h5")
+    made.close()
+    again = Session.open(tmp_path / "s.h5")
+    assert (again.recording.name, again.recording.path) == ("caf?", "caf?")
+    again.close()

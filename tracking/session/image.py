@@ -146,10 +146,20 @@ def _write_run(group: h5py.Group, run: Run) -> None:
     }
     for name, columns in tables.items():
         types = RUN_TABLES[name]
-        _write_table(group, name, types, columns or empty(types))
+        _write_table(group, name, types, _by_frame_and_track(columns or empty(types)))
     whole = {name: np.asarray(run.particles.columns[name]) for name in PARTICLE_COLUMNS}
     particles = _write_table(group, "particles", PARTICLE_COLUMNS, whole)
     _write_column(particles, "start", np.asarray(run.particles.start, np.int64))
+
+
+def _by_frame_and_track(columns: Columns) -> Columns:
+    """The rows sorted as the file has them; trackers give those of one frame in any order."""
+    frame, track = columns["frame"], columns["track"]
+    later, same = frame[1:] > frame[:-1], frame[1:] == frame[:-1]
+    if bool((later | (same & (track[1:] >= track[:-1]))).all()):
+        return columns
+    order = np.lexsort((track, frame))
+    return {name: column[order] for name, column in columns.items()}
 
 
 def _write_labels(file: h5py.File, labels: Labels) -> None:

@@ -27,12 +27,15 @@ from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.tracks import (
     CORRECTED_COLUMNS,
+    LARGEST_NUMBER,
     Labels,
     Occluder,
     ReviewedRange,
     TrackLabel,
     TrackTable,
 )
+
+_MOST_FPS, _WIDEST = 1e6, 1 << 20
 
 
 def read_session(path: Path) -> Snapshot:
@@ -93,6 +96,8 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
     except EditError as why:
         raise SessionError(f"{path}: the session file is damaged: {why}") from why
     adopted = int(tracks.attrs["run"])
+    if adopted >= len(file["runs"]):
+        raise ValueError(f"the tracks began as run {adopted}, which is not there")
     return Snapshot(
         stamps=_read_stamps(file),
         recording=read_recording(file["recording"]),
@@ -126,15 +131,23 @@ def read_recording(group: h5py.Group) -> RecordingReference:
     return RecordingReference(
         name=text_attribute(group, "name"),
         path=text_attribute(group, "path"),
-        fps=float(group.attrs["fps"]),
-        frame_count=int(group.attrs["frame_count"]),
-        size=(int(group.attrs["width"]), int(group.attrs["height"])),
+        fps=_within(group, "fps", _MOST_FPS),
+        frame_count=int(_within(group, "frame_count", LARGEST_NUMBER)),
+        size=(int(_within(group, "width", _WIDEST)), int(_within(group, "height", _WIDEST))),
         is_stereo=bool(group.attrs["stereo"]),
         manifest=str(group["manifest"].asstr(errors="replace")[()]),
         own_manifest=bool(group.attrs.get("own_manifest", True)),
         calibration=str(group["calibration"].asstr(errors="replace")[()]),
         sources=tuple(SourceFingerprint(*row) for row in rows),
     )
+
+
+def _within(group: h5py.Group, name: str, most: float) -> float:
+    """A number that is used to make arrays and to wait by; ValueError where it can be neither."""
+    value = float(group.attrs[name])
+    if not 0 <= value <= most:
+        raise ValueError(f"the recording's {name} is {value:g}")
+    return value
 
 
 def _read_stamps(file: h5py.File) -> Stamps:

@@ -133,7 +133,7 @@ class RecordingReference:
 def refer_to(recording: Footage, session_folder: Path) -> RecordingReference:
     """The reference a session in that folder holds to a recording."""
     return RecordingReference(
-        name=recording.name,
+        name=_writable(recording.name),
         path=relative(recording.folder, session_folder),
         fps=float(recording.fps),
         frame_count=int(recording.frame_count),
@@ -155,13 +155,20 @@ def stays_inside(path: str) -> bool:
 
 def _plain(fingerprints: Sequence[Fingerprint]) -> tuple[SourceFingerprint, ...]:
     return tuple(
-        SourceFingerprint(part.source, int(part.size_bytes), part.sha256) for part in fingerprints
+        SourceFingerprint(_writable(part.source), int(part.size_bytes), part.sha256)
+        for part in fingerprints
     )
 
 
 def relative(path: Path, folder: Path) -> str:
     """The path as seen from a folder, with forward slashes."""
     try:
-        return Path(os.path.relpath(path.resolve(), folder.resolve())).as_posix()
+        seen = Path(os.path.relpath(path.resolve(), folder.resolve()))
     except ValueError:  # another drive: there is no relative path
-        return path.resolve().as_posix()
+        seen = path.resolve()
+    return _writable(seen.as_posix())
+
+
+def _writable(text: str) -> str:
+    """The text as a file can hold it: bytes of a name that are no UTF-8 become question marks."""
+    return text.encode("utf-8", "replace").decode("utf-8")

@@ -13,10 +13,17 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.errors import SessionError
+from tracking.errors import EditError, SessionError
 from tracking.session.hdf5 import opened, read_columns, text_attribute
 from tracking.session.layout import CHUNK_ROWS, RUN_TABLES
-from tracking.tracks import PARTICLE_COLUMNS, Particles, Run
+from tracking.tracks import (
+    LARGEST_NUMBER,
+    PARTICLE_COLUMNS,
+    Columns,
+    Particles,
+    Run,
+    check_tracks,
+)
 
 _BLOCKS_KEPT = 16
 
@@ -43,6 +50,7 @@ class StoredRun:
                 if name in group and name != "particles"
             }
             first, stop = (int(frame) for frame in group.attrs["frames"])
+            _check_run(tables["tracks"], (first, stop))
             return Run(
                 tracker=text_attribute(group, "tracker"),
                 settings=json.loads(text_attribute(group, "settings")),
@@ -78,6 +86,16 @@ class StoredRun:
                 for column, dtype in PARTICLE_COLUMNS.items()
             },
         )
+
+
+def _check_run(tracks: Columns, frames: tuple[int, int]) -> None:
+    """Raise ValueError where a file's run cannot be what a tracker found."""
+    if not 0 <= frames[0] <= frames[1] <= LARGEST_NUMBER:
+        raise ValueError(f"a run over frames {frames[0]} to {frames[1]}")
+    try:
+        check_tracks(tracks, "a run's tracks")
+    except EditError as why:
+        raise ValueError(str(why)) from why
 
 
 class StoredColumn:
