@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -26,13 +27,14 @@ class _Request:
     frame: StereoFrame
     kinds: Kinds
     ahead: int
+    lead: int
 
 
 class OverlayMaker(QObject):
     """Paints overlays in a thread: the newest request first, then those of frames that come next.
 
     `ready(frame)` says that `made` has the overlay of a frame that was asked for. After
-    `failed(error)` nothing more is painted.
+    `failed(error)` nothing more is painted. `paint_s` is how long the last one took.
 
     Args:
         paint: (frame, kinds) -> RGBA, called in the thread alone.
@@ -48,6 +50,7 @@ class OverlayMaker(QObject):
         self._paint = paint
         self._at_hand = at_hand
         self._capacity_bytes = capacity_bytes
+        self.paint_s = 0.0
         self._made: dict[tuple[int, Kinds], Rgba] = {}
         self._wanted: _Request | None = None
         self._closed = False
@@ -60,14 +63,15 @@ class OverlayMaker(QObject):
         with self._changed:
             return self._made.get((frame, kinds))
 
-    def request(self, frame: StereoFrame, kinds: Kinds, ahead: int = 0) -> None:
+    def request(self, frame: StereoFrame, kinds: Kinds, ahead: int = 0, lead: int = 0) -> None:
         """Ask for a frame's overlay; it replaces what was asked before.
 
         Args:
             ahead: how many frames after it (negative: before it) are painted next.
+            lead: while it plays, how many frames are left out at first: they would come late.
         """
         with self._changed:
-            self._wanted = _Request(frame, kinds, ahead)
+            self._wanted = _Request(frame, kinds, ahead, lead)
             self._changed.notify()
 
     def close(self) -> None:
@@ -80,11 +84,13 @@ class OverlayMaker(QObject):
     def _run(self) -> None:
         while (task := self._next()) is not None:
             request, frame = task
+            began_s = time.monotonic()
             try:
                 painted = self._paint(frame, request.kinds)
             except TrackwrightError as error:
                 self.failed.emit(error)
                 return
+            self.paint_s = time.monotonic() - began_s
             self._keep((frame.number, request.kinds), painted)
             if frame is request.frame:
                 self.ready.emit(frame.number)
@@ -104,10 +110,10 @@ class OverlayMaker(QObject):
 
     def _first_missing(self, request: _Request) -> StereoFrame | None:
         """The nearest frame of a request without its overlay, of those at hand."""
-        if (request.frame.number, request.kinds) not in self._made:
+        if not request.lead and (request.frame.number, request.kinds) not in self._made:
             return request.frame
         step = 1 if request.ahead > 0 else -1
-        for distance in range(1, abs(request.ahead) + 1):
+        for distance in range(max(1, request.lead), abs(request.ahead) + 1):
             number = request.frame.number + step * distance
             if (number, request.kinds) not in self._made:
                 return self._at_hand(number)

@@ -242,7 +242,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
     Command(
         "tracks.scope",
         "Tracks",
-        "Change the edit's scope",
+        "Next choice of the edit shown",
         ("R",),
         lambda now: "" if now.editing else tr("no edit is waiting"),
     ),

@@ -7,6 +7,7 @@ from enum import Enum
 
 from tracking.editing import (
     Change,
+    Keep,
     plan_delete,
     plan_merge,
     plan_split,
@@ -41,6 +42,9 @@ SCOPES: dict[EditKind, tuple[Scope, ...]] = {
     EditKind.MERGE: (Scope.WHOLE,),
     EditKind.DELETE: (Scope.ON, Scope.RANGE, Scope.FRAME),
 }
+KEEPS: tuple[Keep, ...] = ("first", "second")
+"""Whose rows a merge keeps where both stand: the selected person's, or the other's."""
+
 _NEEDS_OTHER = (EditKind.SWAP, EditKind.MERGE)
 
 
@@ -51,7 +55,7 @@ class EditFlow:
     Attributes:
         kind: what. track: the selected person. other: the second one, 0 until picked.
         cut: the first frame that changes. end: half-open, used by `Scope.RANGE` alone.
-        scope: how far.
+        scope: how far. keep: of a merge, whose rows stay where both stand.
         proposed: the cut was found from where the two came closest.
     """
 
@@ -61,6 +65,7 @@ class EditFlow:
     end: int
     other: int = 0
     scope: Scope = Scope.ON
+    keep: Keep = "first"
     proposed: bool = False
 
     @classmethod
@@ -71,7 +76,7 @@ class EditFlow:
     @property
     def needs_other(self) -> bool:
         """Whether the second person is still to be picked."""
-        return self.kind in _NEEDS_OTHER and not self.other
+        return self.takes_other and not self.other
 
     @property
     def has_cut(self) -> bool:
@@ -100,14 +105,24 @@ class EditFlow:
         """The edit with the end of its range some frames on or back."""
         return replace(self, end=min(max(self.cut + 1, self.end + frames), frame_count))
 
-    def with_scope(self, scope: Scope) -> EditFlow:
-        """The edit with another scope, where it has that one."""
-        return replace(self, scope=scope) if scope in SCOPES[self.kind] else self
+    @property
+    def choice(self) -> int:
+        """Which of its choices is in force: of a merge whom to keep, else how far it goes."""
+        if self.kind is EditKind.MERGE:
+            return KEEPS.index(self.keep)
+        return SCOPES[self.kind].index(self.scope)
 
-    def with_next_scope(self) -> EditFlow:
-        """The edit with the next of its scopes."""
+    def with_choice(self, number: int) -> EditFlow:
+        """The edit with another of its choices; beyond the last one comes the first again."""
+        if self.kind is EditKind.MERGE:
+            return replace(self, keep=KEEPS[number % len(KEEPS)])
         scopes = SCOPES[self.kind]
-        return replace(self, scope=scopes[(scopes.index(self.scope) + 1) % len(scopes)])
+        return replace(self, scope=scopes[number % len(scopes)])
+
+    @property
+    def takes_other(self) -> bool:
+        """Whether the edit is one of two people."""
+        return self.kind in _NEEDS_OTHER
 
     @property
     def stop(self) -> int | None:
@@ -127,5 +142,5 @@ class EditFlow:
         if self.kind is EditKind.SPLIT:
             return plan_split(table, self.track, self.cut)
         if self.kind is EditKind.MERGE:
-            return plan_merge(table, self.track, self.other, labels=labels)
+            return plan_merge(table, self.track, self.other, self.keep, labels)
         return plan_delete(table, self.track, self.cut, self.stop)

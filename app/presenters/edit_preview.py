@@ -45,20 +45,28 @@ class PlannedEdit:
     after: tuple[Columns, ...] = ()
 
 
-def planned_edit(flow: EditFlow, table: TrackTable, labels: Labels, fps: float) -> PlannedEdit:
-    """Plan the edit and say what it would do; a plan that does not apply says why."""
+def planned_edit(
+    flow: EditFlow, table: TrackTable, labels: Labels, fps: float, problem: str = ""
+) -> PlannedEdit:
+    """Plan the edit and say what it would do; a plan that does not apply says why.
+
+    `problem` is said instead where the other person was not to be found.
+    """
     try:
         change = flow.plan(table, labels)
-    except EditError as problem:
-        said = tr("Click on the other person, or press Tab to go through them")
-        return PlannedEdit(_scene(flow, (said if flow.needs_other else str(problem),), None))
+    except EditError as why_not:
+        ask = tr("Click on the other person, type their id, or press Tab to go through them")
+        lines = [problem] if problem else []
+        lines.append(ask if flow.needs_other else str(why_not))
+        return PlannedEdit(_scene(flow, tuple(lines), None))
     changed = table.snapshot()
     apply_change(changed, labels, change)
     around = round(AROUND_S * fps)
     middle = flow.cut if flow.has_cut else change.frame
     start, end = max(0, middle - around), middle + around
+    details = _details(flow, change, table, fps)
     return PlannedEdit(
-        _scene(flow, _details(flow, change, table, fps), change),
+        _scene(flow, (problem, *details) if problem else details, change),
         change,
         tuple(table.of_track(track, start, end) for track in change.tracks),
         tuple(changed.of_track(track, start, end) for track in change.tracks),
@@ -78,25 +86,39 @@ def preview_trails(planned: PlannedEdit, points_of: PointsOf) -> tuple[PreviewTr
 
 def _scene(flow: EditFlow, details: tuple[str, ...], change: Change | None) -> EditPreview:
     title = tr(_TITLES[flow.kind], a=flow.track) if change is None else change.text
+    title_of_choice, choices = _choices(flow, change)
     return EditPreview(
         title=title,
-        scope=tr(flow.scope.value),
         details=details,
         frame=flow.cut,
-        scopes=tuple(tr(scope.value) for scope in SCOPES[flow.kind]),
+        choice_title=title_of_choice,
+        choices=choices,
+        choice=flow.choice,
+        other=flow.other if flow.takes_other else None,
+        has_cut=flow.has_cut,
         ready=change is not None,
-        hint=_hint(flow, change is not None),
+        hint=_hint(flow, change is not None, len(choices)),
     )
 
 
-def _hint(flow: EditFlow, ready: bool) -> str:
+def _choices(flow: EditFlow, change: Change | None) -> tuple[str, tuple[str, ...]]:
+    """What can be chosen, and between what; nothing where it makes no difference."""
+    if flow.kind is not EditKind.MERGE:
+        return tr("How far"), tuple(tr(scope.value) for scope in SCOPES[flow.kind])
+    if change is None or not len(change.before.rows["track"]):
+        return "", ()
+    keeps = tuple(tr("keep {track}", track=track) for track in (flow.track, flow.other))
+    return tr("Where both stand"), keeps
+
+
+def _hint(flow: EditFlow, ready: bool, choices: int) -> str:
     if not ready:
         return tr("Esc leaves everything as it is")
     keys = [tr("Left / Right move the frame")] if flow.has_cut else []
     if flow.scope is Scope.RANGE:
         keys.append(tr("Ctrl+Left / Right move the end"))
-    if len(SCOPES[flow.kind]) > 1:
-        keys.append(tr("R changes the scope"))
+    if choices > 1:
+        keys.append(tr("R changes whom to keep") if not flow.has_cut else tr("R changes how far"))
     return ", ".join([*keys, tr("Enter does it"), tr("Esc leaves")])
 
 

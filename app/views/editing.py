@@ -7,7 +7,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document import Document
-from app.presenters.edit_flow import SCOPES, EditFlow, EditKind, Scope
+from app.presenters.edit_flow import EditFlow, EditKind
 from app.presenters.words import tr
 from app.views.playback import Playback
 from tracking.editing import (
@@ -51,6 +51,10 @@ class Editing(QObject):
         """Tab or Shift+Tab."""
         self._picked(lambda: self._document.pick_next(self._playback.number, step))
 
+    def pick_typed(self, track: int) -> None:
+        """The other person's id was typed."""
+        self._picked(lambda: self._document.pick_typed(track))
+
     def _picked(self, pick: Callable[[], None]) -> None:
         before = self._document.flow
         pick()
@@ -74,14 +78,13 @@ class Editing(QObject):
         count = self._document.recording.frame_count
         self._put(lambda flow: flow.with_end_moved(frames, count))
 
-    def next_scope(self) -> None:
-        """R: from here on, this range, this frame, and around again."""
-        self._put(lambda flow: flow.with_next_scope())
+    def next_choice(self) -> None:
+        """R: from here on, this range, this frame, and around again; of a merge whom to keep."""
+        self._put(lambda flow: flow.with_choice(flow.choice + 1))
 
-    def choose_scope(self, text: str) -> None:
-        """A scope was chosen by its words."""
-        named: dict[str, Scope] = {tr(scope.value): scope for scope in Scope}
-        self._put(lambda flow: flow.with_scope(named.get(text, flow.scope)))
+    def choose(self, number: int) -> None:
+        """One of the edit's choices was clicked."""
+        self._put(lambda flow: flow.with_choice(number))
 
     def _put(self, step: Callable[[EditFlow], EditFlow]) -> None:
         flow = self._document.flow
@@ -103,12 +106,6 @@ class Editing(QObject):
         else:
             self._document.selection.choose(0)
         self.changed.emit()
-
-    @property
-    def has_scopes(self) -> bool:
-        """Whether the waiting edit can be made to reach less far."""
-        flow = self._document.flow
-        return flow is not None and len(SCOPES[flow.kind]) > 1
 
     # history
 

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.presenters.commands import COMMANDS, MENUS, Command
 from app.presenters.scenes import CommandItem
 from app.presenters.words import tr
+from app.views.edit_panel import IdEdit
 from app.views.icons import icon
 
 _TYPING = (QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox, QComboBox)
@@ -85,7 +86,8 @@ class TypingGuard(QObject):
         if (
             event.type() == QEvent.Type.ShortcutOverride
             and isinstance(event, QKeyEvent)
-            and isinstance(QApplication.focusWidget(), _TYPING)
+            and isinstance(focus := QApplication.focusWidget(), _TYPING)
+            and not isinstance(focus, IdEdit)  # which lets through what is no digit
             and not event.modifiers() & Qt.KeyboardModifier.ControlModifier
             and event.key() not in range(Qt.Key.Key_F1, Qt.Key.Key_F35)
         ):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from PySide6.QtCore import QObject, Qt, Signal
 
 from app.background import OverlayMaker
@@ -14,7 +16,7 @@ from tracking.errors import CalibrationError
 
 _CAPACITY_BYTES = 128 * 2**20
 _AHEAD = 12
-_LATE = 2
+_LATE, _MOST_LEAD = 4, 8
 
 
 class Overlaying(QObject):
@@ -40,7 +42,7 @@ class Overlaying(QObject):
         if at_work is None or frame is None:
             return NOTHING_LAID
         painter, maker = at_work
-        maker.request(frame, kinds, self._ahead())
+        maker.request(frame, kinds, *self._ahead(maker))
         image = maker.made(frame.number, kinds)
         if image is not None:
             self._last = (frame.number, kinds)
@@ -77,11 +79,15 @@ class Overlaying(QObject):
         if frame == self._playback.number:
             self.changed.emit()
 
-    def _ahead(self) -> int:
+    def _ahead(self, maker: OverlayMaker) -> tuple[int, int]:
+        """How many frames are painted ahead, and how many of them are passed over."""
         clock = self._playback.clock
-        return 0 if not clock.playing else (_AHEAD if clock.rate > 0 else -_AHEAD)
+        if not clock.playing:
+            return 0, 0
+        lead = min(_MOST_LEAD, math.ceil(maker.paint_s * clock.fps * abs(clock.rate)))
+        return (_AHEAD if clock.rate > 0 else -_AHEAD), lead
 
     def _still_good(self, frame: int, kinds: Kinds) -> bool:
-        """While it plays, an overlay a frame late is better than one that flickers."""
+        """While it plays, an overlay some frames late is better than one that flickers."""
         number, of = self._last
         return self._playback.clock.playing and of == kinds and abs(frame - number) <= _LATE

@@ -150,5 +150,5 @@ _CORRECTING: dict[str, OnDesk] = {
     "tracks.merge": lambda desk: desk.editing.begin(EditKind.MERGE),
     "tracks.end_here": lambda desk: desk.editing.begin(EditKind.DELETE),
     "tracks.confirm": lambda desk: desk.editing.confirm(),
-    "tracks.scope": lambda desk: desk.editing.next_scope(),
+    "tracks.scope": lambda desk: desk.editing.next_choice(),
 }

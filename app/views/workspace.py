@@ -9,22 +9,25 @@ from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QScrollArea,
+    QSizePolicy,
     QSplitter,
     QVBoxLayout,
     QWidget,
 )
 
 from app.presenters.scenes import Eye
+from app.views.edit_panel import EditPanel
 from app.views.eye_switch import EyeSwitch
 from app.views.history_panel import HistoryPanel
 from app.views.overhead import OverheadView
 from app.views.picture import PictureView
-from app.views.preview_bar import PreviewBar
 from app.views.remembered import Remembered
 from app.views.review_panel import ReviewPanel
 from app.views.timeline import TimelineView
 from app.views.track_panel import TrackPanel
 from app.views.transport import TransportBar
+
+_PANEL_LETTERS = 42
 
 
 class Workspace(QWidget):
@@ -39,7 +42,7 @@ class Workspace(QWidget):
         self.review = ReviewPanel(self)
         self.card = TrackPanel(self)
         self.history = HistoryPanel(self)
-        self.preview = PreviewBar(self)
+        self.preview = EditPanel(self)
         self.transport = TransportBar(self)
         self.timeline = TimelineView(self)
         self._splitters: dict[str, QSplitter] = {}
@@ -56,16 +59,25 @@ class Workspace(QWidget):
         panels.setWidgetResizable(True)
         panels.setFrameShape(QFrame.Shape.NoFrame)
         panels.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        panels.setMinimumWidth(side.minimumSizeHint().width() + 12)
+        letter = self.fontMetrics().averageCharWidth()
+        widest = max(side.minimumSizeHint().width() + 12, _PANEL_LETTERS * letter)
+        panels.setMinimumWidth(widest)
+        self.preview.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Maximum)
+        # An edit that waits takes room from the panels alone: the pictures stay as large as before.
+        right = QWidget(self)
+        beside = QVBoxLayout(right)
+        beside.setContentsMargins(0, 0, 0, 0)
+        beside.setSpacing(0)
+        beside.addWidget(self.preview)
+        beside.addWidget(panels, 1)
         top = self._split(
-            "top", Qt.Orientation.Horizontal, (eyes, self.overhead, panels), (9, 10, 6)
+            "top", Qt.Orientation.Horizontal, (eyes, self.overhead, right), (9, 10, 6)
         )
         upper = QWidget(self)
         column = QVBoxLayout(upper)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(top, 1)
-        column.addWidget(self.preview)
         column.addWidget(self._transport_line())
         whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (11, 4))
         page = QVBoxLayout(self)

@@ -3,7 +3,7 @@
 from tracking.editing.change import Change, LabelState, State, apply_change
 from tracking.editing.crossing import propose_swap_frame
 from tracking.editing.history import Entry, History
-from tracking.editing.identities import plan_merge, plan_reassign, plan_split, plan_swap
+from tracking.editing.identities import Keep, plan_merge, plan_reassign, plan_split, plan_swap
 from tracking.editing.labelling import (
     plan_mark_reviewed,
     plan_occluders,
@@ -18,6 +18,7 @@ __all__ = [
     "Change",
     "Entry",
     "History",
+    "Keep",
     "LabelState",
     "State",
     "apply_change",

@@ -4,6 +4,7 @@ import two_people
 from app.presenters.edit_flow import EditFlow, EditKind, Scope
 from app.presenters.edit_preview import planned_edit, preview_trails, rows_changed
 from app.presenters.trails import floor_points
+from tracking.editing import apply_change, plan_delete
 from tracking.errors import EditError
 from tracking.tracks import Labels
 
@@ -56,7 +57,7 @@ def test_the_scope_goes_round_and_says_where_the_edit_ends(table):
     stops = []
     for _ in range(4):
         stops.append((flow.scope, flow.stop))
-        flow = flow.with_next_scope()
+        flow = flow.with_choice(flow.choice + 1)
     cut = flow.cut
     assert stops == [
         (Scope.ON, None),
@@ -68,8 +69,7 @@ def test_the_scope_goes_round_and_says_where_the_edit_ends(table):
 
 def test_a_split_has_one_scope_and_ignores_others():
     flow = EditFlow.begin(EditKind.SPLIT, 4, 30, FPS)
-    assert flow.with_scope(Scope.FRAME) == flow
-    assert flow.with_next_scope() == flow
+    assert flow.with_choice(2) == flow
 
 
 @pytest.mark.parametrize(
@@ -88,8 +88,9 @@ def test_an_edit_of_one_person_is_ready_at_once(table, kind, words):
 def test_a_preview_says_scope_frame_and_what_changes(table):
     planned = planned_edit(_swap(table), table, Labels(), FPS)
     scene = planned.scene
-    assert scene.scope == "from here on"
-    assert scene.scopes == ("from here on", "this range", "this frame")
+    assert scene.choice == 0
+    assert scene.choices == ("from here on", "this range", "this frame")
+    assert scene.other == 7
     assert f"frame {scene.frame}" in scene.title.lower()
     assert "came closest" in scene.details[0]
     assert "frames of 4" in scene.details[1]
@@ -125,3 +126,33 @@ def test_a_merge_counts_all_rows_of_the_second_person(table):
     change = flow.plan(table, Labels())
     assert sum(rows_changed(change, table).values()) == 90
     assert not flow.has_cut
+
+
+def test_a_merge_asks_whom_to_keep_where_both_stand(table):
+    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7, table)
+    scene = planned_edit(flow, table, Labels(), FPS).scene
+    assert scene.choice_title == "Where both stand"
+    assert scene.choices == ("keep 4", "keep 7")
+    assert "4 is kept" in scene.title
+    other = planned_edit(flow.with_choice(1), table, Labels(), FPS).scene
+    assert "7 is kept" in other.title
+    assert other.choice == 1
+    assert flow.with_choice(2) == flow
+
+
+def test_a_merge_of_people_who_never_stand_together_has_nothing_to_choose(table):
+    apply_change(table, Labels(), plan_delete(table, 7, 30, None))
+    apply_change(table, Labels(), plan_delete(table, 4, 0, 30))
+    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7, table)
+    scene = planned_edit(flow, table, Labels(), FPS).scene
+    assert scene.ready
+    assert scene.choices == ()
+    assert "R changes" not in scene.hint
+
+
+def test_a_problem_with_the_other_person_is_said_first(table):
+    flow = EditFlow.begin(EditKind.SWAP, 4, 30, FPS)
+    scene = planned_edit(flow, table, Labels(), FPS, "There is no track 99").scene
+    assert scene.details[0] == "There is no track 99"
+    assert scene.other == 0
+    assert not scene.ready

@@ -5,11 +5,12 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QMenu
 
 from app.presenters.scenes import EditPreview, HistoryItem, TrackCard
+from app.views.edit_panel import EditPanel
 from app.views.history_panel import HistoryPanel
-from app.views.preview_bar import PreviewBar
 from app.views.review_panel import ReviewPanel
 from app.views.track_panel import TrackPanel
 
@@ -17,10 +18,11 @@ LEFT = Qt.MouseButton.LeftButton
 CARD = TrackCard(4, "red coat", (200, 30, 30), 12, 402, 381, 9, 0.87, (("bag", "none"),), "turns")
 SWAP = EditPreview(
     "Swap 4 and 7 from frame 834 on",
-    "from here on",
     ("91 frames change",),
     834,
+    "How far",
     ("from here on", "this range", "this frame"),
+    other=7,
 )
 
 
@@ -162,7 +164,7 @@ def test_undo_and_redo_are_offered_only_where_there_is_something(history):
 
 @pytest.fixture
 def preview(qtbot, dark):
-    bar = PreviewBar()
+    bar = EditPanel()
     qtbot.addWidget(bar)
     bar.show_scene(SWAP)
     return bar
@@ -174,23 +176,23 @@ def press(bar, name: str, qtbot):
 
 
 def test_a_preview_tells_what_where_and_how_far(preview):
-    for part in (SWAP.title, "91 frames change", "frame 834", *SWAP.scopes):
+    for part in (SWAP.title, "91 frames change", "frame 834", *SWAP.choices):
         assert part in words(preview)
 
 
 def test_a_preview_is_done_left_moved_and_widened(preview, qtbot, heard):
     said = [heard(preview.confirmed), heard(preview.cancelled), heard(preview.cut_moved)]
-    scopes = heard(preview.scope_chosen)
+    choices = heard(preview.choice_made)
     for name in ("Do the edit", "Leave the edit undone", "Cut a frame earlier"):
         press(preview, name, qtbot)
-    press(preview, "Scope: this range", qtbot)
+    press(preview, "this range", qtbot)
     assert said == [[()], [()], [-1]]
-    assert scopes == ["this range"]
+    assert choices == [1]
 
 
 def test_while_the_other_person_is_to_be_picked_nothing_can_be_done_yet(preview):
     preview.show_scene(
-        EditPreview("Swap 4 with...", "", (), 834, (), False, "Pick the other person")
+        EditPreview("Swap 4 with...", ("Pick the other person",), 834, other=0, ready=False)
     )
     assert "Pick the other person" in words(preview)
     assert preview._confirm.isHidden()
@@ -208,7 +210,7 @@ def test_the_review_queue_is_honest_about_being_empty(qtbot, dark):
     assert "not searched for" in words(panel)
 
 
-@pytest.mark.parametrize("kind", [TrackPanel, HistoryPanel, PreviewBar, ReviewPanel])
+@pytest.mark.parametrize("kind", [TrackPanel, HistoryPanel, EditPanel, ReviewPanel])
 def test_every_control_has_a_name_for_screen_readers(qtbot, dark, kind):
     widget = kind()
     qtbot.addWidget(widget)
@@ -217,3 +219,18 @@ def test_every_control_has_a_name_for_screen_readers(qtbot, dark, kind):
     controls = widget.findChildren(QLineEdit) + widget.findChildren(QAbstractButton)
     ours = [one for one in controls if not one.objectName().startswith("qt_")]
     assert [one for one in ours if not (one.accessibleName() or one.text())] == []
+
+
+def test_the_other_persons_id_can_be_typed(preview, qtbot, heard):
+    typed = heard(preview.other_typed)
+    preview.show_scene(EditPreview("Swap 4 with...", (), 834, other=0, ready=False))
+    QTest.keyClicks(preview._other, "12x")
+    qtbot.keyClick(preview._other, Qt.Key.Key_Return)
+    assert typed == [12]
+
+
+def test_an_edit_without_a_cut_cannot_be_moved(preview):
+    preview.show_scene(replace(SWAP, has_cut=False, other=None))
+    assert preview._nudge.isHidden()
+    assert preview._other_line.isHidden()
+    assert not preview._confirm.isHidden()

@@ -257,3 +257,48 @@ def test_notes_still_being_typed_are_saved_too(window, desk, press, qtbot):
     press(Key.Key_S, _CTRL)
     qtbot.waitUntil(lambda: not window.files.unsaved and not window.work.busy)
     assert desk.document.label(track).notes == "limps"
+
+
+def test_a_merge_is_done_by_typing_the_others_id(window, desk, press):
+    a, b = desk.document.tracks.of_frame(CROWDED)["track"].tolist()[:2]
+    press(Key.Key_Tab)
+    press(Key.Key_M)
+    QTest.keyClicks(window.focusWidget(), "99")
+    press(Key.Key_Return)
+    assert desk.document.flow.needs_other
+    assert "There is no track 99" in window.workspace.preview._details.text()
+    QTest.keyClicks(window.focusWidget(), str(b))
+    press(Key.Key_Return)
+    assert desk.document.flow.other == b
+    assert desk.document.flow.keep == "first"
+    press(Key.Key_R)
+    assert desk.document.flow.keep == "second"
+    press(Key.Key_Return)
+    assert b not in _ids(desk)
+    assert a in _ids(desk)
+
+
+def test_while_an_id_is_asked_for_other_keys_stay_shortcuts(window, desk, press):
+    press(Key.Key_Tab)
+    press(Key.Key_X)
+    press(Key.Key_Right)
+    assert desk.playback.clock.frame == CROWDED + 1
+    press(Key.Key_1)
+    assert desk.eyes == "both"  # 1 is typed, not taken for the left eye's key
+    press(Key.Key_Backspace)
+    press(Key.Key_Escape)
+    assert desk.document.flow is None
+    press(Key.Key_1)
+    assert desk.eyes == "left"
+
+
+def test_an_edit_that_waits_leaves_the_pictures_as_large_as_they_were(window, desk, press, qtbot):
+    desk.set_eyes("both")
+    qtbot.wait(1)
+    before = window.workspace.left.size(), window.workspace.overhead.size()
+    press(Key.Key_Tab)
+    press(Key.Key_X)
+    press(Key.Key_Tab)
+    qtbot.wait(1)
+    assert window.workspace.preview.isVisible()
+    assert (window.workspace.left.size(), window.workspace.overhead.size()) == before
