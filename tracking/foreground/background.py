@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.foreground.difference import largest_difference
 from tracking.foreground.first_look import commonest_picture
 from tracking.foreground.gain import brightness_ratio
 from tracking.foreground.settings import ForegroundSettings
@@ -85,7 +86,7 @@ class BackgroundModel:
         if self._frames == 0 and not self._primed:
             self._start(smooth)
         self._follow_exposure(smooth)
-        difference = _difference(smooth, self._background)
+        difference = largest_difference(smooth, self._background)
         mask = cv2.compare(difference, self._limit, cv2.CMP_GT)
         mask = cv2.morphologyEx(mask, cv2.MORPH_OPEN, _OPENING)
         changed = cv2.countNonZero(mask) > self._settings.scene_change * mask.size
@@ -162,13 +163,15 @@ class BackgroundModel:
         """Follow slow changes where there is no foreground."""
         rate = 1 - np.exp(-self._period_s / self._settings.adapt_s)
         still = cv2.bitwise_not(cv2.dilate(seen.mask, _OPENING))
-        difference = _difference(seen.picture, self._background)
+        difference = largest_difference(seen.picture, self._background)
         cv2.accumulateWeighted(seen.picture, self._mean, rate, mask=still)
         cv2.accumulateWeighted(difference, self._noise, rate, mask=still)
 
     def _absorb(self, seen: Subtraction, people: Mask | None) -> None:
         """Take foreground that keeps still and is nobody into the background."""
-        moved = cv2.compare(_difference(seen.picture, self._candidate), self._limit, cv2.CMP_GT)
+        moved = cv2.compare(
+            largest_difference(seen.picture, self._candidate), self._limit, cv2.CMP_GT
+        )
         calm = cv2.bitwise_or(moved, cv2.bitwise_not(seen.mask)).view(bool)
         np.copyto(self._candidate, seen.picture, where=(moved > 0)[..., None])
         self._stillness_s += np.float32(self._period_s)
@@ -195,9 +198,3 @@ def _exposed(mean: NDArray[np.float32], exposure: float) -> Picture:
 
 def _within(value: float, bounds: tuple[float, float]) -> bool:
     return bounds[0] <= value <= bounds[1]
-
-
-def _difference(one: Picture, other: Picture) -> Mask:
-    """(height, width) largest difference over the channels."""
-    blue, green, red = cv2.split(cv2.absdiff(one, other))
-    return np.asarray(cv2.max(cv2.max(blue, green), red), np.uint8)

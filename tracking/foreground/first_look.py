@@ -8,6 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.foreground.difference import largest_difference
+
 _SAME_WITHIN = 20
 _MOST_PICTURES = 25
 
@@ -51,7 +53,7 @@ def _strangeness(
     """(height, width) how far the picture is from the others, each bounded."""
     total = np.zeros(picture.shape[:2], np.float32)
     for other in others:
-        cv2.accumulate(np.minimum(_distance(picture, other), _SAME_WITHIN), total)
+        cv2.accumulate(np.minimum(largest_difference(picture, other), _SAME_WITHIN), total)
     return total
 
 
@@ -62,14 +64,8 @@ def _deviation(
     total = np.zeros(picture.shape[:2], np.float32)
     count = np.zeros(picture.shape[:2], np.float32)
     for other in others:
-        distance = _distance(picture, other)
+        distance = largest_difference(picture, other)
         close = distance < _SAME_WITHIN
         total += distance * close
         count += close
     return np.asarray(total / np.maximum(count, 1), np.float32)
-
-
-def _distance(one: NDArray[np.uint8], other: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """(height, width) largest difference over the channels."""
-    blue, green, red = cv2.split(cv2.absdiff(one, other))
-    return np.asarray(cv2.max(cv2.max(blue, green), red), np.uint8)
