@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import string
 from pathlib import Path
 
@@ -139,6 +141,18 @@ def test_a_manifest_that_is_missing_too_large_or_no_text_is_refused(tmp_path: Pa
     (tmp_path / "recording.toml").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(RecordingError, match="UTF-8"):
         read_manifest(tmp_path)
+
+
+def test_a_manifest_that_cannot_take_its_place_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(os, "replace", full)
+    with pytest.raises(OutputError, match="No space"):
+        write_manifest(tmp_path, Manifest("Hall", "left.mp4"))
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_manifest_that_cannot_be_written_is_told(tmp_path: Path) -> None:

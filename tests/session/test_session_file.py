@@ -15,7 +15,7 @@ import pytest
 from made_up_sessions import FRAMES, make_recording, make_run, make_session, state_of
 
 from tracking.editing import plan_delete, plan_rename, plan_split, plan_swap
-from tracking.errors import EditError
+from tracking.errors import EditError, SessionError
 from tracking.session import Session, describe
 from tracking.tracks import (
     CORRECTED_COLUMNS,
@@ -231,3 +231,19 @@ def test_a_recording_whose_name_is_no_text_is_kept_as_well_as_a_file_can(tmp_pat
     again = Session.open(tmp_path / "s.h5")
     assert (again.recording.name, again.recording.path) == ("caf?", "caf?")
     again.close()
+
+
+def test_a_session_of_a_newer_trackwright_is_not_saved_over(session: Session) -> None:
+    path = session.save()
+    session.close()
+    with h5py.File(path, "a") as file:
+        file.attrs["format_version"] = "1.9"
+        file["samples"].create_dataset("feature", data=np.arange(3.0))
+    before = path.read_bytes()
+    again = Session.open(path)
+    assert again.read_only
+    assert "newer trackwright" in again.notes[0]
+    with pytest.raises(SessionError, match="another name"):
+        again.save()
+    again.close()
+    assert path.read_bytes() == before

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import os
 import tomllib
@@ -142,6 +143,8 @@ def write_manifest(folder: Path, manifest: Manifest) -> None:
         unfinished.write_text(format_manifest(manifest), "utf-8")
         os.replace(unfinished, path)  # noqa: PTH105 - the call that is atomic, by its name
     except OSError as error:
+        with contextlib.suppress(OSError):
+            unfinished.unlink(missing_ok=True)
         raise OutputError(
             f"{path}: cannot be written ({error.strerror}); choose another folder"
         ) from error

@@ -87,14 +87,17 @@ class Session:
     def open(cls, path: Path, *, author: str | None = None) -> Session:
         """Open a session file, with the edits that were made after it was saved last.
 
-        Read-only where another program has it or its folder cannot be written to; `notes` says so,
-        as it does when edits were recovered.
+        Read-only where another program has it, its folder cannot be written to, or a newer
+        trackwright made it; `notes` says so, as it does when edits were recovered.
         Raises SessionError where the file is missing, no session, damaged, hostile or too new.
         """
         path = real_path(path)
         before = file_state(path)
-        session = cls(read_session(path), path, author_named(author))
+        snapshot = read_session(path)
+        session = cls(snapshot, path, author_named(author))
         try:
+            if snapshot.newer:
+                raise SessionError("made by a newer trackwright; saving would lose what it added")
             session._store = Store.claim(path)
             if file_state(path) != before:  # another program saved it a moment ago
                 session.close()
@@ -165,7 +168,7 @@ class Session:
 
     @property
     def read_only(self) -> bool:
-        """Whether another program has it, or its folder cannot be written to."""
+        """Whether it cannot be saved under its name; `notes` says why."""
         return self._path is not None and self._store is None
 
     @property

@@ -73,6 +73,7 @@ class Snapshot:
     Attributes:
         tracks: a snapshot of the corrected table; adopted: the run it began as, or None.
         edits: the log. runs: in memory, or still in a file they are copied from.
+        newer: it was read from a file that may say more than this program knows.
     """
 
     stamps: Stamps
@@ -82,6 +83,7 @@ class Snapshot:
     adopted: int | None
     labels: Labels
     edits: tuple[Entry, ...]
+    newer: bool = False
 
 
 def build_image(snapshot: Snapshot) -> memoryview:

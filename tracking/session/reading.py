@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
@@ -22,6 +23,7 @@ from tracking.session.layout import (
     REVIEWED_COLUMNS,
     SOURCE_COLUMNS,
     TRACK_LABEL_COLUMNS,
+    VERSION,
 )
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
@@ -45,7 +47,7 @@ def read_session(path: Path) -> Snapshot:
     """
     version = check_file(path)
     with opened(path) as file:
-        return _READERS[version[0]](file, path)
+        return replace(_READERS[version[0]](file, path), newer=version > VERSION)
 
 
 def check_file(path: Path) -> tuple[int, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from pathlib import Path
 
@@ -27,7 +28,8 @@ def write_calibration(path: Path, calibration: StereoCalibration) -> None:
         unfinished.write_text(format_calibration(calibration), "utf-8")
         os.replace(unfinished, path)  # noqa: PTH105 - Path.replace says the same less plainly
     except OSError as error:
-        unfinished.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            unfinished.unlink(missing_ok=True)
         raise OutputError(
             f"{path}: cannot be written ({error.strerror}); choose another folder"
         ) from error
