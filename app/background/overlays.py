@@ -110,14 +110,17 @@ class OverlayMaker(QObject):
 
     def _first_missing(self, request: _Request) -> StereoFrame | None:
         """The nearest frame of a request without its overlay, of those at hand."""
-        if not request.lead and (request.frame.number, request.kinds) not in self._made:
+        asked = (request.frame.number, request.kinds) not in self._made
+        if asked and not request.lead:
             return request.frame
         step = 1 if request.ahead > 0 else -1
         for distance in range(max(1, request.lead), abs(request.ahead) + 1):
             number = request.frame.number + step * distance
-            if (number, request.kinds) not in self._made:
-                return self._at_hand(number)
-        return None
+            if (number, request.kinds) in self._made:
+                continue
+            if (frame := self._at_hand(number)) is not None:
+                return frame
+        return request.frame if asked else None
 
     def _keep(self, key: tuple[int, Kinds], painted: Rgba) -> None:
         with self._changed:

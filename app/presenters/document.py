@@ -8,7 +8,7 @@ from app.presenters.edit_flow import EditFlow, EditKind
 from app.presenters.edit_preview import PlannedEdit, planned_edit, preview_trails
 from app.presenters.live_tracks import LiveTracks
 from app.presenters.overhead import OverheadPresenter
-from app.presenters.panels import EditMarks, history_items, track_card
+from app.presenters.panels import EditMarks, HistoryList, track_card
 from app.presenters.pictures import PicturePresenter
 from app.presenters.scenes import HistoryItem, TimelineScene, TrackCard
 from app.presenters.selection import Selection
@@ -42,7 +42,7 @@ class Document:
         self.overhead = OverheadPresenter(recording)
         self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
         self._live, self._live_shown = LiveTracks(), session is None
-        self._marks = EditMarks()
+        self._marks, self._history = EditMarks(), HistoryList()
         self._retake()
 
     @property
@@ -81,7 +81,7 @@ class Document:
         """Show a session from now on."""
         self.session = session
         self._live, self._live_shown = LiveTracks(), False
-        self._marks = EditMarks()
+        self._marks, self._history = EditMarks(), HistoryList()
         self._retake()
 
     def end_live(self) -> None:
@@ -137,7 +137,7 @@ class Document:
 
     def history(self) -> tuple[HistoryItem, ...]:
         """All edits, oldest first."""
-        return history_items(self.session.history) if self.session is not None else ()
+        return self._history.of(self.session.history) if self.session is not None else ()
 
     def label(self, track: int) -> TrackLabel:
         """What people said of a track."""

@@ -9,7 +9,7 @@ import numpy as np
 from app.presenters.palette import colour_of_track
 from app.presenters.scenes import HistoryItem, TrackCard
 from app.presenters.shown import ShownTracks
-from tracking.editing import History
+from tracking.editing import Entry, History
 from tracking.tracks import TrackLabel
 
 
@@ -34,15 +34,30 @@ def track_card(tracks: ShownTracks, track: int, label: TrackLabel) -> TrackCard 
     )
 
 
-def history_items(history: History) -> tuple[HistoryItem, ...]:
-    """The log as the panel shows it: edits that cannot be redone any more are left out."""
-    return tuple(
-        HistoryItem(
-            entry.id, entry.text, _local(entry.time), entry.author, entry.frame, entry.undone
-        )
-        for entry in history
-        if not entry.abandoned
-    )
+class HistoryList:
+    """The log as the panel shows it; as a log may be long, only what changed is made anew."""
+
+    def __init__(self) -> None:
+        self._state: tuple[int, int, int] | None = None
+        self._items: dict[int, HistoryItem] = {}
+        self._shown: tuple[HistoryItem, ...] = ()
+
+    def of(self, history: History) -> tuple[HistoryItem, ...]:
+        """All edits, oldest first; those that cannot be redone any more are left out."""
+        undo, redo = history.next_undo, history.next_redo
+        state = (len(history), undo.id if undo else 0, redo.id if redo else 0)
+        if state != self._state:
+            self._state = state
+            self._shown = tuple(self._item(entry) for entry in history if not entry.abandoned)
+        return self._shown
+
+    def _item(self, entry: Entry) -> HistoryItem:
+        item = self._items.get(entry.id)
+        if item is None or item.undone != entry.undone:
+            when = _local(entry.time)
+            item = HistoryItem(entry.id, entry.text, when, entry.author, entry.frame, entry.undone)
+            self._items[entry.id] = item
+        return item
 
 
 class EditMarks:

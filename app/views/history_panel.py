@@ -74,13 +74,23 @@ class HistoryPanel(Panel):
         self._stack.setCurrentIndex(1 if items else 0)
         if items == self._items:
             return
-        self._items = items
-        self._list.clear()
-        for item in reversed(items):
-            row = QListWidgetItem(item.text)
-            row.setData(_ITEM, item)
-            row.setToolTip(self.tr("{0}\n{1}, {2}").format(item.text, item.when, item.author))
-            self._list.addItem(row)
+        before, self._items = self._items, items
+        self._take_away(len(before) - len(items))
+        for number, item in enumerate(items):
+            if number >= len(before):
+                self._list.insertItem(0, QListWidgetItem())
+            if number >= len(before) or item != before[number]:
+                self._fill(self._list.item(self._list.count() - 1 - number), item)
+
+    def _take_away(self, count: int) -> None:
+        """Remove the newest rows: only what differs is made anew, as a history may be long."""
+        for _ in range(max(0, count)):
+            self._list.takeItem(0)
+
+    def _fill(self, row: QListWidgetItem, item: HistoryItem) -> None:
+        row.setText(item.text)
+        row.setData(_ITEM, item)
+        row.setToolTip(self.tr("{0}\n{1}, {2}").format(item.text, item.when, item.author))
 
     def _open_menu(self, at: QPoint) -> None:
         row = self._list.itemAt(at)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import (
     QDialog,
     QFrame,
@@ -20,7 +20,9 @@ from app.views.command_list import native_keys
 from app.views.parts import heading, quiet
 from app.views.theme import scaled_font
 
-_COLUMNS = 3
+_MOST_COLUMNS = 3
+_SCREEN_SHARE = 0.9
+_MARGIN, _SCROLL_BAR = 16, 16
 
 
 class ShortcutsDialog(QDialog):
@@ -40,33 +42,61 @@ class ShortcutsDialog(QDialog):
         self._scroll.setFrameShape(QFrame.Shape.NoFrame)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         rows = QVBoxLayout(self)
-        rows.setContentsMargins(16, 16, 16, 16)
+        rows.setContentsMargins(_MARGIN, _MARGIN, _MARGIN, _MARGIN)
         rows.setSpacing(12)
         rows.addWidget(self._find)
         rows.addWidget(self._scroll, 1)
-        letter = self.fontMetrics().averageCharWidth()
-        self.resize(_COLUMNS * 44 * letter, 34 * self.fontMetrics().height())
+        self._columns = self._fitting_columns()
         self.narrow("")
+        self._fit_page()
 
     def narrow(self, typed: str) -> None:
         """Show only commands whose title or key holds what is typed."""
-        wanted = typed.strip().lower()
+        groups = self._groups(typed.strip().lower())
+        self._scroll.setWidget(self._page(groups, self._columns))
+
+    def _groups(self, wanted: str = "") -> dict[str, list[CommandItem]]:
         groups: dict[str, list[CommandItem]] = {}
         for item in self._items:
             if wanted in f"{item.title} {' '.join(item.keys)}".lower():
                 groups.setdefault(item.menu, []).append(item)
-        self._scroll.setWidget(self._page(groups))
+        return groups
 
-    def _page(self, groups: dict[str, list[CommandItem]]) -> QWidget:
+    def _room(self) -> QSize:
+        return self.screen().availableSize() * _SCREEN_SHARE
+
+    def _fitting_columns(self) -> int:
+        """As many columns as fit on the screen, so that nothing is cut off."""
+        fitting = (n for n in range(_MOST_COLUMNS, 1, -1) if self._fits(self._size(n).width()))
+        return next(fitting, 1)
+
+    def _fits(self, width: int) -> bool:
+        return width <= self._room().width()
+
+    def _fit_page(self) -> None:
+        """Be as large as all commands need, where the screen is."""
+        size = self._size(self._columns).boundedTo(self._room())
+        self.setMinimumWidth(size.width())
+        self.resize(size)
+
+    def _size(self, columns: int) -> QSize:
+        """What the dialog takes with all commands in so many columns."""
+        page = self._page(self._groups(), columns)
+        inner = page.sizeHint()
+        page.deleteLater()
+        find = self._find.sizeHint().height() + 12
+        return inner + QSize(2 * _MARGIN + _SCROLL_BAR, 2 * _MARGIN + find + 4)
+
+    def _page(self, groups: dict[str, list[CommandItem]], count: int) -> QWidget:
         """Groups in columns, each into the one that is shortest so far."""
         page = QWidget(self._scroll)
         across = QHBoxLayout(page)
         across.setContentsMargins(0, 0, 8, 0)
         across.setSpacing(32)
-        columns = [QVBoxLayout() for _ in range(_COLUMNS)]
+        columns = [QVBoxLayout() for _ in range(count)]
         for column in columns:
             column.setSpacing(0)
-        heights = [0] * _COLUMNS
+        heights = [0] * count
         for menu, items in groups.items():
             shortest = heights.index(min(heights))
             columns[shortest].addLayout(self._group(menu, items, page))

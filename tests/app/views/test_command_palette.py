@@ -152,3 +152,16 @@ def test_the_page_is_drawn_with_and_without_recent_recordings(welcome, drawn):
     empty = drawn(welcome)
     welcome.show_scene(WelcomeScene((RecentItem("/somewhere", "Lobby", "stereo"),)))
     assert drawn(welcome) != empty
+
+
+def test_no_shortcut_is_cut_off_at_the_side(qtbot, dark):
+    wide = [
+        CommandItem(f"a.{n}", f"Menu {n}", "A rather long title " * 2, ("Ctrl+Shift+Z",), True)
+        for n in range(9)
+    ]
+    dialog = ShortcutsDialog(tuple(wide))
+    qtbot.addWidget(dialog)
+    dialog.show()
+    dialog.grab()
+    page, viewport = dialog._scroll.widget(), dialog._scroll.viewport()
+    assert page.sizeHint().width() <= viewport.width()

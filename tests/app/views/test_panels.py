@@ -234,3 +234,15 @@ def test_an_edit_without_a_cut_cannot_be_moved(preview):
     assert preview._nudge.isHidden()
     assert preview._other_line.isHidden()
     assert not preview._confirm.isHidden()
+
+
+def test_a_further_edit_leaves_the_rows_of_the_others_as_they_are(history):
+    oldest = history._list.item(2)
+    history.show_scene((edit(1), edit(2), edit(3), edit(4)))
+    assert history._list.item(3) is oldest
+    assert history._list.item(3).text() == "edit 1"
+    assert [history._list.item(row).text() for row in range(2)] == ["edit 4", "edit 3"]
+    history.show_scene((edit(1), edit(5)))
+    assert [history._list.item(row).text() for row in range(2)] == ["edit 5", "edit 1"]
+    history.show_scene(())
+    assert history._list.count() == 0
