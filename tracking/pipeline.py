@@ -124,17 +124,13 @@ class Tracking:
 
     def run(self) -> Run:
         """Everything tracked so far as one immutable run."""
-        results = self._results
-        return Run(
-            tracker=self._spec.name,
-            settings=settings_values(self._settings),
-            seed=self._seed,
-            frames=(self.frames[0], self.frames[0] + self.done),
-            tracks=_joined([result.tracks for result in results], TRACK_COLUMNS),
-            detections=_joined([result.detections for result in results], DETECTION_COLUMNS),
-            particles=_joined_particles(results, self._recording.frame_count),
-            associations=_joined([r.associations for r in results], ASSOCIATION_COLUMNS),
-            software=f"trackwright {tracking.__version__}",
+        return run_of_steps(
+            self._results,
+            self._spec.name,
+            settings_values(self._settings),
+            self._seed,
+            self.frames[0],
+            self._recording.frame_count,
         )
 
     def _work(self) -> Generator[StepResult]:
@@ -160,6 +156,31 @@ def background_samples(recording: Recording) -> list[StereoFrame]:
     count = min(BACKGROUND_SAMPLES, recording.frame_count)
     numbers = np.linspace(0, recording.frame_count - 1, count).astype(int)
     return [recording.read(int(number)) for number in numbers]
+
+
+def run_of_steps(
+    steps: Sequence[StepResult],
+    tracker: str,
+    settings: Mapping[str, Any],
+    seed: int,
+    start: int,
+    frame_count: int,
+) -> Run:
+    """The steps of a tracker, in order from frame `start` on, as one immutable run.
+
+    `settings` are plain values by their dotted names, `frame_count` is the recording's.
+    """
+    return Run(
+        tracker=tracker,
+        settings=settings,
+        seed=seed,
+        frames=(start, start + len(steps)),
+        tracks=_joined([step.tracks for step in steps], TRACK_COLUMNS),
+        detections=_joined([step.detections for step in steps], DETECTION_COLUMNS),
+        particles=_joined_particles(steps, frame_count),
+        associations=_joined([step.associations for step in steps], ASSOCIATION_COLUMNS),
+        software=f"trackwright {tracking.__version__}",
+    )
 
 
 def _learn(perception: Perception, recording: Recording) -> None:

@@ -4,26 +4,27 @@ from __future__ import annotations
 
 import logging
 import threading
-import time
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from tracking.pipeline import track
+from app.tracking_process import TrackerProcess, TrackingRequest
+from tracking.pipeline import run_of_steps
 from tracking.recording import Recording
 from tracking.trackers import StepResult
 from tracking.tracks import Run
 
 _log = logging.getLogger(__name__)
-_BATCH_EVERY_S = 0.04
 
 
 class LiveTracker(QObject):
-    """Runs a tracker over a recording in a thread.
+    """Runs a tracker over a recording in a process of its own.
 
-    Results come in order: `tracked(results)` carries a tuple of `StepResult`. At the end, or once
-    stopped, `finished(run)` carries the run over the frames that were tracked (None where there
-    were none); `failed(error)` comes instead where the tracker could not go on.
+    A thread here only waits for what it says: the interpreter belongs to the window. Results come
+    in order: `tracked(results)` carries a tuple of `StepResult`. At the end, or once stopped,
+    `finished(run)` carries the run over the frames that were tracked (None where there were none),
+    the very same as `pipeline.track` makes; `failed(error)` comes instead where the tracker could
+    not go on.
     """
 
     tracked = Signal(object)
@@ -32,14 +33,20 @@ class LiveTracker(QObject):
     _ended = Signal(object, object)
 
     def __init__(
-        self, recording: Recording, tracker: str, settings: Any, seed: int, parent: QObject
+        self,
+        recording: Recording,
+        tracker: str,
+        settings: Any,
+        seed: int,
+        parent: QObject,
+        frames: tuple[int, int] | None = None,
     ) -> None:
+        """The arguments of `pipeline.track`; nothing is begun before `start`."""
         super().__init__(parent)
         self.tracker = tracker
-        self._recording = recording
-        self._settings = settings
-        self._seed = seed
-        self._stop = threading.Event()
+        self._frame_count = recording.frame_count
+        self._request = TrackingRequest.of(recording, tracker, settings, seed, frames)
+        self._process = TrackerProcess(self._request)
         self._thread = threading.Thread(target=self._run, name="live tracker", daemon=True)
         self._ended.connect(self._report, Qt.ConnectionType.QueuedConnection)
 
@@ -49,12 +56,12 @@ class LiveTracker(QObject):
 
     def stop(self) -> None:
         """Ask for the end after the frame in work; what was tracked comes with `finished`."""
-        self._stop.set()
+        self._process.stop()
 
     def close(self) -> None:
-        """Stop and wait for the thread; nothing is reported any more."""
+        """End the process and the thread; nothing is reported any more."""
         self._ended.disconnect(self._report)
-        self.stop()
+        self._process.kill()
         if self._thread.is_alive():
             self._thread.join()
 
@@ -68,23 +75,17 @@ class LiveTracker(QObject):
         self._ended.emit(run, problem)
 
     def _track(self) -> Run | None:
-        tracking = track(self._recording, self.tracker, self._settings, self._seed)
-        batch: list[StepResult] = []
-        sent_s = time.monotonic()
-        anything = False
-        try:
-            for result in tracking:
-                anything = True
-                batch.append(result)
-                if time.monotonic() - sent_s >= _BATCH_EVERY_S:
-                    self.tracked.emit(tuple(batch))
-                    batch, sent_s = [], time.monotonic()
-                if self._stop.is_set():
-                    break
-            self.tracked.emit(tuple(batch))
-            return tracking.run() if anything else None
-        finally:
-            tracking.close()
+        steps: list[StepResult] = []
+        for batch in self._process.batches():
+            steps += batch
+            self.tracked.emit(batch)
+        asked = self._request
+        if not steps:
+            return None
+        first = steps[0].frame
+        return run_of_steps(
+            steps, asked.tracker, asked.settings, asked.seed, first, self._frame_count
+        )
 
     def _report(self, run: Run | None, problem: Exception | None) -> None:
         self._thread.join()

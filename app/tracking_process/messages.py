@@ -1,0 +1,102 @@
+"""What the child says: a kind, a length, and then plain bytes. Nothing is pickled."""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Iterator, Mapping, Sequence
+from enum import Enum
+from typing import IO, Any
+
+import numpy as np
+
+import tracking.errors
+from tracking.errors import TrackwrightError
+from tracking.trackers import ASSOCIATION_COLUMNS, StepResult
+from tracking.tracks import DETECTION_COLUMNS, PARTICLE_COLUMNS, TRACK_COLUMNS, Columns
+
+_HEAD = struct.Struct("<BQ")  # kind, bytes that follow
+_STEP = struct.Struct("<5q")  # frame, rows of each table
+_TABLES: tuple[Mapping[str, np.dtype[Any]], ...] = (
+    TRACK_COLUMNS,
+    DETECTION_COLUMNS,
+    PARTICLE_COLUMNS,
+    ASSOCIATION_COLUMNS,
+)
+
+
+class Kind(Enum):
+    """What a message says."""
+
+    STEPS = 1
+    ERROR = 2
+    DONE = 3
+
+
+class TrackerBug(Exception):  # noqa: N818 - a report of what went wrong in the child
+    """Something nobody expected went wrong in the child; the text is its traceback."""
+
+
+def send(pipe: IO[bytes], kind: Kind, payload: bytes = b"") -> None:
+    """Write a message."""
+    pipe.write(_HEAD.pack(kind.value, len(payload)))
+    pipe.write(payload)
+    pipe.flush()
+
+
+def receive(pipe: IO[bytes]) -> tuple[Kind, bytes] | None:
+    """The next message; None where the child has ended, also in the middle of one."""
+    head = pipe.read(_HEAD.size)
+    if len(head) < _HEAD.size:
+        return None
+    kind, size = _HEAD.unpack(head)
+    payload = pipe.read(size)
+    return (Kind(kind), payload) if len(payload) == size else None
+
+
+def packed_steps(steps: Sequence[StepResult]) -> bytes:
+    """Steps as bytes: of each its frame, the rows of its tables, then column after column."""
+    return b"".join(part for step in steps for part in _packed(step))
+
+
+def unpacked_steps(payload: bytes) -> tuple[StepResult, ...]:
+    """What `packed_steps` packed; the columns are views into the payload."""
+    steps, at = [], 0
+    while at < len(payload):
+        frame, *rows = _STEP.unpack_from(payload, at)
+        at += _STEP.size
+        tables: list[Columns] = []
+        for types, count in zip(_TABLES, rows, strict=True):
+            columns = {}
+            for name, dtype in types.items():
+                columns[name] = np.frombuffer(payload, dtype, count, at)
+                at += count * dtype.itemsize
+            tables.append(columns)
+        steps.append(StepResult(frame, *tables))
+    return tuple(steps)
+
+
+def packed_error(error: Exception, trace: str) -> bytes:
+    """An error as bytes: one of ours with its kind, any other one as a bug with its trace."""
+    name = type(error).__name__ if isinstance(error, TrackwrightError) else ""
+    return json.dumps({"error": name, "message": str(error) if name else trace}).encode()
+
+
+def unpacked_error(payload: bytes) -> Exception:
+    """The error again."""
+    said = json.loads(payload)
+    if not said["error"]:
+        return TrackerBug(said["message"])
+    kind = getattr(tracking.errors, said["error"], TrackwrightError)
+    error: Exception = kind(said["message"])
+    return error
+
+
+def _packed(step: StepResult) -> Iterator[bytes]:
+    tables = (step.tracks, step.detections, step.particles, step.associations)
+    firsts = (next(iter(types)) for types in _TABLES)
+    rows = [len(table[first]) for table, first in zip(tables, firsts, strict=True)]
+    yield _STEP.pack(step.frame, *rows)
+    for table, types in zip(tables, _TABLES, strict=True):
+        for name, dtype in types.items():
+            yield np.ascontiguousarray(table[name], dtype).tobytes()

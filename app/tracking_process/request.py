@@ -1,0 +1,72 @@
+"""What the child is asked to do, as one line of JSON."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from tracking.pipeline import Tracking, track
+from tracking.recording import OpenOptions, Recording
+from tracking.recording.opening import open_from_manifest
+from tracking.trackers import settings_from, settings_values, tracker_named
+
+
+@dataclass(frozen=True, slots=True)
+class TrackingRequest:
+    """A tracker on a recording, in values that any process understands.
+
+    Attributes:
+        folder: what the manifest's paths are relative to.
+        manifest: the recording's own, with what options said of it worked in.
+        tracker: name in the catalogue. settings: by their dotted names.
+        seed: of all random numbers.
+        frames: half-open range, None for all.
+    """
+
+    folder: str
+    manifest: str
+    tracker: str
+    settings: Mapping[str, Any]
+    seed: int
+    frames: tuple[int, int] | None
+
+    @classmethod
+    def of(
+        cls,
+        recording: Recording,
+        tracker: str,
+        settings: Any,
+        seed: int,
+        frames: tuple[int, int] | None,
+    ) -> TrackingRequest:
+        """The same as `pipeline.track` is given; settings None takes the tracker's defaults."""
+        values = settings_values(settings or tracker_named(tracker).settings_type())
+        folder = str(recording.folder.resolve())
+        return cls(folder, recording.manifest_text, tracker, values, seed, frames)
+
+    def as_line(self) -> bytes:
+        """For the child's standard input."""
+        return json.dumps(asdict(self)).encode() + b"\n"
+
+    @classmethod
+    def from_line(cls, line: bytes) -> TrackingRequest:
+        """What `as_line` wrote."""
+        values = json.loads(line)
+        frames = values.pop("frames")
+        return cls(**values, frames=None if frames is None else (frames[0], frames[1]))
+
+    def open(self) -> Recording:
+        """The recording, opened once more.
+
+        It is open already in the window, which is where the user allowed what lies outside.
+        """
+        options = OpenOptions(allow_outside=True)
+        return open_from_manifest(Path(self.folder), self.manifest, options)
+
+    def begin(self, recording: Recording) -> Tracking:
+        """Put the tracker to work on it."""
+        settings = settings_from(tracker_named(self.tracker).settings_type, self.settings)
+        return track(recording, self.tracker, settings, self.seed, self.frames)

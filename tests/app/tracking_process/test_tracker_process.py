@@ -1,0 +1,179 @@
+import os
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.tracking_process import TrackerProcess, TrackingRequest
+from app.tracking_process.messages import (
+    TrackerBug,
+    packed_error,
+    packed_steps,
+    unpacked_error,
+    unpacked_steps,
+)
+from tracking.errors import CalibrationError, RecordingError, TrackwrightError
+from tracking.pipeline import run_of_steps, track
+from tracking.recording import OpenOptions, open_recording
+
+TRACKER = "stereo-direction"
+FRAMES = (30, 42)
+
+
+@pytest.fixture
+def request_(tiny_recording):
+    with open_recording(tiny_recording) as recording:
+        return TrackingRequest.of(recording, TRACKER, None, 7, FRAMES)
+
+
+def _in_this_process(recording):
+    with track(recording, TRACKER, None, 7, FRAMES) as tracking:
+        steps = list(tracking)
+        return steps, tracking.run()
+
+
+def _tables(run):
+    yield from (run.tracks, run.detections, run.particles.columns, run.associations)
+    yield {"start": run.particles.start}
+
+
+def _assert_same_runs(one, other):
+    for mine, theirs in zip(_tables(one), _tables(other), strict=True):
+        assert list(mine) == list(theirs)
+        for name in mine:
+            assert mine[name].dtype == theirs[name].dtype, name
+            assert mine[name].tobytes() == theirs[name].tobytes(), name
+    assert (one.tracker, dict(one.settings), one.seed, one.frames, one.software) == (
+        other.tracker,
+        dict(other.settings),
+        other.seed,
+        other.frames,
+        other.software,
+    )
+
+
+def _by_child(request, frame_count):
+    steps = [step for batch in TrackerProcess(request).batches() for step in batch]
+    return run_of_steps(
+        steps, request.tracker, request.settings, request.seed, steps[0].frame, frame_count
+    )
+
+
+def test_a_child_gives_the_very_run_that_tracking_in_this_process_gives(tiny_recording, request_):
+    with open_recording(tiny_recording) as recording:
+        _, here = _in_this_process(recording)
+        assert len(here.tracks["frame"]) > 0
+        _assert_same_runs(_by_child(request_, recording.frame_count), here)
+
+
+def test_bare_eyes_with_options_are_tracked_alike(tiny_recording, tmp_path):
+    (tmp_path / "rig").mkdir()
+    for name in ("left.mp4", "right.mp4", "calibration.yaml"):
+        (tmp_path / "rig" / name).write_bytes((tiny_recording / name).read_bytes())
+    rig = tmp_path / "rig"
+    options = OpenOptions(
+        left=rig / "left.mp4",
+        right=rig / "right.mp4",
+        calibration=(rig / "calibration.yaml",),
+        height_m=6.4,
+        tilt_deg=60.0,
+    )
+    with open_recording(rig / "left.mp4", options) as recording:
+        _, here = _in_this_process(recording)
+        request = TrackingRequest.of(recording, TRACKER, None, 7, FRAMES)
+        assert len(here.tracks["frame"]) > 0
+        _assert_same_runs(_by_child(request, recording.frame_count), here)
+
+
+def test_a_request_is_the_same_after_its_way_through_a_line(request_):
+    assert TrackingRequest.from_line(request_.as_line()) == request_
+
+
+def test_steps_are_the_same_after_their_way_through_bytes(tiny_recording):
+    with open_recording(tiny_recording) as recording:
+        steps, _ = _in_this_process(recording)
+    for step, again in zip(steps, unpacked_steps(packed_steps(steps)), strict=True):
+        assert again.frame == step.frame
+        for name, column in step.particles.items():
+            np.testing.assert_array_equal(again.particles[name], column)
+
+
+def test_what_the_tracker_says_is_wrong_comes_across_as_the_same_error(request_):
+    gone = replace(request_, folder=str(Path(request_.folder) / "gone"))
+    with pytest.raises(RecordingError, match="gone"):
+        list(TrackerProcess(gone).batches())
+
+
+def test_a_bug_comes_across_with_its_trace():
+    bug = unpacked_error(packed_error(ZeroDivisionError("by zero"), "Traceback ... by zero"))
+    assert isinstance(bug, TrackerBug)
+    assert "Traceback" in str(bug)
+    ours = unpacked_error(packed_error(CalibrationError("no floor"), ""))
+    assert (type(ours), str(ours)) == (CalibrationError, "no floor")
+
+
+def test_a_child_that_dies_is_told_in_a_line(request_):
+    process = TrackerProcess(replace(request_, frames=None))
+    batches = process.batches()
+    next(batches)
+    os.kill(process.pid, signal.SIGTERM)
+    with pytest.raises(TrackwrightError, match="ended by itself"):
+        list(batches)
+
+
+def test_stopping_ends_after_the_frame_in_work_and_keeps_what_was_tracked(request_):
+    process, steps = TrackerProcess(replace(request_, frames=None)), []
+    for batch in process.batches():
+        steps += batch
+        process.stop()
+    assert [step.frame for step in steps] == list(range(len(steps)))
+    assert 0 < len(steps) < 80
+
+
+def test_killing_before_the_beginning_begins_nothing(request_):
+    process = TrackerProcess(request_)
+    process.kill()
+    assert list(process.batches()) == []
+
+
+PARENT = """
+import sys
+from app.tracking_process import TrackerProcess, TrackingRequest
+process = TrackerProcess(TrackingRequest.from_line(sys.stdin.buffer.readline()))
+for batch in process.batches():
+    print(process.pid, flush=True)
+    sys.stdin.read()
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="asks the system by signal 0")
+def test_a_child_ends_when_its_parent_is_killed(request_):
+    parent = subprocess.Popen(
+        [sys.executable, "-c", PARENT], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    )
+    parent.stdin.write(replace(request_, frames=None).as_line())
+    parent.stdin.flush()
+    child = int(parent.stdout.readline())
+    parent.kill()
+    parent.wait()
+    parent.stdin.close()
+    parent.stdout.close()
+    until_s = time.monotonic() + 5
+    while _lives(child) and time.monotonic() < until_s:
+        time.sleep(0.01)
+    assert not _lives(child)
+
+
+def _lives(pid):
+    """A process that has ended but was not asked for by anybody (a zombie) does not live."""
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    state = Path(f"/proc/{pid}/stat")
+    return not (state.exists() and state.read_text().rsplit(")", 1)[1].split()[0] == "Z")
