@@ -145,10 +145,18 @@ class Desk(QObject):
     def _never_tracked(self) -> bool:
         return self.document.session is None and not self.live.running
 
-    def track(self, tracker: str, settings: Any = None, seed: int = 0) -> None:
-        """Put a tracker to work; what it finds is shown as it comes."""
+    def track(
+        self,
+        tracker: str,
+        settings: Any = None,
+        seed: int = 0,
+        frames: tuple[int, int] | None = None,
+    ) -> None:
+        """Put a tracker to work on some frames; what it finds is shown as it comes."""
         self.document.begin_live()
-        self.live.start(tracker, settings, seed)
+        self.live.start(tracker, settings, seed, frames)
+        if frames is not None and not frames[0] <= self.playback.clock.frame < frames[1]:
+            self.playback.go(frames[0])
         self.draw()
 
     def take_session(self, session: Session) -> None:
@@ -169,9 +177,10 @@ class Desk(QObject):
 
     def _last_tracked(self) -> int | None:
         """Where playing waits for the tracker, so that people are seen with their picture."""
-        until = self.document.tracked_until
+        first = self.live.first
+        until = max(self.document.tracked_until, first)
         if self.live.running and self.playback.clock.frame <= until:
-            return max(until - 1, 0)
+            return max(until - 1, first)
         return None
 
     def _take_live(self, results: tuple[StepResult, ...]) -> None:

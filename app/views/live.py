@@ -31,6 +31,7 @@ class LiveTracking(QObject):
         self.tracker = ""
         self.done = 0
         self._recording = recording
+        self._frames = (0, recording.frame_count)
         self._worker: LiveTracker | None = None
         self._began_s = 0.0
         self._recent: list[tuple[float, int]] = []
@@ -40,12 +41,19 @@ class LiveTracking(QObject):
         """Whether a tracker is at work."""
         return self._worker is not None
 
-    def start(self, tracker: str, settings: Any = None, seed: int = 0) -> None:
-        """Put a tracker to work from the recording's first frame."""
+    def start(
+        self,
+        tracker: str,
+        settings: Any = None,
+        seed: int = 0,
+        frames: tuple[int, int] | None = None,
+    ) -> None:
+        """Put a tracker to work on a half-open range of frames; None: on all of them."""
         self.close()
+        self._frames = frames or (0, self._recording.frame_count)
         self.tracker, self.done, self._recent = tracker, 0, []
         self._began_s = time.monotonic()
-        worker = LiveTracker(self._recording, tracker, settings, seed, self)
+        worker = LiveTracker(self._recording, tracker, settings, seed, self, frames)
         worker.tracked.connect(self._take)
         worker.finished.connect(self._finish)
         worker.failed.connect(self._fail)
@@ -67,9 +75,15 @@ class LiveTracking(QObject):
             worker.deleteLater()
 
     @property
+    def first(self) -> int:
+        """The first frame that is tracked."""
+        return self._frames[0]
+
+    @property
     def share(self) -> float | None:
         """How much is done, 0 to 1; None while the background is learnt."""
-        return self.done / self._recording.frame_count if self.done else None
+        first, stop = self._frames
+        return (self.done - first) / (stop - first) if self.done else None
 
     @property
     def fps(self) -> float:
@@ -83,7 +97,7 @@ class LiveTracking(QObject):
     def seconds_left(self) -> float | None:
         """Time until the end at this pace; None while that is not known."""
         fps = self.fps
-        return (self._recording.frame_count - self.done) / fps if fps > 0 else None
+        return (self._frames[1] - self.done) / fps if fps > 0 else None
 
     @property
     def status(self) -> str:

@@ -4,22 +4,46 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import (
+    QApplication,
     QCheckBox,
     QDoubleSpinBox,
-    QFormLayout,
+    QGridLayout,
     QLabel,
     QLineEdit,
     QSpinBox,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
+from app.views.parts import quiet
+from app.views.theme import scaled_font
 from tracking.trackers import SettingField, TrackerSpec, settings_fields, settings_from
 
 _WHOLE_LIMIT = 2**31 - 1
 _NUMBER_LIMIT = 1e12
+
+
+class FoldButton(QToolButton):
+    """A heading that folds what stands below it; folded at first."""
+
+    def __init__(self, title: str, body: QWidget, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._body = body
+        self.setText(title)
+        self.setAccessibleName(self.tr("{0}: show or hide").format(title))
+        self.setFont(scaled_font(parent.font(), 1.0, bold=True))
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setCheckable(True)
+        self.setProperty("fold", True)
+        self.toggled.connect(self._fold)
+        self._fold(False)
+
+    def _fold(self, is_open: bool) -> None:
+        self.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
+        self._body.setVisible(is_open)
 
 
 class SettingsForm(QWidget):
@@ -37,7 +61,8 @@ class SettingsForm(QWidget):
         self._fields = settings_fields(spec.settings_type)
         self._controls: dict[str, QWidget] = {}
         rows = QVBoxLayout(self)
-        groups: dict[str, QFormLayout] = {}
+        rows.setContentsMargins(0, 0, 8, 0)
+        groups: dict[str, QGridLayout] = {}
         for field in self._fields:
             group = field.name.rpartition(".")[0]
             if group not in groups:
@@ -73,36 +98,55 @@ class SettingsForm(QWidget):
         elif isinstance(control, QLineEdit):
             control.setText(str(value))
 
-    def _add_group(self, name: str, rows: QVBoxLayout) -> QFormLayout:
+    def _add_group(self, name: str, rows: QVBoxLayout) -> QGridLayout:
+        """The tracker's own settings stand open; those of the stages before it are folded."""
+        body = QWidget(self)
         if name:
-            title = QLabel(name.replace(".", " / ").replace("_", " ").capitalize(), self)
-            title.setProperty("role", "heading")
-            rows.addWidget(title)
-        form = QFormLayout()
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.FieldsStayAtSizeHint)
-        rows.addLayout(form)
-        return form
+            title = name.replace(".", " / ").replace("_", " ").capitalize()
+            rows.addWidget(FoldButton(title, body, self))
+        grid = QGridLayout(body)
+        grid.setContentsMargins(0, 0, 0, 8)
+        grid.setHorizontalSpacing(12)
+        grid.setColumnStretch(2, 1)
+        rows.addWidget(body)
+        return grid
 
-    def _add_field(self, field: SettingField, form: QFormLayout) -> None:
+    def _add_field(self, field: SettingField, grid: QGridLayout) -> None:
         control = self._control(field)
         title = _title(field)
-        help_text = field.help
+        words = field.help
         if field.range is not None:
             low, high = field.range
-            help_text += self.tr(" ({0:g} to {1:g})").format(low, high)
-        control.setMinimumWidth(12 * self.fontMetrics().averageCharWidth())
+            words += self.tr(" ({0:g} to {1:g}{2})").format(low, high, _unit(field))
+        letter = self.fontMetrics().averageCharWidth()
+        control.setMinimumWidth(14 * letter)
         control.setAccessibleName(title)
-        control.setAccessibleDescription(help_text)
-        label = QLabel(title, self)
+        control.setAccessibleDescription(words)
+        control.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        control.installEventFilter(self)
+        label, about = QLabel(title, self), quiet(words, self)
+        label.setBuddy(control)
+        about.setWordWrap(True)
+        about.setFont(scaled_font(self.font(), 0.88))
+        about.setMinimumWidth(30 * letter)
         for widget in (control, label):
-            widget.setToolTip(help_text)
-        form.addRow(label, control)
+            widget.setToolTip(words)
+        row = grid.rowCount()
+        for column, widget in enumerate((label, control, about)):
+            grid.addWidget(widget, row, column)
         self._controls[field.name] = control
         self.put(field.name, field.default)
 
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+        """Scrolling over a number that is not being edited scrolls the form."""
+        if event.type() == QEvent.Type.Wheel and watched is not QApplication.focusWidget():
+            event.ignore()
+            return True
+        return super().eventFilter(watched, event)
+
     def _control(self, field: SettingField) -> QWidget:
         low, high = field.range or (-_NUMBER_LIMIT, _NUMBER_LIMIT)
-        suffix = f" {field.unit}" if field.unit else ""
+        suffix = _unit(field)
         if field.type is bool:
             check = QCheckBox(self)
             check.toggled.connect(self.edited)
@@ -141,10 +185,15 @@ class SettingsForm(QWidget):
         return field.default
 
 
+def _unit(field: SettingField) -> str:
+    """The unit behind a number."""
+    return f" {field.unit}" if field.unit else ""
+
+
 def _title(field: SettingField) -> str:
     """The name in words, without the unit's suffix: the control itself shows the unit."""
     name = field.name.rpartition(".")[2]
-    unit = field.unit.replace("/", "_")
+    unit = field.unit.replace("/", "_").lower()
     if unit and name.endswith(f"_{unit}"):
         name = name.removesuffix(f"_{unit}")
     return name.replace("_", " ").capitalize()

@@ -10,7 +10,9 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFormLayout,
     QFrame,
+    QHBoxLayout,
     QLabel,
+    QPushButton,
     QScrollArea,
     QSpinBox,
     QStackedWidget,
@@ -26,7 +28,7 @@ from tracking.trackers import TRACKERS, require
 
 
 class TrackDialog(QDialog):
-    """Chooses a tracker that can work on the recording, its settings and the seed.
+    """Chooses a tracker that can work on the recording, its settings, the frames and the seed.
 
     `warning` is said above where tracking would replace something.
     """
@@ -45,6 +47,13 @@ class TrackDialog(QDialog):
         self._seed.setRange(0, 2**31 - 1)
         self._seed.setAccessibleName(self.tr("Seed of the random numbers"))
         self._seed.setToolTip(self.tr("The same seed gives the same tracks"))
+        last = recording.frame_count - 1
+        self._first = self._frame_box(self.tr("First frame"), last)
+        self._last = self._frame_box(self.tr("Last frame"), last)
+        self._last.setValue(last)
+        self._first.valueChanged.connect(self._last.setMinimum)
+        self._last.valueChanged.connect(self._first.setMaximum)
+        self._whole = (0, last)
         self._forms = QStackedWidget(self)
         for name in self._names:
             self._choice.addItem(name)
@@ -65,12 +74,14 @@ class TrackDialog(QDialog):
         form = QFormLayout()
         form.addRow(self.tr("Tracker"), self._choice)
         form.addRow("", self._title)
+        form.addRow(self.tr("Frames"), self._frames_line())
         form.addRow(self.tr("Seed"), self._seed)
         rows.addLayout(form)
         rows.addWidget(self._forms, 1)
         buttons = QDialogButtonBox(self)
-        start = buttons.addButton(self.tr("Track"), QDialogButtonBox.ButtonRole.AcceptRole)
-        start.setProperty("primary", True)
+        start = QPushButton(self.tr("Track"), buttons)
+        start.setProperty("primary", True)  # before it is first polished, or it has no effect
+        buttons.addButton(start, QDialogButtonBox.ButtonRole.AcceptRole)
         start.setDefault(True)
         reset = buttons.addButton(self.tr("Defaults"), QDialogButtonBox.ButtonRole.ResetRole)
         reset.clicked.connect(lambda: self.form.reset())
@@ -79,7 +90,33 @@ class TrackDialog(QDialog):
         buttons.rejected.connect(self.reject)
         rows.addWidget(buttons)
         line = self.fontMetrics().height()
-        self.resize(34 * line, 40 * line)
+        room = self.screen().availableSize()
+        self.resize(min(48 * line, room.width()), min(44 * line, room.height() - 4 * line))
+
+    def _frame_box(self, name: str, last: int) -> QSpinBox:
+        box = QSpinBox(self)
+        box.setRange(0, last)
+        box.setAccessibleName(name)
+        return box
+
+    def _frames_line(self) -> QHBoxLayout:
+        line = QHBoxLayout()
+        whole = QPushButton(self.tr("All"), self)
+        whole.setAccessibleName(self.tr("Track all frames"))
+        whole.setAutoDefault(False)
+        whole.clicked.connect(lambda: self.put_frames(*self._whole))
+        for widget in (self._first, quiet(self.tr("to"), self), self._last, whole):
+            line.addWidget(widget)
+        line.addStretch(1)
+        return line
+
+    def put_frames(self, first: int, last: int) -> None:
+        """Choose the frames that are tracked, the last one among them."""
+        for box, value in ((self._first, first), (self._last, last)):
+            box.setRange(*self._whole)
+            box.setValue(value)
+        self._last.setMinimum(first)
+        self._first.setMaximum(last)
 
     @property
     def form(self) -> SettingsForm:
@@ -90,9 +127,12 @@ class TrackDialog(QDialog):
         assert isinstance(form, SettingsForm)
         return form
 
-    def answer(self) -> tuple[str, Any, int]:
-        """Tracker, settings and seed."""
-        return self._names[self._choice.currentIndex()], self.form.settings(), self._seed.value()
+    def answer(self) -> tuple[str, Any, int, tuple[int, int] | None]:
+        """Tracker, settings, seed and the half-open range of frames; None: all of them."""
+        chosen = (self._first.value(), self._last.value())
+        frames = None if chosen == self._whole else (chosen[0], chosen[1] + 1)
+        name = self._names[self._choice.currentIndex()]
+        return name, self.form.settings(), self._seed.value(), frames
 
     def _show_tracker(self, index: int) -> None:
         if self._names:

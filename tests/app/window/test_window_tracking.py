@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from app.presenters import opening
+from app.views.track_dialog import TrackDialog
 
 
 @pytest.fixture
@@ -89,3 +90,26 @@ def test_tracking_again_never_touches_corrected_tracks(opened, qtbot):
     assert len(session.runs) == 2
     assert np.array_equal(session.tracks.columns()["x"], corrected, equal_nan=True)
     assert desk.document.label(track).name == "first"
+
+
+def test_a_part_of_the_recording_can_be_tracked(opened, qtbot):
+    opened.run_command("tracks.track")
+    dialog = opened.findChild(TrackDialog)
+    dialog.put_frames(20, 39)
+    dialog.accept()
+    assert opened.desk.playback.clock.frame == 20
+    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    assert opened.files.session.runs[0].frames == (20, 40)
+    assert opened.files.session.runs[0].seed == 0
+
+
+def test_the_first_and_the_last_frame_never_cross(opened):
+    opened.run_command("tracks.track")
+    dialog = opened.findChild(TrackDialog)
+    assert dialog.answer()[3] is None
+    dialog.put_frames(20, 39)
+    dialog._first.setValue(60)
+    assert dialog.answer()[3] == (39, 40)
+    dialog.put_frames(*dialog._whole)
+    assert dialog.answer()[3] is None
+    dialog.reject()
