@@ -150,6 +150,15 @@ def test_ten_columns_are_written_from_one(tmp_path: Path) -> None:
     assert (tmp_path / "out.txt").read_text() == "1,4,1,2.5,10,20.25,0.9,-1,-1,-1\n"
 
 
+def test_positions_without_a_height_are_on_the_floor(tmp_path: Path) -> None:
+    columns = {"frame": np.arange(2), "track": np.array([1, 1])}
+    columns |= {name: np.ones(2) for name in BOX}
+    columns |= {"x": np.array([2.5, np.nan]), "y": np.array([4.0, np.nan])}
+    write_mot(tmp_path / "out.txt", columns)
+    rows = (tmp_path / "out.txt").read_text().splitlines()
+    assert [row.split(",")[7:] for row in rows] == [["2.5", "4", "0"], ["-1", "-1", "-1"]]
+
+
 def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> None:
     path = written(tmp_path, "old")
     broken = as_columns([((0, 4), (0.0, 1.5, 10.0, 20.0), (np.nan,) * 3)])

@@ -69,7 +69,8 @@ def write_mot(path: Path, columns: Columns) -> None:
 
     Args:
         path: where; replaced if it exists.
-        columns: `frame, track, left, top, width, height` and, where known, `confidence, x, y, z`.
+        columns: `frame, track, left, top, width, height` and, where known, `confidence, x, y, z`;
+            without z, positions are on the floor.
 
     Raises:
         OutputError: the file cannot be written.
@@ -204,6 +205,9 @@ def _lines(columns: Columns) -> Iterator[str]:
 
 def _column(block: Columns, name: str) -> list[float]:
     """A column's values as the text has them: from 1, NaN where unknown."""
+    if name == "z" and name not in block and "x" in block:
+        # Where people stand is on the floor, which is z = 0.
+        return [math.nan if math.isnan(x) else 0.0 for x in block["x"].tolist()]
     if name not in block:
         return [math.nan] * len(block["frame"])
     values = block[name]

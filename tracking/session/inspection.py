@@ -21,7 +21,7 @@ import numpy as np
 from tracking.session.layout import FORMAT, RUN_TABLES, TABLES, TEXT, TRAJECTORY_TYPE, VERSION
 
 MEMORY_BYTES = 4 << 30
-SECONDS = 20
+SECONDS = 10
 _DEEPEST = 8
 _MOST_OBJECTS = 20_000
 _LARGEST_CHUNK = 64 << 20
