@@ -17,6 +17,7 @@ from made_up_sessions import make_recording, make_run, make_session, state_of
 from tracking.editing import plan_swap
 from tracking.errors import OutputError, SessionError
 from tracking.session import Session, generations
+from tracking.session.lock import SessionLock
 from tracking.session.saving import companions
 
 
@@ -309,3 +310,9 @@ def test_a_lock_is_given_back_where_there_is_no_room_to_say_who_holds_it(
     second = Session.open(session.path)
     assert not second.read_only
     second.close()
+
+
+@pytest.mark.parametrize("said", [b"", b" {", b' {"process": 1e999}', b" " + b"[" * 4000, b" 5"])
+def test_a_lock_file_that_says_nonsense_is_another_program_s(tmp_path: Path, said: bytes) -> None:
+    (tmp_path / "lock").write_bytes(said)
+    assert SessionLock(tmp_path / "lock").holder() == "another program"

@@ -53,7 +53,7 @@ class SessionLock:
                 file.seek(1)
                 said = json.loads(file.read(4096))
             return f"process {int(said['process'])} on {str(said['computer'])[:80]}"
-        except (OSError, ValueError, KeyError, TypeError):
+        except (OSError, ValueError, LookupError, TypeError, OverflowError, RecursionError):
             return "another program"
 
     def release(self) -> None:
