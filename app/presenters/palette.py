@@ -7,23 +7,37 @@ from numpy.typing import NDArray
 
 from app.presenters.scenes import Colour
 
-# Chosen among Okabe and Ito's and Tol's sets: each next one is the farthest, in CIELAB, from those
-# before it for normal, red-blind and green-blind eyes alike, and stands out on white, on footage
-# and on near-black.
-TRACK_COLOURS: tuple[Colour, ...] = (
-    (68, 119, 170),
-    (187, 204, 51),
-    (17, 119, 51),
+# Chosen among Okabe and Ito's and Tol's sets and a few more, so that the nearest two lie as far
+# apart as can be, in CIELAB, for normal, red-blind and green-blind eyes alike; then ordered so that
+# ids close to each other, who often walk close to each other, differ most.
+_FIRST: tuple[Colour, ...] = (
     (255, 170, 187),
-    (153, 153, 51),
-    (238, 102, 119),
-    (51, 187, 238),
-    (221, 204, 119),
-    (119, 120, 220),
-    (170, 51, 119),
-    (204, 121, 167),
-    (0, 158, 115),
+    (110, 70, 180),
+    (187, 204, 51),
+    (238, 136, 102),
+    (153, 221, 255),
+    (238, 51, 119),
+    (200, 140, 255),
+    (213, 94, 0),
+    (0, 153, 136),
+    (238, 221, 136),
+    (68, 119, 170),
+    (17, 119, 51),
 )
+_LIGHT = 150.0
+"""Mean of red, green and blue from which on a colour counts as a light one."""
+
+
+def _varied(colour: Colour) -> Colour:
+    """The same hue for the second time around: light colours darker, dark ones lighter."""
+    if sum(colour) / 3 > _LIGHT:
+        red, green, blue = (round(0.62 * part) for part in colour)
+    else:
+        red, green, blue = (round(0.5 * (part + 255)) for part in colour)
+    return red, green, blue
+
+
+TRACK_COLOURS: tuple[Colour, ...] = (*_FIRST, *(_varied(colour) for colour in _FIRST))
 NOBODY: Colour = (150, 150, 150)
 
 _TABLE = np.array(TRACK_COLOURS, np.uint8)

@@ -1,4 +1,5 @@
 import numpy as np
+import pytest
 
 from app.presenters.palette import NOBODY, TRACK_COLOURS, colour_of_track, colours_of_tracks
 
@@ -28,10 +29,25 @@ def test_nobody_is_grey():
     assert colours_of_tracks(np.array([0, -3], np.int32)).tolist() == [list(NOBODY)] * 2
 
 
-def test_the_first_eight_colours_stay_apart_for_the_colour_blind():
-    values = np.array(TRACK_COLOURS[:8]) / 255.0
+def _apart() -> np.ndarray:
+    """How far every two colours lie apart for whoever tells them apart least."""
+    values = np.array(TRACK_COLOURS) / 255.0
     linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
-    for sight in (np.eye(3), _PROTAN, _DEUTAN):
-        seen = _lab(linear @ sight.T)
-        apart = np.linalg.norm(seen[:, None] - seen[None], axis=2)
-        assert apart[~np.eye(8, dtype=bool)].min() > 20
+    seen = [_lab(linear @ sight.T) for sight in (np.eye(3), _PROTAN, _DEUTAN)]
+    return np.min([np.linalg.norm(one[:, None] - one[None], axis=2) for one in seen], axis=0)
+
+
+def test_the_first_eight_colours_stay_apart_for_the_colour_blind():
+    assert _apart()[:8, :8][~np.eye(8, dtype=bool)].min() > 20
+
+
+@pytest.mark.parametrize(("further", "least"), [(1, 28), (2, 25), (3, 18), (4, 16), (5, 16)])
+def test_ids_close_to_each_other_differ_strongly_for_the_colour_blind(further, least):
+    apart = _apart()
+    assert min(apart[one, (one + further) % 12] for one in range(12)) > least
+
+
+def test_ids_twelve_apart_differ_in_lightness():
+    apart = _apart()
+    assert min(apart[one, one + 12] for one in range(12)) > 18
+    assert len(set(TRACK_COLOURS)) == 24
