@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import cv2
@@ -259,3 +260,11 @@ def test_a_file_too_large_for_a_calibration_is_not_read(tmp_path: Path) -> None:
 def test_a_missing_file_is_told(tmp_path: Path) -> None:
     with pytest.raises(CalibrationError, match="check the path"):
         read_calibration([tmp_path / "calibration.yaml"])
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
+def test_a_pipe_is_no_calibration(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "calibration.yaml")
+    for path in (tmp_path, tmp_path / "calibration.yaml"):
+        with pytest.raises(CalibrationError, match="not a file"):
+            read_calibration([path])

@@ -158,3 +158,10 @@ def test_a_manifest_that_cannot_take_its_place_leaves_nothing(
 def test_a_manifest_that_cannot_be_written_is_told(tmp_path: Path) -> None:
     with pytest.raises(OutputError):
         write_manifest(tmp_path / "missing", Manifest("Hall", "left.mp4"))
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
+def test_a_pipe_is_no_manifest(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "recording.toml")
+    with pytest.raises(RecordingError, match="not a file"):
+        read_manifest(tmp_path)

@@ -72,6 +72,8 @@ def manifest_text(folder: Path) -> str:
     """The text of a folder's recording.toml; RecordingError where it cannot be read."""
     path = folder / MANIFEST_NAME
     try:
+        if path.exists() and not path.is_file():  # a pipe would keep us waiting for ever
+            raise RecordingError(f"{path}: not a file; put the manifest there")
         if path.stat().st_size > _MAX_BYTES:
             raise RecordingError(f"{path}: larger than {_MAX_BYTES // 1024} KiB; not a manifest")
         return path.read_text("utf-8-sig")

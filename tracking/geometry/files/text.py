@@ -31,6 +31,8 @@ _BROKEN = (
 def read_text(path: Path) -> str:
     """The text of a calibration file; CalibrationError where it is missing, binary or too large."""
     try:
+        if path.exists() and not path.is_file():  # a pipe would keep us waiting for ever
+            raise CalibrationError(f"{path}: not a file; give the calibration file")
         if path.stat().st_size > MAX_BYTES:
             raise CalibrationError(
                 f"{path}: larger than {MAX_BYTES // 1024} KiB, too large for a calibration; "
