@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Iterable, Sequence
 
 import numpy as np
@@ -19,6 +20,8 @@ class LiveTracks:
         self._steps: list[StepResult] = []
         self._first = 0
         self._spans: dict[int, list[list[int]]] = {}
+        self._made: dict[int, Spans] = {}  # of tracks that did not change since they were asked for
+        self._people = array("H")
 
     def extend(self, results: Iterable[StepResult]) -> None:
         """Take further frames."""
@@ -26,6 +29,7 @@ class LiveTracks:
             if not self._steps:
                 self._first = step.frame
             self._steps.append(step)
+            self._people.append(len(step.tracks["track"]))
             predicted = step.tracks["predicted"].tolist()
             for track, lost in zip(step.tracks["track"].tolist(), predicted, strict=True):
                 self._lengthen(track, step.frame, int(lost))
@@ -72,13 +76,15 @@ class LiveTracks:
 
     def spans(self) -> dict[int, Spans]:
         """The stretches so far."""
-        return {track: np.array(rows, np.int64) for track, rows in self._spans.items()}
+        for track, rows in self._spans.items():
+            if track not in self._made:
+                self._made[track] = np.array(rows, np.int64)
+        return dict(self._made)
 
     def activity(self, frame_count: int) -> NDArray[np.uint16]:
         """People per frame so far."""
         people = np.zeros(frame_count, np.uint16)
-        counts = [len(step.tracks["track"]) for step in self._steps]
-        people[self._first : self._first + len(counts)] = counts
+        people[self._first : self._first + len(self._people)] = self._people
         return people
 
     def _rows(self, start: int, stop: int) -> Columns:
@@ -91,6 +97,7 @@ class LiveTracks:
 
     def _lengthen(self, track: int, frame: int, predicted: int) -> None:
         spans = self._spans.setdefault(track, [])
+        self._made.pop(track, None)
         if spans and spans[-1][1] == frame and spans[-1][2] == predicted:
             spans[-1][1] = frame + 1
         else:

@@ -7,7 +7,7 @@ from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.presenters.scenes import Colour, PersonMark, PreviewTrail
@@ -16,8 +16,8 @@ from app.views.theme import faded
 from app.views.viewport import Points, Viewport, polygon
 
 _CORNER = 4.0
-_AGES = 4  # steps in which a trail fades
-_MOST_POINTS = 18  # of a trail: broad lines of many short pieces take most of a paint
+_AGES = 6  # steps in which a trail fades
+_MOST_POINTS = 31  # of a trail
 
 
 def draw_people(
@@ -49,19 +49,14 @@ def draw_fading_trail(
     Args:
         casing: a soft dark edge, for trails on a picture.
     """
-    shown = _thinned(points[np.isfinite(points).all(axis=1)])
-    last = len(shown) - 1
-    if last < 1:
-        return
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    edges = [age * last // _AGES for age in range(_AGES + 1)]
-    pieces = [shown[start : stop + 1] for start, stop in pairwise(edges) if stop > start]
-    casings = _fading_pens((0, 0, 0), 70, width + 2.0)[-len(pieces) :] if casing else ()
-    inks = _fading_pens((colour.red(), colour.green(), colour.blue()), 255, width)[-len(pieces) :]
+    lines = _lines(points[np.isfinite(points).all(axis=1)])
+    edges = [age * len(lines) // _AGES for age in range(_AGES + 1)]
+    casings = _fading_pens((0, 0, 0), 70, width + 2.0) if casing else ()
+    inks = _fading_pens((colour.red(), colour.green(), colour.blue()), 255, width)
     for pens in (casings, inks):
-        for pen, piece in zip(pens, pieces, strict=False):
+        for pen, (start, stop) in zip(pens, pairwise(edges), strict=False):
             painter.setPen(pen)
-            painter.drawPolyline(piece)
+            painter.drawLines(lines[start:stop])
 
 
 @lru_cache(maxsize=256)
@@ -76,10 +71,14 @@ def _fading_pens(colour: Colour, alpha: int, width: float) -> tuple[QPen, ...]:
     return tuple(pens)
 
 
-def _thinned(points: Points) -> list[QPointF]:
-    """At most so many of the points, the newest among them."""
+def _lines(points: Points) -> list[QLineF]:
+    """Lines through at most so many of the points, the newest among them.
+
+    Qt paints a translucent line after the other eight times as fast as the same as a polyline.
+    """
     step = -(-len(points) // _MOST_POINTS) or 1
-    return [QPointF(x, y) for x, y in points[::-step][::-1].tolist()]
+    kept = points[::-step][::-1]
+    return [QLineF(*ends) for ends in np.hstack((kept[:-1], kept[1:])).tolist()]
 
 
 def draw_preview(painter: QPainter, trails: Sequence[PreviewTrail], viewport: Viewport) -> None:

@@ -43,9 +43,7 @@ class OverviewStrip(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(self.tr("Overview of the whole recording"))
         self.setToolTip(
-            self.tr(
-                "The whole recording: people at once; the line below: what is tracked; above: what is at hand"
-            )
+            self.tr("The whole recording: people at once; below, what is tracked; above, at hand")
         )
 
     def show_scene(self, scene: TimelineScene) -> None:
