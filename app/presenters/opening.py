@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,9 @@ from tracking.session import KnownRecordings, PendingSave, Session
 from tracking.session.saving import companions
 from tracking.tracks import Run
 
+Report = Callable[[int, int], None]
+"""Told how many steps of how many are done; raises where the user has cancelled."""
+
 
 @dataclass(frozen=True, slots=True)
 class Opened:
@@ -24,6 +28,12 @@ class Opened:
 
     path: Path
     document: Document
+
+    def close(self) -> None:
+        """Let its files go."""
+        if self.document.session is not None:
+            self.document.session.close()
+        self.document.recording.close()
 
 
 def unsaved_folder() -> Path:
@@ -35,6 +45,23 @@ def window_lock() -> Path:
     """A file that is locked while a window of this user is open."""
     own_folder().mkdir(parents=True, exist_ok=True)
     return own_folder() / "window.lock"
+
+
+def open_cancellable(
+    path: Path, recording: Path | None, options: OpenOptions | None, report: Report
+) -> Opened:
+    """The same as `open_path`; where it was cancelled meanwhile nothing stays open.
+
+    Raises:
+        CancelledError: by `report`.
+    """
+    opened = open_path(path, recording, options)
+    try:
+        report(1, 1)
+    except BaseException:
+        opened.close()
+        raise
+    return opened
 
 
 def open_path(
@@ -105,16 +132,22 @@ def is_unsaved_place(path: Path | None) -> bool:
     return path is None or path.parent == unsaved_folder()
 
 
-def score_against_truth(session: Session, recording: Recording) -> dict[str, Any]:
+def score_against_truth(session: Session, recording: Recording, report: Report) -> dict[str, Any]:
     """The figures of the corrected tracks against the recording's truth.
 
     Raises:
         FormatError: the truth cannot be read.
+        CancelledError: by `report`.
     """
     assert recording.truth_path is not None
+    report(0, 3)
     truth = ScoringTable.from_columns(read_mot(recording.truth_path), dont_cares=True)
+    report(1, 3)
     result = ScoringTable.from_columns(session.tracks.columns())
-    return score(truth, result, frames=recording.frame_count).as_json()
+    report(2, 3)
+    figures = score(truth, result, frames=recording.frame_count).as_json()
+    report(3, 3)
+    return figures
 
 
 def _known() -> KnownRecordings:

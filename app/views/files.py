@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, QUrl, Signal
 from app.presenters import opening
 from app.presenters.demonstration import Demonstration
 from app.presenters.exporting import exported_tracks
-from app.presenters.opening import Opened
+from app.presenters.opening import Opened, Report
 from app.presenters.scenes import RecentItem, WelcomeScene
 from app.presenters.words import tr
 from app.views.desk import Desk
@@ -108,7 +108,8 @@ class Files(QObject):
             if play and self.desk is not None:
                 self.desk.toggle()
 
-        self._work.run(title, lambda _: opening.open_path(path, recording, options), show)
+        work = partial(opening.open_cancellable, path, recording, options)
+        self._work.run(title, work, show)
 
     def open_demo(self) -> None:
         """Make the built-in recording where it is not there yet, and play it."""
@@ -209,7 +210,7 @@ class Files(QObject):
             return
         recording = desk.document.recording
         work = lambda _: opening.keep_run(recording, run)  # noqa: E731 - said once, right here
-        self._work.run(tr("Keeping the result"), work, desk.take_session)
+        self._work.run(tr("Keeping the result"), work, desk.take_session, cancellable=False)
 
     # saving
 
@@ -265,9 +266,8 @@ class Files(QObject):
             self.failed.emit(error)
             return
         title = tr("Saving {name}", name=path.name)
-        self._work.run(
-            title, lambda _: pending.write(), saved, lambda: session.abandon_save(pending)
-        )
+        abandon = partial(session.abandon_save, pending)
+        self._work.run(title, lambda _: pending.write(), saved, abandon, cancellable=False)
 
     def export_mot(self) -> None:
         """Ask for a place and write the tracks as MOT text."""
@@ -281,12 +281,16 @@ class Files(QObject):
     def export_mot_to(self, path: Path) -> None:
         """Write the tracks as MOT text."""
         session = self.session
-        if session is not None:
-            self._work.run(
-                tr("Exporting {name}", name=path.name),
-                lambda _: write_mot(path, exported_tracks(session)),
-                lambda _: self.said.emit(tr("Exported: {path}", path=path)),
-            )
+        if session is None:
+            return
+
+        def work(report: Report) -> None:
+            rows = exported_tracks(session)
+            report(1, 2)  # the last moment to cancel: what is written is whole
+            write_mot(path, rows)
+
+        title, told = tr("Exporting {name}", name=path.name), tr("Exported: {path}", path=path)
+        self._work.run(title, work, lambda _: self.said.emit(told))
 
     def score(self) -> None:
         """Compare with the truth beside the recording and show the figures."""
@@ -296,7 +300,7 @@ class Files(QObject):
         recording = desk.document.recording
         self._work.run(
             tr("Scoring"),
-            lambda _: opening.score_against_truth(session, recording),
+            partial(opening.score_against_truth, session, recording),
             lambda figures: ScoreDialog(figures, recording.name, self._window).open(),
         )
 

@@ -37,10 +37,17 @@ class ProgressStrip(QFrame):
             row.addWidget(widget, share)
         self.hide()
 
-    def show_scene(self, text: str, share: float | None, seconds_left: float | None = None) -> None:
+    def show_scene(
+        self,
+        text: str,
+        share: float | None,
+        seconds_left: float | None = None,
+        cancellable: bool = True,
+    ) -> None:
         """Show work; `share` done is 0..1, None where the end is not known."""
         if self.isHidden():
             self._cancel.setEnabled(True)
+        self._cancel.setVisible(cancellable)
         self._text.setText(text)
         self._bar.setRange(0, 0 if share is None else _STEPS)
         if share is not None:

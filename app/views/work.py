@@ -41,11 +41,12 @@ class Work(QObject):
         work: Callable[[Progress], Any],
         done: Callable[[Any], None],
         undone: Callable[[], None] | None = None,
+        cancellable: bool = True,
     ) -> None:
         """Do `work(progress)` in the background, then `done(its result)` here.
 
-        Where it fails or is cancelled, `undone()` is called instead. While another job runs
-        nothing is begun; commands are disabled then.
+        Where it fails or is cancelled, `undone()` is called instead; Cancel is offered where the
+        work is `cancellable`. While another job runs nothing is begun; commands are disabled then.
         """
         if self._job is not None:
             self.said.emit(tr("Wait until the work in progress is done"))
@@ -57,7 +58,7 @@ class Work(QObject):
         stopped = tr("Stopped: {title}", title=title)
         job.cancelled.connect(lambda: self._end(undone, lambda: self.said.emit(stopped)))
         self._job = job
-        self._strip.show_scene(title, None)
+        self._strip.show_scene(title, None, cancellable=cancellable)
         job.start()
         self.changed.emit()
 

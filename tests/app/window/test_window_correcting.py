@@ -1,8 +1,13 @@
+import threading
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from app.presenters.exporting import exported_tracks
+from app.views import files
+from app.views.score_dialog import ScoreDialog
 from tracking.session import Session
 
 Key = Qt.Key
@@ -302,3 +307,35 @@ def test_an_edit_that_waits_leaves_the_pictures_as_large_as_they_were(window, de
     qtbot.wait(1)
     assert window.workspace.preview.isVisible()
     assert (window.workspace.left.size(), window.workspace.overhead.size()) == before
+
+
+def test_saving_cannot_be_cancelled_half_way(window, desk, qtbot, tmp_path):
+    desk.editing.rename(desk.document.tracks.ids[0], "red coat")
+    window.files.save_to(tmp_path / "saved.h5")
+    assert window.progress._text.text() == "Saving saved.h5"
+    assert window.progress._cancel.isHidden()
+    qtbot.waitUntil(lambda: not window.work.busy)
+    assert (tmp_path / "saved.h5").is_file()
+
+
+def test_an_export_that_was_cancelled_writes_nothing(window, desk, qtbot, tmp_path, monkeypatch):
+    cancelled, rows = threading.Event(), exported_tracks(window.files.session)
+    monkeypatch.setattr(files, "exported_tracks", lambda _: cancelled.wait(5) and rows)
+    window.files.export_mot_to(tmp_path / "tracks.txt")
+    window.work.cancel()
+    cancelled.set()
+    qtbot.waitUntil(lambda: not window.work.busy)
+    assert not (tmp_path / "tracks.txt").exists()
+    window.files.export_mot_to(tmp_path / "tracks.txt")
+    qtbot.waitUntil(lambda: not window.work.busy)
+    assert (tmp_path / "tracks.txt").is_file()
+
+
+def test_scoring_shows_its_figures_unless_it_is_cancelled(window, desk, qtbot):
+    window.files.score()
+    window.work.cancel()
+    qtbot.waitUntil(lambda: not window.work.busy)
+    assert window.findChild(ScoreDialog) is None
+    window.files.score()
+    qtbot.waitUntil(lambda: window.findChild(ScoreDialog) is not None)
+    window.findChild(ScoreDialog).close()

@@ -1,10 +1,12 @@
 import shutil
 from pathlib import Path
 
+import pytest
 from PySide6.QtWidgets import QFileDialog
 
 from app.presenters import demonstration, opening
 from app.presenters.demonstration import Demonstration
+from tracking.errors import CancelledError
 
 
 def _is_open(window) -> bool:
@@ -114,3 +116,29 @@ def test_the_demo_is_made_played_and_tracked_and_saved_beside(
     dialog = window.findChild(QFileDialog)
     assert dialog.selectedFiles() == [str(demo.session)]
     dialog.reject()
+
+
+def test_a_demo_that_is_cancelled_leaves_nothing_behind(window, qtbot):
+    demo = Demonstration.of_user()
+    said = []
+    window.work.said.connect(said.append)
+    window.run_command("file.demo")
+    qtbot.waitUntil(lambda: window.progress._bar.maximum() > 0, timeout=20_000)
+    assert not window.progress._cancel.isHidden()
+    window.progress._cancel.click()
+    qtbot.waitUntil(lambda: not window.work.busy, timeout=20_000)
+    assert said == ["Stopped: Making the demo recording"]
+    assert not demo.folder.exists() or list(demo.folder.iterdir()) == []
+    assert window.desk is None
+    assert window.menus.actions["file.open"].isEnabled()
+
+
+def test_opening_that_was_cancelled_leaves_nothing_open(tiny_session, own_folder):
+    def cancel(*_):
+        raise CancelledError("stopped by the user")
+
+    with pytest.raises(CancelledError):
+        opening.open_cancellable(tiny_session, None, None, cancel)
+    opened = opening.open_path(tiny_session)
+    assert not opened.document.session.read_only  # nobody holds the lock
+    opened.close()
