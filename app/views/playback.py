@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
-from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.background import FrameReader
 from app.presenters.clock import PlaybackClock
@@ -38,7 +39,7 @@ class Playback(QObject):
         self._reader = FrameReader(recording, CACHE_BYTES, self)
         self._reader.ready.connect(self._take, Qt.ConnectionType.QueuedConnection)
         self._reader.failed.connect(self._tell_failure, Qt.ConnectionType.QueuedConnection)
-        self._since_tick = QElapsedTimer()
+        self._ticked_s = 0.0
         self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._tick)
         self._looking = QTimer(self, interval=_LOOK_MS)
@@ -96,7 +97,7 @@ class Playback(QObject):
 
     def _changed(self) -> None:
         if self.clock.playing and not self._timer.isActive():
-            self._since_tick.start()
+            self._ticked_s = time.perf_counter()
             self._timer.start()
         elif not self.clock.playing:
             self._timer.stop()
@@ -104,7 +105,8 @@ class Playback(QObject):
         self.moved.emit()
 
     def _tick(self) -> None:
-        elapsed_s = self._since_tick.restart() / 1000.0
+        before_s, self._ticked_s = self._ticked_s, time.perf_counter()
+        elapsed_s = self._ticked_s - before_s  # whole milliseconds would play a twentieth too slow
         if self.clock.advance(elapsed_s, self.wait_at()):
             self._fetch()
             self.moved.emit()
