@@ -89,3 +89,12 @@ def test_an_empty_table_shows_nobody():
     shown = SessionTracks(TrackTable(), None)
     assert shown.frames == (0, 0)
     assert shown.spans() == {}
+
+
+def test_stretches_asked_for_while_a_tracker_works_grow_with_it():
+    live, steps = LiveTracks(), two_people.steps()
+    live.extend(steps[:50])
+    before = live.spans()
+    live.extend(steps[50:])
+    assert before[4].tolist() == [[0, 50, 0]]
+    assert live.spans()[4].tolist() == [[0, 100, 0]]

@@ -8,6 +8,7 @@ from drawn_scenes import RED, lane, timeline
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QPixmap
 
 from app.views.timeline import TimelineView
 from app.views.timeline.axis import TimeAxis, ticks
@@ -227,3 +228,20 @@ def test_the_overview_keeps_the_busiest_frame_of_each_column():
     assert busiest(activity, 2).tolist() == [9, 3]
     assert busiest(activity, 12).max() == 9
     assert busiest(np.zeros(0, np.uint16), 4).tolist() == [0, 0, 0, 0]
+
+
+def test_the_overview_shows_every_stretch_that_is_at_hand(view):
+    view.show_scene(replace(timeline(lane(4)), loaded=((0, 200), (600, 700))))
+    strip = view.overview.grab().toImage()
+    axis = view.overview._axis()
+    inks = [strip.pixelColor(round(axis.x_of(frame)), 4) for frame in (100, 400, 650, 900)]
+    assert inks[0] == inks[2] != inks[1] == inks[3]
+
+
+def test_only_the_playhead_is_painted_while_nothing_else_changes(view):
+    painted = []
+    view.area._draw_still = lambda *_: painted.append("all") or QPixmap()
+    scene = view.area._scene
+    view.show_scene(replace(scene, frame=scene.frame + 1))
+    view.area.grab()
+    assert painted == []

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.presenters.scenes import TransportScene
@@ -24,6 +24,19 @@ def bar(qtbot, dark):
     return widget
 
 
+class LayoutRequests(QObject):
+    """Counts how often a widget is laid out anew."""
+
+    def __init__(self, widget) -> None:
+        super().__init__(widget)
+        self.seen = 0
+        widget.installEventFilter(self)
+
+    def eventFilter(self, _watched, event) -> bool:  # noqa: N802 - Qt's name
+        self.seen += event.type() == QEvent.Type.LayoutRequest
+        return False
+
+
 def button(widget, name: str) -> QToolButton:
     return next(one for one in widget.findChildren(QToolButton) if one.accessibleName() == name)
 
@@ -36,6 +49,23 @@ def test_it_tells_frame_count_and_time(bar):
     assert bar._frame.text() == "834"
     assert "/ 3000" in words(bar)
     assert "00:41.70" in words(bar)
+
+
+def test_numbers_that_run_lay_nothing_out_anew(bar, qtbot):
+    bar.show()
+    qtbot.waitExposed(bar)
+    counted = LayoutRequests(bar)
+    for frame in range(835, 845):
+        bar.show_scene(scene(frame, playing=False))
+        qtbot.wait(1)
+    assert counted.seen == 0
+    assert "00:42.20" in words(bar)
+
+
+def test_the_time_has_room_for_hours(bar):
+    bar.show_scene(TransportScene(False, 1.0, 90_000, 100_000, 4500.0, "", ""))
+    label = next(one for one in bar.findChildren(QLabel) if one.text() == "1:15:00.00")
+    assert label.width() >= label.sizeHint().width()
 
 
 def test_play_becomes_pause_while_playing(bar, qtbot):
