@@ -1,0 +1,34 @@
+import time
+
+import pytest
+
+from app.views.playback import Playback
+from tracking.recording import open_recording
+
+
+@pytest.fixture
+def playback(qtbot, tiny_recording, no_threads_left):
+    with open_recording(tiny_recording) as recording:
+        playback = Playback(recording, None)
+        yield playback
+        playback.close()
+
+
+def test_it_tells_which_frames_are_at_hand(playback, qtbot):
+    playback.go(10)
+    qtbot.waitUntil(lambda: any(start <= 30 < stop for start, stop in playback.loaded))
+    assert all(start < stop for start, stop in playback.loaded)
+
+
+def test_it_plays_as_fast_as_it_is_asked_to(playback, qtbot):
+    moments = []
+    playback.go(0)
+    playback.set_speed(4.0)
+    begun_s = time.perf_counter()
+    playback.toggle()
+    playback.moved.connect(
+        lambda: moments.append((time.perf_counter() - begun_s, playback.clock.frame))
+    )
+    qtbot.waitUntil(lambda: playback.clock.frame >= 40)
+    passed_s, frame = next(moment for moment in moments if moment[1] >= 40)
+    assert frame == pytest.approx(passed_s * 4 * playback.clock.fps, abs=1.1)
