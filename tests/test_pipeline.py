@@ -68,8 +68,30 @@ def test_particles_of_every_frame_belong_to_the_people_of_that_frame(whole: Run)
     for frame in range(*whole.frames):
         people = whole.tracks["track"][whole.tracks["frame"] == frame]
         particles = whole.particles.of_frame(frame)
-        assert np.unique(particles["track"]).tolist() == people.tolist()
-        assert len(particles["x"]) == 100 * len(people)
+        followed = np.unique(particles["track"])
+        assert set(people.tolist()) <= set(followed.tolist())
+        assert len(particles["x"]) == 100 * len(followed)
+
+
+def test_without_smoothing_a_run_is_what_the_steps_said(recording: Recording):
+    raw = parse_settings(TRACKERS["stereo-direction"], {"particles": "100", "smooth": "false"})
+    with track(recording, settings=raw, frames=(40, 80)) as tracking:
+        steps = list(tracking)
+        run = tracking.run()
+    assert run.settings["smooth"] is False
+    for name, column in run.tracks.items():
+        assert column.tobytes() == b"".join(step.tracks[name].tobytes() for step in steps)
+
+
+def test_smoothing_changes_the_run_but_not_its_steps(recording: Recording):
+    with track(recording, settings=FAST, frames=(40, 80)) as tracking:
+        steps = list(tracking)
+        before = [step.tracks["x"].tobytes() for step in steps]
+        run = tracking.run()
+        assert arrays(tracking.run()) == arrays(run)
+    assert run.settings["smooth"] is True
+    assert run.tracks["x"].tobytes() != b"".join(before)
+    assert [step.tracks["x"].tobytes() for step in steps] == before
 
 
 def test_closing_keeps_what_was_tracked_so_far(recording: Recording):

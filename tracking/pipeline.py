@@ -21,6 +21,7 @@ from tracking.trackers import (
     best_tracker,
     require,
     settings_values,
+    smoothed,
     tracker_named,
 )
 from tracking.tracks.columns import (
@@ -130,7 +131,7 @@ class Tracking:
             settings_values(self._settings),
             self._seed,
             self.frames[0],
-            self._recording.frame_count,
+            self._recording,
         )
 
     def _work(self) -> Generator[StepResult]:
@@ -164,23 +165,27 @@ def run_of_steps(
     settings: Mapping[str, Any],
     seed: int,
     start: int,
-    frame_count: int,
+    recording: Recording,
 ) -> Run:
     """The steps of a tracker, in order from frame `start` on, as one immutable run.
 
-    `settings` are plain values by their dotted names, `frame_count` is the recording's.
+    `settings` are plain values by their dotted names. With `smooth` among them, the tracks take
+    into account what came later (see `trackers.smoothed`); the steps stay as they were.
     """
-    return Run(
+    run = Run(
         tracker=tracker,
         settings=settings,
         seed=seed,
         frames=(start, start + len(steps)),
         tracks=_joined([step.tracks for step in steps], TRACK_COLUMNS),
         detections=_joined([step.detections for step in steps], DETECTION_COLUMNS),
-        particles=_joined_particles(steps, frame_count),
+        particles=_joined_particles(steps, recording.frame_count),
         associations=_joined([step.associations for step in steps], ASSOCIATION_COLUMNS),
         software=f"trackwright {tracking.__version__}",
     )
+    if not settings.get("smooth") or recording.view is None:
+        return run
+    return smoothed(run, recording.view, recording.fps)
 
 
 def _learn(perception: Perception, recording: Recording) -> None:

@@ -44,7 +44,7 @@ class LiveTracker(QObject):
         """The arguments of `pipeline.track`; nothing is begun before `start`."""
         super().__init__(parent)
         self.tracker = tracker
-        self._frame_count = recording.frame_count
+        self._recording = recording
         self._request = TrackingRequest.of(recording, tracker, settings, seed, frames)
         self._process = TrackerProcess(self._request)
         self._thread = threading.Thread(target=self._run, name="live tracker", daemon=True)
@@ -84,7 +84,7 @@ class LiveTracker(QObject):
             return None
         first = steps[0].frame
         return run_of_steps(
-            steps, asked.tracker, asked.settings, asked.seed, first, self._frame_count
+            steps, asked.tracker, asked.settings, asked.seed, first, self._recording
         )
 
     def _report(self, run: Run | None, problem: Exception | None) -> None:

@@ -1,4 +1,4 @@
-"""The particle filter, batched over people.
+"""The particle filter, batched over people, and smoothers for what it found.
 
 The particles of all people stand in one array (people, N, 2) of metres on the floor, with their
 weights (people, N) beside it. Nothing here loops over particles or people.
@@ -17,9 +17,19 @@ from tracking.filtering.particles import (
     weigh,
     weighted_mean,
 )
+from tracking.filtering.smoothing import (
+    Chains,
+    robust_levels,
+    robust_paths,
+    slopes,
+    smooth_levels,
+    smooth_paths,
+    trust,
+)
 
 __all__ = [
     "Association",
+    "Chains",
     "associate",
     "bhattacharyya_distance",
     "direction_cost",
@@ -30,7 +40,13 @@ __all__ = [
     "move",
     "out_of_hiding",
     "resample",
+    "robust_levels",
+    "robust_paths",
     "scatter",
+    "slopes",
+    "smooth_levels",
+    "smooth_paths",
+    "trust",
     "turning_angle",
     "weigh",
     "weighted_mean",

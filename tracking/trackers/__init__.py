@@ -11,6 +11,7 @@ from tracking.trackers.catalogue import (
 )
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
 from tracking.trackers.settings import SettingField, settings_fields, settings_from, settings_values
+from tracking.trackers.smoothing import smoothed
 
 __all__ = [
     "ASSOCIATION_COLUMNS",
@@ -28,5 +29,6 @@ __all__ = [
     "settings_fields",
     "settings_from",
     "settings_values",
+    "smoothed",
     "tracker_named",
 ]

@@ -76,6 +76,9 @@ class StereoTrackerSettings:
     lost_at_edge_s: float = setting(
         0.5, "s", (0.05, 60.0), "the same for a person last seen at the image's edge"
     )
+    smooth: bool = setting(
+        True, "", None, "once tracked, smooth paths and boxes from both ends and fill their gaps"
+    )
     foreground: ForegroundSettings = field(default_factory=ForegroundSettings)
     stereo: StereoSettings = field(default_factory=StereoSettings)
     people: PeopleSettings = field(default_factory=PeopleSettings)

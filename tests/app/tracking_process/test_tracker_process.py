@@ -57,10 +57,10 @@ def _assert_same_runs(one, other):
     )
 
 
-def _by_child(request, frame_count):
+def _by_child(request, recording):
     steps = [step for batch in TrackerProcess(request).batches() for step in batch]
     return run_of_steps(
-        steps, request.tracker, request.settings, request.seed, steps[0].frame, frame_count
+        steps, request.tracker, request.settings, request.seed, steps[0].frame, recording
     )
 
 
@@ -68,7 +68,7 @@ def test_a_child_gives_the_very_run_that_tracking_in_this_process_gives(tiny_rec
     with open_recording(tiny_recording) as recording:
         _, here = _in_this_process(recording)
         assert len(here.tracks["frame"]) > 0
-        _assert_same_runs(_by_child(request_, recording.frame_count), here)
+        _assert_same_runs(_by_child(request_, recording), here)
 
 
 def test_bare_eyes_with_options_are_tracked_alike(tiny_recording, tmp_path):
@@ -87,7 +87,7 @@ def test_bare_eyes_with_options_are_tracked_alike(tiny_recording, tmp_path):
         _, here = _in_this_process(recording)
         request = TrackingRequest.of(recording, TRACKER, None, 7, FRAMES)
         assert len(here.tracks["frame"]) > 0
-        _assert_same_runs(_by_child(request, recording.frame_count), here)
+        _assert_same_runs(_by_child(request, recording), here)
 
 
 def test_a_request_is_the_same_after_its_way_through_a_line(request_):

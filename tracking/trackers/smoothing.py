@@ -1,0 +1,198 @@
+"""A finished run looked over once more, from both ends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import Chains, robust_levels, robust_paths, slopes, trust
+from tracking.geometry import View
+from tracking.trackers.stereo_boxes import middles
+from tracking.tracks.columns import Columns
+from tracking.tracks.run import Run
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Rows = NDArray[np.intp]
+
+_SIDES = ("left", "top", "width", "height")
+_PATH_MEMORY_S = 0.16
+_OUTLINE_MEMORY_S = 0.45
+"""About a step: longer, and a turning body is followed late; shorter, and two seen as one are."""
+_NEAR_M, _FAR_M = 0.06, 0.001
+"""How much a measured place errs: close by, and times the square of the range."""
+_PATH_OUTLIER = 2.0
+"""In errors of a measured place."""
+_OUTLINE_OUTLIER_M = (0.14, 0.07, 0.14, 0.07)
+"""Arms and legs swing sideways; head and feet do not."""
+_OWN_BOX = 0.85
+"""Weight of the box seen, where it suits the outline."""
+_LEAST_SHOWN = 0.05
+_INSIDE = 0.75
+"""Share of a box inside the picture from which on its person cannot have left unseen."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Paths:
+    """The rows of a run's tracks that stand on the floor, one track behind the other.
+
+    Attributes:
+        rows: (n,) of the run's tracks. chains: their frames and tracks.
+        columns: of these rows. measured: (n,) a detection was matched.
+        enclosed: (n,) between a track's first and last measured row, these included.
+        late: (n,) after the last one.
+    """
+
+    rows: Rows
+    chains: Chains
+    columns: Columns
+    measured: Flags
+    enclosed: Flags
+    late: Flags
+
+    @property
+    def position(self) -> Floats:
+        """(n, 2) m on the floor."""
+        return np.stack((self.columns["x"], self.columns["y"]), axis=1)
+
+    @property
+    def box(self) -> Floats:
+        """(n, 4) px."""
+        return np.stack([self.columns[name] for name in _SIDES], axis=1)
+
+    @property
+    def weight(self) -> Floats:
+        """(n,) how much each row tells: what was measured, by how much of the person showed."""
+        shown = np.maximum(self.columns["visibility"].astype(np.float64), _LEAST_SHOWN)
+        return np.where(self.measured, shown, 0.0)
+
+
+def smoothed(run: Run, view: View, fps: float) -> Run:
+    """The run with what was seen later taken into account; particles and matches stay.
+
+    The sources estimate each frame from what came before. Footage that is recorded knows what
+    came after, too. Where we differ from them:
+        - paths on the floor are smoothed in both directions, from the places measured; where
+          somebody was only predicted, the path leads from where they were lost to where they
+          were found;
+        - boxes follow each person's outline over time: one that suddenly differs, as that of two
+          people seen as one does, is drawn to it, and a predicted person has it where the path
+          leads;
+        - rows after the last match are left out where the person could not have left the picture.
+
+    Ids, frames and what counts as predicted stay as they are, and so do rows after the last match
+    and people without a place on the floor.
+
+    Args:
+        view: the camera the boxes were seen by. fps: frames a second.
+    """
+    paths = _paths(run.tracks)
+    if not paths.measured.any():
+        return run
+    position, velocity = _walked(paths, run.detections, fps)
+    box = _drawn(paths, position, view, fps)
+    new = np.concatenate((position, velocity, box), axis=1)
+    tracks = {name: column.copy() for name, column in run.tracks.items()}
+    changed = paths.enclosed
+    for name, column in zip(("x", "y", "vx", "vy", *_SIDES), new.T, strict=True):
+        tracks[name][paths.rows[changed]] = column[changed]
+    kept = np.ones(len(tracks["frame"]), bool)
+    kept[paths.rows[_vanished(paths, run.frames[1], view)]] = False
+    return replace(run, tracks={name: column[kept] for name, column in tracks.items()})
+
+
+def _paths(tracks: Columns) -> _Paths:
+    """The rows with a place and a box, ordered by track and frame."""
+    order = np.lexsort((tracks["frame"], tracks["track"]))
+    known = [np.isfinite(tracks[name]) for name in ("x", "y", *_SIDES)]
+    rows = order[np.logical_and.reduce(known)[order]]
+    columns = {name: column[rows] for name, column in tracks.items()}
+    measured = ~columns["predicted"]
+    first, last = _ends_of_measured(columns["track"], measured)
+    place = np.arange(len(rows))
+    enclosed = (place >= first) & (place <= last)
+    late = (place > last) & (last >= 0)
+    chains = Chains(columns["frame"], columns["track"])
+    return _Paths(rows, chains, columns, measured, enclosed, late)
+
+
+def _ends_of_measured(track: NDArray[np.int32], measured: Flags) -> tuple[Rows, Rows]:
+    """(n,) for each row its track's first and last measured row; n and -1 where there is none."""
+    names, number = np.unique(track, return_inverse=True)
+    first = np.full(len(names), len(track))
+    last = np.full(len(names), -1)
+    seen = np.flatnonzero(measured)
+    np.minimum.at(first, number[seen], seen)
+    np.maximum.at(last, number[seen], seen)
+    return first[number], last[number]
+
+
+def _walked(paths: _Paths, detections: Columns, fps: float) -> tuple[Floats, Floats]:
+    """Where people were, (n, 2) m, and their velocity, (n, 2) m/s."""
+    measured = _measured_places(paths, detections)
+    error_m = _NEAR_M + _FAR_M * (measured**2).sum(axis=1)
+    weight = paths.weight * (_NEAR_M / error_m) ** 2
+    memory = _PATH_MEMORY_S * fps
+    path = robust_paths(measured, weight, paths.chains, memory, _PATH_OUTLIER * error_m)
+    velocity = slopes(path, paths.chains) * fps
+    before = np.stack((paths.columns["vx"], paths.columns["vy"]), axis=1)
+    return path, np.where(np.isfinite(velocity), velocity, before)
+
+
+def _measured_places(paths: _Paths, detections: Columns) -> Floats:
+    """(n, 2) m: the place of the detection matched, else the row's own.
+
+    The detections' places are taken because the filter's are smoothed forwards already.
+    """
+    places = paths.position
+    frames = 1 + int(max(paths.chains.frame.max(), detections["frame"].max(initial=0)))
+    found = np.isfinite(detections["x"]) & np.isfinite(detections["y"]) & (detections["track"] > 0)
+    matched = np.flatnonzero(found)
+    own = paths.columns["track"].astype(np.int64) * frames + paths.columns["frame"]
+    theirs = detections["track"][matched].astype(np.int64) * frames + detections["frame"][matched]
+    row = np.minimum(np.searchsorted(own, theirs), len(own) - 1)
+    hit = (own[row] == theirs) & paths.measured[row]
+    row, matched = row[hit], matched[hit]
+    places[row] = np.stack((detections["x"][matched], detections["y"][matched]), axis=1)
+    return places
+
+
+def _drawn(paths: _Paths, position: Floats, view: View, fps: float) -> Floats:
+    """The boxes (n, 4) px of people at these positions; the old one where none can be drawn."""
+    middle, px_per_m = middles(position, view)
+    corner = paths.box[:, :2] - middle
+    own = np.concatenate((corner, corner + paths.box[:, 2:]), axis=1) / px_per_m
+    drawable = np.asarray(np.isfinite(own).all(axis=1))
+    own = np.where(drawable[:, None], own, 0.0)
+    outline = _outlines(own, paths.weight * drawable, paths.chains, _OUTLINE_MEMORY_S * fps)
+    low = middle + outline[:, :2] * px_per_m
+    size = middle + outline[:, 2:] * px_per_m - low
+    good = drawable & (size > 0).all(axis=1)
+    return np.where(good[:, None], np.concatenate((low, size), axis=1), paths.box)
+
+
+def _outlines(own: Floats, weight: Floats, chains: Chains, memory: float) -> Floats:
+    """Each person's outline over time, (n, 4) m; the own one counts where it suits the others."""
+    outline = np.empty_like(own)
+    for side, scale in enumerate(_OUTLINE_OUTLIER_M):
+        usual = robust_levels(own[:, side], weight, chains, memory, scale)
+        off = own[:, side] - usual
+        outline[:, side] = usual + _OWN_BOX * (weight > 0) * trust(off, scale) * off
+    return outline
+
+
+def _vanished(paths: _Paths, stop: int, view: View) -> Flags:
+    """(n,) rows after a track's last match, of people who were in the picture to the end.
+
+    A track that goes on to the last frame tracked has not ended: the footage has.
+    """
+    box = paths.box
+    low = np.clip(box[:, :2], 0.0, view.camera.size)
+    high = np.clip(box[:, :2] + box[:, 2:], 0.0, view.camera.size)
+    inside = np.prod(high - low, axis=1) > _INSIDE * np.prod(box[:, 2:], axis=1)
+    track = paths.chains.track
+    final = np.append(np.flatnonzero(np.diff(track)), len(track) - 1)
+    ended = inside[final] & (paths.chains.frame[final] < stop - 1)
+    return paths.late & np.isin(track, track[final[ended]])
