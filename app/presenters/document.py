@@ -120,14 +120,18 @@ class Document:
         )
 
     def timeline(
-        self, playhead: int, frame: int, loaded: tuple[tuple[int, int], ...] = ()
+        self,
+        playhead: int,
+        frame: int,
+        loaded: tuple[tuple[int, int], ...] = (),
+        no_lanes: str = "",
     ) -> TimelineScene:
         """The timeline with its playhead; lanes are those of `frame`'s instant.
 
-        `loaded` are the half-open ranges of frames at hand.
+        `loaded` are the half-open ranges of frames at hand; `no_lanes` is said without lanes.
         """
         cut = self.flow.cut if self.flow is not None and self.flow.has_cut else None
-        return self._timeline.scene(playhead, self.instant(frame), loaded, cut)
+        return self._timeline.scene(playhead, self.instant(frame), loaded, cut, no_lanes)
 
     def card(self) -> TrackCard | None:
         """The selected track in words."""

@@ -11,10 +11,11 @@ from typing import Any
 from platformdirs import user_data_path
 
 from app.presenters.document import Document
+from tracking.errors import OutputError
 from tracking.formats import read_mot
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.scoring import ScoringTable, score
-from tracking.session import KnownRecordings, PendingSave, Session
+from tracking.session import KnownRecordings, PendingSave, Session, generations
 from tracking.session.saving import companions
 from tracking.tracks import Run
 
@@ -125,6 +126,27 @@ def remove_session(path: Path) -> None:
     """Remove a session's file and what the program keeps beside it."""
     path.unlink(missing_ok=True)
     shutil.rmtree(companions(path), ignore_errors=True)
+
+
+def older_copy(path: Path) -> Path | None:
+    """The session as it was saved before, put beside it under a name of its own; None: none.
+
+    Raises:
+        OutputError: the copy cannot be written.
+    """
+    older = generations(path)
+    if not older:
+        return None
+    copy = path.with_name(f"{path.stem}-as-saved-before{path.suffix}")
+    for number in range(2, 10_000):
+        if not copy.exists():
+            break
+        copy = path.with_name(f"{path.stem}-as-saved-before-{number}{path.suffix}")
+    try:
+        shutil.copyfile(older[0], copy)
+    except OSError as error:
+        raise OutputError(f"{copy} cannot be written: {error.strerror}") from error
+    return copy
 
 
 def is_unsaved_place(path: Path | None) -> bool:

@@ -26,7 +26,10 @@ class OverheadPresenter:
     def __init__(self, recording: Recording) -> None:
         self._trail_frames = max(1, round(TRAIL_S * recording.fps))
         self._field_of_view: Floats = np.zeros((0, 2))
-        self._message = tr("No calibration: people cannot be placed on the floor")
+        self._message = tr(
+            "Where the floor is is not known: people have no place on it. Name the calibration, "
+            "and the camera's height and tilt, in recording.toml."
+        )
         self._looks_down = False
         self._bounds: Bounds = (-5.0, -1.0, 5.0, 9.0)
         if recording.view is not None:

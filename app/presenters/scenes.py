@@ -170,6 +170,7 @@ class TimelineScene:
         activity: (frame_count,) people per frame, uint16.
         tracked: half-open frame range. loaded: the half-open ranges of frames at hand.
         cut: a frame with an edit being previewed, or None.
+        message: said where there are no lanes.
     """
 
     frame_count: int
@@ -180,6 +181,7 @@ class TimelineScene:
     tracked: tuple[int, int] = (0, 0)
     loaded: tuple[tuple[int, int], ...] = ()
     cut: int | None = None
+    message: str = ""
 
 
 @dataclass(frozen=True, slots=True)

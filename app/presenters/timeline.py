@@ -71,6 +71,7 @@ class TimelinePresenter:
         instant: Instant,
         loaded: tuple[tuple[int, int], ...],
         cut: int | None,
+        message: str = "",
     ) -> TimelineScene:
         """The timeline with its playhead."""
         known = (self._version, instant.names)
@@ -91,6 +92,7 @@ class TimelinePresenter:
             tracked=instant.tracks.frames,
             loaded=loaded,
             cut=cut,
+            message=message,
         )
 
     def _make_lanes(self, instant: Instant) -> tuple[Lane, ...]:

@@ -10,15 +10,15 @@ from app.presenters.commands import Situation
 from app.presenters.document import Document
 from app.presenters.scenes import Eye, TransportScene
 from app.presenters.setting import Pictured
+from app.presenters.tracker_state import TrackerState, TrackerWords
 from app.presenters.words import tr
 from app.views.editing import Editing
 from app.views.live import LiveTracking
 from app.views.overlaying import Overlaying
 from app.views.playback import Playback
 from app.views.workspace import Workspace
-from tracking.errors import TrackwrightError
 from tracking.session import Session
-from tracking.trackers import StepResult, best_tracker
+from tracking.trackers import StepResult
 from tracking.tracks import Run
 
 
@@ -46,7 +46,7 @@ class Desk(QObject):
         self.pictured = Pictured()
         self.eyes = "left"
         self._workspace = workspace
-        self._best, self._why_no_tracking = _best_tracker(document)
+        self._words = TrackerWords(document.recording)
         self._connect_parts()
         self._connect_views()
 
@@ -117,28 +117,28 @@ class Desk(QObject):
             stereo=recording.is_stereo,
             truth=recording.truth_path is not None,
             calibrated=recording.view is not None,
-            can_track=bool(self._best),
-            why_no_tracking=self._why_no_tracking,
+            can_track=bool(self._words.best),
+            why_no_tracking=self._words.why_not,
             read_only=session is not None and session.read_only,
         )
 
     @property
     def best_tracker(self) -> str:
         """The tracker that play starts; "" where none can work on the recording."""
-        return self._best
+        return self._words.best
 
     # playing and tracking
 
     def toggle(self) -> None:
         """Play or pause; the first play puts the best tracker to work."""
-        if self._never_tracked and self._best and not self.playback.clock.playing:
-            self.track(self._best)
+        if self._never_tracked and self.best_tracker and not self.playback.clock.playing:
+            self.track(self.best_tracker)
         self.playback.toggle()
 
     def shuttle(self, direction: int) -> None:
         """J (-1), K (0), L (1); playing on puts the best tracker to work like the first play."""
-        if direction > 0 and self._never_tracked and self._best:
-            self.track(self._best)
+        if direction > 0 and self._never_tracked and self.best_tracker:
+            self.track(self.best_tracker)
         self.playback.shuttle(direction)
 
     @property
@@ -242,9 +242,10 @@ class Desk(QObject):
 
     def draw_playhead(self) -> None:
         """Draw the timeline and the transport line."""
-        clock = self.playback.clock
+        clock, document, tracker = self.playback.clock, self.document, self._tracker_state()
+        frame, loaded = self.playback.number, self.playback.loaded
         self._workspace.timeline.show_scene(
-            self.document.timeline(clock.frame, self.playback.number, self.playback.loaded)
+            document.timeline(clock.frame, frame, loaded, tracker.no_lanes)
         )
         self._workspace.transport.show_scene(
             TransportScene(
@@ -252,32 +253,14 @@ class Desk(QObject):
                 speed=abs(clock.rate) if clock.playing else clock.speed,
                 frame=clock.frame,
                 frame_count=clock.frame_count,
-                time_s=self.document.recording.time_s(clock.frame),
-                tracker=self._tracker_name(),
-                status=self._status(),
+                time_s=document.recording.time_s(clock.frame),
+                tracker=tracker.name,
+                status=tracker.status,
                 live=self.live.running and self.live.done > 0,
             )
         )
 
-    def _tracker_name(self) -> str:
+    def _tracker_state(self) -> TrackerState:
         if self.live.running:
-            return self.live.tracker
-        session = self.document.session
-        if session is not None and session.adopted_run is not None:
-            return session.runs[session.adopted_run].tracker
-        return self._best
-
-    def _status(self) -> str:
-        if self.live.running:
-            return self.live.status
-        if self.document.session is not None:
-            return tr("tracked")
-        return tr("play to track") if self._best else tr("no tracker")
-
-
-def _best_tracker(document: Document) -> tuple[str, str]:
-    """The best tracker's name, or why there is none."""
-    try:
-        return best_tracker(document.recording), ""
-    except TrackwrightError as error:
-        return "", str(error)
+            return self._words.working(self.live.tracker, self.live.status)
+        return self._words.resting(self.document.session)

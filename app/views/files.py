@@ -21,10 +21,10 @@ from app.views.remembered import Remembered
 from app.views.score_dialog import ScoreDialog
 from app.views.track_dialog import TrackDialog
 from app.views.work import Work
-from tracking.errors import TrackwrightError
+from tracking.errors import SessionError, TrackwrightError
 from tracking.formats import write_mot
 from tracking.recording import OpenOptions, Recording
-from tracking.session import RecordingMissing, Session
+from tracking.session import RecordingMissing, Session, generations
 from tracking.tracks import Run
 
 if TYPE_CHECKING:
@@ -119,11 +119,23 @@ class Files(QObject):
 
     def tell_failure(self, error: Exception) -> None:
         """Tell why something did not work; offer to find a recording that has moved."""
-        if isinstance(error, RecordingMissing) and self._opening is not None:
-            session = self._opening
+        session = self._opening
+        if isinstance(error, RecordingMissing) and session is not None:
             self._window.notice.say(str(error), tr("Find it..."), lambda: self._find(session))
+        elif isinstance(error, SessionError) and session is not None and generations(session):
+            take = tr("Open the copy saved before")
+            self._window.notice.say(str(error), take, lambda: self._open_older(session))
         else:
             self.failed.emit(error)
+
+    def _open_older(self, session: Path) -> None:
+        try:
+            copy = opening.older_copy(session)
+        except TrackwrightError as error:
+            self.failed.emit(error)
+            return
+        if copy is not None:
+            self.open_path(copy)
 
     def _find(self, session: Path) -> None:
         choose_file(

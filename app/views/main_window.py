@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import asdict
 
 from PySide6.QtCore import QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
     QMainWindow,
@@ -193,6 +193,14 @@ class MainWindow(QMainWindow):
             return
         self._commands[name]()
         self.refresh()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+        """A key whose command cannot be done now comes here: say why not."""
+        name = self.menus.command_of(QKeySequence(event.keyCombination()))
+        if name and not self.menus.actions[name].isEnabled():
+            self.run_command(name)
+        else:
+            super().keyPressEvent(event)
 
     def _cancel(self) -> None:
         if self.work.busy:

@@ -55,6 +55,11 @@ class Menus(QObject):
                 action.setChecked(item.checked)
         self._filling = False
 
+    def command_of(self, keys: QKeySequence) -> str:
+        """The command that has these keys; "" where none has."""
+        having = (name for name, action in self.actions.items() if keys in action.shortcuts())
+        return next(having, "")
+
     def draw_icons(self) -> None:
         """Draw the icons in the colours of the look in force."""
         for command in COMMANDS:

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPlainTextEdit,
     QPushButton,
-    QStackedLayout,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -90,10 +89,11 @@ class TrackPanel(Panel):
         self._build_figures(rows)
         self._build_attributes(rows)
         self._build_notes(rows)
-        self._stack = QStackedLayout()
-        self._stack.addWidget(self._empty)
-        self._stack.addWidget(self._body)
-        self.layout_body(self._stack)
+        both = QVBoxLayout()  # no stack: what is hidden would keep its room
+        both.addWidget(self._empty)
+        both.addWidget(self._body)
+        self._body.hide()
+        self.layout_body(both)
 
     def _build_name(self, rows: QVBoxLayout) -> None:
         row = QHBoxLayout()
@@ -189,7 +189,8 @@ class TrackPanel(Panel):
     def show_scene(self, card: TrackCard | None) -> None:
         """Show another track; what is being typed about the same one is left alone."""
         before, self._card = self._card, card
-        self._stack.setCurrentIndex(0 if card is None else 1)
+        self._empty.setVisible(card is None)
+        self._body.setVisible(card is not None)
         if card is None or card == before:
             return
         other = before is None or before.track != card.track

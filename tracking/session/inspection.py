@@ -34,6 +34,7 @@ _BEST_RATIO = 1100
 """DEFLATE packs at most 1032 bytes into one."""
 _FILTERS = frozenset({h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE})
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
+_CHOOSE = "choose a session that trackwright saved"
 
 
 class Refused(Exception):  # noqa: N818 - a verdict, caught in this file only
@@ -45,7 +46,7 @@ def inspect(path: Path) -> tuple[int, int]:
     with path.open("rb") as raw:
         start = raw.read(len(_SIGNATURE))
     if start != _SIGNATURE:
-        raise Refused("is not an HDF5 file" if start else "is empty")
+        raise Refused(f"is {'not an HDF5 file' if start else 'empty'}; {_CHOOSE}")
     with h5py.File(path, "r", locking=False) as file:
         version = _version(file)
         datasets = _Walk(path.stat().st_size).datasets_of(file)
@@ -56,7 +57,7 @@ def inspect(path: Path) -> tuple[int, int]:
 def _version(file: h5py.File) -> tuple[int, int]:
     _check_attributes(file)
     if file.attrs.get("format") != FORMAT:
-        raise Refused("is HDF5, but of another program: it is no trackwright session")
+        raise Refused(f"is HDF5, but of another program: it is no trackwright session; {_CHOOSE}")
     said = str(file.attrs.get("format_version"))
     try:
         major, minor = (int(part) for part in said.split("."))

@@ -27,6 +27,7 @@ from tracking.session.layout import (
 )
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
+from tracking.session.saving import generations
 from tracking.tracks import (
     CORRECTED_COLUMNS,
     LARGEST_NUMBER,
@@ -58,7 +59,7 @@ def check_file(path: Path) -> tuple[int, int]:
     if path.is_dir():
         raise SessionError(f"{path}: this is a folder; name a session file")
     if not path.is_file():
-        raise SessionError(f"{path}: there is no such session")
+        raise SessionError(f"{path}: there is no such session; check the path")
     try:
         done = subprocess.run(
             [sys.executable, "-P", inspection.__file__, str(path.resolve())],
@@ -72,12 +73,18 @@ def check_file(path: Path) -> tuple[int, int]:
         verdict = json.loads(done.stdout)
     except (subprocess.TimeoutExpired, ValueError):
         raise SessionError(
-            f"{path}: the session file is damaged: it cannot be read safely"
+            f"{path}: the session file is damaged: it cannot be read safely{_older_copy(path)}"
         ) from None
     if "refused" in verdict:
-        raise SessionError(f"{path} {verdict['refused']}")
+        raise SessionError(f"{path} {verdict['refused']}{_older_copy(path)}")
     major, minor = verdict["version"]
     return int(major), int(minor)
+
+
+def _older_copy(path: Path) -> str:
+    """Where the session stands as it was saved before, for the end of a message."""
+    older = generations(path)
+    return f"; as it was saved before it stands in {older[0]}" if older else ""
 
 
 def _search_path() -> str:

@@ -146,7 +146,9 @@ class TracksArea(QWidget):
         if (
             before is None
             or before.lanes is not scene.lanes
-            or (before.tracked, before.cut) != (scene.tracked, scene.cut)
+            or before.message != scene.message
+            or (before.tracked, before.cut, before.message)
+            != (scene.tracked, scene.cut, scene.message)
         ):
             self._redraw()
             return
@@ -207,8 +209,7 @@ class TracksArea(QWidget):
         area = self._lanes_rect()
         self.lanes_drawn = 0
         if not scene.lanes:
-            text = self.tr("No tracks yet. Every person who is tracked gets a lane here.")
-            draw_message(painter, area, text, theme)
+            draw_message(painter, area, scene.message, theme)
             return
         painter.setClipRect(area)
         offset, height = self.scroll_bar.value(), self.lane_height

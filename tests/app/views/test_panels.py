@@ -95,7 +95,7 @@ def test_the_ends_of_a_track_can_be_gone_to(track_panel, qtbot):
 
 def test_without_a_track_it_says_how_to_select_one(track_panel):
     track_panel.show_scene(None)
-    assert track_panel._stack.currentIndex() == 0
+    assert track_panel._body.isHidden()
     assert "Click a person" in words(track_panel)
 
 

@@ -2,10 +2,14 @@ import shutil
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog
 
 from app.presenters import demonstration, opening
 from app.presenters.demonstration import Demonstration
+from app.views.timeline.tracks_area import TracksArea
 from tracking.errors import CancelledError
 
 
@@ -142,3 +146,104 @@ def test_opening_that_was_cancelled_leaves_nothing_open(tiny_session, own_folder
     opened = opening.open_path(tiny_session)
     assert not opened.document.session.read_only  # nobody holds the lock
     opened.close()
+
+
+def _damaged(path: Path) -> Path:
+    whole = path.read_bytes()
+    path.write_bytes(whole[: len(whole) // 2])
+    return path
+
+
+def _text(path: Path) -> Path:
+    path.write_text("hello")
+    return path
+
+
+def _no_video(path: Path) -> Path:
+    path.mkdir()
+    (path / "readme.txt").write_text("hello")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("name", "make", "what", "advice"),
+    [
+        ("notes.txt", _text, "not a video", "check the file"),
+        ("cut.h5", _damaged, "damaged or cut short", ""),
+        ("text.h5", _text, "not an HDF5 file", "choose a session"),
+        ("folder", _no_video, "no recording in this folder", "it needs a recording.toml"),
+        ("gone.h5", lambda path: path, "no such session", "check the path"),
+    ],
+)
+def test_a_wrong_file_is_told_in_one_line_with_what_to_do_and_the_window_goes_on(
+    window, qtbot, tiny_session, tiny_recording, tmp_path, name, make, what, advice
+):
+    path = tmp_path / name
+    if name == "cut.h5":
+        path.write_bytes(tiny_session.read_bytes())
+    window.files.open_path(make(path))
+    qtbot.waitUntil(lambda: bool(window.notice.text))
+    assert name in window.notice.text
+    assert what in window.notice.text
+    assert advice in window.notice.text
+    assert "\n" not in window.notice.text
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: _is_open(window))
+
+
+def test_a_damaged_session_offers_the_copy_that_was_saved_before(window, qtbot, tiny_session):
+    session = opening.open_path(tiny_session)
+    session.document.session.save(tiny_session)
+    session.close()
+    _damaged(tiny_session)
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: bool(window.notice.text))
+    assert window.notice.action_text == "Open the copy saved before"
+    window.notice._action.click()
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert window.files.session.path == tiny_session.with_name("tiny-as-saved-before.h5")
+    assert len(window.desk.document.tracks.ids) >= 4
+
+
+def test_a_file_that_is_dropped_is_opened(window, qtbot, tiny_recording):
+    for part, page in ((window, window.welcome), (window, window.workspace)):
+        mime = QMimeData()
+        mime.setUrls([QUrl.fromLocalFile(str(tiny_recording))])
+        none, left = Qt.KeyboardModifier.NoModifier, Qt.MouseButton.LeftButton
+        entering = QDragEnterEvent(QPoint(5, 5), Qt.DropAction.CopyAction, mime, left, none)
+        QApplication.sendEvent(part, entering)
+        assert page.isVisible()
+        assert entering.isAccepted()
+        dropped = QDropEvent(QPointF(5, 5), Qt.DropAction.CopyAction, mime, left, none)
+        before = window.desk
+        QApplication.sendEvent(part, dropped)
+        qtbot.waitUntil(lambda: window.desk is not before and _is_open(window))  # noqa: B023
+
+
+def test_one_uncalibrated_camera_plays_and_says_why_it_cannot_be_tracked(
+    window, qtbot, tiny_recording
+):
+    window.files.open_path(tiny_recording / "left.mp4")
+    qtbot.waitUntil(lambda: _is_open(window))
+    desk = window.desk
+    said = window.workspace.timeline.findChild(TracksArea)._scene.message
+    assert "one camera" in said
+    assert "not known" in window.workspace.overhead._scene.message
+    assert not window.workspace.eye_switch.isVisible()
+    window.run_command("play.toggle")
+    qtbot.waitUntil(lambda: desk.playback.number > 3)
+    window.run_command("play.toggle")
+    desk.playback.go(40)
+    qtbot.waitUntil(lambda: desk.playback.number == 40)
+    assert not desk.live.running
+
+
+def test_the_key_of_a_command_that_cannot_be_done_says_why(window, qtbot, tiny_recording):
+    window.files.open_path(tiny_recording / "left.mp4")
+    qtbot.waitUntil(lambda: _is_open(window))
+    window.activateWindow()
+    qtbot.waitActive(window)
+    QTest.keyClick(window.workspace.left, Qt.Key.Key_T, Qt.KeyboardModifier.ControlModifier)
+    assert "has one camera" in window.statusBar().currentMessage()
+    QTest.keyClick(window.workspace.left, Qt.Key.Key_X)
+    assert "track the recording first" in window.statusBar().currentMessage()

@@ -1,0 +1,53 @@
+"""Which tracker there is to tell of, and how it gets on, in words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from app.presenters.words import tr
+from tracking.errors import TrackwrightError
+from tracking.recording import Recording
+from tracking.session import Session
+from tracking.trackers import best_tracker
+
+
+@dataclass(frozen=True, slots=True)
+class TrackerState:
+    """What the window says of tracking.
+
+    Attributes:
+        name: of the tracker, "" where none can work. status: in a few words.
+        no_lanes: said where there are no tracks.
+    """
+
+    name: str
+    status: str
+    no_lanes: str
+
+
+class TrackerWords:
+    """Words for one recording; `best` is its best tracker, or "" for the reason `why_not`."""
+
+    def __init__(self, recording: Recording) -> None:
+        try:
+            self.best, self.why_not = best_tracker(recording), ""
+        except TrackwrightError as error:
+            self.best, self.why_not = "", str(error)
+
+    def working(self, name: str, status: str) -> TrackerState:
+        """While a tracker is at work."""
+        return TrackerState(name, status, tr("Everybody who is tracked gets a lane here."))
+
+    def resting(self, session: Session | None) -> TrackerState:
+        """While none is."""
+        if session is not None:
+            adopted = session.adopted_run
+            name = session.runs[adopted].tracker if adopted is not None else self.best
+            return TrackerState(name, tr("tracked"), tr("Nobody was tracked."))
+        if not self.best:
+            said = tr("No tracks: {why}.", why=self.why_not)
+            return TrackerState("", tr("no tracker"), said)
+        said = tr(
+            "No tracks yet. Press Space: it plays, is tracked, and everybody gets a lane here."
+        )
+        return TrackerState(self.best, tr("play to track"), said)
