@@ -119,7 +119,7 @@ def _hint(flow: EditFlow, ready: bool, choices: int) -> str:
         keys.append(tr("Ctrl+Left / Right move the end"))
     if choices > 1:
         keys.append(tr("R changes whom to keep") if not flow.has_cut else tr("R changes how far"))
-    return ", ".join([*keys, tr("Enter does it"), tr("Esc leaves")])
+    return ", ".join(keys)
 
 
 def _details(flow: EditFlow, change: Change, table: TrackTable, fps: float) -> tuple[str, ...]:

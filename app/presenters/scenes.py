@@ -238,7 +238,7 @@ class EditPreview:
             range", "this frame". choice: the number of the one in force.
         other: id of the second person, 0 while they are to be picked, None where none is needed.
         ready: False while the other person is still to be picked; Enter does nothing then.
-        hint: the keys that work now, e.g. "arrows move the frame, Enter does it, Esc leaves".
+        hint: the keys that work now beside Enter and Esc, e.g. "Left / Right move the frame".
     """
 
     title: str

@@ -21,7 +21,7 @@ class ProgressStrip(QFrame):
         super().__init__(parent)
         self.setProperty("bar", True)
         row = QHBoxLayout(self)
-        row.setContentsMargins(12, 6, 12, 6)
+        row.setContentsMargins(12, 2, 12, 2)
         row.setSpacing(12)
         self._text = QLabel(self)
         self._bar = QProgressBar(self)

@@ -27,7 +27,7 @@ from app.views.timeline import TimelineView
 from app.views.track_panel import TrackPanel
 from app.views.transport import TransportBar
 
-_PANEL_LETTERS = 42
+_PANEL_LETTERS = 48
 
 
 class Workspace(QWidget):
@@ -62,7 +62,11 @@ class Workspace(QWidget):
         letter = self.fontMetrics().averageCharWidth()
         widest = max(side.minimumSizeHint().width() + 12, _PANEL_LETTERS * letter)
         panels.setMinimumWidth(widest)
-        self.preview.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Maximum)
+        panels.setMinimumHeight(1)
+        # As wide as the panels, and as high as its words need at that width.
+        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        policy.setHeightForWidth(True)
+        self.preview.setSizePolicy(policy)
         # An edit that waits takes room from the panels alone: the pictures stay as large as before.
         right = QWidget(self)
         beside = QVBoxLayout(right)

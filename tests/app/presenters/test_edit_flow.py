@@ -94,7 +94,7 @@ def test_a_preview_says_scope_frame_and_what_changes(table):
     assert f"frame {scene.frame}" in scene.title.lower()
     assert "came closest" in scene.details[0]
     assert "frames of 4" in scene.details[1]
-    assert "Enter does it" in scene.hint
+    assert scene.hint == "Left / Right move the frame, R changes how far"
 
 
 def test_a_preview_that_does_not_apply_says_why_and_is_not_ready(table):

@@ -1,0 +1,94 @@
+"""Every control says its name to screen readers; every command is in a menu, with its key."""
+
+import pytest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSpinBox,
+    QComboBox,
+    QDialog,
+    QLineEdit,
+    QPlainTextEdit,
+    QWidget,
+)
+
+from app.presenters.commands import COMMANDS
+from app.views.canvas import Canvas
+
+_CONTROLS = (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSpinBox,
+    QComboBox,
+    QLineEdit,
+    QPlainTextEdit,
+    Canvas,
+)
+
+
+def _nameless(widget: QWidget) -> list[str]:
+    """Controls without a name; Qt's own parts inside a control speak for themselves."""
+    found = []
+    for control in widget.findChildren(QWidget):
+        own = not control.objectName().startswith("qt_")
+        inside = isinstance(control.parentWidget(), QAbstractSpinBox | QComboBox | QLineEdit)
+        popup = control.window() is not widget.window()
+        if (
+            isinstance(control, _CONTROLS)
+            and own
+            and not inside
+            and not popup
+            and control.isVisible()
+        ):
+            text = control.text() if isinstance(control, QAbstractButton) else ""
+            if not (control.accessibleName() or text):
+                found.append(f"{type(control).__name__} in {type(control.parentWidget()).__name__}")
+    return found
+
+
+@pytest.fixture
+def opened(window, qtbot, tiny_session):
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    window.desk.editing.pick(window.desk.document.tracks.ids[0])
+    return window
+
+
+def test_every_control_of_the_window_has_a_name(opened):
+    opened.run_command("tracks.swap")
+    assert _nameless(opened) == []
+
+
+@pytest.mark.parametrize("command", ["tracks.track", "help.keys", "edit.commands"])
+def test_every_control_of_a_dialog_has_a_name(opened, command):
+    opened.run_command(command)
+    dialogs = opened.findChildren(QDialog) or [opened.palette_of_commands]
+    assert [name for dialog in dialogs for name in _nameless(dialog)] == []
+    for dialog in dialogs:
+        dialog.close()
+
+
+def test_every_command_stands_in_its_menu_with_its_key(window):
+    menus = {menu.title().replace("&", ""): menu for menu in _menus(window)}
+    for command in COMMANDS:
+        action = window.menus.actions[command.name]
+        assert action in menus[command.menu].actions()
+        assert [keys.toString() for keys in action.shortcuts()] == list(command.keys)
+
+
+def test_no_key_has_two_commands():
+    keys = [key for command in COMMANDS for key in command.keys]
+    assert len(keys) == len(set(keys))
+
+
+def test_the_title_marks_what_is_not_saved(opened, qtbot):
+    qtbot.waitUntil(lambda: "tiny.h5" in opened.windowTitle())
+    assert not opened.isWindowModified()
+    opened.desk.editing.rename(opened.desk.document.tracks.ids[0], "red coat")
+    qtbot.waitUntil(opened.isWindowModified)
+    opened.run_command("file.save")
+    qtbot.waitUntil(lambda: not opened.isWindowModified())
+
+
+def _menus(window):
+    return [action.menu() for action in window.menuBar().actions()]
