@@ -4,10 +4,14 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMessageBox, QPlainTextEdit
 
+from app.presenters import opening
 from app.presenters.exporting import exported_tracks
 from app.views import files
+from app.views.attributes import AttributesTable
 from app.views.score_dialog import ScoreDialog
+from tracking.formats import read_mot
 from tracking.session import Session
 
 Key = Qt.Key
@@ -251,8 +255,6 @@ def test_closing_with_edits_asks_first(window, desk, qtbot, answer):
 
 
 def test_notes_still_being_typed_are_saved_too(window, desk, press, qtbot):
-    from PySide6.QtWidgets import QPlainTextEdit
-
     press(Key.Key_Tab)
     track = desk.document.selection.track
     notes = window.workspace.card.findChild(QPlainTextEdit)
@@ -331,11 +333,28 @@ def test_an_export_that_was_cancelled_writes_nothing(window, desk, qtbot, tmp_pa
     assert (tmp_path / "tracks.txt").is_file()
 
 
-def test_scoring_shows_its_figures_unless_it_is_cancelled(window, desk, qtbot):
+def test_scoring_shows_its_figures_unless_it_is_cancelled(window, desk, qtbot, monkeypatch):
+    cancelled = threading.Event()
+    monkeypatch.setattr(opening, "read_mot", lambda path: cancelled.wait(5) and read_mot(path))
     window.files.score()
     window.work.cancel()
+    cancelled.set()
     qtbot.waitUntil(lambda: not window.work.busy)
     assert window.findChild(ScoreDialog) is None
     window.files.score()
     qtbot.waitUntil(lambda: window.findChild(ScoreDialog) is not None)
     window.findChild(ScoreDialog).close()
+
+
+def test_an_attribute_still_being_typed_is_kept_when_the_window_is_left(window, desk, press):
+    press(Key.Key_Tab)
+    track = desk.document.selection.track
+    table = window.workspace.card.findChild(AttributesTable)
+    desk.editing.set_attributes(track, (("bag", "no"),))
+    table.setFocus()
+    table.editItem(table.item(0, 1))
+    QTest.keyClicks(window.focusWidget(), "yes")
+    assert dict(desk.document.label(track).attributes) == {"bag": "no"}
+    assert not window.files.may_leave(lambda: None)  # asks about what is not saved
+    assert dict(desk.document.label(track).attributes) == {"bag": "yes"}
+    window.findChild(QMessageBox, "unsaved").reject()

@@ -26,23 +26,19 @@ _CONTROLS = (
 )
 
 
+_WHOLE = (QAbstractSpinBox, QComboBox, QLineEdit, QAbstractItemView)
+
+
 def _nameless(widget: QWidget) -> list[str]:
-    """Controls without a name; Qt's own parts inside a control speak for themselves."""
+    """Visible controls without a name; Qt's own parts inside a control speak for themselves."""
     found = []
     for control in widget.findChildren(QWidget):
-        own = not control.objectName().startswith("qt_")
-        inside = isinstance(control.parentWidget(), QAbstractSpinBox | QComboBox | QLineEdit)
-        popup = control.window() is not widget.window()
-        if (
-            isinstance(control, _CONTROLS)
-            and own
-            and not inside
-            and not popup
-            and control.isVisible()
-        ):
-            text = control.text() if isinstance(control, QAbstractButton) else ""
-            if not (control.accessibleName() or text):
-                found.append(f"{type(control).__name__} in {type(control.parentWidget()).__name__}")
+        part = control.objectName().startswith("qt_") or isinstance(control.parent(), _WHOLE)
+        if part or not control.isVisible() or not isinstance(control, _CONTROLS):
+            continue
+        text = control.text() if isinstance(control, QAbstractButton) else ""
+        if not (control.accessibleName() or text):
+            found.append(f"{type(control).__name__} in {type(control.parent()).__name__}")
     return found
 
 
