@@ -8,21 +8,25 @@ import pytest
 from numpy.typing import NDArray
 from people_on_a_floor import FPS, straight, view
 
+from tracking.geometry import View
 from tracking.trackers import smoothed
 from tracking.tracks import Run
 from tracking.tracks.columns import DETECTION_COLUMNS, TRACK_COLUMNS, empty
 from tracking.tracks.run import Particles
 
 VIEW = view()
+CEILING = view(2.7, 90.0)
 FRAMES = 100
 SIDES = ("left", "top", "width", "height")
 VELOCITY = (0.6, -0.4)
 
 
-def walk(start: tuple[float, float] = (-1.0, 6.0), track: int = 1) -> dict[str, NDArray]:
+def walk(
+    start: tuple[float, float] = (-1.0, 6.0), track: int = 1, seen_by: View = VIEW
+) -> dict[str, NDArray]:
     """The rows of somebody who walks straight and is seen without error in every frame."""
     place = straight(start, VELOCITY, FRAMES)
-    box = VIEW.box_of_person(place, 1.7, 0.5)
+    box = seen_by.box_of_person(place, 1.7, 0.5)
     values = {
         "frame": np.arange(FRAMES),
         "track": np.full(FRAMES, track),
@@ -100,6 +104,12 @@ def test_a_clean_track_stays_as_it_is():
     found = smoothed(run, VIEW, FPS)
     assert places(found) == pytest.approx(places(run), abs=0.002)
     assert boxes(found) == pytest.approx(boxes(run), abs=1.5)
+
+
+def test_a_body_that_leans_ever_differently_under_a_ceiling_camera_keeps_its_boxes():
+    run = run_of(walk((-1.5, 1.0), seen_by=CEILING))
+    found = smoothed(run, CEILING, FPS)
+    assert boxes(found) == pytest.approx(boxes(run), abs=6.0)
 
 
 @pytest.mark.parametrize("frames", [slice(30, 31), slice(30, 33), slice(30, 35)])

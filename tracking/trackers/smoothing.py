@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from tracking.filtering import Chains, robust_levels, robust_paths, slopes, trust
 from tracking.geometry import View
-from tracking.trackers.stereo_boxes import middles
 from tracking.tracks.columns import Columns
 from tracking.tracks.run import Run
 
@@ -18,8 +17,8 @@ Flags = NDArray[np.bool_]
 Rows = NDArray[np.intp]
 
 _SIDES = ("left", "top", "width", "height")
-_PATH_MEMORY_S = 0.16
-"""Constant velocity disturbed by 0.25 m²/s³, measured 20 times a second."""
+_PATH_MEMORY_S = 0.14
+"""Constant velocity disturbed by 0.5 m²/s³, measured 20 times a second."""
 _OUTLINE_MEMORY_S = 0.45
 """About a step: longer, and a turning body is followed late; shorter, and two seen as one are."""
 _NEAR_M, _FAR_M = 0.06, 0.001
@@ -28,6 +27,8 @@ _PATH_OUTLIER = 2.0
 """In errors of a measured place."""
 _OUTLINE_OUTLIER_M = (0.14, 0.07, 0.14, 0.07)
 """Arms and legs swing sideways; head and feet do not."""
+_BODY = ((0.1, 0.2), (1.35, 0.25), (1.7, 0.08))
+"""Feet, shoulders and head as level discs: height over the floor and radius, in metres."""
 _OWN_BOX = 0.85
 """Weight of the box seen, where it suits the outline."""
 _LEAST_SHOWN = 0.05
@@ -162,16 +163,32 @@ def _measured_places(paths: _Paths, detections: Columns) -> Floats:
 
 def _drawn(paths: _Paths, position: Floats, view: View, fps: float) -> Floats:
     """The boxes (n, 4) px of people at these positions; the old one where none can be drawn."""
-    middle, px_per_m = middles(position, view)
-    corner = paths.box[:, :2] - middle
-    own = np.concatenate((corner, corner + paths.box[:, 2:]), axis=1) / px_per_m
+    usual, px_per_m = _usual_sides(position, view)
+    low, size = np.split(paths.box, 2, axis=1)
+    own = (np.concatenate((low, low + size), axis=1) - usual) / px_per_m
     drawable = np.asarray(np.isfinite(own).all(axis=1))
     own = np.where(drawable[:, None], own, 0.0)
     outline = _outlines(own, paths.weight * drawable, paths.chains, _OUTLINE_MEMORY_S * fps)
-    low = middle + outline[:, :2] * px_per_m
-    size = middle + outline[:, 2:] * px_per_m - low
-    good = drawable & (size > 0).all(axis=1)
-    return np.where(good[:, None], np.concatenate((low, size), axis=1), paths.box)
+    low, high = np.split(usual + outline * px_per_m, 2, axis=1)
+    good = drawable & (high > low).all(axis=1)
+    return np.where(good[:, None], np.concatenate((low, high - low), axis=1), paths.box)
+
+
+def _usual_sides(position: Floats, view: View) -> tuple[Floats, Floats]:
+    """Left, top, right, bottom (n, 4) px of usual bodies and how large a metre looks, (n, 1).
+
+    Outlines are what a person differs by: passing the camera, bodies lean and grow in the picture.
+    """
+    discs = np.zeros((len(_BODY), len(position), 3))
+    discs[..., :2] = position
+    discs[..., 2] = np.array(_BODY)[:, :1]
+    centre = view.pixel_from_world(discs.reshape(-1, 3)).reshape(len(_BODY), -1, 2)
+    rotation, eye = view.world_from_camera
+    depth = (discs - eye) @ rotation[:, 2:]
+    px_per_m = view.camera.matrix[0, 0] / np.where(depth > 0, depth, np.nan)
+    radius = px_per_m * np.array(_BODY)[:, 1:, None]
+    low, high = (centre - radius).min(axis=0), (centre + radius).max(axis=0)
+    return np.concatenate((low, high), axis=1), px_per_m[1]
 
 
 def _outlines(own: Floats, weight: Floats, chains: Chains, memory: float) -> Floats:
