@@ -38,6 +38,8 @@ from app.views.workspace import Workspace
 _FIRST_SIZE = (1440, 900)
 _NOTE_MS = 6000
 _PROGRESS_MS = 200
+_MARGIN = 8
+_UNLIMITED = 2**24 - 1
 
 
 class MainWindow(QMainWindow):
@@ -105,6 +107,7 @@ class MainWindow(QMainWindow):
         self.work.said.connect(self.say)
         self.progress.cancelled.connect(self._cancel)
         self.files.progressed.connect(self._progress_soon)
+        self.statusBar().messageChanged.connect(self._make_room)
         self._refreshing.timeout.connect(self._refresh_now)
         self._progressing.timeout.connect(self._show_progress)
         QApplication.styleHints().colorSchemeChanged.connect(self._follow_system)
@@ -174,6 +177,12 @@ class MainWindow(QMainWindow):
         return frozenset(on)
 
     # messages
+
+    def _make_room(self, said: str) -> None:
+        """Let the progress give way to a passing word, which stands left of it."""
+        words = self.fontMetrics().horizontalAdvance(said) + 4 * _MARGIN
+        room = max(self.width() - words, self.width() // 3)
+        self.progress.setMaximumWidth(room if said else _UNLIMITED)
 
     def say(self, text: str) -> None:
         """A passing word."""

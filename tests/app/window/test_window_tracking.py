@@ -113,3 +113,16 @@ def test_the_first_and_the_last_frame_never_cross(opened):
     dialog.put_frames(*dialog._whole)
     assert dialog.answer()[3] is None
     dialog.reject()
+
+
+def test_a_word_is_seen_beside_the_progress_of_the_tracker(opened, qtbot):
+    opened.desk.toggle()
+    qtbot.waitUntil(lambda: opened.progress.isVisible(), timeout=30_000)
+    wide = opened.progress.width()
+    opened.run_command("tracks.swap")
+    said = opened.statusBar().currentMessage()
+    assert "stop tracking first" in said
+    room = opened.fontMetrics().horizontalAdvance(said)
+    qtbot.waitUntil(lambda: opened.progress.x() > room)
+    opened.statusBar().clearMessage()
+    qtbot.waitUntil(lambda: opened.progress.width() == wide)
