@@ -79,7 +79,7 @@ def swap_preview(name: str, own: Path) -> None:
 PICTURES: dict[str, Callable[[str, Path], None]] = {
     "welcome": welcome,
     "playing-plaza": playing("rendered-plaza", "plaza", 215),
-    "playing-overhead": playing("overhead-real", "hall", 250),
+    "playing-overhead": playing("overhead-real", "hall", 215),
     "swap-preview": swap_preview,
 }
 
