@@ -12,8 +12,9 @@ from PySide6.QtCore import QObject, QUrl, Signal
 from app.presenters import opening
 from app.presenters.demonstration import Demonstration
 from app.presenters.exporting import exported_tracks
+from app.presenters.first_page import first_page
 from app.presenters.opening import Opened, Report
-from app.presenters.scenes import RecentItem, WelcomeScene
+from app.presenters.scenes import WelcomeScene
 from app.presenters.words import tr
 from app.views.desk import Desk
 from app.views.questions import ask_about_unsaved, choose_file, choose_new_file
@@ -384,19 +385,10 @@ class Files(QObject):
 
     def welcome_scene(self) -> WelcomeScene:
         """The first page: what was opened before, and what a crash left behind."""
-        recent = tuple(_item(path) for path in self._remembered.recent)
-        folder = opening.unsaved_folder()
-        left = sorted(folder.glob("*.h5")) if folder.is_dir() else []
-        items = tuple(_item(path, tr("never saved, kept for you")) for path in left)
-        return WelcomeScene((*items, *recent))
+        return first_page(self._remembered.recent)
 
 
 def _beside(recording: Recording, name: str) -> Path:
     """Where a file of that name is proposed: in the recording's folder."""
     place = recording.path
     return (place if place.is_dir() else place.parent) / name
-
-
-def _item(path: Path, detail: str = "") -> RecentItem:
-    kind = tr("session") if path.suffix.lower() == ".h5" else tr("recording")
-    return RecentItem(str(path), path.stem, detail or kind, path.exists())
