@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test check format bench pictures lock clean
+.PHONY: help demo test format bench accuracy pictures lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -39,6 +39,9 @@ format: $(STAMP) ## put the code into the house's form
 
 bench: $(STAMP) ## measure speed (not part of make test)
 	$(BIN)/python -m tests.benchmarks
+
+accuracy: $(STAMP) ## the accuracy table of the README, on scenes no setting was chosen on (half an hour)
+	$(BIN)/python -m tests.benchmarks.accuracy
 
 pictures: $(STAMP) ## make the pictures in docs/ through a virtual screen
 	@$(BIN)/python -m app.system_libraries
