@@ -143,7 +143,9 @@ class Desk(QObject):
 
     @property
     def _never_tracked(self) -> bool:
-        return self.document.session is None and not self.live.running
+        """Nothing was tracked, also nothing that is on its way into a session."""
+        document = self.document
+        return document.session is None and not self.live.running and not document.tracked_until
 
     def track(
         self,
@@ -157,6 +159,13 @@ class Desk(QObject):
         self.live.start(tracker, settings, seed, frames)
         if frames is not None and not frames[0] <= self.playback.clock.frame < frames[1]:
             self.playback.go(frames[0])
+        self.draw()
+
+    def drop_live(self) -> None:
+        """End the tracker at work; what it found is forgotten."""
+        self.live.close()
+        self.document.begin_live()
+        self.document.end_live()
         self.draw()
 
     def take_session(self, session: Session) -> None:

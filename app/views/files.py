@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,7 +17,8 @@ from app.presenters.opening import Opened, Report
 from app.presenters.scenes import WelcomeScene
 from app.presenters.words import tr
 from app.views.desk import Desk
-from app.views.questions import ask_about_unsaved, choose_file, choose_new_file
+from app.views.leaving import Leaving, Then
+from app.views.questions import choose_file, choose_new_file
 from app.views.remembered import Remembered
 from app.views.score_dialog import ScoreDialog
 from app.views.track_dialog import TrackDialog
@@ -30,8 +31,6 @@ from tracking.tracks import Run
 
 if TYPE_CHECKING:
     from app.views.main_window import MainWindow
-
-Then = Callable[[], object]
 
 _SESSIONS = "trackwright (*.h5)"
 _OPENABLE = "Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v)"
@@ -59,8 +58,10 @@ class Files(QObject):
         self._save_at: Path | None = None
         self._start_at = 0
         self._greeting = ""
-        self._leave = False
+        self._leaving = Leaving(self, window)
+        self._waiting: Run | None = None
         self.desk: Desk | None = None
+        work.changed.connect(self._keep_waiting)
 
     # opening
 
@@ -221,9 +222,18 @@ class Files(QObject):
         if desk.document.session is not None:
             desk.add_run(run)
             return
+        if self._work.busy:
+            self._waiting = run
+            return
         recording = desk.document.recording
         work = lambda _: opening.keep_run(recording, run)  # noqa: E731 - said once, right here
         self._work.run(tr("Keeping the result"), work, desk.take_session, cancellable=False)
+
+    def _keep_waiting(self) -> None:
+        """Keep what a tracker found while other work was going on, once that is done."""
+        if not self._work.busy:
+            run, self._waiting = self._waiting, None
+            self._keep(run)
 
     # saving
 
@@ -235,10 +245,15 @@ class Files(QObject):
     @property
     def unsaved(self) -> bool:
         """Whether something would be lost from view without saving."""
-        if self.desk is not None and self.desk.live.running:
-            return self.desk.live.done > 0
+        if self.tracker_found_some or self._waiting is not None:
+            return True
         session = self.session
         return session is not None and (session.dirty or opening.is_unsaved_place(session.path))
+
+    @property
+    def tracker_found_some(self) -> bool:
+        """Whether a tracker is at work and has come past its first frame."""
+        return self.desk is not None and self.desk.live.running and self.desk.live.done > 0
 
     def save(self, then: Then | None = None) -> None:
         """Save where the session stands; ask for a place where it has none yet."""
@@ -262,7 +277,7 @@ class Files(QObject):
     def save_to(self, path: Path, then: Then | None = None) -> None:
         """Save at a place in the background."""
         session = self.session
-        if session is None:
+        if session is None or self._work.refuses():
             return
 
         def saved(_: object) -> None:
@@ -322,28 +337,7 @@ class Files(QObject):
     def may_leave(self, again: Then) -> bool:
         """Whether the open document can be let go; if not, ask, and do `again` afterwards."""
         self._window.workspace.take_typed()
-        if self._leave or not self.unsaved:
-            self._leave = False
-            return True
-        save = None if self.desk is not None and self.desk.live.running else self._save_first
-
-        def leave() -> None:
-            self._leave = True
-            again()
-
-        ask_about_unsaved(self._window, save and partial(save, leave), self._discarding(leave))
-        return False
-
-    def _save_first(self, leave: Then) -> None:
-        self.save(leave)
-
-    def _discarding(self, leave: Then) -> Then:
-        def discard() -> None:
-            if self.session is not None:
-                opening.discard(self.session)
-            leave()
-
-        return discard
+        return self._leaving.may_leave(again)
 
     def close_recording(self) -> None:
         """Close what is open and go back to the first page."""
@@ -359,7 +353,7 @@ class Files(QObject):
     def close(self) -> None:
         """Let the open document go; its threads have ended when this returns."""
         if self.desk is not None:
-            desk, self.desk = self.desk, None
+            desk, self.desk, self._waiting = self.desk, None, None
             self._remembered.set_text("eyes", desk.eyes)
             self._remembered.note_closed()
             desk.close()
@@ -367,7 +361,7 @@ class Files(QObject):
 
     def close_without_asking(self) -> None:
         """Let the open document go for a picture or a test: what is not saved stays as it is."""
-        self._leave = True
+        self._leaving.agree()
         self.close()
 
     # words

@@ -35,6 +35,12 @@ class Work(QObject):
         """Whether a job runs."""
         return self._job is not None
 
+    def refuses(self) -> bool:
+        """Whether other work must end before any begins; if so, it is said."""
+        if self.busy:
+            self.said.emit(tr("Wait until the work in progress is done"))
+        return self.busy
+
     def run(
         self,
         title: str,
@@ -48,8 +54,7 @@ class Work(QObject):
         Where it fails or is cancelled, `undone()` is called instead; Cancel is offered where the
         work is `cancellable`. While another job runs nothing is begun; commands are disabled then.
         """
-        if self._job is not None:
-            self.said.emit(tr("Wait until the work in progress is done"))
+        if self.refuses():
             return
         job = Job(title, work, self)
         job.progressed.connect(self._show)

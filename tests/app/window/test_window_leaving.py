@@ -1,0 +1,98 @@
+"""What is not saved is asked for by itself, kept while other work goes on, or let go whole."""
+
+import threading
+
+import pytest
+from PySide6.QtWidgets import QMessageBox
+
+_BUTTON = QMessageBox.StandardButton
+
+
+@pytest.fixture
+def desk(window, qtbot, tiny_session):
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    return window.desk
+
+
+@pytest.fixture
+def fresh(window, qtbot, tiny_recording):
+    """A recording that nobody has tracked yet."""
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    return window.desk
+
+
+def _answer(window, qtbot, button):
+    qtbot.waitUntil(lambda: window.findChild(QMessageBox, "unsaved") is not None)
+    box = window.findChild(QMessageBox, "unsaved")
+    text = box.text()
+    box.button(button).click()
+    qtbot.waitUntil(lambda: window.findChild(QMessageBox, "unsaved") is not box)
+    return text
+
+
+def _rename(desk, name):
+    desk.editing.rename(desk.document.session.tracks.track_ids[0], name)
+
+
+def test_saving_that_is_refused_while_other_work_runs_can_be_done_later(window, desk, qtbot):
+    go = threading.Event()
+    _rename(desk, "first")
+    window.work.run("Scoring", lambda _: go.wait(20), lambda _: None)
+    window.files.save()
+    go.set()
+    qtbot.waitUntil(lambda: not window.work.busy)
+    window.files.save()
+    qtbot.waitUntil(lambda: not window.files.unsaved)
+
+
+def test_edits_not_saved_are_asked_for_also_while_a_tracker_begins(window, desk):
+    _rename(desk, "first")
+    desk.track("stereo-colour")
+    assert desk.live.done == 0
+    assert window.files.unsaved
+
+
+def test_letting_a_tracker_go_does_not_let_edits_go(window, desk, qtbot):
+    _rename(desk, "first")
+    desk.track("stereo-colour")
+    qtbot.waitUntil(lambda: desk.live.done > 3, timeout=30_000)
+    window.files.close_recording()
+    assert "tracker" in _answer(window, qtbot, _BUTTON.Discard)
+    assert not desk.live.running
+    assert "Save" in _answer(window, qtbot, _BUTTON.Cancel)
+    assert desk.document.session.history.next_undo is not None
+
+
+def test_what_was_discarded_is_no_longer_shown_where_the_next_one_cannot_be_opened(
+    window, desk, qtbot, tmp_path
+):
+    _rename(desk, "first")
+    window.files.open_path(tmp_path / "nothing.mp4")
+    _answer(window, qtbot, _BUTTON.Discard)
+    qtbot.waitUntil(lambda: not window.work.busy)
+    assert window.desk is None
+
+
+def test_what_a_tracker_found_while_other_work_ran_is_kept(window, fresh, qtbot):
+    go = threading.Event()
+    fresh.toggle()
+    qtbot.waitUntil(lambda: fresh.live.done > 3, timeout=30_000)
+    window.work.run("Making the demo", lambda _: go.wait(20), lambda _: None)
+    fresh.live.stop()
+    qtbot.waitUntil(lambda: not fresh.live.running, timeout=30_000)
+    assert window.files.unsaved
+    go.set()
+    qtbot.waitUntil(lambda: window.files.session is not None, timeout=30_000)
+
+
+def test_playing_on_while_the_result_is_being_kept_does_not_track_anew(window, fresh, qtbot):
+    fresh.toggle()
+    qtbot.waitUntil(lambda: fresh.live.done > 3, timeout=30_000)
+    fresh.playback.pause()
+    fresh.live.stop()
+    qtbot.waitUntil(lambda: not fresh.live.running, timeout=30_000)
+    fresh.toggle()
+    assert not fresh.live.running
+    qtbot.waitUntil(lambda: window.files.session is not None, timeout=30_000)
