@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.belonging import ids_after_edits, renamed
 from app.presenters.shown import Spans, joined
 from tracking.tracks import (
     DETECTION_COLUMNS,
@@ -65,23 +65,34 @@ class SessionTracks:
         return self._table.of_track(track)
 
     def detections(self, frame: int) -> Columns:
-        """What the run measured in the frame."""
+        """What the run measured in the frame, less that of people who were taken out."""
         if self._run is None:
             return empty(DETECTION_COLUMNS)
-        columns = self._run.detections
-        low, high = np.searchsorted(columns["frame"], (frame, frame + 1))
-        return {name: column[low:high] for name, column in columns.items()}
+        rows = _of_frame(self._run.detections, frame)
+        unmatched = rows["track"] == 0
+        ids = renamed(rows["track"], self._after_edits(frame))
+        kept = unmatched | (ids >= 0)
+        named = {**rows, "track": np.where(unmatched, 0, ids).astype(np.int32)}
+        return {name: column[kept] for name, column in named.items()}
 
     def particles(self, frame: int) -> Columns:
-        """The run's particles, coloured by the corrected ids where a swap changed them.
+        """The run's particles with the ids their people have after the edits.
 
         A run never changes; an edit moves a person's rows to another id, and the particles of
-        that person go with them.
+        that person go with them. Those of people without a row in the frame are left out.
         """
         if self._run is None:
             return empty(PARTICLE_COLUMNS)
         particles = self._run.particles.of_frame(frame)
-        return _renamed(particles, self._run.tracks, self._table.of_frame(frame), frame)
+        ids = renamed(particles["track"], self._after_edits(frame))
+        kept = ids >= 0
+        return {name: column[kept] for name, column in {**particles, "track": ids}.items()}
+
+    def _after_edits(self, frame: int) -> dict[int, int]:
+        """The ids of the run's tracks in a frame by now."""
+        if self._run is None:
+            return {}
+        return ids_after_edits(_of_frame(self._run.tracks, frame), self._table.of_frame(frame))
 
     def spans(self) -> dict[int, Spans]:
         """The stretches of every track."""
@@ -108,20 +119,7 @@ def spans_of(rows: Columns) -> dict[int, Spans]:
     return {int(one): part for one, part in zip(ids, parts, strict=True)}
 
 
-def _renamed(
-    particles: dict[str, NDArray[Any]], made: Columns, corrected: Columns, frame: int
-) -> Columns:
-    """The particles with the ids that the same rows (by box and place) have after the edits."""
-    low, high = np.searchsorted(made["frame"], (frame, frame + 1))
-    names = ("left", "top", "width", "height")
-    before = np.column_stack([made[name][low:high] for name in names])
-    after = np.column_stack([corrected[name] for name in names])
-    if not len(before) or not len(after):
-        return particles
-    alike = np.isclose(before[:, None, :], after[None, :, :], atol=1e-6).all(axis=2)
-    ids = particles["track"].copy()
-    for row, track in enumerate(made["track"][low:high].tolist()):
-        same = np.flatnonzero(alike[row])
-        if len(same):
-            ids[particles["track"] == track] = corrected["track"][same[0]]
-    return {**particles, "track": ids}
+def _of_frame(columns: Columns, frame: int) -> Columns:
+    """The rows of one frame; they stand by frame."""
+    low, high = np.searchsorted(columns["frame"], (frame, frame + 1))
+    return {name: column[low:high] for name, column in columns.items()}

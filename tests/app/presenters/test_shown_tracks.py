@@ -2,9 +2,10 @@ import numpy as np
 import pytest
 import two_people
 
+from app.presenters.belonging import NOBODY_KNOWN, ids_after_edits
 from app.presenters.live_tracks import LiveTracks
 from app.presenters.session_tracks import SessionTracks, spans_of
-from tracking.editing import apply_change, plan_swap
+from tracking.editing import apply_change, plan_delete, plan_merge, plan_split, plan_swap
 from tracking.tracks import Labels, TrackTable
 
 
@@ -77,6 +78,55 @@ def test_particles_take_the_ids_their_person_has_after_a_swap():
     before, after = shown.particles(49), shown.particles(51)
     assert before["track"].tolist() == [4] * 5 + [7] * 5
     assert after["track"].tolist() == [7] * 5 + [4] * 5
+
+
+def _after(*plans):
+    table, labels = two_people.table(), Labels()
+    for plan in plans:
+        apply_change(table, labels, plan(table))
+    return SessionTracks(table, two_people.run(measured=True))
+
+
+def test_a_person_who_was_taken_out_leaves_neither_particles_nor_a_measured_dot():
+    shown = _after(lambda table: plan_delete(table, 4, 30, 60))
+    assert shown.particles(29)["track"].tolist() == [4] * 5 + [7] * 5
+    assert shown.particles(30)["track"].tolist() == [7] * 5
+    assert shown.detections(30)["track"].tolist() == [7]
+    assert shown.detections(60)["track"].tolist() == [4, 7]
+
+
+def test_particles_go_to_the_new_id_after_a_split():
+    shown = _after(lambda table: plan_split(table, 4, 50))
+    new = next(track for track in shown.ids if track not in (4, 7))
+    assert shown.particles(49)["track"].tolist() == [4] * 5 + [7] * 5
+    assert shown.particles(50)["track"].tolist() == [new] * 5 + [7] * 5
+
+
+def test_of_two_who_are_merged_only_the_kept_ones_particles_stay():
+    shown = _after(lambda table: plan_merge(table, 4, 7))
+    assert shown.particles(50)["track"].tolist() == [4] * 5
+
+
+def test_who_was_swapped_and_then_taken_out_is_followed_through_both():
+    shown = _after(
+        lambda table: plan_swap(table, 4, 7, 20), lambda table: plan_delete(table, 4, 50, 60)
+    )
+    assert shown.particles(55)["track"].tolist() == [7] * 5
+    assert shown.particles(65)["track"].tolist() == [7] * 5 + [4] * 5
+
+
+def test_a_row_that_was_moved_a_little_by_hand_keeps_its_particles():
+    rows = {name: column.copy() for name, column in two_people.columns().items()}
+    rows["left"][rows["track"] == 4] += 8
+    shown = SessionTracks(TrackTable(rows), two_people.run())
+    assert shown.particles(20)["track"].tolist() == [4] * 5 + [7] * 5
+
+
+def test_particles_that_may_be_either_of_two_are_nobodys():
+    made = {name: column[:1] for name, column in two_people.columns().items()}
+    twice = {name: np.repeat(column, 2) for name, column in made.items()}
+    twice["track"] = np.array([8, 9], np.int32)
+    assert ids_after_edits(made, twice) == {4: NOBODY_KNOWN}
 
 
 def test_tracks_without_a_run_have_no_particles():

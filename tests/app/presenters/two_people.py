@@ -43,8 +43,8 @@ def table() -> TrackTable:
     return TrackTable(columns())
 
 
-def run() -> Run:
-    """The two as a run, with five particles a person."""
+def run(measured: bool = False) -> Run:
+    """The two as a run, with five particles a person, and each row `measured` or none."""
     rows = columns()
     repeated = {name: np.repeat(rows[name], PARTICLES) for name in ("track", "x", "y")}
     weight = np.tile(np.array([0.4, 0.3, 0.1, 0.1, 0.1]), len(rows["frame"]))
@@ -56,12 +56,18 @@ def run() -> Run:
         seed=0,
         frames=(0, FRAMES),
         tracks=rows,
-        detections=empty(DETECTION_COLUMNS),
+        detections=_measured(rows) if measured else empty(DETECTION_COLUMNS),
         particles=Particles(
             start.astype(np.int64),
             {name: particles[name].astype(PARTICLE_COLUMNS[name]) for name in PARTICLE_COLUMNS},
         ),
     )
+
+
+def _measured(rows: Columns) -> Columns:
+    """A detection where each row is, half a man's height above the floor."""
+    values = {**rows, "z": np.full(len(rows["frame"]), 0.9)}
+    return {name: values[name].astype(dtype) for name, dtype in DETECTION_COLUMNS.items()}
 
 
 def steps() -> list[StepResult]:
