@@ -11,6 +11,7 @@ from typing import Annotated, Literal
 
 import typer
 
+import tracking
 from app.cli import options
 
 program = typer.Typer(
@@ -27,9 +28,35 @@ Recording = Annotated[
 ]
 
 
+SCENE_NAMES = (
+    "lobby",
+    "plaza",
+    "square",
+    "indoor",
+    "outdoor",
+    "uniforms",
+    "pillars",
+    "ceiling",
+    "corridor",
+)
+"""Of `tracking.synthesis.SCENES`, which takes too long to import for a page of help."""
+
+
+def _say_version(asked: bool) -> None:
+    if asked:
+        print(f"trackwright {tracking.__version__}")
+        raise typer.Exit
+
+
 @program.callback()
 def every_command(
     debug: Annotated[bool, typer.Option("--debug", help="Show the traceback of an error.")] = False,
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", help="Say which one it is.", callback=_say_version, is_eager=True
+        ),
+    ] = False,
 ) -> None:
     """A workbench for people tracked in recorded stereo footage."""
 
@@ -99,7 +126,7 @@ def info(
 @program.command()
 def synth(
     out: Annotated[Path, typer.Argument(help="The recording's folder, made by this command.")],
-    scene: Annotated[str, typer.Option(help="Which kind of place.")],
+    scene: Annotated[str, typer.Option(help=f"Which kind of place: {', '.join(SCENE_NAMES)}.")],
     seconds: Annotated[
         float | None, typer.Option(help="How long.", show_default="the scene's own")
     ] = None,

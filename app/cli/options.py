@@ -8,10 +8,19 @@ from typing import Annotated, Literal
 import typer
 
 _BARE = "Without recording.toml"
+LARGEST_SEED = 2**63 - 1
+"""What a session file can hold."""
 
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout.")]
-Force = Annotated[bool, typer.Option("--force", help="Replace what already stands there.")]
-Seed = Annotated[int, typer.Option(min=0, help="Of all random numbers.")]
+Force = Annotated[
+    bool,
+    typer.Option(
+        "--force",
+        help="Replace also a file that is no session and a session with corrections; one without "
+        "is replaced anyway. The older session stays beside it as a backup.",
+    ),
+]
+Seed = Annotated[int, typer.Option(min=0, max=LARGEST_SEED, help="Of all random numbers.")]
 
 Left = Annotated[
     Path | None,

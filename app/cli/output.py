@@ -31,8 +31,9 @@ def say(message: str) -> None:
 
 @contextmanager
 def progress(what: str) -> Iterator[Progress]:
-    """A progress bar on stderr while the block runs; nothing where nobody watches."""
+    """A progress bar on stderr while the block runs; one line where it is no terminal."""
     if not sys.stderr.isatty():
+        say(f"{what} ...")
         yield lambda *_: None
         return
     from rich.console import Console

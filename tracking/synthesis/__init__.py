@@ -3,7 +3,7 @@
 from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES, FloorSpec, LampSpec, SceneSpec, WallSpec
 from tracking.synthesis.truth import SceneTruth, Surfaces
-from tracking.synthesis.writing import render_recording
+from tracking.synthesis.writing import check_seconds, render_recording
 
 __all__ = [
     "SCENES",
@@ -14,5 +14,6 @@ __all__ = [
     "SceneTruth",
     "Surfaces",
     "WallSpec",
+    "check_seconds",
     "render_recording",
 ]

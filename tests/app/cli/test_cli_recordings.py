@@ -9,7 +9,9 @@ from pathlib import Path
 import pytest
 from command_line import Trackwright
 
-from tracking.synthesis import render_recording
+import tracking
+from app.cli.commands import SCENE_NAMES
+from tracking.synthesis import SCENES, render_recording
 
 
 def test_info_says_what_a_recording_holds(trackwright: Trackwright, footage: Path) -> None:
@@ -121,7 +123,7 @@ def test_what_is_no_recording_is_told(trackwright: Trackwright, tmp_path: Path, 
 def test_synth_renders_a_recording(trackwright: Trackwright, tmp_path: Path) -> None:
     words = ["--scene", "lobby", "--seconds", "0.2", "--people", "0", "--seed", "5", "--json"]
     status, out, err = trackwright("synth", tmp_path / "new" / "lobby", *words)
-    assert (status, err) == (0, "")
+    assert (status, err) == (0, "rendering lobby ...\n")
     assert json.loads(out) == {"recording": str(tmp_path / "new" / "lobby")}
     assert json.loads(trackwright("info", tmp_path / "new" / "lobby", "--json")[1])["frames"] == 4
 
@@ -131,6 +133,9 @@ def test_synth_renders_a_recording(trackwright: Trackwright, tmp_path: Path) -> 
     [
         (["--scene", "moon"], "lobby, plaza"),
         (["--scene", "lobby", "--seconds", "-1"], "seconds is -1"),
+        (["--scene", "lobby", "--seconds", "0"], "seconds is 0; give more than 0 and up to 3600"),
+        (["--scene", "lobby", "--seconds", "nan"], "seconds is nan; give more than 0"),
+        (["--scene", "lobby", "--seconds", "1e300"], "seconds is 1e+300; give more than 0"),
         (["--scene", "lobby", "--people", "100000"], "people is 100000"),
     ],
 )
@@ -141,6 +146,23 @@ def test_impossible_scenes_are_told(
     assert (status, out) == (1, "")
     assert reason in err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_help_of_synth_names_all_scenes(trackwright: Trackwright) -> None:
+    assert set(SCENE_NAMES) == set(SCENES)
+    page = trackwright("synth", "--help")[1]
+    assert all(name in page for name in SCENES)
+
+
+def test_a_seed_no_session_can_hold_is_told(trackwright: Trackwright, tmp_path: Path) -> None:
+    words = ["synth", tmp_path / "new", "--scene", "lobby", "--seed", str(10**26)]
+    status, _, err = trackwright(*words)
+    assert status == 2
+    assert "9223372036854775807" in err
+
+
+def test_the_version_is_told(trackwright: Trackwright) -> None:
+    assert trackwright("--version") == (0, f"trackwright {tracking.__version__}\n", "")
 
 
 def test_synth_never_writes_into_a_folder_with_something_in_it(
