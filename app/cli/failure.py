@@ -15,6 +15,7 @@ from tracking.errors import TrackwrightError
 
 DONE, FAILED, MISUSED, INTERRUPTED = 0, 1, 2, 130
 _LOG_BYTES = 1 << 20
+_STOPPED = "interrupted; nothing half-done was kept"
 
 
 def told(work: Callable[[], object], *, debug: bool) -> int:
@@ -25,9 +26,11 @@ def told(work: Callable[[], object], *, debug: bool) -> int:
         finally:
             sys.stdout.flush()
     except SystemExit as stop:
+        if stop.code == INTERRUPTED:  # what Typer makes of Ctrl+C
+            return _line(_STOPPED, INTERRUPTED)
         return stop.code if isinstance(stop.code, int) else DONE if stop.code is None else FAILED
     except KeyboardInterrupt:
-        return _line("stopped; nothing half-done was kept", INTERRUPTED)
+        return _line(_STOPPED, INTERRUPTED)
     except BrokenPipeError:
         # Whoever read our output has gone; say no more, also not when Python closes stdout.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -103,6 +103,14 @@ def test_a_cancelled_recording_leaves_nothing(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+def test_folders_made_on_the_way_to_a_cancelled_recording_go_again(tmp_path: Path) -> None:
+    with pytest.raises(CancelledError):
+        render_recording(
+            tmp_path / "a" / "b" / "out", "lobby", 2.0, 2, 1, cancelled=lambda: True, size=SMALL
+        )
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_failure_on_the_way_leaves_nothing(tmp_path: Path) -> None:
     def fails(done: int, total: int) -> None:
         if done == 3:

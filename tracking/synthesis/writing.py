@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import tempfile
@@ -62,6 +63,7 @@ def render_recording(
     """
     spec = _spec_of(scene)
     _check(seconds, people, size, fps)
+    above = _missing_folders(folder.parent)
     part = _begin(folder)
     try:
         rendered = Scene(spec, people, seed, seconds=seconds, size=size, fps=fps)
@@ -71,6 +73,7 @@ def render_recording(
         raise _unwritable(folder, error) from error
     finally:
         shutil.rmtree(part, ignore_errors=True)
+        _remove_empty(above)
     return folder
 
 
@@ -82,9 +85,14 @@ def _spec_of(scene: str | SceneSpec) -> SceneSpec:
     return SCENES[scene]
 
 
-def _check(seconds: float | None, people: int | None, size: tuple[int, int], fps: float) -> None:
+def check_seconds(seconds: float | None) -> None:
+    """Raises `SettingsError` for a length no recording can have; None is the scene's own."""
     if seconds is not None and not 0 < seconds <= LONGEST_S:
         raise SettingsError(f"seconds is {seconds:g}; give more than 0 and up to {LONGEST_S:g}")
+
+
+def _check(seconds: float | None, people: int | None, size: tuple[int, int], fps: float) -> None:
+    check_seconds(seconds)
     if people is not None and not 0 <= people <= MOST_PEOPLE:
         raise SettingsError(f"people is {people}; give 0 to {MOST_PEOPLE}")
     if not all(32 <= side <= 4096 and side % 2 == 0 for side in size):
@@ -102,6 +110,18 @@ def _begin(folder: Path) -> Path:
         return Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".part", dir=folder.parent))
     except OSError as error:
         raise _unwritable(folder, error) from error
+
+
+def _missing_folders(folder: Path) -> list[Path]:
+    """The folder and those above it, as far as they are still to be made; the deepest first."""
+    return [place for place in (folder, *folder.parents) if not place.exists()]
+
+
+def _remove_empty(folders: list[Path]) -> None:
+    """Take folders away again that were made for nothing."""
+    with contextlib.suppress(OSError):  # one with something in it stays, and those above it
+        for folder in folders:
+            folder.rmdir()
 
 
 def _finish(part: Path, folder: Path) -> None:

@@ -65,7 +65,7 @@ def test_a_bug_is_told_where_no_log_can_be_kept(
 
 def test_an_interruption_is_status_130(capsys: pytest.CaptureFixture[str]) -> None:
     assert told(raises(KeyboardInterrupt()), debug=False) == 130
-    assert capsys.readouterr().err == "trackwright: stopped; nothing half-done was kept\n"
+    assert capsys.readouterr().err == "trackwright: interrupted; nothing half-done was kept\n"
 
 
 def test_missing_memory_is_told(capsys: pytest.CaptureFixture[str]) -> None:

@@ -139,8 +139,9 @@ def test_an_interrupted_track_leaves_nothing(
         raise KeyboardInterrupt
 
     monkeypatch.setattr("tracking.pipeline.Tracking.run", interrupted)
-    status, out, _ = trackwright("track", footage, "-o", tmp_path / "s.h5", "--frames", "0:5")
+    status, out, err = trackwright("track", footage, "-o", tmp_path / "s.h5", "--frames", "0:5")
     assert (status, out) == (130, "")
+    assert err.endswith("trackwright: interrupted; nothing half-done was kept\n")
     assert list(tmp_path.iterdir()) == []
 
 
