@@ -42,9 +42,17 @@ def check_folder(folder: Path, needed_bytes: int = 0) -> None:
         ) from error
     if free < needed_bytes + _RESERVE:
         raise OutputError(
-            f"folder {folder} has {free >> 20} MiB of free space and about "
-            f"{(needed_bytes + _RESERVE) >> 20} MiB are needed; make room or choose another place"
+            f"folder {folder} has {_readable(free)} of free space and about "
+            f"{_readable(needed_bytes + _RESERVE)} are needed; make room or choose another place"
         )
+
+
+def _readable(size_bytes: int) -> str:
+    """A size in the greatest unit of which there is one at least."""
+    for shift, unit in ((20, "MiB"), (10, "KiB")):
+        if size_bytes >> shift:
+            return f"{size_bytes >> shift} {unit}"
+    return f"{size_bytes} bytes"
 
 
 def nearest_folder(path: Path) -> Path:

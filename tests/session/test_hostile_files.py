@@ -123,6 +123,7 @@ def circle(file: h5py.File) -> None:
         (lambda file: file.attrs.__setitem__("format", "other"), "of another program"),
         (lambda file: file.attrs.__setitem__("format_version", "2.0"), "newer trackwright"),
         (lambda file: file.attrs.__setitem__("format_version", "x"), "names 'x'"),
+        (lambda file: file.attrs.__setitem__("format_version", 99), "not like 1.0; choose"),
         (lambda file: file.attrs.__setitem__("format_version", "0.9"), "never was"),
         (lambda file: file.attrs.__setitem__("session", 5), "damaged"),
         (lambda file: file["tracks"].attrs.__delitem__("highest_track"), "damaged"),

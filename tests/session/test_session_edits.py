@@ -322,6 +322,13 @@ def test_a_damaged_journal_does_not_keep_a_session_from_opening(
     again.close()
 
 
+def test_one_recovered_edit_is_told_as_one(session: Session, tmp_path: Path) -> None:
+    edit(session)
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert again.notes == ("recovered: 1 edit made after the session was saved last",)
+    again.close()
+
+
 def test_steps_that_do_not_fit_are_kept_aside(session: Session, tmp_path: Path) -> None:
     edit(session, swaps=3)
     after = crashed(session, tmp_path / "after")

@@ -30,7 +30,7 @@ def place_inside(folder: Path, named: str, allow_outside: bool) -> Path:
     if not inside or not all(_lies_in(place, folder) for place in _places(path)):
         raise RecordingError(
             f"{folder}: its manifest names {named!r} outside the folder; move the file inside, "
-            "or allow outside files where you trust the recording"
+            "or add --allow-outside where you trust the recording"
         )
     return path
 

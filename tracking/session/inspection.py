@@ -62,7 +62,7 @@ def _version(file: h5py.File) -> tuple[int, int]:
     try:
         major, minor = (int(part) for part in said.split("."))
     except ValueError:
-        raise Refused(f"names {said!r} as its format version") from None
+        raise Refused(f"names {said!r} as its format version, not like 1.0; {_CHOOSE}") from None
     if major > VERSION[0]:
         raise Refused(f"has format {said}, made by a newer trackwright; update to open it")
     if major < 1:

@@ -43,7 +43,9 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
     except EditError as why:
         aside = store.set_journal_aside()
         _begin(store.journal(), stamps, steps[:made])
-        rest = f"{len(steps) - made} edits do not fit ({why}); they were kept aside as {aside}"
+        left = len(steps) - made
+        do = "does" if left == 1 else "do"
+        rest = f"{_edits(left)} {do} not fit ({why}); kept aside as {aside}"
         return Recovery(made, (*_told(made), rest))
     journal.start_over(stamps.session, stamps.save, journal.last - len(steps))
     return Recovery(made, _told(made))
@@ -73,4 +75,10 @@ def _begin(journal: Journal, stamps: Stamps, steps: list[Step]) -> None:
 
 
 def _told(made: int) -> tuple[str, ...]:
-    return (f"recovered: {made} edits made after the session was saved last",) if made else ()
+    if not made:
+        return ()
+    return (f"recovered: {_edits(made)} made after the session was saved last",)
+
+
+def _edits(number: int) -> str:
+    return "1 edit" if number == 1 else f"{number} edits"

@@ -52,6 +52,17 @@ def test_a_full_disk_is_told_before_the_work(
         check_folder(tmp_path, 1 << 30)
 
 
+@pytest.mark.parametrize(
+    ("free", "told"), [(700 << 10, "has 700 KiB of free"), (12, "has 12 bytes of free")]
+)
+def test_little_space_is_told_in_small_units(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, free: int, told: str
+) -> None:
+    monkeypatch.setattr(shutil, "disk_usage", lambda _: Usage(2 << 30, 1 << 30, free))
+    with pytest.raises(OutputError, match=told):
+        check_folder(tmp_path, 0)
+
+
 def test_the_nearest_folder_is_the_one_that_exists(tmp_path: Path) -> None:
     assert nearest_folder(tmp_path / "a" / "b") == tmp_path
     assert nearest_folder(tmp_path) == tmp_path
