@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import signal
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -22,6 +21,7 @@ from PySide6.QtCore import (
 from PySide6.QtWidgets import QApplication
 
 from app.presenters import opening, words
+from app.views.ending import EndBySignal
 from app.views.icons import application_icon
 from app.views.main_window import MainWindow
 from app.views.remembered import Remembered
@@ -52,14 +52,15 @@ def run(
     application = start_application(remembered)
     window = MainWindow(remembered)
     _catch_bugs(window)
+    EndBySignal(window)
     alone = QLockFile(str(opening.window_lock()))
-    left_open = remembered.left_open if alone.tryLock(0) else None
-    if path is not None:
-        window.files.open_path(path, options=options, play=play, save_at=save_at)
-    elif left_open is not None:
-        window.files.reopen(*left_open)
+    left_open = remembered.left_open if alone.tryLock(0) else ()
+    first = path or next(iter(left_open), None)
+    if first is not None:
+        if first.resolve() in left_open:
+            window.files.greet_after_crash()
+        window.files.open_path(first, options=options, play=play, save_at=save_at)
     window.show()
-    _end_by_interrupt(application, window)
     return application.exec()
 
 
@@ -175,19 +176,9 @@ def _catch_bugs(window: MainWindow) -> None:
     def caught(
         kind: type[BaseException], error: BaseException, trace: TracebackType | None
     ) -> None:
-        if isinstance(error, KeyboardInterrupt):
-            window.close()
-        elif isinstance(error, Exception):
+        if isinstance(error, Exception):
             window.tell_error(error.with_traceback(trace))
         else:
             sys.__excepthook__(kind, error, trace)
 
     sys.excepthook = caught
-
-
-def _end_by_interrupt(application: QApplication, window: MainWindow) -> None:
-    """Let Ctrl+C in the terminal close the window: Python must run now and then to notice it."""
-    signal.signal(signal.SIGINT, lambda *_: window.close())
-    breath = QTimer(application, interval=300)
-    breath.timeout.connect(lambda: None)
-    breath.start()

@@ -22,6 +22,7 @@ from app.views.questions import choose_file, choose_new_file
 from app.views.remembered import Remembered
 from app.views.score_dialog import ScoreDialog
 from app.views.track_dialog import TrackDialog
+from app.views.whereabouts import Whereabouts
 from app.views.work import Work
 from tracking.errors import SessionError, TrackwrightError
 from tracking.formats import write_mot
@@ -54,9 +55,8 @@ class Files(QObject):
         self._work = work
         self._remembered = remembered
         self._opening: Path | None = None
-        self._opened: Path | None = None
         self._save_at: Path | None = None
-        self._start_at = 0
+        self._whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
         self._leaving = Leaving(self, window)
         self._waiting: Run | None = None
@@ -105,7 +105,7 @@ class Files(QObject):
         title = tr("Opening {name}", name=path.name)
 
         def show(opened: Opened) -> None:
-            self._show(opened)
+            self._show(opened, from_start=play)
             self._save_at = save_at
             if play and self.desk is not None:
                 self.desk.toggle()
@@ -148,12 +148,11 @@ class Files(QObject):
             folder=True,
         )
 
-    def _show(self, opened: Opened) -> None:
+    def _show(self, opened: Opened, from_start: bool) -> None:
         self.close()
-        self._opened = path = opened.path
+        self._opening = path = opened.path
         self.desk = desk = Desk(opened.document, self._window.workspace, self)
         desk.changed.connect(self.changed)
-        desk.changed.connect(self._note_place)
         desk.progressed.connect(self.progressed)
         desk.failed.connect(self.failed)
         desk.said.connect(self.said)
@@ -163,23 +162,11 @@ class Files(QObject):
         self._window.show_workspace()
         self._tell_oddities(opened)
         desk.set_eyes(self._remembered.text("eyes", "both"))
-        desk.draw()
-        desk.playback.go(self._start_at)
-        self._start_at = 0
-        self._note_place()
+        self._whereabouts.begin(desk, path, from_start)
 
-    def _note_place(self) -> None:
-        """Note where the user is, for a start after a crash."""
-        if self.desk is not None and self._opened is not None:
-            session = self.session
-            path = session.path if session is not None and session.path else self._opened
-            self._remembered.note_open(path.resolve(), self.desk.playback.clock.frame)
-
-    def reopen(self, path: Path, frame: int) -> None:
-        """Open what was open when the program ended without closing it, and say so."""
-        self._start_at = frame
+    def greet_after_crash(self) -> None:
+        """Say, with what is opened next, that it was open when the program ended in a crash."""
         self._greeting = tr("trackwright did not end as it should; here is where you were.")
-        self.open_path(path)
 
     def _tell_oddities(self, opened: Opened) -> None:
         session = opened.document.session
@@ -354,8 +341,9 @@ class Files(QObject):
         """Let the open document go; its threads have ended when this returns."""
         if self.desk is not None:
             desk, self.desk, self._waiting = self.desk, None, None
-            self._remembered.set_text("eyes", desk.eyes)
-            self._remembered.note_closed()
+            if desk.document.recording.is_stereo:  # one camera leaves nothing to choose
+                self._remembered.set_text("eyes", desk.eyes)
+            self._whereabouts.end()
             desk.close()
             desk.deleteLater()
 

@@ -10,10 +10,3 @@ def test_what_nobody_caught_is_shown_in_the_window_which_lives_on(window, monkey
     sys.excepthook(ValueError, error, None)
     assert "A bug in trackwright: ValueError: surprise" in window.notice.text
     assert window.isVisible()
-
-
-def test_an_interrupt_closes_the_window(window, monkeypatch):
-    monkeypatch.setattr(sys, "excepthook", sys.excepthook)
-    application._catch_bugs(window)
-    sys.excepthook(KeyboardInterrupt, KeyboardInterrupt(), None)
-    assert not window.isVisible()

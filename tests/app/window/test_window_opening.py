@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 from app.presenters import demonstration, opening
 from app.presenters.demonstration import Demonstration
+from app.views.remembered import Place
 from app.views.timeline.tracks_area import TracksArea
 from tracking.errors import CancelledError
 
@@ -91,16 +92,43 @@ def test_after_a_crash_the_window_opens_where_it_was_and_says_so(
 ):
     window.files.open_path(tiny_session)
     qtbot.waitUntil(lambda: _is_open(window))
+    person = window.desk.document.tracks.ids[1]
+    window.desk.editing.pick(person)
     window.desk.playback.go(42)
-    window.desk.draw()
-    assert remembered.left_open == (tiny_session.resolve(), 42)
-    left_open = remembered.left_open
+    qtbot.waitUntil(lambda: remembered.place(tiny_session.resolve()).frame == 42)
+    assert remembered.left_open == (tiny_session.resolve(),)
     window.files.close()
-    assert remembered.left_open is None
-    window.files.reopen(*left_open)
+    assert remembered.left_open == ()
+    window.files.greet_after_crash()
+    window.files.open_path(tiny_session)
     qtbot.waitUntil(lambda: _is_open(window))
     assert window.desk.playback.clock.frame == 42
+    assert window.desk.document.selection.track == person
     assert "here is where you were" in window.notice.text
+
+
+def test_a_recording_opens_again_where_it_was_left(window, qtbot, tiny_recording):
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: _is_open(window))
+    window.desk.playback.go(30)
+    window.files.close_recording()
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert window.desk.playback.clock.frame == 30
+    assert not window.notice.text
+
+
+def test_only_so_many_places_are_remembered(remembered):
+    for number in range(80):
+        remembered.note_open([Path(f"/there/{number}")], Place(number))
+    assert remembered.place(Path("/there/79")) == Place(79)
+    assert remembered.place(Path("/there/0")) == Place()
+
+
+@pytest.mark.parametrize("text", ["", "[", "[1]", '{"/there": 3}', '{"/there": ["a", null]}'])
+def test_places_that_cannot_be_read_are_forgotten(remembered, text):
+    remembered.set_text("places", text)
+    assert remembered.place(Path("/there")) == Place()
 
 
 def test_the_demo_is_made_played_and_tracked_and_saved_beside(
@@ -236,6 +264,16 @@ def test_one_uncalibrated_camera_plays_and_says_why_it_cannot_be_tracked(
     desk.playback.go(40)
     qtbot.waitUntil(lambda: desk.playback.number == 40)
     assert not desk.live.running
+
+
+def test_one_camera_is_not_taken_for_the_users_choice_of_an_eye(window, qtbot, tiny_recording):
+    window.files.open_path(tiny_recording / "left.mp4")
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert window.desk.eyes == "left"
+    window.files.close()
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert window.desk.eyes == "both"
 
 
 def test_the_key_of_a_command_that_cannot_be_done_says_why(window, qtbot, tiny_recording):

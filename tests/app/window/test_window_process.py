@@ -1,0 +1,75 @@
+"""The window as a process of its own: ended from outside, politely or not."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QSettings
+
+from app.views.remembered import Place, Remembered
+
+_PROGRAM = """
+import sys
+from pathlib import Path
+from app.views.application import run
+sys.exit(run(Path(sys.argv[1])))
+"""
+_ROOT = Path(__file__).parents[3]
+
+
+def _settings(home: Path) -> Remembered:
+    path = home / "trackwright" / "trackwright.conf"
+    return Remembered(QSettings(str(path), QSettings.Format.IniFormat))
+
+
+@pytest.fixture
+def start(tmp_path, tiny_recording):
+    """Start the program on the recording, in a home of its own, and wait until it is open."""
+    started = []
+
+    def begin() -> subprocess.Popen[str]:
+        names = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
+        homes = dict.fromkeys(names, str(tmp_path))
+        process = subprocess.Popen(
+            [sys.executable, "-c", _PROGRAM, str(tiny_recording)],
+            cwd=_ROOT,
+            env={**os.environ, **homes, "QT_QPA_PLATFORM": "offscreen"},
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        started.append(process)
+        patience_s = time.monotonic() + 30
+        while not _settings(tmp_path).left_open and time.monotonic() < patience_s:
+            assert process.poll() is None
+            time.sleep(0.05)
+        return process
+
+    yield begin
+    for process in started:
+        process.kill()
+        process.communicate()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="settings stand elsewhere")
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_a_signal_closes_the_window_quietly(start, tmp_path, name):
+    process = start()
+    process.send_signal(getattr(signal, name))
+    _, said = process.communicate(timeout=10)
+    assert process.returncode == 0
+    assert [line for line in said.splitlines() if "This plugin does not" not in line] == []
+    assert _settings(tmp_path).left_open == ()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="settings stand elsewhere")
+def test_what_was_open_when_the_process_was_killed_is_known(start, tmp_path, tiny_recording):
+    process = start()
+    process.kill()
+    process.communicate(timeout=10)
+    settings = _settings(tmp_path)
+    assert settings.left_open == (tiny_recording.resolve(),)
+    assert settings.place(tiny_recording.resolve()) == Place(0)
