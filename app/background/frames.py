@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from tracking.errors import TrackwrightError
 from tracking.recording import FrameCache, Recording, StereoFrame
 
 
@@ -82,7 +81,7 @@ class FrameReader(QObject):
     def _serve(self, request: _Request) -> None:
         try:
             frame = self._cache.read(request.frame)
-        except TrackwrightError as error:
+        except Exception as error:  # a bug too: the window says so, later requests go on
             self.failed.emit(request.frame, error)
         else:
             self.ready.emit(request.ticket, frame)
@@ -91,5 +90,5 @@ class FrameReader(QObject):
         """Read one more frame in the play direction; whether there may be more to fetch."""
         try:
             return self._cache.prefetch()
-        except TrackwrightError:
+        except Exception:
             return False  # told when somebody asks for this very frame

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from app.presenters.overlays import Kinds
-from tracking.errors import TrackwrightError
 from tracking.recording import StereoFrame
 
 Rgba = NDArray[np.uint8]
@@ -87,7 +86,7 @@ class OverlayMaker(QObject):
             began_s = time.monotonic()
             try:
                 painted = self._paint(frame, request.kinds)
-            except TrackwrightError as error:
+            except Exception as error:  # a bug too: the window says so
                 self.failed.emit(error)
                 return
             self.paint_s = time.monotonic() - began_s

@@ -19,7 +19,7 @@ class Situation:
         editing: a preview waits for Enter. live: a tracker is at work. busy: other long work is.
         stereo, truth: the recording has a right eye, a truth file.
         can_track: a tracker exists for the recording; else `why_no_tracking` says why.
-        read_only: somebody else has the session open.
+        read_only: the session cannot be saved under its name, e.g. as another window has it open.
     """
 
     recording: bool = False
@@ -82,11 +82,15 @@ def _session(now: Situation) -> str:
     return tr("wait until the work in progress is done") if now.busy else ""
 
 
+def _read_only() -> str:
+    return tr("the session is read only here: save it under another name first")
+
+
 def _editable(now: Situation) -> str:
     if now.live:
         return tr("stop tracking first, then correct")
     if now.read_only:
-        return tr("the session is open in another window: read only")
+        return _read_only()
     return _session(now)
 
 
@@ -99,6 +103,8 @@ def _trackable(now: Situation) -> str:
         return tr("a tracker is at work")
     if now.busy:
         return tr("wait until the work in progress is done")
+    if now.read_only:
+        return _read_only()
     return _recording(now) or ("" if now.can_track else now.why_no_tracking)
 
 

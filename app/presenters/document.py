@@ -19,6 +19,7 @@ from app.presenters.timeline import TimelinePresenter
 from app.presenters.trails import floor_points
 from app.presenters.words import tr
 from tracking.editing import Change
+from tracking.errors import EditError
 from tracking.recording import Recording
 from tracking.session import Session
 from tracking.trackers import StepResult
@@ -144,11 +145,14 @@ class Document:
         return self._history.of(self.session.history) if self.session is not None else ()
 
     def label(self, track: int) -> TrackLabel:
-        """What people said of a track."""
-        return self.session.labels.of_track(track) if self.session is not None else TrackLabel()
+        """What people said of a track; nothing of those a tracker at work has numbered anew."""
+        session = self.session
+        if session is None or self._live_shown:
+            return TrackLabel()
+        return session.labels.of_track(track)
 
     def _names(self) -> dict[int, str]:
-        if self.session is None:
+        if self.session is None or self._live_shown:
             return {}
         return {track: label.name for track, label in self.session.labels.tracks.items()}
 
@@ -217,7 +221,12 @@ class Document:
         return change
 
     def apply(self, change: Change) -> None:
-        """Do a change: on disk first, then shown."""
+        """Do a change: on disk first, then shown.
+
+        Raises:
+            EditError: the tracks shown are not the session's but those of a tracker at work.
+        """
+        self._refuse_while_live()
         if self.session is not None:
             self.session.apply(change)
             self._take_changed(change)
@@ -227,6 +236,7 @@ class Document:
         entry = self.session.history.next_undo if self.session is not None else None
         if self.session is None or entry is None:
             return None
+        self._refuse_while_live()
         change = entry.change
         self.session.undo()
         self._take_changed(change.inverse)
@@ -237,10 +247,15 @@ class Document:
         entry = self.session.history.next_redo if self.session is not None else None
         if self.session is None or entry is None:
             return None
+        self._refuse_while_live()
         change = entry.change
         self.session.redo()
         self._take_changed(change)
         return change
+
+    def _refuse_while_live(self) -> None:
+        if self._live_shown and self.session is not None:
+            raise EditError(tr("Not changed: stop tracking first, then correct"))
 
     def _take_changed(self, change: Change) -> None:
         """Make only the lanes of the tracks anew that the change touched."""

@@ -109,15 +109,15 @@ class Editing(QObject):
 
     # history
 
-    def undo(self) -> None:
-        """Take the last edit back and go where it was."""
+    def undo(self) -> bool:
+        """Take the last edit back and go where it was; whether that was done."""
         self._document.leave_edit()
-        self._do(self._document.undo, tr("Undone: {text}"))
+        return self._do(self._document.undo, tr("Undone: {text}"))
 
-    def redo(self) -> None:
-        """Do the edit again that was taken back and go where it was."""
+    def redo(self) -> bool:
+        """Do the edit again that was taken back and go where it was; whether that was done."""
         self._document.leave_edit()
-        self._do(self._document.redo, tr("Done again: {text}"))
+        return self._do(self._document.redo, tr("Done again: {text}"))
 
     def go_to_edit(self, edit: int) -> None:
         """Undo or redo until this edit is the last one in force."""
@@ -126,9 +126,11 @@ class Editing(QObject):
             return
         undone = {entry.id: entry.undone for entry in session.history}.get(edit, False)
         while undone and (entry := session.history.next_redo) and entry.id <= edit:
-            self.redo()
+            if not self.redo():
+                return
         while not undone and (entry := session.history.next_undo) and entry.id > edit:
-            self.undo()
+            if not self.undo():
+                return
 
     # labels
 
@@ -164,17 +166,21 @@ class Editing(QObject):
 
         self._do(apply, tr("Done: {text}"), go=False)
 
-    def _do(self, step: Callable[[], Change | None], said: str, go: bool = True) -> None:
-        """Do something to the document; say it, go to its frame, or tell why not."""
+    def _do(self, step: Callable[[], Change | None], said: str, go: bool = True) -> bool:
+        """Do something to the document; say it, go to its frame, or tell why not.
+
+        Gives whether something was done.
+        """
         try:
             change = step()
         except TrackwrightError as error:
             self.changed.emit()
             self.failed.emit(error)
-            return
+            return False
         if change is not None:
             if go:
                 self._playback.pause()
                 self._playback.go(change.frame)
             self.said.emit(said.format(text=change.text))
         self.changed.emit()
+        return change is not None

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from app.views.main_window import MainWindow
 
 Run = Callable[[], None]
-OnDesk = Callable[[Desk], None]
+OnDesk = Callable[[Desk], object]
 
 
 def runnable_commands(window: MainWindow) -> dict[str, Run]:

@@ -133,3 +133,18 @@ def test_a_frame_that_is_not_there_is_told_and_the_next_request_works(reader, qt
     with qtbot.waitSignal(reader.ready) as answer:
         reader.request(5)
     assert answer.args[1].number == 5
+
+
+def test_a_bug_in_reading_is_told_and_the_next_request_works(reader, qtbot, monkeypatch):
+    read = reader._cache.read
+
+    def stumble(frame):
+        monkeypatch.setattr(reader._cache, "read", read)
+        raise ValueError("nobody expected this")
+
+    monkeypatch.setattr(reader._cache, "read", stumble)
+    with qtbot.waitSignal(reader.failed) as told:
+        reader.request(7)
+    assert isinstance(told.args[1], ValueError)
+    with qtbot.waitSignal(reader.ready):
+        reader.request(5)

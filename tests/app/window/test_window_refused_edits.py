@@ -1,0 +1,54 @@
+"""Edits that cannot be done are told, and leave everything as it is."""
+
+import pytest
+
+from tracking.errors import SessionError
+
+
+@pytest.fixture
+def desk(window, qtbot, tiny_session):
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    return window.desk
+
+
+def _track(desk) -> int:
+    return int(desk.document.session.tracks.track_ids[0])
+
+
+def test_going_to_an_edit_ends_at_the_first_that_cannot_be_taken_back(desk, monkeypatch):
+    told = []
+    for name in ("one", "two", "three"):
+        desk.editing.rename(_track(desk), name)
+
+    def refuse() -> None:
+        raise SessionError("no space left on the disk")
+
+    monkeypatch.setattr(desk.document.session, "undo", refuse)
+    desk.failed.connect(lambda error: told.append(str(error)) or _fuse(told))
+    desk.editing.go_to_edit(1)
+    assert told == ["no space left on the disk"]
+
+
+def _fuse(told) -> None:
+    if len(told) > 9:
+        pytest.exit("it never ends")
+
+
+def test_while_a_tracker_works_nobody_is_renamed_by_the_number_another_run_gave_them(desk):
+    track, told = _track(desk), []
+    desk.editing.rename(track, "anna")
+    desk.failed.connect(lambda error: told.append(str(error)))
+    desk.track("stereo-colour")
+    assert desk.document.label(track).name == ""
+    desk.editing.rename(track, "bert")
+    desk.editing.undo()
+    assert len(told) == 2
+    assert "stop tracking first" in told[0]
+    assert desk.document.session.labels.of_track(track).name == "anna"
+
+
+def test_a_tracker_does_not_begin_where_its_result_could_not_be_kept(window, desk, tiny_session):
+    desk.document.session._give_up_writing("for the test")
+    window.run_command("tracks.track")
+    assert "read only" in window.statusBar().currentMessage()
