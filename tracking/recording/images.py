@@ -13,11 +13,13 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
+from tracking.recording.image_headers import looks_odd
 from tracking.recording.wording import counted
 
 IMAGE_SUFFIXES = frozenset(
     (".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff", ".webp")
 )
+_MOST_LOOKED_OVER = 5000
 _NUMBER = re.compile(r"(\d+)")
 
 
@@ -54,6 +56,7 @@ class ImageSource:
         self._files = tuple(files)
         self._size = self._usual_size()
         self._lost: set[int] = set()
+        self._look_over()
 
     @property
     def frame_count(self) -> int:
@@ -126,6 +129,13 @@ class ImageSource:
             return image
         self._lost.add(number)
         return None
+
+    def _look_over(self) -> None:
+        """Find what is broken as far as first bytes tell, so that it is told on opening."""
+        step = -(-self.frame_count // _MOST_LOOKED_OVER)
+        for number in range(0, self.frame_count, step):
+            if looks_odd(self._files[number], self._size):
+                self._good(number)
 
     def _usual_size(self) -> tuple[int, int]:
         """The size most of a few images have: the first may be of another kind."""
