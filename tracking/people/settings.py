@@ -2,73 +2,40 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+
+from tracking.setting import setting
 
 
 @dataclass(frozen=True, slots=True)
 class PeopleSettings:
     """What a person looks like in metres."""
 
-    least_area_m2: float = field(
-        default=0.04,
-        metadata={
-            "unit": "m²",
-            "range": (0.01, 1.0),
-            "help": "less visible surface than this is nobody",
-        },
+    least_area_m2: float = setting(
+        0.04, "m²", (0.01, 1.0), "less visible surface than this is nobody"
     )
-    lowest_m: float = field(
-        default=0.3,
-        metadata={
-            "unit": "m",
-            "range": (0.05, 1.0),
-            "help": "points below tell nobody from shadows and flecks on the floor",
-        },
+    lowest_m: float = setting(
+        0.3, "m", (0.05, 1.0), "points below tell nobody from shadows and flecks on the floor"
     )
-    least_height_m: float = field(
-        default=0.9,
-        metadata={"unit": "m", "range": (0.3, 1.5), "help": "nobody's top is lower"},
+    least_height_m: float = setting(0.9, "m", (0.3, 1.5), "nobody's top is lower")
+    body_width_m: float = setting(0.5, "m", (0.2, 1.0), "breadth of a person")
+    body_height_m: float = setting(
+        1.75, "m", (0.8, 2.2), "height assumed of a person whose head or feet are not seen"
     )
-    body_width_m: float = field(
-        default=0.5,
-        metadata={"unit": "m", "range": (0.2, 1.0), "help": "breadth of a person"},
+    body_depth_m: float = setting(
+        0.07, "m", (0.0, 0.4), "a person's middle lies this far behind the surface that is seen"
     )
-    body_height_m: float = field(
-        default=1.75,
-        metadata={
-            "unit": "m",
-            "range": (0.8, 2.2),
-            "help": "height assumed of a person whose head or feet are not seen",
-        },
+    merged_ratio: float = setting(
+        1.6,
+        "",
+        (1.0, 4.0),
+        "a region this many times wider or higher than a person is several people",
     )
-    body_depth_m: float = field(
-        default=0.07,
-        metadata={
-            "unit": "m",
-            "range": (0.0, 0.4),
-            "help": "a person's middle lies this far behind the surface that is seen",
-        },
+    disparity_noise_px: float = setting(
+        0.35,
+        "px",
+        (0.02, 3.0),
+        "spread of disparity; how far apart in range people must be to be told apart",
     )
-    merged_ratio: float = field(
-        default=1.6,
-        metadata={
-            "unit": "",
-            "range": (1.0, 4.0),
-            "help": "a region this many times wider or higher than a person is several people",
-        },
-    )
-    disparity_noise_px: float = field(
-        default=0.35,
-        metadata={
-            "unit": "px",
-            "range": (0.02, 3.0),
-            "help": "spread of disparity; how far apart in range people must be to be told apart",
-        },
-    )
-    hue_bins: int = field(
-        default=16, metadata={"unit": "", "range": (4, 64), "help": "bins of hue in histograms"}
-    )
-    saturation_bins: int = field(
-        default=4,
-        metadata={"unit": "", "range": (1, 16), "help": "bins of saturation in histograms"},
-    )
+    hue_bins: int = setting(16, "", (4, 64), "bins of hue in histograms")
+    saturation_bins: int = setting(4, "", (1, 16), "bins of saturation in histograms")

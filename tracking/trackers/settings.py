@@ -1,8 +1,8 @@
 """Settings of a tracker: told by their dataclass, read from text, checked at the door.
 
-A tracker's settings are a frozen dataclass whose field metadata holds `unit`, `range` and `help`.
+A tracker's settings are a frozen dataclass of `tracking.setting.setting` fields.
 A field may itself be such a dataclass (the settings of an earlier stage); its fields are then
-named with a dot, e.g. `people.minimum_height_m`. The form, the command line and the checks below
+named with a dot, e.g. `people.least_height_m`. The form, the command line and the checks below
 all come from that one description.
 """
 
@@ -39,13 +39,6 @@ class SettingField:
     unit: str
     range: tuple[float, float] | None
     help: str
-
-
-def setting(default: Any, unit: str, allowed: tuple[float, float] | None, about: str) -> Any:
-    """A dataclass field with its description; see `SettingField`."""
-    return dataclasses.field(
-        default=default, metadata={"unit": unit, "range": allowed, "help": about}
-    )
 
 
 def settings_fields(settings_type: type) -> list[SettingField]:

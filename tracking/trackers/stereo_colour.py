@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from tracking.people import Detections, StereoPerception
 from tracking.recording import Recording
+from tracking.setting import setting
 from tracking.trackers.population import Population
-from tracking.trackers.settings import setting
 from tracking.trackers.stereo import StereoTracker, start
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 

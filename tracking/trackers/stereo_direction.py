@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from tracking.filtering import direction_cost, turning_angle
 from tracking.people import Detections, StereoPerception
 from tracking.recording import Recording
+from tracking.setting import setting
 from tracking.trackers.population import Population
-from tracking.trackers.settings import setting
 from tracking.trackers.stereo import StereoTracker, start
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 from tracking.foreground import ForegroundSettings
 from tracking.people import PeopleSettings
+from tracking.setting import setting
 from tracking.stereo import StereoSettings
-from tracking.trackers.settings import setting
 
 
 @dataclass(frozen=True, slots=True)
