@@ -94,6 +94,26 @@ def test_smoothing_changes_the_run_but_not_its_steps(recording: Recording):
     assert [step.tracks["x"].tobytes() for step in steps] == before
 
 
+def test_swapped_eyes_are_told(recording: Recording, rendered: Path):
+    eyes = OpenOptions(
+        left=rendered / "right.mp4",
+        right=rendered / "left.mp4",
+        calibration=(rendered / "calibration.yaml",),
+        height_m=recording.ground.height_m,
+        tilt_deg=recording.ground.tilt_deg,
+    )
+    with open_recording(rendered, eyes) as swapped, track(swapped, settings=FAST) as tracking:
+        assert tracking.notes == ()
+        list(tracking)
+        assert "are the eyes swapped?" in tracking.notes[0]
+
+
+def test_eyes_in_their_places_give_no_note(recording: Recording):
+    with track(recording, settings=FAST, frames=(40, 60)) as tracking:
+        list(tracking)
+        assert tracking.notes == ()
+
+
 def test_closing_keeps_what_was_tracked_so_far(recording: Recording):
     tracking = track(recording, settings=FAST)
     for _ in range(5):

@@ -11,6 +11,7 @@ import numpy as np
 
 import tracking
 from tracking.errors import SettingsError
+from tracking.people import RangedShare
 from tracking.recording import Recording, StereoFrame
 from tracking.trackers import (
     ASSOCIATION_COLUMNS,
@@ -100,6 +101,7 @@ class Tracking:
         self._settings = settings
         self._seed = seed
         self._results: list[StepResult] = []
+        self._ranged = RangedShare()
         self._steps = self._work()
 
     def __iter__(self) -> Iterator[StepResult]:
@@ -134,12 +136,21 @@ class Tracking:
             self._recording,
         )
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should be told of the frames tracked so far, a line each."""
+        followed = any(len(result.tracks["track"]) for result in self._results)
+        if followed or not self._ranged.is_too_small:
+            return ()
+        return (f"{self._recording.name}: no distance for what moves: are the eyes swapped?",)
+
     def _work(self) -> Generator[StepResult]:
         perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
         self._timed("learn", _learn, perception, self._recording)
         pictures = self._recording.frames(*self.frames)
         while (frame := self._timed("decode", next, pictures, None)) is not None:
             self.observation = self._timed("perception", perception.observe, frame)
+            self._ranged.add(self.observation.overlays)
             result = self._timed("tracker", tracker.step, self.observation)
             self._results.append(result)
             self.done += 1

@@ -70,6 +70,8 @@ def run_track(
 def tracked(recording: Recording, order: Order) -> Run:
     """The run of a tracker over the recording, with a progress bar.
 
+    What turned out odd on the way is told in the end.
+
     Raises:
         SettingsError: unknown tracker or setting, or a wrong range.
         RecordingError, CalibrationError: the tracker cannot work on this recording.
@@ -77,6 +79,7 @@ def tracked(recording: Recording, order: Order) -> Run:
     spec = tracker_named(order.tracker or best_tracker(recording))
     settings = parse_settings(spec, _pairs(order.settings))
     frames = _range(order.frames, recording.frame_count)
+    told = recording.notes
     with (
         track(recording, spec.name, settings, order.seed, frames) as work,
         progress(f"tracking with {spec.name}") as advance,
@@ -84,7 +87,11 @@ def tracked(recording: Recording, order: Order) -> Run:
         start, stop = work.frames
         for result in work:
             advance(result.frame + 1 - start, stop - start)
-        return work.run()
+        run = work.run()
+    for note in (*work.notes, *recording.notes):
+        if note not in told:
+            say(f"note: {note}")
+    return run
 
 
 def save_session(recording: Recording, run: Run, out: Path) -> None:

@@ -3,6 +3,14 @@
 from tracking.people.detections import Detections
 from tracking.people.observation import Observation, Overlays
 from tracking.people.perception import StereoPerception
+from tracking.people.ranging import RangedShare
 from tracking.people.settings import PeopleSettings
 
-__all__ = ["Detections", "Observation", "Overlays", "PeopleSettings", "StereoPerception"]
+__all__ = [
+    "Detections",
+    "Observation",
+    "Overlays",
+    "PeopleSettings",
+    "RangedShare",
+    "StereoPerception",
+]

@@ -145,6 +145,17 @@ def test_an_interrupted_track_leaves_nothing(
     assert list(tmp_path.iterdir()) == []
 
 
+def test_track_tells_what_is_odd_on_the_way(
+    trackwright: Trackwright, recording: Path, tmp_path: Path
+) -> None:
+    left, right = recording / "left.mp4", recording / "right.mp4"
+    words = ["--left", right, "--right", left, "--calibration", recording / "calibration.yaml"]
+    words += ["--height", "6.4", "--tilt", "60", "-o", tmp_path / "s.h5"]
+    status, _, err = trackwright("track", *words)
+    assert status == 0
+    assert "note: right: no distance for what moves: are the eyes swapped?\n" in err
+
+
 def test_a_session_nobody_worked_on_is_replaced(
     trackwright: Trackwright, footage: Path, session: Path
 ) -> None:
