@@ -53,6 +53,7 @@ def test_a_dotted_name_sets_a_value_of_an_earlier_stage():
         ({"particles": "many"}, "a whole number"),
         ({"particles": "500.5"}, "a whole number"),
         ({"gate_m": "nan"}, "from 0.1 to 5 m"),
+        ({"stereo.window_px": "8"}, "an odd number from 5 to 31 px"),
         ({"qqqqqqq": "1"}, "lists all settings"),
     ],
 )

@@ -31,6 +31,7 @@ class SettingField:
         unit: "" for a pure number.
         range: lowest and highest value allowed; None where any will do.
         help: one line.
+        odd: whether even numbers are refused.
     """
 
     name: str
@@ -39,6 +40,7 @@ class SettingField:
     unit: str
     range: tuple[float, float] | None
     help: str
+    odd: bool = False
 
 
 def settings_fields(settings_type: type) -> list[SettingField]:
@@ -88,7 +90,13 @@ def _fields(settings: Any, prefix: str) -> Iterator[SettingField]:
         kind = hint if hint in (bool, int, float, str) else type(value)
         allowed = about.get("range")
         yield SettingField(
-            prefix + field.name, kind, value, about.get("unit", ""), allowed, about.get("help", "")
+            prefix + field.name,
+            kind,
+            value,
+            about.get("unit", ""),
+            allowed,
+            about.get("help", ""),
+            about.get("odd", False),
         )
 
 
@@ -121,9 +129,11 @@ def _check(field: SettingField, value: Any) -> None:
         fits = isinstance(value, int) or (field.type is float and isinstance(value, float))
     else:
         fits = type(value) is field.type
+    fits = fits and not (field.odd and value % 2 == 0)
     low, high = field.range or (-math.inf, math.inf)
     if not fits or (isinstance(value, int | float) and not low <= value <= high):
         kind = {int: "a whole number", float: "a number"}.get(field.type, field.type.__name__)
+        kind = "an odd number" if field.odd else kind
         message = f"setting {field.name}={value}: must be {kind}{_allowed(field)}"
         raise SettingsError(message)
 
