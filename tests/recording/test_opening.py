@@ -119,6 +119,30 @@ def test_kitti_sequences(tmp_path: Path, tree: str) -> None:
         assert "P2" in recording.calibration_text
 
 
+def test_the_rate_taken_for_granted_of_kitti_is_told_unless_the_user_says_it(
+    tmp_path: Path,
+) -> None:
+    write_images(tmp_path / "image_02", range(COUNT))
+    with open_recording(tmp_path) as recording:
+        assert any("10, as KITTI has" in note for note in recording.notes)
+    with open_recording(tmp_path, OpenOptions(fps=5)) as recording:
+        assert recording.notes == ()
+
+
+@pytest.mark.parametrize("half", ["", "training"])
+def test_the_only_sequence_of_a_kitti_tree_opens(tmp_path: Path, half: str) -> None:
+    write_images(tmp_path / half / "image_02" / "0007", range(COUNT))
+    with open_recording(tmp_path) as recording:
+        assert (recording.name, recording.frame_count) == ("0007", COUNT)
+
+
+def test_of_several_kitti_sequences_one_must_be_named(tmp_path: Path) -> None:
+    for name in ("0000", "0001"):
+        write_images(tmp_path / "training" / "image_02" / name, range(2))
+    with pytest.raises(RecordingError, match=r"2 KITTI sequences; open one of them, .*0000"):
+        open_recording(tmp_path)
+
+
 def test_bare_files_with_options(tmp_path: Path) -> None:
     write_pair(tmp_path)
     write_calibration(tmp_path / "c.yaml", rig())

@@ -23,7 +23,7 @@ def test_a_manifest_may_not_name_files_outside_its_folder(
     write_video(folder / "v.mp4", range(3))
     source, calibration = (named, "c.yaml") if key == "source" else ("v.mp4", named)
     write_manifest(folder, Manifest("Hall", source, calibration=(calibration,)))
-    with pytest.raises(RecordingError, match="outside the folder"):
+    with pytest.raises(RecordingError, match=r"outside the folder.*--allow-outside"):
         open_recording(folder)
 
 
@@ -111,3 +111,9 @@ def test_what_is_no_recording_ends_in_one_line(tmp_path: Path, made: object) -> 
     with pytest.raises(TrackwrightError) as caught:
         open_recording(made(tmp_path))
     assert "\n" not in str(caught.value)
+
+
+def test_of_a_file_that_is_no_video_it_is_said_what_can_be_opened(tmp_path: Path) -> None:
+    (tmp_path / "notes.md").write_text("# Notes\n")
+    with pytest.raises(RecordingError, match=r"give a video, a folder of images or a folder with"):
+        open_recording(tmp_path / "notes.md")

@@ -36,6 +36,7 @@ class Located:
         text: the manifest's text.
         trusted: the paths come from the user or were found, not from a file.
         own: the text is the folder's recording.toml, as read.
+        notes: what was taken for granted, in words.
     """
 
     path: Path
@@ -44,6 +45,7 @@ class Located:
     text: str
     trusted: bool
     own: bool = False
+    notes: tuple[str, ...] = ()
 
 
 def locate(path: Path, options: OpenOptions) -> Located:
@@ -103,9 +105,10 @@ def _in_folder(folder: Path) -> Located:
         text = manifest_text(folder)
         manifest = parse_manifest(text, str(folder / MANIFEST_NAME), folder.resolve().name)
         return Located(folder, folder, manifest, text, trusted=False, own=True)
-    kitti = _kitti(folder)
+    kitti = _kitti(folder) or _only_sequence(folder)
     if kitti is not None:
-        return kitti
+        rate = f"frames a second are not said: {_KITTI_FPS:g}, as KITTI has; --fps says otherwise"
+        return replace(kitti, notes=(rate,))
     name = folder.resolve().name
     if image_files([file for file in folder.iterdir() if file.is_file()]):
         return _made_up(folder, name, folder, None)
@@ -156,7 +159,9 @@ def _with_options(found: Located, options: OpenOptions) -> Located:
         raise RecordingError(
             f"{found.path}: has a source for each eye; leave out the layout of both in one"
         )
-    return replace(found, manifest=changed, text=format_manifest(changed), own=False)
+    text = format_manifest(changed)
+    notes = () if options.fps else found.notes
+    return replace(found, manifest=changed, text=text, own=False, notes=notes)
 
 
 def _with_calibration(found: Located, options: OpenOptions) -> Located:
@@ -198,6 +203,24 @@ def _kitti(folder: Path) -> Located | None:
         right = _images_in(training / "image_03" / folder.name)
         calibration = _first_file((training / "calib", f"{folder.name}.txt"))
         return _made_up(folder, folder.name, folder, right, calibration, _KITTI_FPS)
+    return None
+
+
+def _only_sequence(folder: Path) -> Located | None:
+    """The sequence of a KITTI benchmark's tree that has one; None where it is no such tree.
+
+    Raises:
+        RecordingError: there are several, of which the user must choose.
+    """
+    for half in (folder, folder / "training", folder / "testing"):
+        if (half / "image_02").is_dir():
+            found = [place for place in sorted((half / "image_02").iterdir()) if _images_in(place)]
+            if len(found) > 1:
+                raise RecordingError(
+                    f"{folder}: holds {len(found)} KITTI sequences; open one of them, "
+                    f"e.g. {found[0]}"
+                )
+            return _kitti(found[0]) if found else None
     return None
 
 

@@ -75,7 +75,8 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
     except (av.error.FFmpegError, OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "unknown contents"
         raise RecordingError(
-            f"{where}: not a video that can be read ({reason}); check the file"
+            f"{where}: not a video that can be read ({reason}); give a video, a folder of images "
+            "or a folder with recording.toml"
         ) from error
     if not container.streams.video or container.format.name in ("hls", "concat", "dash", "sdp"):
         container.close()

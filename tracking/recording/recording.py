@@ -61,7 +61,11 @@ class Recording:
         self._eyes = eyes
         self._times_s = _uneven_times(eyes, self.fps, self.frame_count)
         self._lock = Lock()
-        self._opening_notes = (*_manifest_notes(located, eyes, self.fps), *calibrated.notes)
+        self._opening_notes = (
+            *located.notes,
+            *_manifest_notes(located, eyes, self.fps),
+            *calibrated.notes,
+        )
         self._opening_notes += self._first_frame_notes()
 
     @property
