@@ -33,7 +33,6 @@ class LiveTracking(QObject):
         self._recording = recording
         self._frames = (0, recording.frame_count)
         self._worker: LiveTracker | None = None
-        self._began_s = 0.0
         self._recent: list[tuple[float, int]] = []
 
     @property
@@ -52,7 +51,6 @@ class LiveTracking(QObject):
         self.close()
         self._frames = frames or (0, self._recording.frame_count)
         self.tracker, self.done, self._recent = tracker, 0, []
-        self._began_s = time.monotonic()
         worker = LiveTracker(self._recording, tracker, settings, seed, self, frames)
         worker.tracked.connect(self._take)
         worker.finished.connect(self._finish)

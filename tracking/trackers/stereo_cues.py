@@ -60,13 +60,19 @@ def costs_of(
 ) -> Costs:
     """The costs of all pairs: `D = Dd + Dc + Da` ([Kawashita2014] section 3.3).
 
-    Where we differ from the source: the distance of somebody who was missed counts for less, the
-    longer the less, and the gate widens alike (the papers name a wider search after long
-    occlusion as what they lack).
+    Where we differ from the source:
+        - the distance of somebody who was missed counts for less, the longer the less, and the
+          gate widens alike (the papers name a wider search after long occlusion as what they
+          lack);
+        - both also widen with the distance from the camera, as the error of range does;
+        - distance and colour have weights (the papers leave those open);
+        - somebody expected to be hidden pays for a detection: what is seen is more likely the
+          one in front.
 
     Args:
         people: predicted to this frame. measured: (detections, 2) m.
         colours: (detections, cues, bins).
+        shown: (people,) share of each body, 0 to 1, that the others leave to be seen.
     """
     offset = measured[None, :, :] - people.position[:, None, :]
     distance = np.hypot(offset[..., 0], offset[..., 1])

@@ -1,8 +1,11 @@
 """What is not saved is asked for by itself, kept while other work goes on, or let go whole."""
 
+import gc
 import threading
+import weakref
 
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QMessageBox
 
 _BUTTON = QMessageBox.StandardButton
@@ -96,3 +99,19 @@ def test_playing_on_while_the_result_is_being_kept_does_not_track_anew(window, f
     fresh.toggle()
     assert not fresh.live.running
     qtbot.waitUntil(lambda: window.files.session is not None, timeout=30_000)
+
+
+def test_opening_another_recording_lets_the_first_one_go(
+    window, qtbot, tiny_session, tiny_recording
+):
+    let_go = []
+    for path in (tiny_session, tiny_recording):
+        window.files.open_path(path)
+        qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy)
+        qtbot.waitUntil(lambda: window.desk.playback.frame is not None)
+        window.run_command("view.foreground")
+        let_go.append(weakref.ref(window.desk.document.recording))
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
+    assert let_go[0]() is None
+    assert let_go[1]() is not None
