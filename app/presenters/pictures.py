@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.anaglyph import Anaglyph
 from app.presenters.palette import colour_of_track, colours_of_tracks
 from app.presenters.right_eye import boxes_in_right_eye
-from app.presenters.scenes import Eye, PersonMark, PictureScene
+from app.presenters.scenes import Eye, PersonMark, PictureScene, PreviewTrail
 from app.presenters.setting import NOTHING_LAID, Instant, Laid, Pictured
 from app.presenters.trails import TRAIL_S, floor_points, foot_points, trails_by_track
 from app.presenters.words import tr
@@ -59,7 +61,7 @@ class PicturePresenter:
             ),
             grid=self._floor_grid(eye) if pictured.grid else np.zeros((0, 2, 2)),
             message=laid.message,
-            preview=instant.picture_preview if eye is Eye.LEFT else (),
+            preview=self._preview(eye, instant),
             legend=laid.legend,
         )
 
@@ -73,6 +75,15 @@ class PicturePresenter:
         """Both eyes in one picture for red and cyan glasses, with the left eye's people."""
         scene = self.scene(Eye.LEFT, frame, instant, pictured, laid)
         return scene if frame is None else self._anaglyph.scene(frame, scene)
+
+    def _preview(self, eye: Eye, instant: Instant) -> tuple[PreviewTrail, ...]:
+        """The trails of an edit that waits; for the right eye from their places on the floor."""
+        if eye is Eye.LEFT:
+            return instant.picture_preview
+        seen = ((trail, self._project(eye, trail.points)) for trail in instant.preview)
+        return tuple(
+            replace(trail, points=points[np.isfinite(points).all(axis=1)]) for trail, points in seen
+        )
 
     def _people(self, eye: Eye, instant: Instant, pictured: Pictured) -> tuple[PersonMark, ...]:
         rows = instant.tracks.of_frame(instant.frame)

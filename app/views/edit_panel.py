@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.presenters.scenes import EditPreview
 from app.views.icons import IconButton
 from app.views.parts import quiet
+from app.views.preview_legend import PreviewLegend
 from app.views.theme import scaled_font
 
 _LARGEST_ID = 2**31 - 1
@@ -87,6 +88,8 @@ class EditPanel(QFrame):
         self._build_choices(rows)
         self._build_nudge(rows)
         self._details = self._words(rows)
+        self._legend = PreviewLegend(self)
+        rows.addWidget(self._legend, 0, Qt.AlignmentFlag.AlignLeft)
         self._hint = self._words(rows, "muted")
         self._build_ends(rows)
         self.hide()
@@ -175,6 +178,7 @@ class EditPanel(QFrame):
         self._frame.setText(self.tr("frame {0}").format(preview.frame))
         self._nudge.setVisible(preview.ready and preview.has_cut)
         self._confirm.setVisible(preview.ready)
+        self._legend.setVisible(preview.ready)
         self._other_line.setVisible(preview.other is not None)
         self._other.setText(str(preview.other or ""))
         self._ask(preview.other == 0)

@@ -123,10 +123,12 @@ class Files(QObject):
         """Tell why something did not work; offer to find a recording that has moved."""
         session = self._opening
         if isinstance(error, RecordingMissing) and session is not None:
-            self._window.notice.say(str(error), tr("Find it..."), lambda: self._find(session))
+            find = partial(self._find, session)
+            self._window.notice.say(str(error), tr("Find it..."), find, is_error=True)
         elif isinstance(error, SessionError) and session is not None and generations(session):
             take = tr("Open the copy saved before")
-            self._window.notice.say(str(error), take, lambda: self._open_older(session))
+            older = partial(self._open_older, session)
+            self._window.notice.say(str(error), take, older, is_error=True)
         else:
             self.failed.emit(error)
 

@@ -190,7 +190,7 @@ class MainWindow(QMainWindow):
 
     def tell_error(self, error: Exception) -> None:
         """Tell what went wrong."""
-        self.notice.say(explain(error))
+        self.notice.say(explain(error), is_error=True)
 
     # commands
 

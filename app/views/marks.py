@@ -88,13 +88,18 @@ def draw_preview(painter: QPainter, trails: Sequence[PreviewTrail], viewport: Vi
     """
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for trail in sorted(trails, key=lambda one: one.after):
-        colour = QColor(*trail.colour)
-        pen = QPen(colour, 2.6) if trail.after else QPen(faded(colour, 0.6), 8.0)
-        if not trail.after:
-            pen.setDashPattern([0.9, 0.6])
-            pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-        painter.setPen(pen)
+        painter.setPen(preview_pen(QColor(*trail.colour), trail.after))
         painter.drawPolyline(polygon(viewport.to_widget(trail.points)))
+
+
+def preview_pen(colour: QColor, after: bool) -> QPen:
+    """The pen of a trail as it would be after an edit, or as it is before."""
+    if after:
+        return QPen(colour, 2.6)
+    pen = QPen(faded(colour, 0.6), 8.0)
+    pen.setDashPattern([0.9, 0.6])
+    pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+    return pen
 
 
 def _draw_box(painter: QPainter, person: PersonMark, rect: QRectF) -> None:

@@ -14,7 +14,7 @@ class NoticeBar(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._do: Callable[[], object] | None = None
-        self.setProperty("notice", True)
+        self.setProperty("notice", "true")
         self.setAccessibleName(self.tr("Message"))
         row = QHBoxLayout(self)
         row.setContentsMargins(16, 8, 16, 8)
@@ -43,14 +43,30 @@ class NoticeBar(QFrame):
         """What the offered button says; "" where there is none."""
         return self._action.text()
 
-    def say(self, text: str, action: str = "", do: Callable[[], object] | None = None) -> None:
+    def say(
+        self,
+        text: str,
+        action: str = "",
+        do: Callable[[], object] | None = None,
+        *,
+        is_error: bool = False,
+    ) -> None:
         """Show a message, with a button where there is something to `do` about it."""
         self._do = do
+        self._tint("error" if is_error else "true")
+        self.setAccessibleName(self.tr("Error") if is_error else self.tr("Message"))
         self._text.setText(text)
         self._text.setAccessibleName(text)
         self._action.setText(action)
         self._action.setVisible(bool(action))
         self.show()
+
+    def _tint(self, notice: str) -> None:
+        """Have the stylesheet draw another kind of notice."""
+        if self.property("notice") != notice:
+            self.setProperty("notice", notice)
+            self.style().unpolish(self)
+            self.style().polish(self)
 
     def _act(self) -> None:
         self.hide()

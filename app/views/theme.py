@@ -53,6 +53,7 @@ class Theme:
     good: QColor
     warning: QColor
     danger: QColor
+    danger_ground: QColor
     grid: QColor
     grid_major: QColor
     measured: QColor

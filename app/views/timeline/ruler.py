@@ -12,7 +12,8 @@ from app.views.theme import Theme, faded, scaled_font
 from app.views.timeline.axis import TimeAxis, ticks
 
 SMALL = 0.85  # the ruler's font, of the widget's own
-_PLAYHEAD = [(-5.5, -14), (5.5, -14), (5.5, -8), (0, -2), (-5.5, -8)]
+_PLAYHEAD = [(-5, -10), (5, -10), (5, -6), (0, -1), (-5, -6)]
+PLAYHEAD_HEIGHT = 10.0  # it stands below the numbers and hides none
 
 
 def draw_ruler(
@@ -69,7 +70,7 @@ def _draw_tracked(
 def draw_playhead(painter: QPainter, x: float, lanes: QRectF, theme: Theme) -> None:
     """A line through the lanes with a handle on the ruler."""
     painter.setPen(QPen(theme.accent, 1.6))
-    painter.drawLine(QPointF(x, lanes.top() - 8), QPointF(x, lanes.bottom()))
+    painter.drawLine(QPointF(x, lanes.top() - 6), QPointF(x, lanes.bottom()))
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(theme.accent)
     painter.drawPolygon(QPolygonF([QPointF(x + dx, lanes.top() + dy) for dx, dy in _PLAYHEAD]))

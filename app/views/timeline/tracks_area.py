@@ -22,7 +22,14 @@ from app.views.labels import draw_message
 from app.views.theme import Theme, current_theme, scaled_font
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.lanes import draw_lane
-from app.views.timeline.ruler import SMALL, draw_cut, draw_playhead, draw_ruler, draw_tick_lines
+from app.views.timeline.ruler import (
+    PLAYHEAD_HEIGHT,
+    SMALL,
+    draw_cut,
+    draw_playhead,
+    draw_ruler,
+    draw_tick_lines,
+)
 
 _NOTCH = 120.0
 _PLAYHEAD_PX = 8.0  # to either side of its line
@@ -74,8 +81,8 @@ class TracksArea(QWidget):
 
     @property
     def ruler_height(self) -> float:
-        """Of the line with times and frames, by the font."""
-        return 2 * QFontMetricsF(scaled_font(self.font(), SMALL)).height() + 8.0
+        """Of the lines with times and frames, by the font, and of the playhead's handle."""
+        return 2 * QFontMetricsF(scaled_font(self.font(), SMALL)).height() + PLAYHEAD_HEIGHT + 2
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Ruler and six lanes."""

@@ -3,6 +3,7 @@ import pytest
 import two_people
 
 from app.presenters.document import Document
+from app.presenters.edit_flow import EditKind
 from app.presenters.overhead import relative_weights
 from app.presenters.scenes import Eye
 from app.presenters.session_tracks import SessionTracks
@@ -49,6 +50,18 @@ def test_the_right_eye_has_the_same_people_shifted_by_their_disparity(document):
         shift = left[track].box[0] - right[track].box[0]
         assert shift == pytest.approx(rectification.disparity_from_world(middle)[0], abs=0.5)
         assert left[track].box[1:] == pytest.approx(right[track].box[1:], abs=0.5)
+
+
+def test_a_previewed_swap_is_seen_in_both_eyes_and_from_above(document):
+    first, second = document.tracks.of_frame(CROWDED)["track"].tolist()[:2]
+    document.pick(first)
+    document.begin_edit(EditKind.SWAP, CROWDED)
+    document.pick(second)
+    left, right = (_scene(document, eye).preview for eye in (Eye.LEFT, Eye.RIGHT))
+    assert len(left) == len(right) == len(document.instant(CROWDED).preview) == 4
+    for one, other in zip(left, right, strict=True):
+        assert (one.colour, one.after) == (other.colour, other.after)
+        assert (other.points[:, 0] < one.points[:, 0]).all()  # nearer things lie further left
 
 
 def test_trails_end_where_the_people_stand(document):

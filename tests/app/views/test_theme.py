@@ -28,7 +28,7 @@ ICONS = sorted(Path(str(one)).stem for one in (files("resources") / "icons").ite
 @pytest.mark.parametrize("name", THEMES)
 def test_text_is_readable_on_every_ground(name):
     theme = load_theme(name)
-    for ground in (theme.window, theme.surface, theme.raised, theme.selection):
+    for ground in (theme.window, theme.surface, theme.raised, theme.selection, theme.danger_ground):
         assert contrast(theme.text, ground) >= 7
         assert contrast(theme.text_muted, ground) >= 4.0
     assert contrast(theme.accent_text, theme.accent_fill) >= 4.5

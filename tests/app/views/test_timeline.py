@@ -7,13 +7,14 @@ import pytest
 from drawn_scenes import RED, lane, timeline
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QPixmap
 
 from app.views.timeline import TimelineView
 from app.views.timeline.axis import TimeAxis, ticks
 from app.views.timeline.lanes import visible_spans
 from app.views.timeline.overview import busiest
+from app.views.timeline.ruler import PLAYHEAD_HEIGHT
 
 LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
 AXIS = TimeAxis(100.0, 800.0, 0.0, 1000.0, 1000)
@@ -39,6 +40,13 @@ def test_a_click_on_the_ruler_seeks(view, qtbot):
     with qtbot.waitSignal(view.frame_sought) as sought:
         qtbot.mouseClick(view.area, LEFT, pos=QPoint(round(view.area.axis.x_of(500.5)), 5))
     assert sought.args == [pytest.approx(500, abs=2)]
+
+
+def test_the_playhead_hides_no_number_of_the_ruler(view, drawn):
+    numbers = QRect(0, 0, view.width(), round(view.area.ruler_height - PLAYHEAD_HEIGHT))
+    with_handle = drawn(view).copy(numbers)
+    view.show_scene(timeline(lane(4), lane(7), lane(9), frame=500))
+    assert drawn(view).copy(numbers) == with_handle
 
 
 def test_dragging_seeks_all_the_way_and_stays_inside(view, qtbot):
