@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.presenters.edit_flow import SCOPES, EditFlow, EditKind, Scope
 from app.presenters.palette import colour_of_track
 from app.presenters.scenes import EditPreview, PreviewTrail
-from app.presenters.words import time_text, tr
+from app.presenters.words import counted, time_text, tr
 from tracking.editing import Change, apply_change
 from tracking.errors import EditError
 from tracking.tracks import Columns, Labels, TrackTable
@@ -132,7 +132,10 @@ def _details(flow: EditFlow, change: Change, table: TrackTable, fps: float) -> t
     if flow.kind is EditKind.SPLIT:
         lines.append(tr("{a} keeps its id before the cut", a=flow.track))
     counts = rows_changed(change, table)
-    what = ", ".join(tr("{n} frames of {track}", n=n, track=track) for track, n in counts.items())
+    what = ", ".join(
+        counted(n, "{n} frame of {track}", "{n} frames of {track}", track=track)
+        for track, n in counts.items()
+    )
     if what:
         lines.append(tr("Changes {what}", what=what))
     return tuple(lines)

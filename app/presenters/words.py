@@ -22,6 +22,11 @@ def tr(text: str, **values: object) -> str:
     return words.format(**values) if values else words
 
 
+def counted(count: int, one: str, many: str, **values: object) -> str:
+    """How many of something in words: `one` or `many` of them, with {n} for the number."""
+    return tr(one if count == 1 else many, n=count, **values)
+
+
 def time_text(seconds: float) -> str:
     """Minutes, seconds and hundredths, e.g. "00:41.70"; with hours where there are any."""
     hundredths = round(max(0.0, seconds) * 100)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, QSize, Qt, Signal
-from PySide6.QtGui import QFontMetrics, QPainter
+from PySide6.QtGui import QFont, QFontMetrics, QPainter
 from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
@@ -21,7 +21,8 @@ from app.views.parts import EmptyState, Panel
 from app.views.theme import current_theme, scaled_font
 
 _ITEM = Qt.ItemDataRole.UserRole
-_PAD = 6
+_PAD = 3
+_ROWS = 5  # seen at least
 
 
 class HistoryPanel(Panel):
@@ -54,6 +55,7 @@ class HistoryPanel(Panel):
         self._list.setMouseTracking(True)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.setItemDelegate(_EditDelegate(self._list))
+        self._list.setMinimumHeight(_ROWS * _row_height(self._list.font()))
         self._list.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self._list.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._list.customContextMenuRequested.connect(self._open_menu)
@@ -112,6 +114,12 @@ def _edit_of(row: QListWidgetItem) -> HistoryItem:
     return item
 
 
+def _row_height(font: QFont) -> int:
+    """Two lines, the lower one smaller."""
+    small = QFontMetrics(scaled_font(font, 0.85))
+    return QFontMetrics(font).height() + small.height() + 2 * _PAD
+
+
 class _EditDelegate(QStyledItemDelegate):
     """Two lines an edit: what, and when by whom; undone ones greyed and struck out."""
 
@@ -119,8 +127,7 @@ class _EditDelegate(QStyledItemDelegate):
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> QSize:
         del index
-        small = QFontMetrics(scaled_font(option.font, 0.85))
-        return QSize(64, QFontMetrics(option.font).height() + small.height() + 2 * _PAD)
+        return QSize(64, _row_height(option.font))
 
     def paint(
         self,

@@ -7,21 +7,26 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import (
+    QFrame,
     QGridLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QPlainTextEdit,
     QPushButton,
+    QScrollArea,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.presenters.scenes import TrackCard
+from app.presenters.words import counted
 from app.views.attributes import AttributesTable
-from app.views.parts import EmptyState, Panel, Swatch, heading, quiet
+from app.views.parts import Panel, Swatch, heading, quiet
 from app.views.theme import current_theme, scaled_font
+
+_LEAST_LINES = 7
 
 
 class NameEdit(QLineEdit):
@@ -76,11 +81,8 @@ class TrackPanel(Panel):
         super().__init__(self.tr("Track"), parent)
         self._card: TrackCard | None = None
         self._tools: list[QToolButton] = []
-        self._empty = EmptyState("person", parent=self)
-        self._empty.say(
-            self.tr("No track selected"),
-            self.tr("Click a person in a picture, on the floor or in the timeline."),
-        )
+        self._empty = quiet(self.tr("Click a person to see their track."), self)
+        self._empty.setToolTip(self.tr("In a picture, on the floor or in the timeline"))
         self._body = QWidget(self)
         rows = QVBoxLayout(self._body)
         rows.setContentsMargins(0, 0, 0, 0)
@@ -90,9 +92,19 @@ class TrackPanel(Panel):
         self._build_attributes(rows)
         self._build_notes(rows)
         both = QVBoxLayout()  # no stack: what is hidden would keep its room
-        both.addWidget(self._empty)
-        both.addWidget(self._body)
-        self._body.hide()
+        both.addWidget(self._empty, 0, Qt.AlignmentFlag.AlignTop)
+        self._scroll = QScrollArea(self)  # a card that is too high scrolls by itself
+        self._scroll.setWidget(self._body)
+        self._scroll.setWidgetResizable(True)
+        for ground in (self._body, self._scroll.viewport()):
+            ground.setAutoFillBackground(False)  # the panel's own is seen
+        self._scroll.setFrameShape(QFrame.Shape.NoFrame)
+        self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._scroll.setMinimumHeight(_LEAST_LINES * self.fontMetrics().lineSpacing())
+        self._scroll.setMinimumWidth(self._body.minimumSizeHint().width())
+        self._scroll.setFocusProxy(self._attributes)
+        both.addWidget(self._scroll)
+        self._scroll.hide()
         self.layout_body(both)
 
     def _build_name(self, rows: QVBoxLayout) -> None:
@@ -190,7 +202,7 @@ class TrackPanel(Panel):
         """Show another track; what is being typed about the same one is left alone."""
         before, self._card = self._card, card
         self._empty.setVisible(card is None)
-        self._body.setVisible(card is not None)
+        self._scroll.setVisible(card is not None)
         if card is None or card == before:
             return
         other = before is None or before.track != card.track
@@ -198,8 +210,8 @@ class TrackPanel(Panel):
         self._id.setText(str(card.track))
         self._first.setText(str(card.first_frame))
         self._last.setText(str(card.last_frame))
-        seen = self.tr("{0} frames, {1} predicted")
-        self._seen.setText(seen.format(card.frames_seen, card.frames_predicted))
+        seen = counted(card.frames_seen, "{n} frame", "{n} frames")
+        self._seen.setText(self.tr("{0}, {1} predicted").format(seen, card.frames_predicted))
         known = card.mean_confidence == card.mean_confidence
         self._confidence.setText(f"{card.mean_confidence:.2f}" if known else self.tr("not known"))
         if other or not self._name.hasFocus():
@@ -216,6 +228,7 @@ class TrackPanel(Panel):
     def _send_name(self) -> None:
         if self._card is not None and self._name.text() != self._card.name:
             self.name_edited.emit(self._card.track, self._name.text())
+            self._name.setText(self._card.name)  # the old one, where it was refused
 
     def _send_notes(self) -> None:
         if self._card is not None and self._notes.toPlainText() != self._card.notes:

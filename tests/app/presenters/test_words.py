@@ -1,3 +1,5 @@
+import pytest
+
 from app.presenters import words
 
 
@@ -26,3 +28,8 @@ def test_durations_are_rounded_for_people_who_wait():
         "3 min",
         "1 h 5 min",
     ]
+
+
+@pytest.mark.parametrize(("count", "said"), [(0, "0 frames"), (1, "1 frame"), (2, "2 frames")])
+def test_one_is_not_said_in_the_plural(count, said):
+    assert words.counted(count, "{n} frame", "{n} frames") == said

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QMenu
 from app.presenters.scenes import EditPreview, HistoryItem, TrackCard
 from app.views.edit_panel import EditPanel
 from app.views.history_panel import HistoryPanel
+from app.views.notice import NoticeBar
 from app.views.review_panel import ReviewPanel
 from app.views.track_panel import TrackPanel
 
@@ -95,7 +96,7 @@ def test_the_ends_of_a_track_can_be_gone_to(track_panel, qtbot):
 
 def test_without_a_track_it_says_how_to_select_one(track_panel):
     track_panel.show_scene(None)
-    assert track_panel._body.isHidden()
+    assert track_panel._scroll.isHidden()
     assert "Click a person" in words(track_panel)
 
 
@@ -207,7 +208,7 @@ def test_without_a_preview_the_bar_is_hidden(preview):
 def test_the_review_queue_is_honest_about_being_empty(qtbot, dark):
     panel = ReviewPanel()
     qtbot.addWidget(panel)
-    assert "not searched for" in words(panel)
+    assert "not looked for" in words(panel)
 
 
 @pytest.mark.parametrize("kind", [TrackPanel, HistoryPanel, EditPanel, ReviewPanel])
@@ -246,3 +247,33 @@ def test_a_further_edit_leaves_the_rows_of_the_others_as_they_are(history):
     assert [history._list.item(row).text() for row in range(2)] == ["edit 5", "edit 1"]
     history.show_scene(())
     assert history._list.count() == 0
+
+
+def test_a_name_that_was_refused_is_put_back(track_panel, qtbot, heard):
+    edited = heard(track_panel.name_edited)
+    track_panel._name.setText("blue coat")
+    qtbot.keyClick(track_panel._name, Qt.Key.Key_Return)
+    assert track_panel._name.text() == "red coat"
+    assert edited == [(4, "blue coat")]
+
+
+def test_a_single_frame_is_not_said_in_the_plural(track_panel):
+    track_panel.show_scene(replace(CARD, frames_seen=1, frames_predicted=0))
+    assert "1 frame, 0 predicted" in words(track_panel)
+
+
+def test_what_the_trails_of_a_preview_mean_is_said_once_there_are_any(preview):
+    assert not preview._legend.isHidden()
+    preview.show_scene(replace(SWAP, ready=False, other=0))
+    assert preview._legend.isHidden()
+
+
+def test_errors_have_a_ground_of_their_own(qtbot, dark, drawn):
+    notice = NoticeBar()
+    qtbot.addWidget(notice)
+    notice.resize(600, 50)
+    grounds = {}
+    for is_error in (True, False):
+        notice.say("The disk is full", is_error=is_error)
+        grounds[is_error] = drawn(notice).pixelColor(5, 25).name()
+    assert grounds == {True: dark.danger_ground.name(), False: dark.selection.name()}

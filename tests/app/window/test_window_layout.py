@@ -1,0 +1,35 @@
+"""How the room of an ordinary screen is shared."""
+
+import pytest
+
+
+@pytest.fixture
+def window_on_a_laptop(window, qtbot, tiny_session):
+    window.resize(1440, 900)
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    desk = window.desk
+    desk.editing.pick(desk.document.tracks.ids[0])
+    for number in range(8):
+        desk.editing.rename(desk.document.selection.track, f"name {number}")
+    window.grab()  # lays it out
+    return window
+
+
+def test_five_edits_of_the_history_are_in_sight(window_on_a_laptop):
+    rows = window_on_a_laptop.workspace.history._list
+    assert rows.viewport().height() >= 5 * rows.visualItemRect(rows.item(0)).height()
+    fifth = rows.visualItemRect(rows.item(4)).bottomLeft()
+    place = rows.viewport().mapTo(window_on_a_laptop, fifth)
+    line = window_on_a_laptop.workspace.transport
+    assert place.y() <= line.mapTo(window_on_a_laptop, line.rect().topLeft()).y()
+
+
+def test_the_panel_without_suspicions_takes_a_line(window_on_a_laptop):
+    panel = window_on_a_laptop.workspace.review
+    assert panel.height() < 4 * panel.fontMetrics().height() + 24
+
+
+def test_six_lanes_are_in_sight(window_on_a_laptop):
+    area = window_on_a_laptop.workspace.timeline.area
+    assert area.height() - area.ruler_height >= 6 * area.lane_height
