@@ -207,8 +207,8 @@ class Desk(QObject):
         self.draw()
 
     def _fail_live(self, error: Exception) -> None:
-        self.document.end_live()
-        self.draw()
+        """Nothing is kept of it, so nothing of it stays in view; play begins anew."""
+        self.drop_live()
         self.failed.emit(error)
 
     # drawing

@@ -115,3 +115,16 @@ def test_opening_another_recording_lets_the_first_one_go(
     gc.collect()
     assert let_go[0]() is None
     assert let_go[1]() is not None
+
+
+def test_after_a_tracker_has_failed_nothing_of_it_is_shown_and_play_tracks_anew(
+    window, fresh, qtbot
+):
+    fresh.toggle()
+    qtbot.waitUntil(lambda: len(fresh.document.tracks.ids) > 0, timeout=30_000)
+    fresh.live._worker._process._child.kill()
+    qtbot.waitUntil(lambda: "ended by itself" in window.notice.text, timeout=30_000)
+    assert not fresh.document.tracks.ids
+    fresh.playback.pause()
+    fresh.toggle()
+    assert fresh.live.running
