@@ -32,7 +32,7 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
     """
     try:
         journal = store.journal()
-        steps = _missing_steps(journal, stamps)
+        steps = missing_steps(journal, stamps)
     except SessionError as why:
         return Recovery(notes=(f"{why}; it was kept aside as {store.set_journal_aside()}",))
     made = 0
@@ -51,7 +51,7 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
     return Recovery(made, _told(made))
 
 
-def _missing_steps(journal: Journal, stamps: Stamps) -> list[Step]:
+def missing_steps(journal: Journal, stamps: Stamps) -> list[Step]:
     """The journal's steps that were made after the file was saved, in order.
 
     The journal builds on this save, or on the one before it where the program ended between

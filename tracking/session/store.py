@@ -10,7 +10,7 @@ from tracking.session.journal import Journal
 from tracking.session.lock import SessionLock
 from tracking.session.saving import clear_leftovers, companions, sync_folder, telling_where
 
-_JOURNAL = "journal.sqlite"
+JOURNAL = "journal.sqlite"
 
 
 class Store:
@@ -45,12 +45,12 @@ class Store:
     @property
     def has_journal(self) -> bool:
         """Whether there is a journal, open or left by a program that died."""
-        return self._journal is not None or (self._folder / _JOURNAL).exists()
+        return self._journal is not None or (self._folder / JOURNAL).exists()
 
     def journal(self) -> Journal:
         """The journal, made where there is none."""
         if self._journal is None:
-            self._journal = Journal(self._folder / _JOURNAL)
+            self._journal = Journal(self._folder / JOURNAL)
         return self._journal
 
     def set_journal_aside(self) -> Path:
@@ -60,7 +60,7 @@ class Store:
         aside = self._folder / f"kept-aside-{taken + 1}.sqlite"
         with telling_where(aside, "the journal cannot be kept aside"):
             for ending in ("-wal", "-shm", ""):
-                file = self._folder / f"{_JOURNAL}{ending}"
+                file = self._folder / f"{JOURNAL}{ending}"
                 if file.exists():
                     file.replace(self._folder / f"{aside.name}{ending}")
         return aside
@@ -71,7 +71,7 @@ class Store:
         with contextlib.suppress(OSError):
             if not keep_journal:
                 for ending in ("-wal", "-shm", ""):
-                    (self._folder / f"{_JOURNAL}{ending}").unlink(missing_ok=True)
+                    (self._folder / f"{JOURNAL}{ending}").unlink(missing_ok=True)
             self._lock.release()
             self._folder.rmdir()  # only succeeds where nothing is kept
 
@@ -83,4 +83,4 @@ class Store:
 
 def has_waiting_journal(path: Path) -> bool:
     """Whether edits may wait beside a session that this program may not write."""
-    return (companions(path) / _JOURNAL).exists()
+    return (companions(path) / JOURNAL).exists()

@@ -1,0 +1,37 @@
+"""What is told of a session counts the edits that only its journal holds."""
+
+from __future__ import annotations
+
+from tracking.editing import plan_delete, plan_swap
+from tracking.session import Session, describe
+from tracking.session.saving import companions
+
+
+def edit(session: Session, *, swaps: int = 1) -> None:
+    for frame in range(10, 10 + swaps):
+        session.apply(plan_swap(session.tracks, 1, 2, frame))
+
+
+def test_edits_that_wait_in_the_journal_count_in_what_is_told(session: Session) -> None:
+    edit(session)
+    path = session.save()
+    edit(session, swaps=3)
+    session.undo()
+    session.apply(plan_delete(session.tracks, 2))
+    told = describe(path)
+    assert (told["edits"], told["undone_edits"], told["edits_waiting_in_journal"]) == (4, 1, 5)
+    assert (told["tracks"], told["rows"]) == (len(session.tracks.track_ids), len(session.tracks))
+    session.close()
+    assert describe(path) == told
+    kept = {file.name for file in companions(path).iterdir()}
+    describe(path)
+    assert {file.name for file in companions(path).iterdir()} == kept
+
+
+def test_a_damaged_journal_counts_for_nothing_in_what_is_told(session: Session) -> None:
+    path = session.save()
+    session.close()
+    companions(path).mkdir(exist_ok=True)
+    (companions(path) / "journal.sqlite").write_bytes(b"no journal at all" * 400)
+    told = describe(path)
+    assert (told["edits"], told["edits_waiting_in_journal"]) == (0, 0)
