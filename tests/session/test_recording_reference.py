@@ -70,6 +70,25 @@ def test_a_recording_in_a_folder_above_is_found_by_name(path: Path, tmp_path: Pa
     assert place_of(reopened(path)) == tmp_path / "recording"
 
 
+def test_where_a_moved_recording_was_found_is_told_once(path: Path, tmp_path: Path) -> None:
+    (path.parent / "recording").rename(tmp_path / "recording")
+    session = reopened(path)
+    place_of(session)
+    place_of(session)
+    assert [note for note in session.notes if "has moved; it was found at" in note] == [
+        f'recording "{session.recording.name}" has moved; it was found at {tmp_path / "recording"}'
+    ]
+    session.close()
+
+
+def test_a_place_the_user_names_is_not_told_again(path: Path) -> None:
+    moved = (path.parent / "recording").rename(path.parent / "archive")
+    session = reopened(path)
+    place_of(session, moved)
+    assert session.notes == ()
+    session.close()
+
+
 def test_a_recording_that_is_gone_is_said(path: Path) -> None:
     (path.parent / "recording").rename(path.parent / "elsewhere")
     with pytest.raises(RecordingMissing, match=r"was at recording.*is gone.*--recording PATH"):

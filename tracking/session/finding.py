@@ -71,7 +71,8 @@ def find_recording(
                 failures.append(str(why))
                 continue
             if _is_it(reference, recording):
-                return Found(recording, place, (*failures, *_changes(reference, recording)))
+                moved = _moved(reference, session_folder, search, place)
+                return Found(recording, place, (*failures, *moved, *_changes(reference, recording)))
             recording.close()
             failures.append(f"what stands at {place} is another one")
         problems += failures
@@ -158,6 +159,17 @@ def _is_it(reference: RecordingReference, recording: Recording) -> bool:
     """Whether it has the session's fingerprints, whatever its files are called."""
     wanted = [(part.size_bytes, part.sha256) for part in reference.sources]
     return wanted == [(part.size_bytes, part.sha256) for part in recording.fingerprints()]
+
+
+def _moved(
+    reference: RecordingReference, session_folder: Path, search: Sequence[Path], place: Path
+) -> Iterator[str]:
+    """Where it was found, if neither where the session says nor where the user does."""
+    expected = [session_folder / reference.path]
+    expected += [named for asked in search for named in _named(asked, _name(reference))]
+    # The file's own path is only compared, never looked at: it may lead to another machine.
+    if os.path.abspath(place) not in map(os.path.abspath, expected):  # noqa: PTH100
+        yield f'recording "{reference.name}" has moved; it was found at {place}'
 
 
 def _changes(reference: RecordingReference, recording: Recording) -> Iterator[str]:
