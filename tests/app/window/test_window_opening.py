@@ -196,7 +196,7 @@ def _no_video(path: Path) -> Path:
 @pytest.mark.parametrize(
     ("name", "make", "what", "advice"),
     [
-        ("notes.txt", _text, "not a video", "check the file"),
+        ("notes.txt", _text, "not a video", "give a video"),
         ("cut.h5", _damaged, "damaged or cut short", ""),
         ("text.h5", _text, "not an HDF5 file", "choose a session"),
         ("folder", _no_video, "no recording in this folder", "it needs a recording.toml"),
