@@ -79,13 +79,6 @@ def test_somebody_missed_for_long_is_looked_for_in_a_wider_circle(missed_s, foun
     assert matched(apart, np.array([[0.5, 3.7]]), PLAIN) == found
 
 
-def test_somebody_seen_a_moment_ago_goes_before_somebody_missed_for_long():
-    both = CROSSED.replace(
-        missed_s=np.array([0.0, 1.5]), position=np.array([[0.3, 5.5], [0.0, 5.5]])
-    )
-    assert matched(both, np.array([[0.0, 5.5]]), PLAIN) == [0, -1]
-
-
 def test_who_is_expected_to_be_hidden_leaves_a_detection_to_who_stands_in_front():
     seen = np.array([[0.0, 5.5]])
     colours = np.full((1, 1, BINS), 1.0 / BINS, np.float32)
@@ -93,3 +86,17 @@ def test_who_is_expected_to_be_hidden_leaves_a_detection_to_who_stands_in_front(
     people = CROSSED.replace(position=np.array([[0.1, 5.5], [0.0, 5.52]]))
     costs = costs_of(people, seen, colours, cues, PLAIN, np.array([1.0, 0.1]))
     assert match_people(people, costs, np.ones(1, bool), PLAIN).track.tolist() == [0]
+
+
+BEHIND = CROSSED.replace(
+    position=np.array([[0.0, 5.0], [0.0, 5.6]]), missed_s=np.array([0.05, 1.0])
+)
+"""The first was seen a moment ago, the second is missed for long."""
+
+
+def test_a_present_person_leaves_what_suits_somebody_missed_better():
+    assert matched(BEHIND, np.array([[0.0, 5.5]]), PLAIN) == [-1, 0]
+
+
+def test_somebody_seen_a_moment_ago_takes_what_suits_them_better_than_somebody_missed():
+    assert matched(BEHIND, np.array([[0.0, 5.05]]), PLAIN) == [0, -1]

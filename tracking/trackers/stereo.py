@@ -58,7 +58,8 @@ class StereoTracker:
     Where we differ from the sources and why:
         - a newcomer must be seen in several frames before it gets an id: noise is not a person;
         - people seen a moment ago choose their detections before those missed for long, who
-          search wider: an old track does not take what belongs to a present one;
+          search wider: an old track does not take what belongs to a present one; nor does a
+          present one take what suits somebody missed better;
         - a person expected to be hidden by others pays for a detection: what is seen is more
           likely the one in front;
         - a detection that suits two people nearly alike is nobody's, as a merged region is;

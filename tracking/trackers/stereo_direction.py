@@ -23,7 +23,7 @@ class StereoDirectionSettings(StereoTrackerSettings):
     """Settings of `stereo-direction`."""
 
     direction_weight: float = setting(
-        0.3, "", (0.0, 10.0), "cost of a turn by the threshold or more (k)"
+        0.2, "", (0.0, 10.0), "cost of a turn by the threshold or more (k)"
     )
     direction_threshold_rad: float = setting(
         1.22, "rad", (0.01, 3.1416), "turn from which on the cost no longer grows"
@@ -35,7 +35,7 @@ class StereoDirectionSettings(StereoTrackerSettings):
         1.5, "s", (0.1, 60.0), "a person who takes longer for that distance is standing"
     )
     colour_memory: float = setting(
-        0.9, "", (0.0, 1.0), "share of the old colour model kept at each match"
+        0.97, "", (0.0, 1.0), "share of the old colour model kept at each match"
     )
 
 

@@ -19,8 +19,9 @@ def match_people(
 ) -> Association:
     """Pairs of people and detections with the smallest total cost, in three turns.
 
-    First choose those seen a moment ago, then those missed for long, then newcomers. A detection
-    that suits somebody left over nearly as well is taken back: it may be both of them.
+    First choose those seen a moment ago, then those missed for long, then newcomers. What suits
+    somebody missed for long better than who chose it is left to them. A detection that suits
+    somebody left over nearly as well is taken back: it may be both of them.
 
     Args:
         people: predicted to this frame. costs: of all pairs.
@@ -35,24 +36,32 @@ def match_people(
         rows, columns = np.flatnonzero(turn), np.flatnonzero(free)
         block = np.ix_(rows, columns)
         found = associate(costs.total[block], costs.allowed[block], settings.cost_limit)
-        taken[rows[found.track]] = columns[found.detection]
-        free[columns[found.detection]] = False
+        track, detection = rows[found.track], columns[found.detection]
+        if turn is present:
+            own = _suits_better(costs, track, detection, missed, 0.0)
+            track, detection = track[own], detection[own]
+        taken[track] = detection
+        free[detection] = False
     track = np.flatnonzero(taken >= 0)
-    track = track[_uncontested(costs, track, taken[track], present, settings.least_margin)]
+    left_over = present.copy()
+    left_over[track] = False
+    track = track[_suits_better(costs, track, taken[track], left_over, settings.least_margin)]
     detection = taken[track]
     return Association(track, detection, margins(costs.total, costs.allowed, track, detection))
 
 
-def _uncontested(
+def _suits_better(
     costs: Costs,
     track: NDArray[np.intp],
     detection: NDArray[np.intp],
-    present: NDArray[np.bool_],
-    least_margin: float,
+    rivals: NDArray[np.bool_],
+    margin: float,
 ) -> NDArray[np.bool_]:
-    """(pairs,) whose detection suits nobody left over nearly as well."""
-    left_over = present.copy()
-    left_over[track] = False
-    rivals = np.where(costs.allowed, costs.total, np.inf)[np.ix_(left_over, detection)]
-    gap = rivals.min(axis=0, initial=np.inf) - costs.total[track, detection]
-    return np.asarray(gap >= least_margin)
+    """(pairs,) whose detection would cost each of the rivals more, by the margin at least.
+
+    Args:
+        rivals: (people,) who else may be meant; nobody of the pairs.
+    """
+    theirs = np.where(costs.allowed, costs.total, np.inf)[np.ix_(rivals, detection)]
+    gap = theirs.min(axis=0, initial=np.inf) - costs.total[track, detection]
+    return np.asarray(gap >= margin)
