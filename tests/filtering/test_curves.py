@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from tracking.filtering import (
@@ -25,6 +25,7 @@ def line(frames: int) -> np.ndarray:
 
 
 @given(st.integers(1, 40), st.integers(0, 39), st.integers(0, 39), st.floats(0.5, 20.0))
+@example(frames=17, start=0, length=15, memory=0.5)
 def test_a_straight_path_stays_and_its_gaps_are_filled(
     frames: int, start: int, length: int, memory: float
 ):
@@ -32,7 +33,7 @@ def test_a_straight_path_stays_and_its_gaps_are_filled(
     weight[1 + start : min(1 + start + length, frames - 1)] = 0.0
     values = np.where(weight[:, None] > 0, line(frames), 77.0)
     found = smooth_paths(values, weight, chain(frames), memory)
-    assert found == pytest.approx(line(frames), abs=1e-3)
+    assert found == pytest.approx(line(frames), abs=1e-6)
 
 
 def test_a_gap_in_a_turn_is_crossed_without_a_corner():
@@ -44,6 +45,16 @@ def test_a_gap_in_a_turn_is_crossed_without_a_corner():
     straight = np.linspace(bow[34], bow[50], 17)[1:-1]
     off, off_straight = (np.hypot(*(way - bow[35:50]).T).max() for way in (found[35:50], straight))
     assert off < 0.2 * off_straight
+
+
+def test_rows_before_the_first_measured_one_pull_at_nobody():
+    weight = np.ones(20)
+    weight[[0, 1, 2, 15, 16, 17, 18, 19]] = 0.0
+    values = np.arange(20.0)[:, None] * np.ones(2)
+    values[weight == 0] = 500.0
+    chains = Chains(np.tile(np.arange(10), 2), np.repeat((1, 2), 10))
+    expected = np.arange(20.0)[:, None] * np.ones(2)
+    assert smooth_paths(values, weight, chains, 2.0) == pytest.approx(expected, abs=1e-3)
 
 
 def test_missing_rows_count_as_time():

@@ -64,6 +64,7 @@ def smooth_paths(values: Floats, weight: Floats, chains: Chains, memory: float) 
     noise, as one banded system.
     """
     count = len(values)
+    values = _bridged(values, weight, chains)
     steps = chains.steps
     before, after = 1.0 / steps[:-1], 1.0 / steps[1:]
     bend = np.stack((before, -before - after, after)) * memory**2
@@ -76,6 +77,25 @@ def smooth_paths(values: Floats, weight: Floats, chains: Chains, memory: float) 
             product = bend[first] * bend[second]
             band[second - first, first : first + len(product)] += product
     return np.asarray(solveh_banded(band[:count], right, lower=True))
+
+
+def _bridged(values: Floats, weight: Floats, chains: Chains) -> Floats:
+    """Rows that are not measured on the straight line between the measured ones beside them.
+
+    Their least weight then pulls nowhere. Rows beyond a track's first or last measured one take
+    that one's value; a track without any keeps its values.
+    """
+    rows = np.arange(len(values))
+    known = weight > _LEAST_WEIGHT
+    before = np.maximum.accumulate(np.where(known, rows, 0))
+    after = np.minimum.accumulate(np.where(known, rows, len(rows) - 1)[::-1])[::-1]
+    has_before = known[before] & (chains.track[before] == chains.track)
+    has_after = known[after] & (chains.track[after] == chains.track)
+    before, after = np.where(has_before, before, after), np.where(has_after, after, before)
+    length = np.maximum(chains.frame[after] - chains.frame[before], 1)
+    share = ((chains.frame - chains.frame[before]) / length)[:, None]
+    line = values[before] * (1.0 - share) + values[after] * share
+    return np.where((known | ~(has_before | has_after))[:, None], values, line)
 
 
 def trust(misses: Floats, scale: Floats | float) -> Floats:
