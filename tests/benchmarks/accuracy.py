@@ -40,21 +40,23 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.accuracy")
     parser.add_argument("recordings", nargs="*", type=Path, help="instead of rendered scenes")
     parser.add_argument("--trackers", nargs="+", default=list(TRACKERS), choices=list(TRACKERS))
+    parser.add_argument("--scenes", nargs="+", default=list(_SCENES), choices=list(SCENES))
+    parser.add_argument("--seed", type=int, default=REPORTED_SEED, help="of the rendered scenes")
     asked = parser.parse_args()
     cv2.setNumThreads(1)
     print("|", " | ".join(_COLUMNS), "|")
     print("|", " | ".join("---" for _ in _COLUMNS), "|")
-    for folder in asked.recordings or map(rendered, _SCENES):
+    for folder in asked.recordings or (rendered(scene, asked.seed) for scene in asked.scenes):
         for tracker in asked.trackers:
             print(row(folder.name, tracker, scored(folder, tracker)), flush=True)
 
 
-def rendered(scene: str) -> Path:
-    """The scene's reported recording, made if it is not there yet."""
-    folder = Path(tempfile.gettempdir()) / "trackwright-accuracy" / f"{scene}-{REPORTED_SEED}"
+def rendered(scene: str, seed: int) -> Path:
+    """The scene's recording, made if it is not there yet."""
+    folder = Path(tempfile.gettempdir()) / "trackwright-accuracy" / f"{scene}-{seed}"
     if not (folder / "truth.txt").is_file():
         print(f"rendering {folder}", file=sys.stderr)
-        render_recording(folder, scene, _SECONDS, SCENES[scene].people, REPORTED_SEED)
+        render_recording(folder, scene, _SECONDS, SCENES[scene].people, seed)
     return folder
 
 
