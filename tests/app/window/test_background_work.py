@@ -61,8 +61,8 @@ def test_cancelled_work_stops_at_its_next_word_and_is_undone(work, strip, qtbot)
     undone = []
 
     def count(progress) -> None:
-        for at in range(1_000_000):
-            progress(at, 1_000_000)
+        while True:  # work that could end by itself may end before it is cancelled
+            progress(1, 9)
 
     work.run("Counting", count, lambda _: undone.append("done"), lambda: undone.append("undone"))
     qtbot.wait(20)
