@@ -78,7 +78,9 @@ def test_a_missing_file_and_a_folder_are_refused(tmp_path: Path) -> None:
 
 
 def test_a_path_that_looks_like_an_option_is_a_path(good: Path, tmp_path: Path) -> None:
-    Session.open(Path(shutil.copy(good, tmp_path / "-c.h5"))).close()
+    session = Session.open(Path(shutil.copy(good, tmp_path / "-c.h5")))
+    assert session.path.name == "-c.h5"
+    session.close()
 
 
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.9, 0.999])
