@@ -86,6 +86,23 @@ ASSOCIATION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
     }
 )
 
+SIGNAL_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {
+        "frame": np.dtype(np.int32),
+        "track": np.dtype(np.int32),
+        "height_m": np.dtype(np.float32),  # of the detection matched alone; NaN: none
+        "upper_l": np.dtype(np.float32),  # CIELAB of the upper body: mean lightness, 0 to 100
+        "upper_a": np.dtype(np.float32),  # green to red
+        "upper_b": np.dtype(np.float32),  # blue to yellow
+        "lower_l": np.dtype(np.float32),  # the same of the lower body
+        "lower_a": np.dtype(np.float32),
+        "lower_b": np.dtype(np.float32),
+        "spread_m": np.dtype(np.float32),  # of the particles, along their longest direction
+        "split": np.dtype(np.float32),  # how clearly the particles are two clusters: 0 to 1
+    }
+)
+"""What a run noticed of each of its tracks' rows; differences in it tell people apart."""
+
 
 class Source:
     """Values of the corrected table's `source` column."""

@@ -59,6 +59,8 @@ class Run:
             total, margin (total cost of the next best choice less this one's); NaN where a cue was
             not used.
         parts: `PART_COLUMNS` of a tracker that follows parts; empty from others.
+        signals: `SIGNAL_COLUMNS`, a row for each row of the tracks; empty in runs of programs that
+            did not notice them, and in imported ones.
         software: name and version that made it.
         detector: fingerprint of the failure detector, "" where none was used.
     """
@@ -72,5 +74,6 @@ class Run:
     particles: Particles
     associations: Columns = field(default_factory=dict)
     parts: Columns = field(default_factory=dict)
+    signals: Columns = field(default_factory=dict)
     software: str = ""
     detector: str = ""
