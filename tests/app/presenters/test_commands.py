@@ -1,6 +1,8 @@
 from collections import Counter
 
-from app.presenters.commands import BY_NAME, COMMANDS, MENUS, Situation, command_items
+from app.presenters.commands import COMMANDS, MENUS, Situation, command_items
+
+BY_NAME = {command.name: command for command in COMMANDS}
 
 
 def _enabled(now: Situation) -> set[str]:

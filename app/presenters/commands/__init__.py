@@ -1,0 +1,49 @@
+"""The catalogue of commands: menus, keys, palette and the list of shortcuts share it."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from app.presenters.commands import (
+    edit_menu,
+    file_menu,
+    help_menu,
+    playback_menu,
+    review_menu,
+    tracks_menu,
+    view_menu,
+)
+from app.presenters.commands.command import Command, Situation
+from app.presenters.scenes import CommandItem
+from app.presenters.words import tr
+
+__all__ = ["COMMANDS", "MENUS", "Command", "Situation", "command_items"]
+
+MENUS: Final = ("File", "Edit", "View", "Playback", "Tracks", "Review", "Help")
+COMMANDS: Final[tuple[Command, ...]] = (
+    *file_menu.COMMANDS,
+    *edit_menu.COMMANDS,
+    *view_menu.COMMANDS,
+    *playback_menu.COMMANDS,
+    *tracks_menu.COMMANDS,
+    *review_menu.COMMANDS,
+    *help_menu.COMMANDS,
+)
+
+
+def command_items(now: Situation, checked: frozenset[str]) -> tuple[CommandItem, ...]:
+    """All commands as the views show them now; `checked` holds those that are on."""
+    return tuple(_item(command, now, checked) for command in COMMANDS)
+
+
+def _item(command: Command, now: Situation, checked: frozenset[str]) -> CommandItem:
+    why_not = command.check(now)
+    return CommandItem(
+        command=command.name,
+        menu=tr(command.menu),
+        title=tr(command.title),
+        keys=command.keys,
+        enabled=not why_not,
+        why_not=why_not,
+        checked=command.name in checked if command.checkable else None,
+    )

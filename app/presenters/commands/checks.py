@@ -1,0 +1,59 @@
+"""Why a command cannot be done now, in words; "" where it can."""
+
+from __future__ import annotations
+
+from app.presenters.commands.command import Situation
+from app.presenters.words import tr
+
+
+def recording(now: Situation) -> str:
+    """A recording must be open."""
+    return "" if now.recording else tr("open a recording first")
+
+
+def session(now: Situation) -> str:
+    """A session must be there, and no other work going on."""
+    if not now.session:
+        return recording(now) or tr("track the recording first")
+    return tr("wait until the work in progress is done") if now.busy else ""
+
+
+def read_only() -> str:
+    """What is said where the session cannot be saved under its name."""
+    return tr("the session is read only here: save it under another name first")
+
+
+def editable(now: Situation) -> str:
+    """The session must be open for changes."""
+    if now.live:
+        return tr("stop tracking first, then correct")
+    if now.read_only:
+        return read_only()
+    return session(now)
+
+
+def selected(now: Situation) -> str:
+    """A person of an editable session must be selected."""
+    return editable(now) or ("" if now.selected else tr("select a person first"))
+
+
+def trackable(now: Situation) -> str:
+    """A tracker must exist for the recording, and nothing else be going on."""
+    if now.live:
+        return tr("a tracker is at work")
+    if now.busy:
+        return tr("wait until the work in progress is done")
+    if now.read_only:
+        return read_only()
+    return recording(now) or ("" if now.can_track else now.why_no_tracking)
+
+
+def two_eyes(now: Situation) -> str:
+    """The recording must have two eyes."""
+    return recording(now) or ("" if now.stereo else tr("the recording has one camera"))
+
+
+def floor(now: Situation) -> str:
+    """The recording must say where the floor is."""
+    said = tr("the recording does not say where the floor is")
+    return recording(now) or ("" if now.calibrated else said)

@@ -1,0 +1,65 @@
+"""A command, and what says whether it can be done."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+
+@dataclass(frozen=True, slots=True)
+class Situation:
+    """What commands depend on.
+
+    Attributes:
+        recording, session: open. tracks: there is something to select. selected: somebody is.
+        editing: a preview waits for Enter. live: a tracker is at work. busy: other long work is.
+        stereo, truth: the recording has a right eye, a truth file.
+        can_track: a tracker exists for the recording; else `why_no_tracking` says why.
+        read_only: the session cannot be saved under its name, e.g. as another window has it open.
+    """
+
+    recording: bool = False
+    session: bool = False
+    tracks: bool = False
+    selected: bool = False
+    editing: bool = False
+    live: bool = False
+    busy: bool = False
+    can_undo: bool = False
+    can_redo: bool = False
+    stereo: bool = False
+    truth: bool = False
+    calibrated: bool = False
+    can_track: bool = False
+    why_no_tracking: str = ""
+    read_only: bool = False
+
+    def while_busy(self) -> Situation:
+        """The same while other long work is going on."""
+        return replace(self, busy=True)
+
+
+Check = Callable[[Situation], str]
+"""Why a command cannot be done now; "" where it can."""
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """One command.
+
+    Attributes:
+        name: e.g. "edit.swap". menu: one of `MENUS`, or "" for keys only.
+        title: English, translated when shown. keys: default keys, in Qt's portable text.
+        check: why it cannot be done now.
+        checkable: it is on or off. separated: a line stands above it in its menu.
+        icon: of the drawings that ship with the program; "" for none.
+    """
+
+    name: str
+    menu: str
+    title: str
+    keys: tuple[str, ...] = ()
+    check: Check = lambda _: ""
+    checkable: bool = False
+    separated: bool = False
+    icon: str = ""

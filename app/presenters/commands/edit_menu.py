@@ -1,0 +1,31 @@
+"""The commands of the Edit menu."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from app.presenters.commands.checks import editable
+from app.presenters.commands.command import Command
+from app.presenters.words import tr
+
+COMMANDS: Final = (
+    Command(
+        "edit.undo",
+        "Edit",
+        "Undo",
+        ("Ctrl+Z",),
+        lambda now: editable(now) or ("" if now.can_undo else tr("nothing to undo")),
+        icon="undo",
+    ),
+    Command(
+        "edit.redo",
+        "Edit",
+        "Redo",
+        ("Ctrl+Shift+Z", "Ctrl+Y"),
+        lambda now: editable(now) or ("" if now.can_redo else tr("nothing to redo")),
+        icon="redo",
+    ),
+    Command(
+        "edit.commands", "Edit", "Search commands...", ("Ctrl+K",), separated=True, icon="search"
+    ),
+)

@@ -1,0 +1,37 @@
+"""The commands of the View menu."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from app.presenters.commands.checks import floor, recording, two_eyes
+from app.presenters.commands.command import Command
+
+COMMANDS: Final = (
+    Command("view.left", "View", "Left eye", ("1",), recording, checkable=True),
+    Command("view.both", "View", "Both eyes", ("2",), two_eyes, True),
+    Command("view.anaglyph", "View", "Anaglyph (red and cyan)", ("3",), two_eyes, True),
+    Command("view.grid", "View", "Floor grid on the picture", ("F",), floor, True, True),
+    Command("view.particles", "View", "Particles on the picture", ("O",), recording, True),
+    Command("view.trails", "View", "Trails on the picture", ("T",), recording, True),
+    Command(
+        "view.foreground",
+        "View",
+        "Foreground and shadows on the picture",
+        ("B",),
+        lambda now: two_eyes(now) or floor(now),
+        True,
+    ),
+    Command(
+        "view.disparity",
+        "View",
+        "Distances (disparity) on the picture",
+        ("D",),
+        lambda now: two_eyes(now) or floor(now),
+        True,
+    ),
+    Command("view.next_pane", "View", "To the next part of the window", ("F6",), recording),
+    Command("view.look_system", "View", "Look: as the system", (), checkable=True, separated=True),
+    Command("view.look_light", "View", "Look: light", checkable=True),
+    Command("view.look_dark", "View", "Look: dark", checkable=True),
+)
