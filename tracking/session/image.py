@@ -140,11 +140,13 @@ def _write_run(group: h5py.Group, run: Run) -> None:
     group.attrs["frames"] = np.array(run.frames, np.int64)
     group.attrs["software"] = run.software
     group.attrs["detector"] = run.detector
+    group.attrs["known_tracks"] = run.known_tracks
     tables: Mapping[str, Columns] = {
         "tracks": run.tracks,
         "detections": run.detections,
         "associations": run.associations,
         "parts": run.parts,
+        "signals": run.signals,
     }
     for name, columns in tables.items():
         types = RUN_TABLES[name]

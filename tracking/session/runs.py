@@ -61,8 +61,10 @@ class StoredRun:
                 particles=self._particles(group["particles"]),
                 associations=tables.get("associations", {}),
                 parts=tables.get("parts", {}),
+                signals=tables.get("signals", {}),
                 software=text_attribute(group, "software"),
                 detector=text_attribute(group, "detector"),
+                known_tracks=_known_tracks(group),
             )
 
     def copy_into(self, parent: h5py.Group, name: str) -> None:
@@ -86,6 +88,14 @@ class StoredRun:
                 for column, dtype in PARTICLE_COLUMNS.items()
             },
         )
+
+
+def _known_tracks(group: h5py.Group) -> int:
+    """Raises ValueError for what is no id; sessions made before runs could go on have none."""
+    known = int(group.attrs.get("known_tracks", 0))
+    if not 0 <= known <= LARGEST_NUMBER:
+        raise ValueError(f"a run that knows tracks up to {known}")
+    return known
 
 
 def _check_run(tracks: Columns, frames: tuple[int, int]) -> None:

@@ -63,6 +63,8 @@ class Run:
             did not notice them, and in imported ones.
         software: name and version that made it.
         detector: fingerprint of the failure detector, "" where none was used.
+        known_tracks: of a run that tracked again from corrected tracks: the highest id there was;
+            ids up to it are those of the corrected tracks. 0: a run with ids of its own.
     """
 
     tracker: str
@@ -77,3 +79,4 @@ class Run:
     signals: Columns = field(default_factory=dict)
     software: str = ""
     detector: str = ""
+    known_tracks: int = 0
