@@ -28,6 +28,7 @@ from tracking.trackers import (
 from tracking.tracks.columns import (
     DETECTION_COLUMNS,
     PARTICLE_COLUMNS,
+    SIGNAL_COLUMNS,
     TRACK_COLUMNS,
     Columns,
     empty,
@@ -192,6 +193,7 @@ def run_of_steps(
         detections=_joined([step.detections for step in steps], DETECTION_COLUMNS),
         particles=_joined_particles(steps, recording.frame_count),
         associations=_joined([step.associations for step in steps], ASSOCIATION_COLUMNS),
+        signals=_joined([step.signals for step in steps], SIGNAL_COLUMNS),
         software=f"trackwright {tracking.__version__}",
     )
     if not settings.get("smooth") or recording.view is None:

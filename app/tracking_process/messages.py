@@ -13,15 +13,22 @@ import numpy as np
 import tracking.errors
 from tracking.errors import TrackwrightError
 from tracking.trackers import ASSOCIATION_COLUMNS, StepResult
-from tracking.tracks import DETECTION_COLUMNS, PARTICLE_COLUMNS, TRACK_COLUMNS, Columns
+from tracking.tracks import (
+    DETECTION_COLUMNS,
+    PARTICLE_COLUMNS,
+    SIGNAL_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+)
 
 _HEAD = struct.Struct("<BQ")  # kind, bytes that follow
-_STEP = struct.Struct("<5q")  # frame, rows of each table
+_STEP = struct.Struct("<6q")  # frame, rows of each table
 _TABLES: tuple[Mapping[str, np.dtype[Any]], ...] = (
     TRACK_COLUMNS,
     DETECTION_COLUMNS,
     PARTICLE_COLUMNS,
     ASSOCIATION_COLUMNS,
+    SIGNAL_COLUMNS,
 )
 
 
@@ -93,7 +100,7 @@ def unpacked_error(payload: bytes) -> Exception:
 
 
 def _packed(step: StepResult) -> Iterator[bytes]:
-    tables = (step.tracks, step.detections, step.particles, step.associations)
+    tables = (step.tracks, step.detections, step.particles, step.associations, step.signals)
     firsts = (next(iter(types)) for types in _TABLES)
     rows = [len(table[first]) for table, first in zip(tables, firsts, strict=True)]
     yield _STEP.pack(step.frame, *rows)

@@ -122,4 +122,12 @@ def detections(
         lower=colour,
         middle=colour,
         regions=np.zeros((1, 1), np.int32),
+        clothes=_clothes(hue),
     )
+
+
+def _clothes(hue: NDArray[np.int64]) -> NDArray[np.float32]:
+    """(n, 2, 3) CIELAB of middling lightness; each hue bin has its own direction of a and b."""
+    angle = hue * 2 * np.pi / BINS
+    lab = np.stack((np.full(len(hue), 50.0), 40 * np.cos(angle), 40 * np.sin(angle)), axis=1)
+    return np.repeat(lab[:, None], 2, axis=1).astype(np.float32)

@@ -5,6 +5,7 @@ weights (people, N) beside it. Nothing here loops over particles or people.
 """
 
 from tracking.filtering.association import Association, associate, margins
+from tracking.filtering.clouds import cloud_shapes
 from tracking.filtering.direction import direction_cost, turning_angle
 from tracking.filtering.hiding import hiding_reach, out_of_hiding
 from tracking.filtering.histograms import bhattacharyya_distance
@@ -32,6 +33,7 @@ __all__ = [
     "Chains",
     "associate",
     "bhattacharyya_distance",
+    "cloud_shapes",
     "direction_cost",
     "effective_share",
     "hiding_reach",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,6 +16,7 @@ _UPPER = (0.15, 0.5)
 _LOWER = (0.5, 0.85)
 _MIDDLE_ACROSS = 0.6
 """Bands of a region's box, as shares of its height and width."""
+_EVERY = 2
 
 
 def colour_histograms(
@@ -55,6 +57,50 @@ def colour_histograms(
         inner = above | below
         _fill(middle[k], both[inner], np.ones(np.count_nonzero(inner), np.float32))
     return upper, lower, middle
+
+
+def clothes_colours(
+    picture: NDArray[np.uint8],
+    labels: NDArray[np.uint8],
+    boxes: Sequence[tuple[int, int, int, int]],
+) -> NDArray[np.float32]:
+    """(k, 2, 3) CIELAB of the mean colour of each region's upper and lower body.
+
+    Unlike the papers' histograms of hue it tells black from white clothes. Every second pixel of
+    every second row is looked at.
+
+    Args:
+        picture: (rows, columns, 3) blue, green, red. labels, boxes: as for the histograms.
+
+    Returns:
+        lightness (0 to 100), a and b; NaN where the body shows no pixel.
+    """
+    count = len(boxes)
+    left, top, width, height = np.array(boxes, np.float32).reshape(count, 4).T
+    v, u = np.nonzero(labels[::_EVERY, ::_EVERY])
+    v, u = v * _EVERY, u * _EVERY
+    k = labels[v, u].astype(np.intp) - 1
+    down, across = (v + 0.5 - top[k]) / height[k], (u + 0.5 - left[k]) / width[k]
+    inner = np.abs(across - 0.5) < _MIDDLE_ACROSS / 2
+    above = (down >= _UPPER[0]) & (down < _UPPER[1]) & inner
+    below = (down >= _LOWER[0]) & (down < _LOWER[1]) & inner
+    chosen = np.flatnonzero(above | below)
+    band = 2 * k[chosen] + below[chosen]
+    pixels = picture[v[chosen], u[chosen]]
+    sums = [np.bincount(band, channel, 2 * count) for channel in pixels.T]
+    number = np.bincount(band, minlength=2 * count)
+    mean = np.stack(sums, axis=1) / np.maximum(number, 1)[:, None]
+    clothes = _lab(mean)
+    clothes[number == 0] = np.nan
+    return clothes.reshape(count, 2, 3)
+
+
+def _lab(colour: NDArray[np.float64]) -> NDArray[np.float32]:
+    """(n, 3) CIELAB of (n, 3) blue, green, red, 0 to 255."""
+    if len(colour) == 0:
+        return np.zeros((0, 3), np.float32)
+    scaled = (colour / 255.0).astype(np.float32)[None]
+    return np.asarray(cv2.cvtColor(scaled, cv2.COLOR_BGR2Lab)[0], np.float32)
 
 
 def _inner_pixels(

@@ -28,6 +28,8 @@ class Detections:
             ([Kawashita2014]).
         regions: (height, width) int32 of the *rectified* left image: 0 background, k the pixels
             of row k - 1.
+        clothes: (n, 2, 3) CIELAB of the upper and the lower body, mean lightness (0 to 100), a
+            and b; NaN where it is not known.
     """
 
     box: Floats
@@ -39,6 +41,7 @@ class Detections:
     lower: NDArray[np.float32]
     middle: NDArray[np.float32]
     regions: NDArray[np.int32]
+    clothes: NDArray[np.float32]
 
     def __len__(self) -> int:
         """The number of people seen."""

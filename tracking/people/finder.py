@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tracking.geometry import Ground, Rectification
 from tracking.people.body_boxes import BodyBoxes, axis_positions
 from tracking.people.boxes import hidden_sides, region_boxes
-from tracking.people.colours import colour_histograms
+from tracking.people.colours import clothes_colours, colour_histograms
 from tracking.people.detections import Detections
 from tracking.people.plan_view import SurfacePoints, find_people, surface_points
 from tracking.people.regions import Extent, assign_points, measure, paint
@@ -106,6 +106,7 @@ class PeopleFinder:
             lower=lower,
             middle=middle,
             regions=self._full_size(labels),
+            clothes=clothes_colours(picture[::STEP, ::STEP], labels, boxes),
         )
 
     def _merged(self, extent: Extent) -> NDArray[np.bool_]:

@@ -18,7 +18,15 @@ from typing import Any
 import h5py
 import numpy as np
 
-from tracking.session.layout import FORMAT, RUN_TABLES, TABLES, TEXT, TRAJECTORY_TYPE, VERSION
+from tracking.session.layout import (
+    FORMAT,
+    LATER_RUN_TABLES,
+    RUN_TABLES,
+    TABLES,
+    TEXT,
+    TRAJECTORY_TYPE,
+    VERSION,
+)
 
 MEMORY_BYTES = 4 << 30
 SECONDS = 10
@@ -162,6 +170,8 @@ def _check_tables(file: h5py.File, datasets: Mapping[str, h5py.Dataset]) -> None
         raise Refused("does not number its runs from 0 on")
     for number in runs:
         for name, types in RUN_TABLES.items():
+            if name in LATER_RUN_TABLES and name not in runs[number]:
+                continue
             _check_table(datasets, f"runs/{number}/{name}", types)
         if f"runs/{number}/particles/start" not in datasets:
             raise Refused(f"does not say which particles of run {number} belong to which frame")

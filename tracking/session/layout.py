@@ -14,6 +14,7 @@ from tracking.tracks import (
     DETECTION_COLUMNS,
     PART_COLUMNS,
     PARTICLE_COLUMNS,
+    SIGNAL_COLUMNS,
     TRACK_COLUMNS,
 )
 
@@ -80,5 +81,9 @@ RUN_TABLES: Mapping[str, Types] = MappingProxyType(
         "particles": PARTICLE_COLUMNS,
         "associations": ASSOCIATION_COLUMNS,
         "parts": PART_COLUMNS,
+        "signals": SIGNAL_COLUMNS,
     }
 )
+
+LATER_RUN_TABLES = frozenset({"signals"})
+"""Tables of a run that sessions of format 1.0 do not have."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Protocol
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from tracking.people.observation import Observation
 from tracking.recording.frame import StereoFrame
-from tracking.tracks.columns import Columns
+from tracking.tracks.columns import SIGNAL_COLUMNS, Columns, empty
 
 ASSOCIATION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
     {
@@ -36,6 +36,8 @@ class StepResult:
         detections: `DETECTION_COLUMNS` of this frame.
         particles: `PARTICLE_COLUMNS` of this frame, grouped by track.
         associations: `ASSOCIATION_COLUMNS`; a row for each match.
+        signals: `SIGNAL_COLUMNS`, a row for each row of `tracks`; empty where the tracker notices
+            nothing beside them.
     """
 
     frame: int
@@ -43,6 +45,7 @@ class StepResult:
     detections: Columns
     particles: Columns
     associations: Columns
+    signals: Columns = field(default_factory=lambda: empty(SIGNAL_COLUMNS))
 
 
 class Perception(Protocol):

@@ -102,7 +102,15 @@ def smoothed(run: Run, view: View, fps: float) -> Run:
         tracks[name][paths.rows[changed]] = column[changed]
     kept = np.ones(len(tracks["frame"]), bool)
     kept[paths.rows[_vanished(paths, run.frames[1], view)]] = False
-    return replace(run, tracks={name: column[kept] for name, column in tracks.items()})
+    return replace(run, tracks=_rows(tracks, kept), signals=_rows(run.signals, kept))
+
+
+def _rows(columns: Columns, kept: Flags) -> Columns:
+    """The rows kept; columns that say nothing of the tracks' rows stay as they are."""
+    return {
+        name: column[kept] if len(column) == len(kept) else column
+        for name, column in columns.items()
+    }
 
 
 def _paths(tracks: Columns) -> _Paths:

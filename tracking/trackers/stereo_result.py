@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.filtering import Association
+from tracking.filtering import Association, cloud_shapes
 from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.population import Population
@@ -16,8 +16,10 @@ from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
 from tracking.trackers.stereo_boxes import shown_boxes, visibility
 from tracking.trackers.stereo_cues import Costs
 from tracking.tracks.columns import (
+    CLOTHES,
     DETECTION_COLUMNS,
     PARTICLE_COLUMNS,
+    SIGNAL_COLUMNS,
     TRACK_COLUMNS,
     Columns,
 )
@@ -43,6 +45,9 @@ def step_result(
         detections=_detections(frame, observation.people, people, pairs),
         particles=_particles(shown),
         associations=_associations(frame, people, pairs, costs),
+        signals=_signals(
+            frame, people, rows, _seen_alone(people, pairs, alone), observation.people
+        ),
     )
 
 
@@ -104,6 +109,38 @@ def _associations(frame: int, people: Population, pairs: Association, costs: Cos
         "margin": pairs.margin[order],
     }
     return _typed(values, ASSOCIATION_COLUMNS)
+
+
+def _seen_alone(
+    people: Population, pairs: Association, alone: NDArray[np.bool_]
+) -> NDArray[np.intp]:
+    """(people,) the detection that shows nobody but this person; -1 without one."""
+    detection = np.full(len(people), -1)
+    detection[pairs.track[alone]] = pairs.detection[alone]
+    return detection
+
+
+def _signals(
+    frame: int,
+    people: Population,
+    rows: NDArray[np.intp],
+    detection: NDArray[np.intp],
+    seen: Detections,
+) -> Columns:
+    """What is noticed of the people at these rows, beside where they are."""
+    own = detection[rows]
+    height_m = np.append(np.where(seen.truncated, np.nan, seen.size[:, 1]), np.nan)
+    clothes = np.append(seen.clothes.reshape(-1, 6), np.full((1, 6), np.nan), axis=0)
+    spread_m, split = cloud_shapes(people.particles[rows], people.weight[rows])
+    values = {
+        "frame": np.full(len(rows), frame),
+        "track": people.track[rows],
+        "height_m": height_m[own],
+        **dict(zip(CLOTHES, clothes[own].T, strict=True)),
+        "spread_m": spread_m,
+        "split": split,
+    }
+    return _typed(values, SIGNAL_COLUMNS)
 
 
 def _sides(box: NDArray[np.float64]) -> Columns:

@@ -2,6 +2,7 @@
 
 from tracking.tracks.columns import (
     ASSOCIATION_COLUMNS,
+    CLOTHES,
     CORRECTED_COLUMNS,
     DETECTION_COLUMNS,
     PART_COLUMNS,
@@ -19,6 +20,7 @@ from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, ch
 
 __all__ = [
     "ASSOCIATION_COLUMNS",
+    "CLOTHES",
     "CORRECTED_COLUMNS",
     "DETECTION_COLUMNS",
     "LARGEST_NUMBER",

@@ -103,6 +103,9 @@ SIGNAL_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
 )
 """What a run noticed of each of its tracks' rows; differences in it tell people apart."""
 
+CLOTHES = ("upper_l", "upper_a", "upper_b", "lower_l", "lower_a", "lower_b")
+"""The signals that are colours."""
+
 
 class Source:
     """Values of the corrected table's `source` column."""
