@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from app.presenters.edit_flow import EditFlow, EditKind
 from app.presenters.edit_preview import PlannedEdit, planned_edit, preview_trails
@@ -10,9 +10,9 @@ from app.presenters.live_tracks import LiveTracks
 from app.presenters.overhead import OverheadPresenter
 from app.presenters.panels import EditMarks, HistoryList, track_card
 from app.presenters.pictures import PicturePresenter
-from app.presenters.scenes import HistoryItem, TimelineScene, TrackCard
+from app.presenters.scenes import HistoryItem, TimelineMark, TimelineScene, TrackCard
 from app.presenters.selection import Selection
-from app.presenters.session_tracks import SessionTracks, spans_of
+from app.presenters.session_tracks import SessionTracks
 from app.presenters.setting import Instant
 from app.presenters.shown import ShownTracks
 from app.presenters.timeline import TimelinePresenter
@@ -23,7 +23,7 @@ from tracking.errors import EditError
 from tracking.recording import Recording
 from tracking.session import Session
 from tracking.trackers import StepResult
-from tracking.tracks import TrackLabel
+from tracking.tracks import ReviewedRange, TrackLabel
 
 
 class Document:
@@ -94,13 +94,15 @@ class Document:
         """Show the tracks of the tracker at work, or those of the session."""
         session = self.session
         self._tracks: ShownTracks = self._live
-        marks: dict[int, tuple[int, ...]] = {}
+        marks: dict[int, tuple[TimelineMark, ...]] = {}
+        reviewed: tuple[ReviewedRange, ...] = ()
         if session is not None and not self._live_shown:
             adopted = session.adopted_run
             run = session.runs[adopted] if adopted is not None else None
             self._tracks = SessionTracks(session.tracks, run)
-            marks = self._marks.of(session.history)
+            marks, reviewed = self._marks.of(session.history), session.labels.reviewed
         self._timeline.take(self._tracks, marks)
+        self._timeline.take_reviewed(reviewed)
 
     # what the views show
 
@@ -133,6 +135,10 @@ class Document:
         """
         cut = self.flow.cut if self.flow is not None and self.flow.has_cut else None
         return self._timeline.scene(playhead, self.instant(frame), loaded, cut, no_lanes)
+
+    def take_suspicions(self, suspicions: Sequence[TimelineMark]) -> None:
+        """Mark on the timeline what may be wrong, instead of what was marked before."""
+        self._timeline.take_suspicions(suspicions)
 
     def card(self) -> TrackCard | None:
         """The selected track in words."""
@@ -262,13 +268,9 @@ class Document:
         if self.session is None:
             return
         table = self.session.tracks
-        spans = {
-            track: spans_of(table.of_track(track))[track]
-            for track in change.tracks
-            if track in table
-        }
         frames = change.before.rows["frame"], change.after.rows["frame"]
         marks = self._marks.of(self.session.history)
-        self._timeline.take_changed(change.tracks, spans, frames, marks)
+        self._timeline.take_changed(change.tracks, self._tracks, frames, marks)
+        self._timeline.take_reviewed(self.session.labels.reviewed)
         if self.selection and self.selection.track not in table:
             self.selection.choose(0)

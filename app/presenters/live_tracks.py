@@ -74,12 +74,20 @@ class LiveTracks:
         step = self._step(frame)
         return empty(PARTICLE_COLUMNS) if step is None else step.particles
 
-    def spans(self) -> dict[int, Spans]:
+    def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
         """The stretches so far."""
         for track, rows in self._spans.items():
             if track not in self._made:
                 self._made[track] = np.array(rows, np.int64)
-        return dict(self._made)
+        asked = self._made if tracks is None else set(tracks) & self._made.keys()
+        return {track: self._made[track] for track in asked}
+
+    def keyframes(
+        self,
+        tracks: Iterable[int] | None = None,  # noqa: ARG002 - part of `ShownTracks`
+    ) -> dict[int, NDArray[np.int64]]:
+        """None: a tracker is no person."""
+        return {}
 
     def activity(self, frame_count: int) -> NDArray[np.uint16]:
         """People per frame so far."""

@@ -7,7 +7,7 @@ from datetime import datetime
 import numpy as np
 
 from app.presenters.palette import colour_of_track
-from app.presenters.scenes import HistoryItem, TrackCard
+from app.presenters.scenes import HistoryItem, MarkKind, TimelineMark, TrackCard
 from app.presenters.shown import ShownTracks
 from tracking.editing import Entry, History
 from tracking.tracks import TrackLabel
@@ -61,22 +61,38 @@ class HistoryList:
 
 
 class EditMarks:
-    """Where each track was edited; an entry's change is read once, as a log may be long."""
+    """Where each track was edited; only what changed in a log that may be long is made anew."""
 
     def __init__(self) -> None:
-        self._tracks_of_edit: dict[int, tuple[int, ...]] = {}
+        self._in_force: dict[int, bool] = {}
+        self._marks_of_edit: dict[int, tuple[TimelineMark, ...]] = {}
+        self._marks: dict[int, dict[int, TimelineMark]] = {}  # by track, then edit
 
-    def of(self, history: History) -> dict[int, tuple[int, ...]]:
-        """For each track the frames where an edit in force touched it."""
-        marks: dict[int, set[int]] = {}
+    def of(self, history: History) -> dict[int, tuple[TimelineMark, ...]]:
+        """For each track the marks of the edits in force that touched it, by frame."""
         for entry in history:
-            if entry.undone:
-                continue
-            if entry.id not in self._tracks_of_edit:
-                self._tracks_of_edit[entry.id] = entry.change.tracks
-            for track in self._tracks_of_edit[entry.id]:
-                marks.setdefault(track, set()).add(entry.frame)
-        return {track: tuple(sorted(frames)) for track, frames in marks.items()}
+            in_force = not entry.undone
+            if self._in_force.get(entry.id, False) != in_force:
+                self._in_force[entry.id] = in_force
+                self._put(entry, in_force)
+        return {
+            track: tuple(sorted(marks.values(), key=lambda mark: mark.frame))
+            for track, marks in self._marks.items()
+            if marks
+        }
+
+    def _put(self, entry: Entry, in_force: bool) -> None:
+        """Put the marks of an entry in, or take them out; its change is read once."""
+        if entry.id not in self._marks_of_edit:
+            kind = MarkKind.SWAP if entry.kind == "swap" else MarkKind.EDIT
+            self._marks_of_edit[entry.id] = tuple(
+                TimelineMark(kind, entry.frame, track, entry.text) for track in entry.change.tracks
+            )
+        for mark in self._marks_of_edit[entry.id]:
+            if in_force:
+                self._marks.setdefault(mark.track, {})[entry.id] = mark
+            else:
+                self._marks[mark.track].pop(entry.id)
 
 
 def _local(time: str) -> str:

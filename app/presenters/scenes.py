@@ -6,7 +6,7 @@ Presenters make scenes, views draw them. No Qt here; colours are (red, green, bl
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from enum import Enum
+from enum import Enum, IntEnum
 
 import numpy as np
 from numpy.typing import NDArray
@@ -143,13 +143,45 @@ class OverheadScene:
     looks_down: bool = False
 
 
+class SpanKind(IntEnum):
+    """What the rows of a stretch of a lane are."""
+
+    MEASURED = 0
+    PREDICTED = 1
+    INTERPOLATED = 2
+
+
+class MarkKind(Enum):
+    """What a mark on the timeline stands for."""
+
+    EDIT = "edit"
+    SWAP = "swap"
+    SUSPICION = "suspicion"
+
+
+@dataclass(frozen=True, slots=True)
+class TimelineMark:
+    """Something at a frame of a track.
+
+    Attributes:
+        track: id; 0 where it is about no track in particular.
+        text: said when the mouse rests on it.
+    """
+
+    kind: MarkKind
+    frame: int
+    track: int
+    text: str = ""
+
+
 @dataclass(frozen=True, slots=True)
 class Lane:
     """A track on the timeline.
 
     Attributes:
-        spans: (k, 3) int64 rows of first frame, end frame (half-open), predicted (0 or 1).
-        marks: frames with an edit on this track.
+        spans: (k, 3) int64 rows of first frame, end frame (half-open), `SpanKind`; ascending.
+        marks: by frame. keyframes: (n,) int64 frames whose row a person made, ascending.
+        reviewed: half-open ranges of frames a person has looked at in this track alone.
     """
 
     track: int
@@ -157,7 +189,9 @@ class Lane:
     colour: Colour
     selected: bool
     spans: NDArray[np.int64]
-    marks: tuple[int, ...] = ()
+    marks: tuple[TimelineMark, ...] = ()
+    keyframes: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
+    reviewed: tuple[tuple[int, int], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,6 +205,7 @@ class TimelineScene:
         tracked: half-open frame range. loaded: the half-open ranges of frames at hand.
         cut: a frame with an edit being previewed, or None.
         message: said where there are no lanes.
+        marks: those of all lanes, by frame. reviewed: half-open ranges looked at for all tracks.
     """
 
     frame_count: int
@@ -182,6 +217,8 @@ class TimelineScene:
     loaded: tuple[tuple[int, int], ...] = ()
     cut: int | None = None
     message: str = ""
+    marks: tuple[TimelineMark, ...] = ()
+    reviewed: tuple[tuple[int, int], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.belonging import ids_after_edits, renamed
+from app.presenters.scenes import SpanKind
 from app.presenters.shown import Spans, joined
 from tracking.tracks import (
     DETECTION_COLUMNS,
@@ -15,6 +16,7 @@ from tracking.tracks import (
     TRACK_COLUMNS,
     Columns,
     Run,
+    Source,
     TrackTable,
     empty,
 )
@@ -94,29 +96,50 @@ class SessionTracks:
             return {}
         return ids_after_edits(_of_frame(self._run.tracks, frame), self._table.of_frame(frame))
 
-    def spans(self) -> dict[int, Spans]:
-        """The stretches of every track."""
-        return spans_of(self._table.columns())
+    def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
+        """The stretches of every track, or of some."""
+        rows = self._rows_by_track(tracks)
+        kind = rows["predicted"].astype(np.int64)
+        kind[rows["source"] == Source.INTERPOLATED] = SpanKind.INTERPOLATED
+        return spans_of(rows["track"], rows["frame"], kind)
+
+    def keyframes(self, tracks: Iterable[int] | None = None) -> dict[int, NDArray[np.int64]]:
+        """The frames whose row a person made."""
+        rows = self._rows_by_track(tracks)
+        made = rows["source"] == Source.PERSON
+        return _grouped(rows["track"][made], rows["frame"][made].astype(np.int64))
+
+    def _rows_by_track(self, tracks: Iterable[int] | None) -> Columns:
+        """What lanes are made of, by track, then frame; of ten million rows nothing else is read."""
+        return self._table.by_track(("track", "frame", "predicted", "source"), tracks)
 
     def activity(self, frame_count: int) -> NDArray[np.uint16]:
         """People per frame."""
         return self._table.activity(frame_count)
 
 
-def spans_of(rows: Columns) -> dict[int, Spans]:
-    """The stretches of every track in a table: consecutive frames that are alike predicted."""
-    if not len(rows["frame"]):
+def spans_of(
+    track: NDArray[np.int32], frame: NDArray[np.int32], kind: NDArray[np.int64]
+) -> dict[int, Spans]:
+    """The stretches of every track: consecutive frames of one kind.
+
+    The rows stand by track, then frame.
+    """
+    if not len(frame):
         return {}
-    order = np.lexsort((rows["frame"], rows["track"]))
-    track, frame, lost = (rows[name][order] for name in ("track", "frame", "predicted"))
-    begins = np.ones(len(order), bool)
-    begins[1:] = (np.diff(track) != 0) | (np.diff(frame) != 1) | (lost[1:] != lost[:-1])
+    begins = np.ones(len(frame), bool)
+    begins[1:] = (track[1:] != track[:-1]) | (frame[1:] != frame[:-1] + 1) | (kind[1:] != kind[:-1])
     first = np.flatnonzero(begins)
-    last = np.append(first[1:], len(order)) - 1
-    spans = np.column_stack((frame[first], frame[last] + 1, lost[first])).astype(np.int64)
-    ids, starts = np.unique(track[first], return_index=True)
-    parts = np.split(spans, starts[1:])
-    return {int(one): part for one, part in zip(ids, parts, strict=True)}
+    last = np.append(first[1:], len(frame)) - 1
+    spans = np.column_stack((frame[first], frame[last].astype(np.int64) + 1, kind[first]))
+    return _grouped(track[first], spans)
+
+
+def _grouped(track: NDArray[np.int32], values: NDArray[np.int64]) -> dict[int, NDArray[np.int64]]:
+    """The values of each track; they stand by track."""
+    ids, starts = np.unique(track, return_index=True)
+    parts = np.split(values, starts[1:])
+    return {int(one): part for one, part in zip(ids, parts, strict=False)}
 
 
 def _of_frame(columns: Columns, frame: int) -> Columns:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Protocol
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracking.tracks import TRACK_COLUMNS, Columns, empty
 
 Spans = NDArray[np.int64]
-"""(k, 3) rows of first frame, end frame (half-open), predicted (0 or 1)."""
+"""(k, 3) rows of first frame, end frame (half-open), `SpanKind`."""
 
 
 class ShownTracks(Protocol):
@@ -43,8 +43,11 @@ class ShownTracks(Protocol):
     def particles(self, frame: int) -> Columns:
         """`PARTICLE_COLUMNS` of a frame, grouped by track."""
 
-    def spans(self) -> dict[int, Spans]:
-        """For each track the stretches it was measured or predicted in."""
+    def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
+        """For each track, or each of some, the stretches in which its rows are of one kind."""
+
+    def keyframes(self, tracks: Iterable[int] | None = None) -> dict[int, NDArray[np.int64]]:
+        """The frames whose row a person made, of the tracks that have any."""
 
     def activity(self, frame_count: int) -> NDArray[np.uint16]:
         """(frame_count,) people per frame."""

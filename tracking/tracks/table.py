@@ -8,7 +8,7 @@ came from and with snapshots. Rows that are added stand behind the others, in th
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -114,6 +114,18 @@ class TrackTable:
         slots, frames = self._of(track)
         stop = LARGEST_NUMBER if end is None else end
         return self._rows(slots[between(frames, start, stop)])
+
+    def by_track(
+        self, names: Iterable[str], tracks: Iterable[int] | None = None
+    ) -> dict[str, NDArray[Any]]:
+        """Some columns of all tracks, or of some, sorted by track then frame.
+
+        Quicker than sorting `columns()`, and nothing but what is asked for is read.
+        """
+        asked = self._index if tracks is None else self._index.keys() & set(tracks)
+        parts = [self._index[track][0] for track in sorted(asked)]
+        slots = np.concatenate(parts) if parts else _NO_SLOTS
+        return {name: self._column(name, slots) for name in names}
 
     def frames_of_track(self, track: int) -> NDArray[np.int32]:
         """The frames in which the track stands, ascending; empty for an unknown track."""
@@ -221,12 +233,11 @@ class TrackTable:
         return self._index.get(track, (_NO_SLOTS, _NO_FRAMES))
 
     def _rows(self, slots: Slots) -> dict[str, NDArray[Any]]:
-        return {
-            name: self._track[slots] if name == "track" else self._value(name, slots)
-            for name in CORRECTED_COLUMNS
-        }
+        return {name: self._column(name, slots) for name in CORRECTED_COLUMNS}
 
-    def _value(self, name: str, slots: Slots) -> NDArray[Any]:
+    def _column(self, name: str, slots: Slots) -> NDArray[Any]:
+        if name == "track":
+            return self._track[slots]
         base, tail = self._base[name], self._tail[name]
         if not len(tail):
             return base[slots]

@@ -84,8 +84,8 @@ def _draw_marks(painter: QPainter, lane: Lane, row: QRectF, axis: TimeAxis, them
     painter.setPen(QPen(theme.sunken, 1.2))
     painter.setBrush(theme.text)
     reach = row.height() * 0.26
-    for frame in lane.marks:
-        at = QPointF(axis.x_of(frame), row.center().y())
+    for mark in lane.marks:
+        at = QPointF(axis.x_of(mark.frame), row.center().y())
         if axis.left - reach <= at.x() <= axis.left + axis.width + reach:
             corners = [QPointF(0, -reach), QPointF(reach, 0), QPointF(0, reach), QPointF(-reach, 0)]
             painter.drawPolygon(QPolygonF([at + corner for corner in corners]))

@@ -4,7 +4,7 @@ import two_people
 
 from app.presenters.belonging import NOBODY_KNOWN, ids_after_edits
 from app.presenters.live_tracks import LiveTracks
-from app.presenters.session_tracks import SessionTracks, spans_of
+from app.presenters.session_tracks import SessionTracks
 from tracking.editing import apply_change, plan_delete, plan_merge, plan_split, plan_swap
 from tracking.tracks import Labels, TrackTable
 
@@ -67,7 +67,8 @@ def test_nothing_tracked_yet_is_shown_as_nothing():
 def test_stretches_split_at_gaps():
     rows = two_people.columns()
     kept = ~np.isin(rows["frame"], [20, 21])
-    spans = spans_of({name: column[kept] for name, column in rows.items()})
+    table = TrackTable({name: column[kept] for name, column in rows.items()})
+    spans = SessionTracks(table, None).spans()
     assert spans[4].tolist() == [[0, 20, 0], [22, 100, 0]]
 
 

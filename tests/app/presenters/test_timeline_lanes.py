@@ -1,23 +1,36 @@
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import two_people
 
+from app.presenters.panels import EditMarks
+from app.presenters.scenes import MarkKind, SpanKind, TimelineMark
 from app.presenters.session_tracks import SessionTracks
 from app.presenters.setting import Instant
 from app.presenters.timeline import TimelinePresenter
+from tracking.editing import apply_change, plan_delete, plan_split, plan_swap
+from tracking.session import Session
+from tracking.tracks import Labels, ReviewedRange, Source, TrackTable
 
 _NO_FRAMES = np.zeros(0, np.int32)
+_EDIT = TimelineMark(MarkKind.EDIT, 50, 7, "Split 7")
 
 
 @pytest.fixture
-def tracks() -> SessionTracks:
-    return SessionTracks(two_people.table(), two_people.run())
+def table() -> TrackTable:
+    return two_people.table()
+
+
+@pytest.fixture
+def tracks(table) -> SessionTracks:
+    return SessionTracks(table, two_people.run())
 
 
 @pytest.fixture
 def timeline(tracks) -> TimelinePresenter:
     presenter = TimelinePresenter(two_people.FRAMES, 20.0)
-    presenter.take(tracks, {7: (50,)})
+    presenter.take(tracks, {7: (_EDIT,)})
     return presenter
 
 
@@ -25,11 +38,17 @@ def _scene(timeline, tracks, frame=0, **known):
     return timeline.scene(frame, Instant(frame, tracks, **known), (0, 0), None)
 
 
+def _edit(timeline, tracks, table, change):
+    apply_change(table, Labels(), change)
+    frames = change.before.rows["frame"], change.after.rows["frame"]
+    timeline.take_changed(change.tracks, tracks, frames, {})
+
+
 def test_lanes_stand_by_their_first_frame_with_spans_and_marks(timeline, tracks):
     lanes = _scene(timeline, tracks, names={7: "red coat"}).lanes
     assert [lane.track for lane in lanes] == [4, 7]
     assert lanes[1].label == "7 red coat"
-    assert lanes[1].marks == (50,)
+    assert lanes[1].marks == (_EDIT,)
     assert lanes[1].spans.tolist() == [[10, 60, 0], [60, 70, 1], [70, 100, 0]]
 
 
@@ -37,6 +56,7 @@ def test_playing_leaves_lanes_and_activity_the_same_objects(timeline, tracks):
     first, second = (_scene(timeline, tracks, frame) for frame in (3, 4))
     assert first.lanes is second.lanes
     assert first.activity is second.activity
+    assert first.marks is second.marks
 
 
 def test_selecting_makes_new_lanes(timeline, tracks):
@@ -46,18 +66,28 @@ def test_selecting_makes_new_lanes(timeline, tracks):
     assert [lane.selected for lane in second.lanes] == [False, True]
 
 
-def test_an_edit_makes_only_the_lanes_it_touched_anew(timeline, tracks):
+def test_an_edit_makes_only_the_lanes_it_touched_anew(timeline, tracks, table):
     before = _scene(timeline, tracks).lanes
-    cut = {8: np.array([[50, 100, 0]]), 7: np.array([[10, 50, 0]])}
-    timeline.take_changed((7, 8), cut, (_NO_FRAMES, _NO_FRAMES), {})
+    _edit(timeline, tracks, table, plan_split(table, 7, 50))
     after = {lane.track: lane for lane in _scene(timeline, tracks).lanes}
-    assert after[8].spans.tolist() == [[50, 100, 0]]
-    assert after[4].spans is before[0].spans
+    assert after[8].spans.tolist() == [[50, 60, 0], [60, 70, 1], [70, 100, 0]]
+    assert after[4] is before[0]
 
 
-def test_a_track_without_rows_loses_its_lane(timeline, tracks):
-    gone = np.arange(10, 100, dtype=np.int32)
-    timeline.take_changed((7,), {}, (gone, _NO_FRAMES), {})
+def test_lanes_after_an_edit_are_those_of_a_fresh_start(timeline, tracks, table):
+    _scene(timeline, tracks)
+    _edit(timeline, tracks, table, plan_swap(table, 4, 7, 50))
+    fresh = TimelinePresenter(two_people.FRAMES, 20.0)
+    fresh.take(tracks, {})
+    for lane, other in zip(
+        _scene(timeline, tracks).lanes, _scene(fresh, tracks).lanes, strict=True
+    ):
+        assert lane.track == other.track
+        assert lane.spans.tolist() == other.spans.tolist()
+
+
+def test_a_track_without_rows_loses_its_lane(timeline, tracks, table):
+    _edit(timeline, tracks, table, plan_delete(table, 7, 0))
     scene = _scene(timeline, tracks)
     assert [lane.track for lane in scene.lanes] == [4]
     assert scene.activity.tolist() == [1] * 100
@@ -66,6 +96,57 @@ def test_a_track_without_rows_loses_its_lane(timeline, tracks):
 def test_rows_that_come_and_go_change_the_people_counted(timeline, tracks):
     frames = np.array([3, 3, 5], np.int32), np.array([5, 6], np.int32)
     before = _scene(timeline, tracks).activity.astype(int)
-    timeline.take_changed((), {}, (frames[1], frames[0]), {})
+    timeline.take_changed((), tracks, (frames[1], frames[0]), {})
     after = _scene(timeline, tracks).activity
     assert (after - before)[[3, 5, 6]].tolist() == [2, 0, -1]
+
+
+def test_interpolated_stretches_and_keyframes_are_told_apart():
+    rows = two_people.columns(20, (4, 7))
+    source = np.full(len(rows["frame"]), Source.INTERPOLATED, np.uint8)
+    source[rows["track"] == 7] = Source.TRACKER
+    source[(rows["track"] == 4) & np.isin(rows["frame"], [0, 10, 19])] = Source.PERSON
+    tracks = SessionTracks(TrackTable({**rows, "source": source}), None)
+    presenter = TimelinePresenter(20, 20.0)
+    presenter.take(tracks, {})
+    made, seen = _scene(presenter, tracks).lanes
+    assert made.keyframes.tolist() == [0, 10, 19]
+    assert made.spans[1].tolist() == [1, 10, SpanKind.INTERPOLATED]
+    assert seen.keyframes.tolist() == []
+
+
+def test_suspicions_stand_in_their_lanes_until_others_take_their_place(timeline, tracks):
+    first = _scene(timeline, tracks)
+    doubt = TimelineMark(MarkKind.SUSPICION, 20, 7, "likely swap")
+    timeline.take_suspicions([doubt])
+    marked = _scene(timeline, tracks)
+    assert marked.lanes[1].marks == (doubt, _EDIT)
+    assert marked.lanes[0] is first.lanes[0]
+    assert set(marked.marks) == {doubt, _EDIT}
+    timeline.take_suspicions([])
+    assert _scene(timeline, tracks).marks == (_EDIT,)
+
+
+def test_reviewed_ranges_of_a_track_are_in_its_lane_and_those_of_all_in_the_scene(timeline, tracks):
+    timeline.take_reviewed((ReviewedRange(0, 0, 30), ReviewedRange(7, 40, 60)))
+    scene = _scene(timeline, tracks)
+    assert scene.reviewed == ((0, 30),)
+    assert [lane.reviewed for lane in scene.lanes] == [(), ((40, 60),)]
+
+
+def test_edits_are_marked_while_they_are_in_force(table, tmp_path):
+    footage = SimpleNamespace(
+        **{"folder": tmp_path, "name": "n", "fps": 20.0, "frame_count": 100, "size": (64, 48)},
+        **{"is_stereo": False, "manifest_text": "", "own_manifest": True, "calibration_text": ""},
+        fingerprints=tuple,
+    )
+    marks, session = EditMarks(), Session.create(footage, [two_people.run()])
+    session.apply(plan_swap(session.tracks, 4, 7, 50))
+    session.apply(plan_split(session.tracks, 7, 80))
+    kinds = {track: [one.kind for one in own] for track, own in marks.of(session.history).items()}
+    assert kinds == {4: [MarkKind.SWAP], 7: [MarkKind.SWAP, MarkKind.EDIT], 8: [MarkKind.EDIT]}
+    session.undo()
+    session.undo()
+    assert marks.of(session.history) == {}
+    session.redo()
+    assert set(marks.of(session.history)) == {4, 7}
