@@ -17,6 +17,7 @@ from tracking.trackers import (
     ASSOCIATION_COLUMNS,
     Observation,
     Perception,
+    Resume,
     StepResult,
     TrackerSpec,
     best_tracker,
@@ -40,6 +41,9 @@ T = TypeVar("T")
 BACKGROUND_SAMPLES = 15
 """Frames spread over the recording that the background is learnt from before the first step."""
 
+_TIED_S = 1.0
+"""Of corrected tracks before the first frame, which smoothed tracks begin at."""
+
 
 def track(
     recording: Recording,
@@ -47,6 +51,7 @@ def track(
     settings: Any = None,
     seed: int = 0,
     frames: tuple[int, int] | None = None,
+    resume: Resume | None = None,
 ) -> Tracking:
     """Start a tracker on a recording; nothing is read until the first step is asked for.
 
@@ -55,20 +60,29 @@ def track(
         tracker: name in the catalogue; None takes the best one for the recording.
         settings: of the tracker's `settings_type`; None takes the defaults.
         seed: of all random numbers; the same seed gives the same arrays, byte for byte.
-        frames: half-open range to track; None takes the whole recording.
+        frames: half-open range to track; None takes the whole recording, from where to resume.
+        resume: tracks again from a frame of corrected tracks on, with their people: ids go on.
 
-    Raises `SettingsError` for an unknown tracker or an empty range, `RecordingError` or
-    `CalibrationError` where the tracker cannot work on the recording.
+    Raises `SettingsError` for an unknown tracker, an empty range or one that does not begin where
+    to resume, `RecordingError` or `CalibrationError` where the tracker cannot work on the
+    recording.
     """
     spec = tracker_named(tracker or best_tracker(recording))
     require(spec, recording)
-    start, stop = frames or (0, recording.frame_count)
+    first = resume.frame if resume is not None else 0
+    start, stop = frames or (first, recording.frame_count)
     if not 0 <= start < stop <= recording.frame_count:
         raise SettingsError(
             f"frames {start}:{stop} are not in the recording: "
             f"choose a range within 0:{recording.frame_count}"
         )
-    return Tracking(recording, spec, settings or spec.settings_type(), seed, (start, stop))
+    if resume is not None and start != first:
+        raise SettingsError(
+            f"frames {start}:{stop} do not begin at frame {first}, where to go on: "
+            f"choose {first}:{stop}"
+        )
+    settings = settings or spec.settings_type()
+    return Tracking(recording, spec, settings, seed, (start, stop), resume)
 
 
 class Tracking:
@@ -91,6 +105,7 @@ class Tracking:
         settings: Any,
         seed: int,
         frames: tuple[int, int],
+        resume: Resume | None = None,
     ) -> None:
         """See `track`."""
         self.frames = frames
@@ -101,6 +116,7 @@ class Tracking:
         self._spec = spec
         self._settings = settings
         self._seed = seed
+        self._resume = resume
         self._results: list[StepResult] = []
         self._ranged = RangedShare()
         self._steps = self._work()
@@ -135,6 +151,7 @@ class Tracking:
             self._seed,
             self.frames[0],
             self._recording,
+            self._resume,
         )
 
     @property
@@ -148,6 +165,9 @@ class Tracking:
     def _work(self) -> Generator[StepResult]:
         perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
         self._timed("learn", _learn, perception, self._recording)
+        if self._resume is not None:
+            seen = (perception.observe(self._recording.read(n)) for n in self._resume.looks)
+            self._timed("learn", tracker.resume, self._resume, seen)
         pictures = self._recording.frames(*self.frames)
         while (frame := self._timed("decode", next, pictures, None)) is not None:
             self.observation = self._timed("perception", perception.observe, frame)
@@ -178,11 +198,13 @@ def run_of_steps(
     seed: int,
     start: int,
     recording: Recording,
+    resume: Resume | None = None,
 ) -> Run:
     """The steps of a tracker, in order from frame `start` on, as one immutable run.
 
     `settings` are plain values by their dotted names. With `smooth` among them, the tracks take
     into account what came later (see `trackers.smoothed`); the steps stay as they were.
+    `resume`: what the tracker went on from, if it did; the smoothed tracks begin there.
     """
     run = Run(
         tracker=tracker,
@@ -195,10 +217,12 @@ def run_of_steps(
         associations=_joined([step.associations for step in steps], ASSOCIATION_COLUMNS),
         signals=_joined([step.signals for step in steps], SIGNAL_COLUMNS),
         software=f"trackwright {tracking.__version__}",
+        known_tracks=resume.highest_track if resume is not None else 0,
     )
     if not settings.get("smooth") or recording.view is None:
         return run
-    return smoothed(run, recording.view, recording.fps)
+    given = resume.last(_TIED_S) if resume is not None else None
+    return smoothed(run, recording.view, recording.fps, given)
 
 
 def _learn(perception: Perception, recording: Recording) -> None:

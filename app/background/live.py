@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from app.tracking_process import TrackerProcess, TrackingRequest
 from tracking.pipeline import run_of_steps
 from tracking.recording import Recording
-from tracking.trackers import StepResult
+from tracking.trackers import Resume, StepResult
 from tracking.tracks import Run
 
 _log = logging.getLogger(__name__)
@@ -40,12 +40,13 @@ class LiveTracker(QObject):
         seed: int,
         parent: QObject,
         frames: tuple[int, int] | None = None,
+        resume: Resume | None = None,
     ) -> None:
         """The arguments of `pipeline.track`; nothing is begun before `start`."""
         super().__init__(parent)
         self.tracker = tracker
         self._recording = recording
-        self._request = TrackingRequest.of(recording, tracker, settings, seed, frames)
+        self._request = TrackingRequest.of(recording, tracker, settings, seed, frames, resume)
         self._process = TrackerProcess(self._request)
         self._thread = threading.Thread(target=self._run, name="live tracker", daemon=True)
         self._ended.connect(self._report, Qt.ConnectionType.QueuedConnection)
@@ -84,7 +85,7 @@ class LiveTracker(QObject):
             return None
         first = steps[0].frame
         return run_of_steps(
-            steps, asked.tracker, asked.settings, asked.seed, first, self._recording
+            steps, asked.tracker, asked.settings, asked.seed, first, self._recording, asked.resume
         )
 
     def _report(self, run: Run | None, problem: Exception | None) -> None:

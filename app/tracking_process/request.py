@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from tracking.pipeline import Tracking, track
 from tracking.recording import OpenOptions, Recording
 from tracking.recording.opening import open_from_manifest
-from tracking.trackers import settings_from, settings_values, tracker_named
+from tracking.trackers import Resume, settings_from, settings_values, tracker_named
+from tracking.tracks import CORRECTED_COLUMNS
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +27,7 @@ class TrackingRequest:
         tracker: name in the catalogue. settings: by their dotted names.
         seed: of all random numbers.
         frames: half-open range, None for all.
+        resume: what to go on from, None to begin anew.
     """
 
     folder: str
@@ -32,6 +36,7 @@ class TrackingRequest:
     settings: Mapping[str, Any]
     seed: int
     frames: tuple[int, int] | None
+    resume: Resume | None = None
 
     @classmethod
     def of(
@@ -41,22 +46,29 @@ class TrackingRequest:
         settings: Any,
         seed: int,
         frames: tuple[int, int] | None,
+        resume: Resume | None = None,
     ) -> TrackingRequest:
         """The same as `pipeline.track` is given; settings None takes the tracker's defaults."""
         values = settings_values(settings or tracker_named(tracker).settings_type())
         folder = str(recording.folder.resolve())
-        return cls(folder, recording.manifest_text, tracker, values, seed, frames)
+        return cls(folder, recording.manifest_text, tracker, values, seed, frames, resume)
 
     def as_line(self) -> bytes:
         """For the child's standard input."""
-        return json.dumps(asdict(self)).encode() + b"\n"
+        said = {field.name: getattr(self, field.name) for field in fields(self)}
+        said["resume"] = None if self.resume is None else _as_json(self.resume)
+        return json.dumps(said).encode() + b"\n"
 
     @classmethod
     def from_line(cls, line: bytes) -> TrackingRequest:
         """What `as_line` wrote."""
         values = json.loads(line)
-        frames = values.pop("frames")
-        return cls(**values, frames=None if frames is None else (frames[0], frames[1]))
+        frames, resume = values.pop("frames"), values.pop("resume")
+        return cls(
+            **values,
+            frames=None if frames is None else (frames[0], frames[1]),
+            resume=None if resume is None else _from_json(resume),
+        )
 
     def open(self) -> Recording:
         """The recording, opened once more.
@@ -69,4 +81,16 @@ class TrackingRequest:
     def begin(self, recording: Recording) -> Tracking:
         """Put the tracker to work on it."""
         settings = settings_from(tracker_named(self.tracker).settings_type, self.settings)
-        return track(recording, self.tracker, settings, self.seed, self.frames)
+        return track(recording, self.tracker, settings, self.seed, self.frames, self.resume)
+
+
+def _as_json(resume: Resume) -> dict[str, Any]:
+    """Plain values; Python's JSON gives every number back as it was, NaN too."""
+    said = {field.name: getattr(resume, field.name) for field in fields(resume)}
+    return {**said, "rows": {name: column.tolist() for name, column in resume.rows.items()}}
+
+
+def _from_json(said: dict[str, Any]) -> Resume:
+    """What `_as_json` said."""
+    rows = {name: np.array(said["rows"][name], t) for name, t in CORRECTED_COLUMNS.items()}
+    return Resume(**{**said, "rows": rows, "looks": tuple(said["looks"])})

@@ -10,6 +10,7 @@ from tracking.trackers.catalogue import (
     tracker_named,
 )
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
+from tracking.trackers.resuming import Resume
 from tracking.trackers.settings import SettingField, settings_fields, settings_from, settings_values
 from tracking.trackers.smoothing import smoothed
 
@@ -19,6 +20,7 @@ __all__ = [
     "Observation",
     "Overlays",
     "Perception",
+    "Resume",
     "SettingField",
     "StepResult",
     "Tracker",

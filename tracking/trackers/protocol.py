@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Protocol
@@ -11,6 +11,7 @@ import numpy as np
 
 from tracking.people.observation import Observation
 from tracking.recording.frame import StereoFrame
+from tracking.trackers.resuming import Resume
 from tracking.tracks.columns import SIGNAL_COLUMNS, Columns, empty
 
 ASSOCIATION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
@@ -60,6 +61,13 @@ class Perception(Protocol):
 
 class Tracker(Protocol):
     """Follows people over observations; holds the particles."""
+
+    def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
+        """Before the first step: go on with people as corrected.
+
+        Args:
+            observations: of the frames `resume.looks`, in order; their colours are learnt there.
+        """
 
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further. Frames come in order."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,7 +72,7 @@ class _Paths:
         return np.where(self.measured, shown, 0.0)
 
 
-def smoothed(run: Run, view: View, fps: float) -> Run:
+def smoothed(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
     """The run with what was seen later taken into account; particles and matches stay.
 
     The sources estimate each frame from what came before. Footage that is recorded knows what
@@ -89,20 +90,33 @@ def smoothed(run: Run, view: View, fps: float) -> Run:
 
     Args:
         view: the camera the boxes were seen by. fps: frames a second.
+        given: rows of frames before the run's that stand fast, as corrected by people: its paths
+            and outlines begin there, without a jump.
     """
-    paths = _paths(run.tracks)
+    tracks, first = _joined(given, run.tracks)
+    paths = _paths(tracks)
     if not paths.measured.any():
         return run
     position, velocity = _walked(paths, run.detections, fps)
     box = _drawn(paths, position, view, fps)
     new = np.concatenate((position, velocity, box), axis=1)
-    tracks = {name: column.copy() for name, column in run.tracks.items()}
     changed = paths.enclosed
     for name, column in zip(("x", "y", "vx", "vy", *_SIDES), new.T, strict=True):
         tracks[name][paths.rows[changed]] = column[changed]
     kept = np.ones(len(tracks["frame"]), bool)
     kept[paths.rows[_vanished(paths, run.frames[1], view)]] = False
-    return replace(run, tracks=_rows(tracks, kept), signals=_rows(run.signals, kept))
+    own = {name: column[first:] for name, column in tracks.items()}
+    return replace(run, tracks=_rows(own, kept[first:]), signals=_rows(run.signals, kept[first:]))
+
+
+def _joined(given: Columns | None, tracks: Columns) -> tuple[dict[str, NDArray[Any]], int]:
+    """A copy of the tracks behind the rows given, which count as measured, and where it begins."""
+    if given is None:
+        return {name: column.copy() for name, column in tracks.items()}, 0
+    sure = {**given, "predicted": np.zeros_like(given["predicted"])}
+    sure["visibility"] = np.ones_like(given["visibility"])
+    joined = {name: np.concatenate((sure[name], column)) for name, column in tracks.items()}
+    return joined, len(given["frame"])
 
 
 def _rows(columns: Columns, kept: Flags) -> Columns:

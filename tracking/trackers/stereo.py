@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,10 +15,12 @@ from tracking.recording import Recording
 from tracking.trackers.births_and_ends import Newcomers, confirmed, newcomers, still_there
 from tracking.trackers.population import Population, joined, nobody
 from tracking.trackers.protocol import StepResult
+from tracking.trackers.resuming import Resume
 from tracking.trackers.stereo_boxes import expected_visibility, outlined
 from tracking.trackers.stereo_cues import Cues, costs_of
 from tracking.trackers.stereo_matching import match_people
 from tracking.trackers.stereo_result import step_result
+from tracking.trackers.stereo_resuming import resumed
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 from tracking.trackers.stereo_sharing import shared_regions
 from tracking.trackers.stereo_update import Match, aged, guests_kept, matched, unseen
@@ -85,6 +89,13 @@ class StereoTracker:
     def settings(self) -> StereoTrackerSettings:
         """The settings in force."""
         return self._settings
+
+    def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
+        """Go on with the people as corrected; those who are new get ids above all there were."""
+        self._people, self._time_s = resumed(
+            resume, observations, self._view, self._settings, self._cues, self._random
+        )
+        self._last_id = resume.highest_track
 
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""

@@ -1,0 +1,143 @@
+"""Tracking again after a correction: what the corrected tracks say before the frame to go on at."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import SettingsError
+from tracking.tracks.columns import CORRECTED_COLUMNS, Columns
+from tracking.tracks.table import TrackTable
+
+Frames = NDArray[np.int32]
+Flags = NDArray[np.bool_]
+
+_WALKED_S = 2.0
+"""How far back the way somebody walked is told; more than what walking direction remembers."""
+_GONE_S = 4.0
+"""Who has no row for longer than this, and comes back later, is not looked for."""
+_EARLIER_S = 20.0
+"""How far back better views of somebody are searched for."""
+_VIEWS = 8
+"""Good views of each person that suffice."""
+_EARLIER_LOOKS = 40
+"""Frames before the last ones that are looked at for all people together."""
+CLEAR = 0.75
+"""Share of a body in sight from which a view is a good one."""
+CLOSE_M = 0.8
+"""Of two people closer than this neither is seen by itself."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Resume:
+    """Where tracking goes on, as plain values.
+
+    Attributes:
+        frame: the first frame to be tracked again.
+        rows: `CORRECTED_COLUMNS` of frames before it, sorted by frame then track: those needed of
+            the people who are followed on.
+        looks: the frames, ascending, in which these people are looked at first, to learn their
+            colours: the last ones before `frame` and earlier ones that show somebody well.
+        highest_track: the highest id ever used; new people get higher ones.
+        fps: frames a second.
+    """
+
+    frame: int
+    rows: Columns
+    looks: tuple[int, ...]
+    highest_track: int
+    fps: float
+
+    @classmethod
+    def of(cls, table: TrackTable, frame: int, fps: float, learn_s: float = 1.0) -> Resume:
+        """What tracking again from a frame on starts with.
+
+        People are followed on who stand in the frame before, and those who have no row there but
+        had one a few seconds ago and have one later: they are hidden.
+
+        Args:
+            fps: frames a second. learn_s: how much footage before the frame is looked at whole.
+
+        Raises `SettingsError` for a frame that has none before it.
+        """
+        if frame < 1:
+            raise SettingsError(f"frame {frame}: nothing stands before it; track from the start")
+        rows = _rows_before(table, frame, fps)
+        first = max(0, frame - max(1, round(learn_s * fps)))
+        looks = np.union1d(np.arange(first, frame), _earlier_looks(rows, first))
+        kept = (rows["frame"] >= frame - round(_WALKED_S * fps)) | np.isin(rows["frame"], looks)
+        kept |= _last_of_each(rows, np.ones_like(kept)) | _last_of_each(rows, is_seen(rows))
+        return cls(frame, only(rows, kept), tuple(looks.tolist()), table.highest_track, fps)
+
+    def last(self, seconds: float) -> Columns:
+        """The rows of the last seconds before the frame."""
+        return only(self.rows, self.rows["frame"] >= self.frame - round(seconds * self.fps))
+
+
+def is_seen(rows: Columns) -> Flags:
+    """Whether each row was measured with something of the person in sight."""
+    return np.asarray(~rows["predicted"] & ~(rows["visibility"] <= 0.0))
+
+
+def is_apart(rows: Columns) -> Flags:
+    """Whether each row's person stands by himself on the floor, as far as that is known.
+
+    The rows are sorted by frame. Floor positions that are missing are near to nobody.
+    """
+    close = np.zeros(len(rows["frame"]), bool)
+    for step in range(1, len(close)):
+        same = rows["frame"][step:] == rows["frame"][:-step]
+        if not same.any():
+            break
+        apart = [rows[name][step:] - rows[name][:-step] for name in ("x", "y")]
+        near = same & (np.hypot(*apart) < CLOSE_M)
+        close[step:] |= near
+        close[:-step] |= near
+    return ~close
+
+
+def _rows_before(table: TrackTable, frame: int, fps: float) -> Columns:
+    """The last rows before a frame of those who are there at it."""
+    parts: list[Columns] = []
+    for track in table.track_ids:
+        frames = table.frames_of_track(track)
+        place = int(np.searchsorted(frames, frame))
+        if place == 0 or frames[place - 1] < frame - round(_GONE_S * fps):
+            continue
+        if frames[place - 1] == frame - 1 or place < len(frames):
+            parts.append(table.of_track(track, max(0, frame - round(_EARLIER_S * fps)), frame))
+    names = CORRECTED_COLUMNS.items()
+    rows = {n: np.concatenate([np.zeros(0, t), *(part[n] for part in parts)]) for n, t in names}
+    return only(rows, np.lexsort((rows["track"], rows["frame"])))
+
+
+def _earlier_looks(rows: Columns, first: int) -> Frames:
+    """Frames before the first that show well who is seldom seen well from there on."""
+    good = is_seen(rows) & (rows["visibility"] >= CLEAR) & is_apart(rows)
+    late = rows["frame"] >= first
+    people, number = np.unique(rows["track"], return_inverse=True)
+    shown = np.bincount(number[good & late], minlength=len(people))
+    chosen = np.flatnonzero(good & ~late & (shown[number] < _VIEWS))
+    latest = chosen[np.lexsort((-rows["frame"][chosen], number[chosen]))]
+    began = np.searchsorted(number[latest], number[latest])
+    turn = np.arange(len(latest)) - began
+    latest = latest[turn < _VIEWS]
+    # The first views of all people go before anybody's second.
+    latest = latest[np.argsort(turn[turn < _VIEWS], kind="stable")]
+    once = np.unique(rows["frame"][latest], return_index=True)[1]
+    return np.asarray(rows["frame"][latest[np.sort(once)[:_EARLIER_LOOKS]]])
+
+
+def _last_of_each(rows: Columns, eligible: Flags) -> Flags:
+    """Marks every track's last row among the eligible ones."""
+    last = np.zeros(len(eligible), bool)
+    backwards = np.flatnonzero(eligible)[::-1]
+    last[backwards[np.unique(rows["track"][backwards], return_index=True)[1]]] = True
+    return last
+
+
+def only(rows: Columns, chosen: NDArray[np.bool_] | NDArray[np.intp]) -> Columns:
+    """Some of the rows: marked, or by number."""
+    return {name: column[chosen] for name, column in rows.items()}

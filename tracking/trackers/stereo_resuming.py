@@ -1,0 +1,240 @@
+"""The people a stereo tracker goes on with: as corrected, in the colours the footage shows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import associate, scatter
+from tracking.geometry import View
+from tracking.people import Detections, Observation
+from tracking.trackers.population import Population
+from tracking.trackers.resuming import Resume, is_apart, is_seen, only
+from tracking.trackers.stereo_boxes import outlines_of
+from tracking.trackers.stereo_cues import Cues
+from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.tracks.columns import Columns
+
+Floats = NDArray[np.float64]
+Colours = NDArray[np.float32]
+Indices = NDArray[np.intp]
+
+_NEAR_M = 0.6
+_OVERLAP = 0.5
+"""A detection this near to a row, or overlapping it so much, shows the row's person."""
+_LEFT_OUT = 10.0
+"""More than any pair costs."""
+_CROWDED = 0.1
+_CUT_OFF = 0.5
+"""What a view is worth among others, and one that the picture's edge cuts."""
+_GOOD = 0.5
+"""Views worth less than this share of a person's best one are left out."""
+_WALK_S = 2.0
+_SLOPE_S = 0.5
+_LED_ON_S = 1.0
+"""Who has no row in the last frames is thought to have walked on for so long."""
+
+
+@dataclass(frozen=True, slots=True)
+class Views:
+    """What was seen of the people who are followed on.
+
+    Attributes:
+        person: (n,) their number. colour: (n, cues, bins). worth: (n,) 0 to 1.
+        usual: (cues, bins) the mean of all detections, whoever they are.
+    """
+
+    person: Indices
+    colour: Colours
+    worth: Floats
+    usual: Colours
+
+
+def resumed(
+    resume: Resume,
+    observations: Iterable[Observation],
+    view: View,
+    settings: StereoTrackerSettings,
+    cues: Cues,
+    random: np.random.Generator,
+) -> tuple[Population, float]:
+    """Everybody to be followed on, and the seconds at which they stand so.
+
+    Places, velocities and outlines are those of the corrected rows; colours are learnt from
+    detections that lie where the rows do, from good views where there are any. Somebody hidden is
+    started where the rows say, as one who was missed.
+
+    Args:
+        observations: of the frames `resume.looks`, in order.
+    """
+    rows = _placed(resume.rows, view)
+    people = np.unique(rows["track"])
+    views, time_s = _views(rows, people, observations, cues)
+    colour, matches = _colours(views, len(people))
+    position, velocity, missed_s, confidence = _now(rows, people, resume, settings)
+    wider = 1.0 + settings.spread_growth * missed_s
+    count = (len(people), settings.particles)
+    population = Population(
+        track=people.astype(np.int32),
+        particles=scatter(position, settings.start_spread_m * wider, settings.particles, random),
+        weight=np.full(count, 1.0 / settings.particles, np.float32),
+        position=position,
+        velocity=velocity,
+        matches=matches,
+        missed_s=missed_s,
+        seen_at=position,
+        colour=colour,
+        anchors=np.full((len(people), 2, 2), np.nan),
+        anchor_age_s=np.zeros(len(people)),
+        outline=_outlines(rows, people, view),
+        confidence=confidence,
+    )
+    return _walked(population, rows, resume, cues), time_s
+
+
+def _placed(rows: Columns, view: View) -> Columns:
+    """The rows with a place on the floor: of those drawn without one, below the box."""
+    foot = np.column_stack((rows["left"] + rows["width"] / 2, rows["top"] + rows["height"]))
+    below = view.floor_from_pixel(foot)
+    own = np.column_stack((rows["x"], rows["y"]))
+    place = np.where(np.isfinite(own).all(axis=1)[:, None], own, below)
+    placed = {**rows, "x": place[:, 0], "y": place[:, 1]}
+    return only(placed, np.asarray(np.isfinite(place).all(axis=1)))
+
+
+def _views(
+    rows: Columns, people: NDArray[np.int32], observations: Iterable[Observation], cues: Cues
+) -> tuple[Views, float]:
+    worth = is_seen(rows) * np.nan_to_num(rows["visibility"]).astype(np.float64)
+    worth *= np.where(is_apart(rows), 1.0, _CROWDED)
+    person, colour, value, everybody = [], [], [], []
+    time_s = 0.0
+    for observation in observations:
+        seen, time_s = observation.people, observation.time_s
+        colours = cues.seen(seen)
+        here = np.flatnonzero((rows["frame"] == observation.frame) & (worth > 0.0))
+        row, detection = _matched(only(rows, here), seen)
+        person.append(np.searchsorted(people, rows["track"][here[row]]))
+        colour.append(colours[detection])
+        value.append(worth[here[row]] * np.where(seen.truncated[detection], _CUT_OFF, 1.0))
+        everybody.append(colours)
+    usual = _mean(np.concatenate(everybody))
+    together = np.concatenate(person), np.concatenate(colour)
+    return Views(*together, np.concatenate(value), usual), time_s
+
+
+def _matched(rows: Columns, seen: Detections) -> tuple[Indices, Indices]:
+    """Rows of a frame and the detections that lie where they do."""
+    offset = np.column_stack((rows["x"], rows["y"]))[:, None] - seen.position[None, :, :2]
+    away_m = np.hypot(offset[..., 0], offset[..., 1])
+    box = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
+    shared = _overlap(box, seen.box)
+    near = ((away_m <= _NEAR_M) | (shared >= _OVERLAP)) & ~seen.merged
+    pairs = associate(away_m + 1.0 - shared, near, _LEFT_OUT)
+    return pairs.track, pairs.detection
+
+
+def _overlap(one: Floats, other: Floats) -> Floats:
+    """(n, m) intersection over union of all pairs of boxes."""
+    low = np.maximum(one[:, None, :2], other[None, :, :2])
+    high = np.minimum((one[:, :2] + one[:, 2:])[:, None], (other[:, :2] + other[:, 2:])[None])
+    common = np.prod(np.clip(high - low, 0.0, None), axis=2)
+    area = np.prod(one[:, 2:], axis=1)[:, None] + np.prod(other[:, 2:], axis=1)[None]
+    return np.asarray(common / np.maximum(area - common, 1e-9))
+
+
+def _mean(colours: Colours) -> Colours:
+    """(cues, bins) of (n, cues, bins); all alike where nobody was seen."""
+    if len(colours):
+        return np.asarray(colours.mean(axis=0))
+    return np.full(colours.shape[1:], 1.0 / colours.shape[2], np.float32)
+
+
+def _colours(views: Views, people: int) -> tuple[Colours, NDArray[np.int32]]:
+    """Everybody's colour model and how many views it is made of.
+
+    Of whom nothing was seen the model is the usual one, which the first match mostly replaces.
+    """
+    best = np.zeros(people)
+    np.maximum.at(best, views.person, views.worth)
+    worth = np.where(views.worth >= _GOOD * best[views.person], views.worth, 0.0)
+    total = np.bincount(views.person, worth, people)
+    count = np.bincount(views.person, worth > 0.0, people)
+    colour = np.zeros((people, *views.usual.shape))
+    np.add.at(colour, views.person, worth[:, None, None] * views.colour)
+    colour /= np.maximum(total, 1e-12)[:, None, None]
+    known = (count > 0)[:, None, None]
+    matches = np.maximum(count, 1).astype(np.int32)
+    return np.where(known, colour, views.usual).astype(np.float32), matches
+
+
+def _now(
+    rows: Columns, people: NDArray[np.int32], resume: Resume, settings: StereoTrackerSettings
+) -> tuple[Floats, Floats, Floats, Floats]:
+    """Position, velocity, seconds missed and confidence in the frame before the first one."""
+    last = _last_rows(rows, people, np.ones(len(rows["frame"]), bool))
+    seen = _last_rows(rows, people, is_seen(rows))
+    now = resume.frame - 1
+    unknown_s = (now - rows["frame"][last]) / resume.fps
+    missed_s = np.where(seen < 0, settings.lost_after_s, (now - rows["frame"][seen]) / resume.fps)
+    # A row in the last frame says where the person is, however long nobody has seen them.
+    stands = unknown_s == 0.0
+    missed_s = np.where(stands, np.minimum(missed_s, settings.lost_after_s / 2), missed_s)
+    velocity = np.column_stack((rows["vx"][last], rows["vy"][last]))
+    known = np.isfinite(velocity).all(axis=1)
+    velocity = np.where(known[:, None], velocity, _slopes(rows, people, resume))
+    position = np.column_stack((rows["x"][last], rows["y"][last]))
+    position += velocity * np.minimum(unknown_s, _LED_ON_S)[:, None]
+    return position, velocity, missed_s, rows["confidence"][last].astype(np.float64)
+
+
+def _last_rows(rows: Columns, people: NDArray[np.int32], eligible: NDArray[np.bool_]) -> Indices:
+    """(people,) the last eligible row of each; -1 where there is none."""
+    last = np.full(len(people), -1)
+    chosen = np.flatnonzero(eligible)
+    last[np.searchsorted(people, rows["track"][chosen])] = chosen
+    return last
+
+
+def _slopes(rows: Columns, people: NDArray[np.int32], resume: Resume) -> Floats:
+    """(people, 2) m/s along the last rows; 0 for somebody with a single one."""
+    late = rows["frame"] >= resume.frame - round(_SLOPE_S * resume.fps)
+    number = np.searchsorted(people, rows["track"][late])
+    count = np.maximum(np.bincount(number, minlength=len(people)), 1)
+    time = rows["frame"][late] / resume.fps
+    time = time - (np.bincount(number, time, len(people)) / count)[number]
+    length = np.maximum(np.bincount(number, time**2, len(people)), 1e-9)
+    along = [np.bincount(number, time * rows[n][late], len(people)) / length for n in ("x", "y")]
+    return np.column_stack(along)
+
+
+def _outlines(rows: Columns, people: NDArray[np.int32], view: View) -> Floats:
+    """(people, 4) the mean of the outlines of all rows, by how much of the person they show."""
+    box = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
+    outline = outlines_of(box, np.column_stack((rows["x"], rows["y"])), view)
+    weight = 1e-3 + is_seen(rows) * np.nan_to_num(rows["visibility"]).astype(np.float64) ** 2
+    weight[~np.isfinite(outline).all(axis=1)] = 0.0
+    number = np.searchsorted(people, rows["track"])
+    total = np.maximum(np.bincount(number, weight, len(people)), 1e-12)
+    sides = [np.bincount(number, weight * np.nan_to_num(side), len(people)) for side in outline.T]
+    return np.column_stack(sides) / total[:, None]
+
+
+def _walked(people: Population, rows: Columns, resume: Resume, cues: Cues) -> Population:
+    """The people with the way told that they walked before, frame by frame."""
+    late = only(rows, rows["frame"] >= resume.frame - round(_WALK_S * resume.fps))
+    number = np.searchsorted(people.track, late["track"])
+    place = np.column_stack((late["x"], late["y"]))
+    first = np.full((len(people), 2), np.nan)
+    first[number[::-1]] = place[::-1]
+    first = np.where(np.isfinite(first), first, people.position)
+    anchors = np.stack((np.full_like(first, np.nan), first), axis=1)
+    then = people.replace(position=first, missed_s=np.zeros(len(people)), anchors=anchors)
+    for frame in np.unique(late["frame"]):
+        here = late["frame"] == frame
+        then = then.changed(number[here], position=place[here])
+        then = cues.walked(then, 1.0 / resume.fps)
+    return people.replace(anchors=then.anchors, anchor_age_s=then.anchor_age_s)
