@@ -110,7 +110,7 @@ class SessionTracks:
         return _grouped(rows["track"][made], rows["frame"][made].astype(np.int64))
 
     def _rows_by_track(self, tracks: Iterable[int] | None) -> Columns:
-        """What lanes are made of, by track, then frame; of ten million rows nothing else is read."""
+        """What lanes are made of, by track, then frame; nothing else is read."""
         return self._table.by_track(("track", "frame", "predicted", "source"), tracks)
 
     def activity(self, frame_count: int) -> NDArray[np.uint16]:

@@ -136,8 +136,15 @@ def test_reviewed_ranges_of_a_track_are_in_its_lane_and_those_of_all_in_the_scen
 
 def test_edits_are_marked_while_they_are_in_force(table, tmp_path):
     footage = SimpleNamespace(
-        **{"folder": tmp_path, "name": "n", "fps": 20.0, "frame_count": 100, "size": (64, 48)},
-        **{"is_stereo": False, "manifest_text": "", "own_manifest": True, "calibration_text": ""},
+        folder=tmp_path,
+        name="n",
+        fps=20.0,
+        frame_count=100,
+        size=(64, 48),
+        is_stereo=False,
+        manifest_text="",
+        own_manifest=True,
+        calibration_text="",
         fingerprints=tuple,
     )
     marks, session = EditMarks(), Session.create(footage, [two_people.run()])
