@@ -2,39 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.editing.label_state import LabelState as LabelState
+from tracking.editing.label_state import relabelled
 from tracking.errors import EditError
-from tracking.tracks import (
-    CORRECTED_COLUMNS,
-    Columns,
-    Labels,
-    Occluder,
-    ReviewedRange,
-    TrackLabel,
-    TrackTable,
-    empty,
-)
+from tracking.tracks import CORRECTED_COLUMNS, Columns, Labels, TrackTable, empty
 
 Stretches = NDArray[np.int64]
-
-
-@dataclass(frozen=True, slots=True)
-class LabelState:
-    """The labels a change touches, on one side of it.
-
-    Attributes:
-        tracks: labels by track; an empty label says that there is none.
-        occluders, reviewed: all of them, or None where the change does not touch them.
-    """
-
-    tracks: Mapping[int, TrackLabel] = field(default_factory=dict)
-    occluders: tuple[Occluder, ...] | None = None
-    reviewed: tuple[ReviewedRange, ...] | None = None
 
 
 def no_rows() -> Columns:
@@ -60,7 +38,7 @@ class State:
 
     stretches: Stretches = field(default_factory=no_stretches)
     rows: Columns = field(default_factory=no_rows)
-    labels: LabelState = LabelState()
+    labels: LabelState = field(default_factory=LabelState)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,6 +70,8 @@ class Change:
         for side in (self.before, self.after):
             touched.update(side.stretches[:, 0].tolist(), np.unique(side.rows["track"]).tolist())
             touched.update(side.labels.tracks)
+            touched.update(label.track for label in side.labels.parts)
+            touched.update(seen.track for seen in side.labels.reviewed if seen.track)
         return tuple(sorted(touched))
 
 
@@ -101,7 +81,7 @@ def apply_change(table: TrackTable, labels: Labels, change: Change) -> Labels:
     The only way tables and labels change. Raises EditError where the table or the labels are not
     as they were when the change was planned.
     """
-    changed = _relabelled(labels, change.before.labels, change.after.labels)
+    changed = relabelled(labels, change.before.labels, change.after.labels)
     moves = _moves(change)
     rows_out, rows_in = change.before.rows, change.after.rows
     if len(moves) or len(rows_out["frame"]) or len(rows_in["frame"]):
@@ -114,26 +94,3 @@ def _moves(change: Change) -> Stretches:
     if before.shape != after.shape or not np.array_equal(before[:, 1:], after[:, 1:]):
         raise EditError(f"{change.text}: the two sides name different stretches of frames")
     return np.column_stack([before[:, 0], after[:, 0], before[:, 1:]])
-
-
-def _relabelled(labels: Labels, before: LabelState, after: LabelState) -> Labels:
-    if before.tracks.keys() != after.tracks.keys():
-        raise EditError("the two sides of the edit name different tracks")
-    for track, label in before.tracks.items():
-        if labels.of_track(track) != label:
-            raise EditError(f"track {track}: its label is not what the edit was planned on")
-    changed = labels
-    for track, label in after.tracks.items():
-        changed = changed.with_track(track, label)
-    if after.occluders is not None:
-        _same(labels.occluders, before.occluders, "occluders")
-        changed = replace(changed, occluders=after.occluders)
-    if after.reviewed is not None:
-        _same(labels.reviewed, before.reviewed, "reviewed ranges")
-        changed = replace(changed, reviewed=after.reviewed)
-    return changed
-
-
-def _same(present: object, planned: object, what: str) -> None:
-    if present != planned:
-        raise EditError(f"the {what} are not what the edit was planned on")

@@ -15,16 +15,10 @@ from typing import Any
 
 import numpy as np
 
-from tracking.editing.change import LabelState, State, no_rows, no_stretches
+from tracking.editing.change import State, no_rows, no_stretches
+from tracking.editing.label_text import labels_as_json, labels_from_json
 from tracking.errors import EditError
-from tracking.tracks import (
-    CORRECTED_COLUMNS,
-    Columns,
-    Occluder,
-    ReviewedRange,
-    TrackLabel,
-    check_tracks,
-)
+from tracking.tracks import CORRECTED_COLUMNS, Columns, check_tracks
 
 LARGEST_TEXT = 2**28
 LARGEST_ROWS = 20_000_000
@@ -38,7 +32,7 @@ def state_as_text(state: State) -> str:
         parts["stretches"] = state.stretches.tolist()
     if len(state.rows["frame"]):
         parts["rows"] = _rows_as_json(state.rows)
-    labels = _labels_as_json(state.labels)
+    labels = labels_as_json(state.labels)
     if labels:
         parts["labels"] = labels
     return json.dumps(parts, separators=(",", ":"))
@@ -52,7 +46,7 @@ def state_from_text(text: str) -> State:
         parts = json.loads(text)
         stretches = np.array(parts.get("stretches", no_stretches()), np.int64).reshape(-1, 3)
         rows = _rows_from_json(parts["rows"]) if "rows" in parts else no_rows()
-        return State(stretches, rows, _labels_from_json(parts.get("labels", {})))
+        return State(stretches, rows, labels_from_json(parts.get("labels", {})))
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError, OverflowError) as why:
         raise EditError(f"an edit in the log cannot be read: {why}") from why
 
@@ -90,44 +84,3 @@ def _inflated(packed: str, size: int) -> bytes:
     if len(plain) != size or not inflater.eof:
         raise EditError(f"the rows of an edit in the log are damaged: not {size} bytes")
     return plain
-
-
-def _labels_as_json(labels: LabelState) -> dict[str, Any]:
-    parts: dict[str, Any] = {}
-    if labels.tracks:
-        parts["tracks"] = {
-            str(track): {
-                "name": label.name,
-                "attributes": dict(label.attributes),
-                "notes": label.notes,
-            }
-            for track, label in labels.tracks.items()
-        }
-    if labels.occluders is not None:
-        parts["occluders"] = [[item.name, item.polygon] for item in labels.occluders]
-    if labels.reviewed is not None:
-        parts["reviewed"] = [[seen.track, seen.start, seen.end] for seen in labels.reviewed]
-    return parts
-
-
-def _labels_from_json(parts: Mapping[str, Any]) -> LabelState:
-    tracks = {
-        int(track): TrackLabel(
-            str(label["name"]),
-            {str(key): str(value) for key, value in label["attributes"].items()},
-            str(label["notes"]),
-        )
-        for track, label in parts.get("tracks", {}).items()
-    }
-    occluders = reviewed = None
-    if "occluders" in parts:
-        occluders = tuple(
-            Occluder(str(name), tuple((float(u), float(v)) for u, v in polygon))
-            for name, polygon in parts["occluders"]
-        )
-    if "reviewed" in parts:
-        reviewed = tuple(
-            ReviewedRange(int(track), int(start), int(end))
-            for track, start, end in parts["reviewed"]
-        )
-    return LabelState(tracks, occluders, reviewed)

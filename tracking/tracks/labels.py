@@ -5,6 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from tracking.tracks.part_labels import PartLabels
+
+VerdictKey = tuple[str, tuple[int, ...], int]
+"""kind, tracks and frame of a suspicion."""
+Point = tuple[float, float]
+
+DECISIONS = ("right", "fixed", "dismissed")
+"""What can be said of a suspicion: looked at and nothing wrong, put right, not worth a look."""
+
 
 @dataclass(frozen=True, slots=True)
 class TrackLabel:
@@ -26,7 +35,7 @@ class TrackLabel:
         return not (self.name or self.attributes or self.notes)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, order=True)
 class Occluder:
     """Something in the picture people pass behind.
 
@@ -36,7 +45,36 @@ class Occluder:
     """
 
     name: str
-    polygon: tuple[tuple[float, float], ...]
+    polygon: tuple[Point, ...]
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class CountingLine:
+    """A line on the floor over which passages are counted.
+
+    Forward crosses from the left-hand side, looking from start to end, to the right-hand side.
+
+    Attributes:
+        name: e.g. "entrance"; unique among the lines.
+        start, end: x, y in metres on the floor.
+    """
+
+    name: str
+    start: Point
+    end: Point
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Region:
+    """A part of the floor in which people are counted.
+
+    Attributes:
+        name: e.g. "waiting area"; unique among the regions.
+        polygon: corners x, y in metres on the floor; at least three, whose edges do not cross.
+    """
+
+    name: str
+    polygon: tuple[Point, ...]
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -53,13 +91,44 @@ class ReviewedRange:
     end: int
 
 
+@dataclass(frozen=True, slots=True, order=True)
+class Verdict:
+    """What a person decided about one suspicion.
+
+    Attributes:
+        kind, tracks, frame: which suspicion it was; see `key`.
+        decision: one of `DECISIONS`.
+    """
+
+    kind: str
+    tracks: tuple[int, ...]
+    frame: int
+    decision: str
+
+    @property
+    def key(self) -> VerdictKey:
+        """What tells one suspicion from another."""
+        return self.kind, self.tracks, self.frame
+
+
 @dataclass(frozen=True, slots=True)
 class Labels:
-    """Everything people said. A track without an entry has an empty label."""
+    """Everything people said. A track without an entry has an empty label.
+
+    Attributes:
+        tracks: by track, ascending.
+        occluders, lines, regions: sorted by name; reviewed: by track and frame.
+        verdicts: by the suspicion's key.
+        parts: rectangles of body parts, by frame, track and part.
+    """
 
     tracks: Mapping[int, TrackLabel] = field(default_factory=dict)
     occluders: tuple[Occluder, ...] = ()
     reviewed: tuple[ReviewedRange, ...] = ()
+    lines: tuple[CountingLine, ...] = ()
+    regions: tuple[Region, ...] = ()
+    verdicts: Mapping[VerdictKey, Verdict] = field(default_factory=dict)
+    parts: PartLabels = field(default_factory=PartLabels)
 
     def of_track(self, track: int) -> TrackLabel:
         """The track's label; empty where nothing was said."""

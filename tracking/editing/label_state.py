@@ -1,0 +1,133 @@
+"""The labels a change touches, and how one side of it takes the other's place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Hashable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Protocol, TypeVar
+
+from tracking.errors import EditError
+from tracking.tracks import (
+    CountingLine,
+    Labels,
+    Occluder,
+    PartLabel,
+    PartLabels,
+    Region,
+    ReviewedRange,
+    TrackLabel,
+    Verdict,
+    VerdictKey,
+)
+
+
+class _Sortable(Hashable, Protocol):
+    def __lt__(self, other: Any, /) -> bool: ...
+
+
+_Label = TypeVar("_Label", bound=_Sortable)
+
+
+@dataclass(frozen=True, slots=True)
+class LabelState:
+    """The labels that stand only on this side of a change; those it does not touch are on neither.
+
+    Attributes:
+        tracks: labels by track, the same tracks on both sides; an empty label says that there is
+            none.
+        occluders, reviewed, lines, regions, verdicts, parts: what stands only on this side. Logs
+            of older programs name all occluders and reviewed ranges on both sides, which comes to
+            the same.
+    """
+
+    tracks: Mapping[int, TrackLabel] = field(default_factory=dict)
+    occluders: tuple[Occluder, ...] = ()
+    reviewed: tuple[ReviewedRange, ...] = ()
+    lines: tuple[CountingLine, ...] = ()
+    regions: tuple[Region, ...] = ()
+    verdicts: tuple[Verdict, ...] = ()
+    parts: tuple[PartLabel, ...] = ()
+
+
+def relabelled(labels: Labels, before: LabelState, after: LabelState) -> Labels:
+    """The labels with the one side in the other's place.
+
+    Raises EditError where they are not as they were when the change was planned.
+    """
+    if before == after == LabelState():
+        return labels
+    return replace(
+        _tracks_relabelled(labels, before.tracks, after.tracks),
+        occluders=_exchanged(labels.occluders, before.occluders, after.occluders, "occluders"),
+        reviewed=_exchanged(labels.reviewed, before.reviewed, after.reviewed, "reviewed ranges"),
+        lines=_exchanged(labels.lines, before.lines, after.lines, "counting lines"),
+        regions=_exchanged(labels.regions, before.regions, after.regions, "regions"),
+        verdicts=_verdicts_exchanged(labels.verdicts, before.verdicts, after.verdicts),
+        parts=_parts_exchanged(labels.parts, before.parts, after.parts),
+    )
+
+
+def _tracks_relabelled(
+    labels: Labels, before: Mapping[int, TrackLabel], after: Mapping[int, TrackLabel]
+) -> Labels:
+    if before.keys() != after.keys():
+        raise EditError("the two sides of the edit name different tracks")
+    for track, label in before.items():
+        if labels.of_track(track) != label:
+            raise EditError(f"track {track}: its label is not what the edit was planned on")
+    changed = labels
+    for track, label in after.items():
+        changed = changed.with_track(track, label)
+    return changed
+
+
+def _exchanged(
+    present: tuple[_Label, ...], out: Iterable[_Label], into: Iterable[_Label], what: str
+) -> tuple[_Label, ...]:
+    """Sorted, with some labels taken out and others put in."""
+    leaving, coming = set(out), set(into)
+    if leaving == coming:
+        return present
+    stay = set(present)
+    if not leaving <= stay:
+        raise EditError(f"the {what} are not what the edit was planned on")
+    stay -= leaving
+    if stay & coming:
+        raise EditError(f"the {what} are not what the edit was planned on")
+    return tuple(sorted(stay | coming))
+
+
+def _verdicts_exchanged(
+    present: Mapping[VerdictKey, Verdict], out: Collection[Verdict], into: Collection[Verdict]
+) -> Mapping[VerdictKey, Verdict]:
+    if not (out or into):
+        return present
+    changed = dict(present)
+    _check_planned(changed.get, out, into, "verdict")
+    for verdict in out:
+        del changed[verdict.key]
+    changed.update((verdict.key, verdict) for verdict in into)
+    return changed
+
+
+def _parts_exchanged(
+    present: PartLabels, out: Collection[PartLabel], into: Collection[PartLabel]
+) -> PartLabels:
+    if not (out or into):
+        return present
+    _check_planned(present.get, out, into, "part label")
+    return present.changed([label.key for label in out], into)
+
+
+def _check_planned(
+    found: Callable[[Any], Any],
+    out: Collection[Verdict] | Collection[PartLabel],
+    into: Collection[Verdict] | Collection[PartLabel],
+    what: str,
+) -> None:
+    """Raise EditError unless what leaves is there and what comes finds its place empty."""
+    leaving, coming = {label.key for label in out}, {label.key for label in into}
+    wrong = len(leaving) != len(out) or len(coming) != len(into)
+    wrong = wrong or any(found(label.key) != label for label in out)
+    if wrong or any(found(key) is not None for key in coming - leaving):
+        raise EditError(f"a {what} is not what the edit was planned on")

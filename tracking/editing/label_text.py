@@ -1,0 +1,112 @@
+"""The labels of a change as plain values for JSON, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from tracking.editing.label_state import LabelState
+from tracking.tracks import (
+    CountingLine,
+    Occluder,
+    PartLabel,
+    Region,
+    ReviewedRange,
+    TrackLabel,
+    Verdict,
+    check_line,
+    check_occluder,
+    check_part_label,
+    check_region,
+    check_reviewed,
+    check_verdict,
+)
+
+
+def labels_as_json(labels: LabelState) -> dict[str, Any]:
+    """What stands on this side; kinds of labels of which there are none are left out."""
+    parts: dict[str, Any] = {
+        "tracks": {
+            str(track): {
+                "name": label.name,
+                "attributes": dict(label.attributes),
+                "notes": label.notes,
+            }
+            for track, label in labels.tracks.items()
+        },
+        "occluders": [[item.name, item.polygon] for item in labels.occluders],
+        "reviewed": [[seen.track, seen.start, seen.end] for seen in labels.reviewed],
+        "lines": [[line.name, line.start, line.end] for line in labels.lines],
+        "regions": [[region.name, region.polygon] for region in labels.regions],
+        "verdicts": [
+            [said.kind, said.tracks, said.frame, said.decision] for said in labels.verdicts
+        ],
+        "parts": [_part_as_json(label) for label in labels.parts],
+    }
+    return {name: part for name, part in parts.items() if part}
+
+
+def labels_from_json(parts: Mapping[str, Any]) -> LabelState:
+    """The labels of one side. Raises what conversions raise, and EditError for what is no label."""
+    labels = LabelState(
+        tracks={
+            int(track): _track_from_json(label) for track, label in parts.get("tracks", {}).items()
+        },
+        occluders=tuple(
+            Occluder(str(name), _corners(polygon)) for name, polygon in parts.get("occluders", ())
+        ),
+        reviewed=tuple(
+            ReviewedRange(int(track), int(start), int(end))
+            for track, start, end in parts.get("reviewed", ())
+        ),
+        lines=tuple(
+            CountingLine(str(name), *_corners((start, end)))
+            for name, start, end in parts.get("lines", ())
+        ),
+        regions=tuple(
+            Region(str(name), _corners(polygon)) for name, polygon in parts.get("regions", ())
+        ),
+        verdicts=tuple(
+            Verdict(str(kind), tuple(int(track) for track in tracks), int(frame), str(decision))
+            for kind, tracks, frame, decision in parts.get("verdicts", ())
+        ),
+        parts=tuple(_part_from_json(values) for values in parts.get("parts", ())),
+    )
+    _check(labels)
+    return labels
+
+
+def _check(labels: LabelState) -> None:
+    for occluder in labels.occluders:
+        check_occluder(occluder)
+    for seen in labels.reviewed:
+        check_reviewed(seen)
+    for line in labels.lines:
+        check_line(line)
+    for region in labels.regions:
+        check_region(region)
+    for verdict in labels.verdicts:
+        check_verdict(verdict)
+    for label in labels.parts:
+        check_part_label(label)
+
+
+def _track_from_json(label: Mapping[str, Any]) -> TrackLabel:
+    attributes = {str(key): str(value) for key, value in label["attributes"].items()}
+    return TrackLabel(str(label["name"]), attributes, str(label["notes"]))
+
+
+def _part_as_json(label: PartLabel) -> list[Any]:
+    return [label.frame, label.track, label.part, *label.box, label.on_part, label.source]
+
+
+def _part_from_json(values: Sequence[Any]) -> PartLabel:
+    frame, track, part, left, top, width, height, on_part, source = values
+    box = (float(left), float(top), float(width), float(height))
+    if not (on_part is None or isinstance(on_part, bool)):
+        raise ValueError(f"on part is {on_part!r}; it is true, false or null")
+    return PartLabel(int(frame), int(track), int(part), box, on_part, str(source))
+
+
+def _corners(polygon: Sequence[Sequence[Any]]) -> tuple[tuple[float, float], ...]:
+    return tuple((float(u), float(v)) for u, v in polygon)

@@ -1,0 +1,171 @@
+"""Planners of what was looked at: reviewed ranges, and verdicts on suspicions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from tracking.editing.change import Change, LabelState, State
+from tracking.editing.labelling import writable
+from tracking.errors import EditError
+from tracking.tracks import (
+    Labels,
+    ReviewedRange,
+    Verdict,
+    VerdictKey,
+    check_reviewed,
+    check_verdict,
+)
+
+_SAID = {"right": "Looked at, right", "fixed": "Put right", "dismissed": "Dismiss"}
+
+
+def plan_mark_reviewed(labels: Labels, tracks: int | Iterable[int], start: int, end: int) -> Change:
+    """Say that a track (0: all), or several, were looked at in frames start to end and are right.
+
+    Raises EditError for an empty range, and where all of it is marked already.
+    """
+    marked = _ranges(tracks, start, end)
+    new = _joined([*labels.reviewed, *marked])
+    who = _who(marked)
+    if new == labels.reviewed:
+        raise EditError(f"frames {start} to {end - 1} are marked as reviewed already for {who}")
+    text = f"Mark {who} as reviewed in frames {start} to {end - 1}"
+    return _change("reviewed", text, start, labels.reviewed, new)
+
+
+def plan_unmark_reviewed(
+    labels: Labels, tracks: int | Iterable[int], start: int, end: int
+) -> Change:
+    """Take back that a track, or several, were looked at in frames start to end; 0: whoever was.
+
+    Raises EditError for an empty range, where nothing of it is marked, and where a track is marked
+    only together with all others.
+    """
+    unmarked = _ranges(tracks, start, end)
+    chosen = {seen.track for seen in unmarked}
+    new = []
+    for seen in labels.reviewed:
+        if 0 in chosen or seen.track in chosen:
+            new += _without(seen, start, end)
+        else:
+            new.append(seen)
+    who = _who(unmarked)
+    if tuple(new) == labels.reviewed:
+        together = any(
+            seen.track == 0 and seen.start < end and start < seen.end for seen in labels.reviewed
+        )
+        why = "is marked for all tracks together: unmark all" if together else "is not marked"
+        raise EditError(f"{who} in frames {start} to {end - 1} {why}")
+    text = f"Unmark {who} as reviewed in frames {start} to {end - 1}"
+    return _change("unreviewed", text, start, labels.reviewed, tuple(new))
+
+
+def plan_verdict(labels: Labels, verdict: Verdict, text: str = "") -> Change:
+    """Say what came of looking at a suspicion. text: what it was, for the log.
+
+    Raises EditError for an unknown decision, and where that was said already.
+    """
+    before, after = _verdicts(labels, verdict)
+    named = text or f"{verdict.kind} of {_listed(verdict.tracks)} in frame {verdict.frame}"
+    line = f"{_SAID[verdict.decision]}: {' '.join(writable(named).split())}"
+    return Change("verdict", line, verdict.frame, State(labels=before), State(labels=after))
+
+
+def plan_forget_verdict(labels: Labels, key: VerdictKey, text: str = "") -> Change:
+    """Take back what was said of a suspicion: it is open again.
+
+    Raises EditError where nothing was said of it.
+    """
+    kind, tracks, frame = key
+    if key not in labels.verdicts:
+        raise EditError(f"nothing was said of the {kind} of {_listed(tracks)} in frame {frame}")
+    named = text or f"{kind} of {_listed(tracks)} in frame {frame}"
+    before = LabelState(verdicts=(labels.verdicts[key],))
+    line = f"Open again: {' '.join(writable(named).split())}"
+    return Change("verdict", line, frame, State(labels=before), State())
+
+
+def with_verdict(change: Change, labels: Labels, verdict: Verdict) -> Change:
+    """The change with the verdict on the suspicion it settles, so that both are undone together.
+
+    Raises EditError for an unknown decision, and where that was said already.
+    """
+    before, after = _verdicts(labels, verdict)
+    sides = (change.before, before.verdicts), (change.after, after.verdicts)
+    old, new = (
+        replace(side, labels=replace(side.labels, verdicts=(*side.labels.verdicts, *verdicts)))
+        for side, verdicts in sides
+    )
+    return replace(change, before=old, after=new)
+
+
+def _verdicts(labels: Labels, verdict: Verdict) -> tuple[LabelState, LabelState]:
+    check_verdict(verdict)
+    writable(verdict.kind)
+    old = labels.verdicts.get(verdict.key)
+    if old == verdict:
+        raise EditError(
+            f"the {verdict.kind} of {_listed(verdict.tracks)} in frame {verdict.frame} "
+            f"is {verdict.decision} already"
+        )
+    return LabelState(verdicts=() if old is None else (old,)), LabelState(verdicts=(verdict,))
+
+
+def _ranges(tracks: int | Iterable[int], start: int, end: int) -> list[ReviewedRange]:
+    chosen = [tracks] if isinstance(tracks, int) else sorted(set(tracks))
+    if not chosen:
+        raise EditError("no track is named; choose one, or all")
+    ranges = [ReviewedRange(track, start, end) for track in chosen]
+    for seen in ranges:
+        check_reviewed(seen)
+    return ranges
+
+
+def _who(ranges: Sequence[ReviewedRange]) -> str:
+    tracks = tuple(seen.track for seen in ranges)
+    if 0 in tracks:
+        return "all tracks"
+    return f"track {tracks[0]}" if len(tracks) == 1 else f"tracks {_listed(tracks)}"
+
+
+def _listed(tracks: Sequence[int]) -> str:
+    """Some numbers in a line, many by how many they are."""
+    if not tracks:
+        return "nobody"
+    if len(tracks) > 6:
+        return f"{', '.join(map(str, tracks[:5]))} and {len(tracks) - 5} more"
+    return ", ".join(map(str, tracks[:-1])) + (" and " if len(tracks) > 1 else "") + str(tracks[-1])
+
+
+def _without(seen: ReviewedRange, start: int, end: int) -> list[ReviewedRange]:
+    """What is left of a range where another one is taken out of it."""
+    if seen.end <= start or end <= seen.start:
+        return [seen]
+    left = replace(seen, end=min(seen.end, start)), replace(seen, start=max(seen.start, end))
+    return [part for part in left if part.start < part.end]
+
+
+def _joined(ranges: Sequence[ReviewedRange]) -> tuple[ReviewedRange, ...]:
+    """Sorted, with ranges of one track that touch made one."""
+    joined: list[ReviewedRange] = []
+    for seen in sorted(ranges):
+        last = joined[-1] if joined else None
+        if last is not None and last.track == seen.track and seen.start <= last.end:
+            joined[-1] = replace(last, end=max(last.end, seen.end))
+        else:
+            joined.append(seen)
+    return tuple(joined)
+
+
+def _change(
+    kind: str,
+    text: str,
+    frame: int,
+    old: tuple[ReviewedRange, ...],
+    new: tuple[ReviewedRange, ...],
+) -> Change:
+    out, into = set(old) - set(new), set(new) - set(old)
+    before = LabelState(reviewed=tuple(sorted(out)))
+    after = LabelState(reviewed=tuple(sorted(into)))
+    return Change(kind, text, frame, State(labels=before), State(labels=after))

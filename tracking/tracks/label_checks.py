@@ -1,0 +1,152 @@
+"""Labels are checked where they come in: from a person, from the log and from a session file.
+
+Every check raises EditError in one line that says what is wrong and where.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import EditError
+from tracking.tracks.labels import (
+    DECISIONS,
+    CountingLine,
+    Occluder,
+    Point,
+    Region,
+    ReviewedRange,
+    Verdict,
+)
+from tracking.tracks.part_labels import PART_NAMES, PART_SOURCES, PartLabel
+from tracking.tracks.validation import LARGEST_NUMBER
+
+MOST_CORNERS = 500
+LONGEST_NAME = 200
+_FARTHEST = 1e9
+"""Pixels or metres; nothing anybody draws lies farther out."""
+
+
+def check_part_label(label: PartLabel) -> None:
+    """Refuse a rectangle without area, an unknown part, a frame or track that cannot be."""
+    _check_place(label.frame, label.track, first_track=1)
+    what = f"part label of track {label.track} in frame {label.frame}"
+    if not 0 <= label.part < len(PART_NAMES):
+        raise EditError(f"{what}: part {label.part} is none; 0 head, 1 torso, 2 hip-leg")
+    left, top, width, height = label.box
+    if not (_is_near(left, top, width, height) and width > 0 and height > 0):
+        raise EditError(f"{what}: box {label.box} is none; a positive width and height are needed")
+    if label.source not in PART_SOURCES:
+        raise EditError(f"{what}: source {label.source!r}; it is {', '.join(PART_SOURCES)}")
+
+
+def check_verdict(verdict: Verdict) -> None:
+    """Refuse an unknown decision, and a suspicion that can be none."""
+    check_name(verdict.kind, "the kind of a suspicion")
+    for track in verdict.tracks:
+        _check_place(verdict.frame, track, first_track=1)
+    _check_place(verdict.frame, 0, first_track=0)
+    if verdict.decision not in DECISIONS:
+        raise EditError(f"decision {verdict.decision!r}; it is one of {', '.join(DECISIONS)}")
+
+
+def check_occluder(occluder: Occluder) -> None:
+    """Refuse what is no polygon. Edges may cross: it is drawn in a picture, not measured."""
+    _check_polygon(occluder.polygon, f"occluder {occluder.name!r}")
+
+
+def check_line(line: CountingLine) -> None:
+    """Refuse a line without length or with an end that is no place."""
+    what = f"counting line {line.name!r}"
+    check_name(line.name, "a counting line")
+    _check_corners((line.start, line.end), what)
+    if line.start == line.end:
+        raise EditError(f"{what} has no length; draw it from one place to another")
+
+
+def check_region(region: Region) -> None:
+    """Refuse what is no polygon, and one whose edges cross: what lies in it could not be said."""
+    what = f"region {region.name!r}"
+    check_name(region.name, "a region")
+    _check_polygon(region.polygon, what)
+    if _edges_cross(np.asarray(region.polygon, float)):
+        raise EditError(f"{what}: its edges cross or touch; draw it without crossing them")
+
+
+def check_reviewed(seen: ReviewedRange) -> None:
+    """Refuse an empty range and a track that cannot be."""
+    if not 0 <= seen.start < seen.end <= LARGEST_NUMBER:
+        raise EditError(
+            f"frames {seen.start} to {seen.end}: the range is empty or begins before frame 0"
+        )
+    _check_place(seen.start, seen.track, first_track=0)
+
+
+def check_name(name: str, what: str) -> None:
+    """Refuse no name, and one nobody could read or a file could not hold."""
+    if not name.strip():
+        raise EditError(f"{what} needs a name; type one")
+    if len(name) > LONGEST_NAME:
+        raise EditError(f"{what}: a name of {len(name)} characters; at most {LONGEST_NAME}")
+
+
+def _check_place(frame: int, track: int, first_track: int) -> None:
+    if not first_track <= track <= LARGEST_NUMBER:
+        raise EditError(f"track {track} in a label: ids are {first_track} to {LARGEST_NUMBER}")
+    if not 0 <= frame <= LARGEST_NUMBER:
+        raise EditError(f"frame {frame} in a label: frames are 0 to {LARGEST_NUMBER}")
+
+
+def _check_polygon(polygon: Sequence[Point], what: str) -> None:
+    if len(polygon) < 3:
+        raise EditError(f"{what}: a polygon of three or more corners is needed")
+    if len(polygon) > MOST_CORNERS:
+        raise EditError(f"{what} has {len(polygon)} corners; draw it with at most {MOST_CORNERS}")
+    _check_corners(polygon, what)
+
+
+def _check_corners(corners: Sequence[Point], what: str) -> None:
+    for corner in corners:
+        if len(corner) != 2 or not _is_near(*corner):
+            raise EditError(f"{what}: corner {corner} is no place; two finite numbers are needed")
+
+
+def _is_near(*numbers: float) -> bool:
+    return all(math.isfinite(number) and abs(number) <= _FARTHEST for number in numbers)
+
+
+def _edges_cross(corners: NDArray[np.float64]) -> bool:
+    """Whether two edges of a closed polygon (n, 2) meet elsewhere than at their common corner."""
+    start, end = corners, np.roll(corners, -1, axis=0)
+    along = end - start
+    if bool((along == 0).all(axis=1).any()):
+        return True
+    # side[i, j]: on which side of edge i's line the start of edge j lies.
+    to = start[None] - start[:, None]
+    side = np.sign(along[:, None, 0] * to[..., 1] - along[:, None, 1] * to[..., 0])
+    parted = side * np.roll(side, -1, axis=1) <= 0
+    crossing = parted & parted.T & ~_flat_apart(side, start, end)
+    number = np.arange(len(corners))
+    apart = np.abs(number[:, None] - number[None])
+    neighbours = (apart <= 1) | (apart == len(corners) - 1)
+    if bool((crossing & ~neighbours).any()):
+        return True
+    before = np.roll(along, 1, axis=0)
+    turn = before[:, 0] * along[:, 1] - before[:, 1] * along[:, 0]
+    back = (before * along).sum(axis=1) < 0
+    return bool(((turn == 0) & back).any())
+
+
+def _flat_apart(
+    side: NDArray[np.float64],
+    start: NDArray[np.float64],
+    end: NDArray[np.float64],
+) -> NDArray[np.bool_]:
+    """(n, n) whether two edges lie on one line without meeting."""
+    low, high = np.minimum(start, end), np.maximum(start, end)
+    beside = ((high[:, None] < low[None]) | (high[None] < low[:, None])).any(axis=-1)
+    flat: NDArray[np.bool_] = (side == 0) & (np.roll(side, -1, axis=1) == 0) & beside
+    return flat
