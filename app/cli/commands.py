@@ -209,6 +209,23 @@ def score(
 
 
 @program.command()
+def compare(
+    a: Annotated[Path, typer.Argument(help="A session.")],
+    b: Annotated[Path, typer.Argument(help="Another person's session of the same recording.")],
+    match: Annotated[
+        Literal["either", "box", "floor"],
+        typer.Option(help="Pair by overlap, by floor distance, or by whichever fits better."),
+    ] = "either",
+    radius: Annotated[float, typer.Option(help="Greatest distance on the floor, m.")] = 0.5,
+    json: options.Json = False,
+) -> None:
+    """Say how far two people's sessions agree on who is who."""
+    from app.cli.compare import run_compare
+
+    run_compare(a, b, match, radius, as_json=json)
+
+
+@program.command()
 def export(
     session: Annotated[Path, typer.Argument(help="A session.")],
     out: Annotated[Path, typer.Option("--out", "-o", help="The file to make.")],

@@ -1,0 +1,37 @@
+"""Rows that are one person by their boxes or by where they stand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from tracking.errors import FormatError
+from tracking.scoring.matching import BoxMatch, FloorMatch, Rows
+from tracking.scoring.table import Floats, ScoringTable
+
+
+@dataclass(frozen=True, slots=True)
+class EitherMatch:
+    """Boxes that overlap by half, or places on the floor within a radius: whichever says more.
+
+    Attributes:
+        radius_m: greatest distance of one person's positions.
+    """
+
+    radius_m: float = 0.5
+    threshold: float = field(default=0.5, init=False)
+
+    def __post_init__(self) -> None:
+        FloorMatch(self.radius_m)  # refuses a radius that is none
+
+    def similarity(self, truth: ScoringTable, result: ScoringTable, pairs: Rows) -> Floats:
+        """The greater of both similarities, each 0.5 where it just suffices."""
+        boxes = BoxMatch().similarity(truth, result, pairs)
+        return np.maximum(boxes, FloorMatch(self.radius_m).similarity(truth, result, pairs))
+
+    def require(self, table: ScoringTable, side: str) -> None:
+        """Boxes or positions are asked for."""
+        nowhere = np.isnan(table.box).any(axis=1) & np.isnan(table.position).any(axis=1)
+        if len(table) and nowhere.all():
+            raise FormatError(f"the {side} has neither boxes nor floor positions to be matched by")
