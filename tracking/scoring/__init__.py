@@ -6,6 +6,7 @@ from tracking.scoring.disagreements import Disagreement
 from tracking.scoring.either import EitherMatch
 from tracking.scoring.hota import ALPHAS, Hota
 from tracking.scoring.identity import Identity
+from tracking.scoring.identity_errors import IdentityError, identity_errors
 from tracking.scoring.kappa import cohen_kappa
 from tracking.scoring.matching import BoxMatch, FloorMatch, Match
 from tracking.scoring.papers import People, PositionError
@@ -22,6 +23,7 @@ __all__ = [
     "FloorMatch",
     "Hota",
     "Identity",
+    "IdentityError",
     "Match",
     "People",
     "PositionError",
@@ -29,5 +31,6 @@ __all__ = [
     "ScoringTable",
     "agreement",
     "cohen_kappa",
+    "identity_errors",
     "score",
 ]

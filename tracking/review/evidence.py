@@ -1,0 +1,126 @@
+"""Everything suspicions are looked for in: the table's rows with what the run noticed of each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.review.run_rows import rows_in_run
+from tracking.tracks import CLOTHES, Columns, Run, TrackTable
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Rows = NDArray[np.int64]
+
+BODY_M = 1.7
+"""Usual height of a person; where there is no floor, boxes are measured by it."""
+_NAMES = (
+    *("track", "frame", "x", "y", "left", "top", "width", "height"),
+    *("predicted", "visibility", "source"),
+)
+_ON_FLOOR = 0.5
+"""Share of rows with a place on the floor from which on distances are metres of the floor."""
+LOOKS = ("height_m", *CLOTHES)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evidence:
+    """The rows of the table, one track behind the other, each track by frame.
+
+    Attributes:
+        track, frame: (n,) int64. key: (n,) `track << 32 | frame`, ascending.
+        place: (n, 2) m: on the floor, or, where few rows stand on one, the feet's pixels in units
+            of a usual body; NaN where unknown.
+        box: (n, 4) left, top, width, height in px. predicted: (n,). visibility: (n,) 0 to 1.
+        source: (n,) see `tracking.tracks.Source`.
+        looks: (n, 7) height in m and the CIELAB of upper and lower body; NaN where not noticed.
+        spread_m, split: (n,) of the particles; NaN where not noticed.
+        margin: (n,) of the association; NaN where there was none or no other choice.
+        failed: (n,) how many of the person's parts have failed.
+        fps: frames a second. stop: one past the footage's last frame that was tracked.
+    """
+
+    track: Rows
+    frame: Rows
+    key: Rows
+    place: Floats
+    box: Floats
+    predicted: Flags
+    visibility: Floats
+    source: NDArray[np.uint8]
+    looks: NDArray[np.float32]
+    spread_m: NDArray[np.float32]
+    split: NDArray[np.float32]
+    margin: NDArray[np.float32]
+    failed: NDArray[np.int64]
+    fps: float
+    stop: int
+
+    def __len__(self) -> int:
+        """The number of rows."""
+        return len(self.track)
+
+    @property
+    def goes_on(self) -> Flags:
+        """(n - 1,) whether a row and the one behind it are of one track."""
+        return np.asarray(self.track[1:] == self.track[:-1])
+
+    def row_from(self, track: Rows, frame: Rows) -> Rows:
+        """(k,) the first row of each track in or after each frame, or the next track's first."""
+        return np.asarray(np.searchsorted(self.key, keys(track, frame)), np.int64)
+
+    def frames_of(self, seconds: float) -> int:
+        """So many seconds in frames, at least one."""
+        return max(1, round(seconds * self.fps))
+
+
+def keys(track: NDArray[Any], frame: NDArray[Any]) -> Rows:
+    """(n,) one number for a track and a frame, in the order of tracks, then frames."""
+    return np.asarray((track.astype(np.int64) << 32) + frame)
+
+
+def gathered(table: TrackTable, run: Run | None, fps: float) -> Evidence:
+    """The table's rows with what a run noticed of them.
+
+    Rows are found in the run by what they hold, as edits hand rows from track to track; of rows
+    that a person drew the run noticed nothing.
+
+    Args:
+        table: the corrected tracks. run: the one they began as, or None. fps: frames a second.
+    """
+    columns = table.by_track(_NAMES)
+    box = np.stack([columns[name] for name in ("left", "top", "width", "height")], axis=1)
+    source = rows_in_run(columns, run)
+    stop = max(table.frame_stop, run.frames[1] if run else 0)
+    track = columns["track"].astype(np.int64)
+    frame = columns["frame"].astype(np.int64)
+    return Evidence(
+        track=track,
+        frame=frame,
+        key=keys(track, frame),
+        place=_places(columns, box),
+        box=box,
+        predicted=columns["predicted"],
+        visibility=np.nan_to_num(columns["visibility"].astype(np.float64), nan=1.0),
+        source=columns["source"],
+        looks=np.stack([source.signal(name) for name in LOOKS], axis=1),
+        spread_m=source.signal("spread_m"),
+        split=source.signal("split"),
+        margin=source.margin(),
+        failed=source.failed_parts(),
+        fps=fps,
+        stop=stop,
+    )
+
+
+def _places(columns: Columns, box: Floats) -> Floats:
+    """(n, 2) m, or the feet in units of a usual body where hardly anybody stands on a floor."""
+    places = np.stack((columns["x"], columns["y"]), axis=1)
+    if np.isfinite(places).all(axis=1).mean() > _ON_FLOOR or not len(box):
+        return places
+    usual = float(np.nanmedian(box[:, 3])) if np.isfinite(box[:, 3]).any() else 1.0
+    feet = np.stack((box[:, 0] + box[:, 2] / 2, box[:, 1] + box[:, 3]), axis=1)
+    return np.asarray(feet * (BODY_M / max(usual, 1e-6)))
