@@ -2,10 +2,20 @@
 
 from tracking.editing.change import Change, LabelState, State, apply_change
 from tracking.editing.crossing import propose_swap_frame
+from tracking.editing.dragging import plan_drag
 from tracking.editing.drawing import plan_lines, plan_occluders, plan_regions
+from tracking.editing.gaps import Gap, gaps_of, plan_fill_gap, plan_fill_gaps
 from tracking.editing.history import Entry, History
-from tracking.editing.identities import Keep, plan_merge, plan_reassign, plan_split, plan_swap
+from tracking.editing.identities import plan_reassign, plan_split, plan_swap
+from tracking.editing.interpolation import How
+from tracking.editing.keyframes import (
+    keyframes_of,
+    plan_add_keyframe,
+    plan_delete_keyframe,
+    plan_interpolate,
+)
 from tracking.editing.labelling import plan_rename, plan_set_attribute, plan_set_notes
+from tracking.editing.merging import Keep, plan_merge, plan_merge_tracks
 from tracking.editing.part_labelling import plan_label_part, plan_unlabel_part, with_parts_carried
 from tracking.editing.reviewing import (
     plan_forget_verdict,
@@ -14,25 +24,50 @@ from tracking.editing.reviewing import (
     plan_verdict,
     with_verdict,
 )
-from tracking.editing.rows import plan_delete, plan_draw_box, plan_move_box
+from tracking.editing.rows import (
+    plan_delete,
+    plan_delete_tracks,
+    plan_draw_box,
+    plan_move_box,
+    plan_new_track,
+)
+from tracking.editing.standing import Box, body_position, standing_box
 from tracking.editing.text import state_as_text, state_from_text
+from tracking.editing.thinning import plan_thin
+from tracking.editing.visibility import plan_mark_occluded
 
 __all__ = [
+    "Box",
     "Change",
     "Entry",
+    "Gap",
     "History",
+    "How",
     "Keep",
     "LabelState",
     "State",
     "apply_change",
+    "body_position",
+    "gaps_of",
+    "keyframes_of",
+    "plan_add_keyframe",
     "plan_delete",
+    "plan_delete_keyframe",
+    "plan_delete_tracks",
+    "plan_drag",
     "plan_draw_box",
+    "plan_fill_gap",
+    "plan_fill_gaps",
     "plan_forget_verdict",
+    "plan_interpolate",
     "plan_label_part",
     "plan_lines",
+    "plan_mark_occluded",
     "plan_mark_reviewed",
     "plan_merge",
+    "plan_merge_tracks",
     "plan_move_box",
+    "plan_new_track",
     "plan_occluders",
     "plan_reassign",
     "plan_regions",
@@ -41,10 +76,12 @@ __all__ = [
     "plan_set_notes",
     "plan_split",
     "plan_swap",
+    "plan_thin",
     "plan_unlabel_part",
     "plan_unmark_reviewed",
     "plan_verdict",
     "propose_swap_frame",
+    "standing_box",
     "state_as_text",
     "state_from_text",
     "with_parts_carried",

@@ -2,25 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, LabelState, State, Stretches, no_rows
+from tracking.editing.change import Change, State, Stretches
+from tracking.editing.scope import check_scope, scope_text
 from tracking.errors import EditError
-from tracking.tracks import (
-    LARGEST_NUMBER,
-    Columns,
-    Labels,
-    TrackLabel,
-    TrackTable,
-    between,
-    check_known,
-    next_track,
-)
-
-Keep = Literal["first", "second"]
+from tracking.tracks import LARGEST_NUMBER, TrackTable, between, check_known, next_track
 
 
 def plan_swap(table: TrackTable, a: int, b: int, start: int, end: int | None = None) -> Change:
@@ -34,11 +22,11 @@ def plan_swap(table: TrackTable, a: int, b: int, start: int, end: int | None = N
     stop = _stop(table, start, end, a, b)
     both = [_stretch(table, track, start, stop) for track in (a, b)]
     if not any(len(part) for part in both):
-        raise EditError(f"neither track {a} nor {b} stands in {_scope(start, end)}")
+        raise EditError(f"neither track {a} nor {b} stands in {scope_text(start, end)}")
     before = np.concatenate(both)
     after = before.copy()
     after[:, 0] = np.where(before[:, 0] == a, b, a)
-    text = f"Swap {a} and {b} {_scope(start, end)}"
+    text = f"Swap {a} and {b} {scope_text(start, end)}"
     return Change("swap", text, start, State(before), State(after))
 
 
@@ -57,40 +45,7 @@ def plan_split(table: TrackTable, track: int, frame: int) -> Change:
     new = next_track(table)
     before = _stretch(table, track, frame, end)
     text = f"Split {track} at frame {frame}; the rest is {new}"
-    return Change("split", text, frame, State(before), State(_given_to(before, new)))
-
-
-def plan_merge(
-    table: TrackTable, a: int, b: int, keep: Keep = "first", labels: Labels | None = None
-) -> Change:
-    """Make one track of two: everything of b becomes a's.
-
-    Where both stand in a frame, keep says whose row stays: a's ("first") or b's ("second"). With
-    labels given, a takes over what b's label says and its own does not.
-    Raises EditError for unknown or equal tracks.
-    """
-    check_known(table, a, b)
-    if a == b:
-        raise EditError(f"merge of track {a} with itself; choose two different tracks")
-    if keep not in ("first", "second"):
-        raise EditError(f"merge: keep is {keep!r}; it is 'first' or 'second'")
-    own, other = table.frames_of_track(a), table.frames_of_track(b)
-    both = np.intersect1d(own, other, assume_unique=True)
-    dropped = _rows_in(table, b if keep == "first" else a, both)
-    moving = np.setdiff1d(other, both) if keep == "first" else other
-    staying = own if keep == "first" else np.setdiff1d(own, both)
-    before = _stretches(b, moving, staying)
-    label_before, label_after = _merged_labels(labels, a, b)
-    text = f"Merge {b} into {a}"
-    if len(both):
-        text += f"; where both stand ({len(both)} frames), {a if keep == 'first' else b} is kept"
-    return Change(
-        "merge",
-        text,
-        table.frame_range(b)[0],
-        State(before, dropped, label_before),
-        State(_given_to(before, a), no_rows(), label_after),
-    )
+    return Change("split", text, frame, State(before), State(given_to(before, new)))
 
 
 def plan_reassign(
@@ -109,31 +64,21 @@ def plan_reassign(
     stop = _stop(table, start, end, track)
     moving = _within(table.frames_of_track(track), start, stop)
     if not len(moving):
-        raise EditError(f"track {track} does not stand in {_scope(start, end)}")
+        raise EditError(f"track {track} does not stand in {scope_text(start, end)}")
     staying = table.frames_of_track(to)
     both = np.intersect1d(moving, staying, assume_unique=True)
     if len(both):
         raise EditError(
             f"tracks {track} and {to} both stand in frame {both[0]}; merge or swap them instead"
         )
-    before = _stretches(track, moving, staying)
-    text = f"Give {track} to {to} {_scope(start, end)}"
-    return Change("reassign", text, int(moving[0]), State(before), State(_given_to(before, to)))
-
-
-def _scope(start: int, end: int | None) -> str:
-    """The frames of an edit in words, the last one named, not the one after."""
-    if end is None:
-        return f"from frame {start} on"
-    if end == start + 1:
-        return f"in frame {start}"
-    return f"in frames {start} to {end - 1}"
+    before = stretches_of(track, moving, staying)
+    text = f"Give {track} to {to} {scope_text(start, end)}"
+    return Change("reassign", text, int(moving[0]), State(before), State(given_to(before, to)))
 
 
 def _stop(table: TrackTable, start: int, end: int | None, *tracks: int) -> int:
+    check_scope(start, end)
     stop = max(table.frame_range(track)[1] for track in tracks) if end is None else end
-    if start < 0 or (end is not None and end <= start):
-        raise EditError(f"frames {start} to {end}: the range is empty or begins before frame 0")
     return max(stop, start)
 
 
@@ -147,7 +92,7 @@ def _stretch(table: TrackTable, track: int, start: int, stop: int) -> Stretches:
     return np.array([[track, start, stop]][:there], np.int64).reshape(-1, 3)
 
 
-def _stretches(track: int, moving: NDArray[np.int32], staying: NDArray[np.int32]) -> Stretches:
+def stretches_of(track: int, moving: NDArray[np.int32], staying: NDArray[np.int32]) -> Stretches:
     """The longest stretches of moving frames with no staying frame inside; (k, 3)."""
     passed = np.searchsorted(staying, moving)
     cuts = np.flatnonzero(passed[1:] != passed[:-1]) + 1
@@ -157,22 +102,8 @@ def _stretches(track: int, moving: NDArray[np.int32], staying: NDArray[np.int32]
     return np.column_stack([tracks, moving[first], moving[last] + 1]).astype(np.int64)
 
 
-def _given_to(stretches: Stretches, track: int) -> Stretches:
+def given_to(stretches: Stretches, track: int) -> Stretches:
+    """The stretches as another track's."""
     given = stretches.copy()
     given[:, 0] = track
     return given
-
-
-def _rows_in(table: TrackTable, track: int, frames: NDArray[np.int32]) -> Columns:
-    rows = table.of_track(track)
-    chosen = np.isin(rows["frame"], frames, assume_unique=True)
-    return {name: column[chosen] for name, column in rows.items()}
-
-
-def _merged_labels(labels: Labels | None, a: int, b: int) -> tuple[LabelState, LabelState]:
-    if labels is None or b not in labels.tracks:
-        return LabelState(), LabelState()
-    own, other = labels.of_track(a), labels.of_track(b)
-    notes = "\n".join(text for text in (own.notes, other.notes) if text)
-    joined = TrackLabel(own.name or other.name, {**other.attributes, **own.attributes}, notes)
-    return LabelState({a: own, b: other}), LabelState({a: joined, b: TrackLabel()})

@@ -2,22 +2,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from tracking.editing.change import Change, State
+from tracking.editing.interpolation import How, Way
+from tracking.editing.keyframes import key_row_change, standing_row, vouch_for
+from tracking.editing.scope import check_scope, checked_tracks, scope_text, tracks_text
+from tracking.editing.selection import Rows, stacked
+from tracking.editing.standing import (
+    SIDES,
+    USUAL_HEIGHT_M,
+    Box,
+    body_position,
+    boxes_of,
+    followed_position,
+    places_of,
+    standing_box,
+)
 from tracking.errors import EditError
+from tracking.geometry import View
 from tracking.tracks import (
     CORRECTED_COLUMNS,
     LARGEST_NUMBER,
     Columns,
-    Source,
     TrackTable,
     check_known,
     next_track,
 )
 
-Box = tuple[float, float, float, float]
-"""left, top, width, height in 0-based pixels of the left image as recorded."""
+_SAME_PX = 0.5
+Place = tuple[float, float]
+"""x, y in metres on the floor."""
 
 
 def plan_delete(table: TrackTable, track: int, start: int = 0, end: int | None = None) -> Change:
@@ -27,21 +44,31 @@ def plan_delete(table: TrackTable, track: int, start: int = 0, end: int | None =
     Raises EditError where there is nothing to delete.
     """
     check_known(table, track)
-    if end is not None and end <= start:
-        raise EditError(f"frames {start} to {end}: the range is empty")
-    rows = table.of_track(track, start, end)
-    if not len(rows["frame"]):
-        raise EditError(f"track {track} has no rows to delete in frames {start} to {end}")
-    first, stop = table.frame_range(track)
-    text = f"Delete {track}"
+    return plan_delete_tracks(table, [track], start, end)
+
+
+def plan_delete_tracks(
+    table: TrackTable, tracks: Iterable[int], start: int = 0, end: int | None = None
+) -> Change:
+    """Delete several tracks' rows in frames start to end; without a range: the whole tracks.
+
+    Their labels stay. Raises EditError where there is nothing to delete.
+    """
+    chosen = checked_tracks(table, tracks)
+    check_scope(start, end)
+    parts = {track: table.of_track(track, start, end) for track in chosen}
+    touched = [track for track, rows in parts.items() if len(rows["frame"])]
+    who = tracks_text(touched or chosen)
+    if not touched:
+        raise EditError(
+            f"track {who} has no rows to delete in frames {start} to {end}; choose another range"
+        )
+    rows = stacked(parts.values())
+    first = min(table.frame_range(track)[0] for track in touched)
+    stop = max(table.frame_range(track)[1] for track in touched)
+    text = f"Delete {who} {scope_text(start, None if end is None or end >= stop else end)}"
     if start <= first and (end is None or end >= stop):
-        text = f"Delete track {track}"
-    elif end is None or end >= stop:
-        text += f" from frame {start} on"
-    elif end == start + 1:
-        text += f" in frame {start}"
-    else:
-        text += f" in frames {start} to {end - 1}"
+        text = f"Delete track {who}" if len(touched) == 1 else f"Delete tracks {who}"
     return Change("delete", text, int(rows["frame"][0]), State(rows=rows), State())
 
 
@@ -50,21 +77,34 @@ def plan_move_box(
     track: int,
     frame: int,
     box: Box,
-    position: tuple[float, float] | None = None,
+    position: Place | None = None,
+    *,
+    view: View | None = None,
+    how: How | None = None,
+    fps: float | None = None,
 ) -> Change:
-    """Put a track's box of one frame elsewhere; the row then comes from a person.
+    """Put a track's box of one frame elsewhere; the row becomes a keyframe.
 
-    position: x, y in metres on the floor that belong to the box; None: unknown, NaN is written.
-    Raises EditError where the track has no row in the frame or the box is none.
+    Interpolated stretches beside the frame follow in the same change. A row is never deleted for
+    a number that is missing.
+
+    Args:
+        table, track, frame, box: what, when and whereto.
+        position: x, y in metres on the floor that belong to the box; None: the foot goes along
+            with the box as the view sees it; without a view, or where no floor is seen there, the
+            place is kept while the box's foot stays where it was, else NaN is written.
+        view: the left camera over its floor.
+        how, fps: of the stretches beside it and of velocities.
+
+    Raises:
+        EditError: the track has no row in the frame, the box is none, or nothing would change.
     """
-    check_known(table, track)
-    old = table.of_track(track, frame, frame + 1)
-    if not len(old["frame"]):
-        raise EditError(f"track {track} does not stand in frame {frame}; draw a box there instead")
-    new = {name: column.copy() for name, column in old.items()}
-    _place(new, box, position)
+    row = standing_row(table, track, frame)
+    _check_box(box)
+    place = _followed(row, box, view) if position is None else position
+    _place(row, box, place)
     text = f"Move the box of {track} in frame {frame}"
-    return Change("move", text, frame, State(rows=old), State(rows=new))
+    return key_row_change(table, row, Way(how, view, fps), ("move", text))
 
 
 def plan_draw_box(
@@ -72,35 +112,90 @@ def plan_draw_box(
     track: int | None,
     frame: int,
     box: Box,
-    position: tuple[float, float] | None = None,
+    position: Place | None = None,
+    *,
+    view: View | None = None,
+    how: How | None = None,
+    fps: float | None = None,
+    join: bool = False,
 ) -> Change:
-    """Add a box a person drew, to a track or (None) as the first of a new one.
+    """Add a box a person drew, to a track or (None) as the first of a new one: a keyframe.
 
-    Raises EditError where the track stands in the frame already, or the box is none.
+    Args:
+        table, track, frame, box: what, when and where.
+        position: x, y in metres on the floor; None: told from the box where there is a view.
+        view: the left camera over its floor.
+        how, fps: of the interpolation and of velocities.
+        join: the gaps between it and the track's rows before and after are interpolated, too.
+
+    Raises:
+        EditError: the track stands in the frame already, or the box is none.
     """
     if frame < 0:
         raise EditError(f"frame {frame} is negative; frames count from 0")
-    new_track = track is None
     owner = next_track(table) if track is None else track
     if not 1 <= owner <= LARGEST_NUMBER or frame >= LARGEST_NUMBER:
         raise EditError(f"track {owner} in frame {frame}: ids and frames go up to {LARGEST_NUMBER}")
     if len(table.of_track(owner, frame, frame + 1)["frame"]):
         raise EditError(f"track {owner} stands in frame {frame} already; move its box instead")
+    _check_box(box)
+    if position is None and view is not None:
+        position = body_position(view, box)
+    row = _drawn(owner, frame)
+    _place(row, box, position or (np.nan, np.nan))
+    text = f"Draw {'new track' if track is None else 'a box of'} {owner} in frame {frame}"
+    return key_row_change(table, row, Way(how, view, fps), ("draw", text), join=join)
+
+
+def plan_new_track(
+    table: TrackTable,
+    frame: int,
+    box: Box | None = None,
+    position: Place | None = None,
+    *,
+    view: View | None = None,
+    height_m: float = USUAL_HEIGHT_M,
+) -> Change:
+    """Begin a new track with its first keyframe; its id was never used before.
+
+    Given a box, a place on the floor, or both; a box alone gets its place from the view, and a
+    place alone its box, as of somebody of that height.
+    Raises EditError for neither, for a place without a view and one that is not to be seen.
+    """
+    if box is None:
+        if position is None or view is None:
+            raise EditError("a new track needs a box, or a place on the floor and a calibration")
+        box = standing_box(view, position, height_m)
+    return plan_draw_box(table, None, frame, box, position, view=view)
+
+
+def _followed(row: Columns, box: Box, view: View | None) -> Place:
+    """Where on the floor the person of a moved box stands; NaN where nothing tells."""
+    old_box, old_place, new = boxes_of(row)[0], places_of(row)[0], np.array(box, float)
+    moved = old_box[:2] - new[:2] + (old_box[2:] - new[2:]) * (0.5, 1.0)
+    if np.isfinite(old_place).all() and np.abs(moved).max() <= _SAME_PX:
+        return float(old_place[0]), float(old_place[1])
+    if view is None:
+        return np.nan, np.nan
+    return followed_position(view, old_box, old_place, new)
+
+
+def _drawn(track: int, frame: int) -> Rows:
+    """A row of which only track and frame are known."""
     row = {name: np.zeros(1, dtype) for name, dtype in CORRECTED_COLUMNS.items()}
-    row["frame"][0], row["track"][0] = frame, owner
+    row["frame"][0], row["track"][0] = frame, track
     row["vx"][0] = row["vy"][0] = np.nan
-    _place(row, box, position)
-    text = f"Draw {'new track' if new_track else 'a box of'} {owner} in frame {frame}"
-    return Change("draw", text, frame, State(), State(rows=row))
+    row["visibility"][0] = 1.0
+    return row
 
 
-def _place(row: Columns, box: Box, position: tuple[float, float] | None) -> None:
-    """Write a person's box and place into a single row."""
+def _check_box(box: Box) -> None:
     if not (np.all(np.isfinite(box)) and box[2] > 0 and box[3] > 0):
         raise EditError(f"box {box} is none; left, top and a positive width and height are needed")
-    for name, value in zip(("left", "top", "width", "height"), box, strict=True):
+
+
+def _place(row: Rows, box: Box, place: Place) -> None:
+    """Write a person's box and place into a single row."""
+    for name, value in zip((*SIDES, "x", "y"), (*box, *place), strict=True):
         row[name][0] = value
-    row["x"][0], row["y"][0] = (np.nan, np.nan) if position is None else position
-    row["confidence"][0] = row["visibility"][0] = 1.0
-    row["predicted"][0] = False
-    row["source"][0] = Source.PERSON
+    vouch_for(row)

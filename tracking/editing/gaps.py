@@ -1,0 +1,95 @@
+"""Gaps in tracks: where they are, and filling them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.editing.change import Change, State, no_rows
+from tracking.editing.interpolation import How, Way
+from tracking.editing.scope import checked_tracks, frames_text, scope_text, tracks_text
+from tracking.editing.selection import Rows, stacked
+from tracking.editing.stretches import spanned
+from tracking.errors import EditError
+from tracking.geometry import View
+from tracking.tracks import TrackTable, check_known
+
+Gap = tuple[int, int]
+"""A half-open range of frames between two rows of a track that has none in them."""
+
+
+def gaps_of(table: TrackTable, track: int) -> tuple[Gap, ...]:
+    """Where the track is missing between its first and its last row."""
+    frames = table.frames_of_track(track)
+    before = np.flatnonzero(np.diff(frames) > 1)
+    starts, ends = frames[before] + 1, frames[before + 1]
+    return tuple(zip(starts.tolist(), ends.tolist(), strict=True))
+
+
+def plan_fill_gap(
+    table: TrackTable,
+    track: int,
+    frame: int,
+    how: How | None = None,
+    *,
+    view: View | None = None,
+    fps: float | None = None,
+) -> Change:
+    """Fill the gap of a track that a frame lies in; the rows are marked as interpolated.
+
+    Raises EditError where the track stands in the frame, or nothing is before or after it.
+    """
+    check_known(table, track)
+    gap = next((gap for gap in gaps_of(table, track) if gap[0] <= frame < gap[1]), None)
+    if gap is None:
+        raise EditError(f"frame {frame} lies in no gap of track {track}; go to one first")
+    text = f"Fill the gap of {track} {scope_text(*gap)}"
+    rows = _filling(table, track, [gap], Way(how, view, fps))
+    return Change("fill", text, gap[0], State(), State(rows=rows))
+
+
+def plan_fill_gaps(
+    table: TrackTable,
+    tracks: Iterable[int],
+    longest: int,
+    how: How | None = None,
+    *,
+    view: View | None = None,
+    fps: float | None = None,
+) -> Change:
+    """Fill all gaps of some tracks that are no longer than so many frames.
+
+    Raises EditError where there is none.
+    """
+    chosen = checked_tracks(table, tracks)
+    way, parts, count = Way(how, view, fps), [no_rows()], 0
+    for track in chosen:
+        gaps = [gap for gap in gaps_of(table, track) if gap[1] - gap[0] <= longest]
+        if gaps:
+            count += len(gaps)
+            parts.append(_filling(table, track, gaps, way))
+    rows = stacked(parts)
+    if not count:
+        raise EditError(
+            f"{tracks_text(chosen)}: no gap of up to {frames_text(longest)}; allow longer ones"
+        )
+    gaps_text = "the gap" if count == 1 else f"{count} gaps"
+    text = f"Fill {gaps_text} of {tracks_text(chosen)} of up to {frames_text(longest)}"
+    return Change("fill", text, int(rows["frame"][0]), State(), State(rows=rows))
+
+
+def _filling(table: TrackTable, track: int, gaps: list[Gap], way: Way) -> Rows:
+    borders = np.array([(start - 1, end) for start, end in gaps])
+    frames = np.concatenate([np.arange(*gap, dtype=np.int32) for gap in gaps])
+    ends = rows_in(table, track, np.unique(borders).astype(np.int32))
+    return spanned(ends, frames, way, no_rows())
+
+
+def rows_in(table: TrackTable, track: int, frames: NDArray[np.int32]) -> Rows:
+    """The track's rows in ascending frames."""
+    start, end = (int(frames[0]), int(frames[-1]) + 1) if len(frames) else (0, 0)
+    rows = table.of_track(track, start, end)
+    chosen = np.isin(rows["frame"], frames, assume_unique=True)
+    return {name: column[chosen] for name, column in rows.items()}

@@ -1,0 +1,205 @@
+"""Keyframes: rows a person stands for, and what is interpolated between them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.editing.change import Change, State
+from tracking.editing.interpolation import How, Way
+from tracking.editing.scope import check_scope, frames_text, scope_text
+from tracking.editing.selection import Rows, picked, stacked
+from tracking.editing.standing import places_of
+from tracking.editing.stretches import (
+    replaced,
+    respanned,
+    rows_around,
+    spanned,
+    stands_fast,
+    with_row,
+)
+from tracking.errors import EditError
+from tracking.geometry import View
+from tracking.tracks import Columns, Source, TrackTable, check_known
+
+
+def keyframes_of(
+    table: TrackTable, track: int, start: int = 0, end: int | None = None
+) -> NDArray[np.int32]:
+    """The frames, ascending, whose row a person drew, moved or stands for."""
+    rows = table.of_track(track, start, end)
+    return np.asarray(rows["frame"][rows["source"] == Source.PERSON])
+
+
+def key_row_change(
+    table: TrackTable,
+    row: Columns,
+    way: Way,
+    kind_and_text: tuple[str, str],
+    *,
+    join: bool = False,
+) -> Change:
+    """The change that puts a keyframe in, and lets what is interpolated around it follow.
+
+    Args:
+        table: as it is.
+        row: one row, in place of what stands in its frame.
+        way: how the neighbouring stretches are interpolated.
+        kind_and_text: of the change; the frames that follow are told after the text.
+        join: the gaps between it and the rows before and after it are filled, too.
+
+    Raises:
+        EditError: nothing would change.
+    """
+    track, frame = int(row["track"][0]), int(row["frame"][0])
+    old = rows_around(table, track, frame)
+    new = respanned(old, with_row(old, row), way)
+    if join:
+        new = stacked([new, _bridges(new, frame, way)])
+    before, after = replaced(old, _with_velocity(new, frame, way.fps))
+    if not len(after["frame"]):
+        raise EditError(f"track {track} is already so in frame {frame}; nothing to change")
+    kind, text = kind_and_text
+    following = len(after["frame"]) - 1
+    if following:
+        text += f"; {frames_text(following)} around it interpolated"
+    return Change(kind, text, frame, State(rows=before), State(rows=after))
+
+
+def plan_add_keyframe(table: TrackTable, track: int, frame: int) -> Change:
+    """Stand for a row as it is: it becomes a keyframe and nothing moves.
+
+    Raises EditError where the track has no row in the frame, or it is a keyframe.
+    """
+    old = standing_row(table, track, frame)
+    new = picked(old, slice(None))
+    vouch_for(new)
+    if old["source"][0] == Source.PERSON:
+        raise EditError(f"frame {frame} is a keyframe of track {track} already")
+    text = f"Make frame {frame} a keyframe of {track}"
+    return Change("keyframe", text, frame, State(rows=old), State(rows=new))
+
+
+def plan_delete_keyframe(
+    table: TrackTable,
+    track: int,
+    frame: int,
+    how: How | None = None,
+    *,
+    view: View | None = None,
+    fps: float | None = None,
+) -> Change:
+    """Let a keyframe go: its frame is interpolated like those around it.
+
+    Where nothing stands on one of its sides, its row goes, and with it the interpolated ones that
+    hung between it and its other side. Raises EditError where the frame is no keyframe.
+    """
+    if standing_row(table, track, frame)["source"][0] != Source.PERSON:
+        raise EditError(f"frame {frame} is no keyframe of track {track}; nothing to take away")
+    old = rows_around(table, track, frame)
+    text = f"Take the keyframe of {track} in frame {frame} away"
+    if _held_on_both_sides(old, frame):
+        new = picked(old, slice(None))
+        new["source"][new["frame"] == frame] = Source.INTERPOLATED
+        new["confidence"][new["frame"] == frame] = 1.0
+        new = respanned(old, new, Way(how, view, fps))
+    else:
+        new = picked(old, stands_fast(old) & (old["frame"] != frame))
+    before, after = replaced(old, new)
+    gone = len(before["frame"]) - len(after["frame"])
+    if gone > 1:
+        text += f", and the {frames_text(gone - 1)} interpolated from it"
+    return Change("keyframe", text, frame, State(rows=before), State(rows=after))
+
+
+def plan_interpolate(
+    table: TrackTable,
+    track: int,
+    start: int,
+    end: int,
+    how: How | None = None,
+    *,
+    view: View | None = None,
+    fps: float | None = None,
+) -> Change:
+    """Interpolate a track between the keyframes in a half-open range of frames.
+
+    The first and the last row in the range stand fast, too. What a tracker put between is
+    replaced, and gaps are filled. Raises EditError where there is nothing between.
+    """
+    check_known(table, track)
+    check_scope(start, end)
+    old = table.of_track(track, start, end)
+    fast = np.asarray(old["source"] == Source.PERSON)
+    fast[:1] = fast[-1:] = True
+    ends, between = picked(old, fast), picked(old, ~fast)
+    if len(ends["frame"]) < 2:
+        raise EditError(
+            f"track {track} has fewer than two boxes {scope_text(start, end)}; "
+            "interpolation needs one at each end"
+        )
+    first, last = int(ends["frame"][0]), int(ends["frame"][-1])
+    frames = np.setdiff1d(np.arange(first, last + 1, dtype=np.int32), ends["frame"])
+    if not len(frames):
+        raise EditError(
+            f"every frame of track {track} {scope_text(start, end)} is a keyframe; "
+            "nothing lies between"
+        )
+    way = Way(how, view, fps)
+    before, after = replaced(between, spanned(ends, frames, way, between))
+    text = f"Interpolate {track} {scope_text(first, last + 1)}, {_way_text(way)}"
+    text += f"between {len(ends['frame'])} keyframes"
+    return Change("interpolate", text, first, State(rows=before), State(rows=after))
+
+
+def _way_text(way: Way) -> str:
+    return {"floor": "along the floor ", "linear": "straight ", None: ""}[way.how]
+
+
+def standing_row(table: TrackTable, track: int, frame: int) -> Rows:
+    """The one row of a track in a frame. Raises EditError where it does not stand there."""
+    check_known(table, track)
+    row = table.of_track(track, frame, frame + 1)
+    if not len(row["frame"]):
+        raise EditError(f"track {track} does not stand in frame {frame}; draw a box there instead")
+    return row
+
+
+def vouch_for(rows: Rows) -> None:
+    """Mark rows as a person's."""
+    rows["confidence"][:] = 1.0
+    rows["predicted"][:] = False
+    rows["source"][:] = Source.PERSON
+
+
+def _held_on_both_sides(rows: Columns, frame: int) -> bool:
+    """Whether a frame's row could hang between others: it touches rows, or what hangs, twice."""
+    at = int(np.searchsorted(rows["frame"], frame))
+    fast = stands_fast(rows)
+    if not (fast[:at].any() and fast[at + 1 :].any()):
+        return False
+    near = [at - 1, at + 1]
+    touching = np.abs(rows["frame"][near] - frame) == 1
+    return bool((touching | ~fast[near]).all())
+
+
+def _bridges(rows: Columns, frame: int, way: Way) -> Rows:
+    """Rows for the gaps just before and just after a frame."""
+    at = int(np.searchsorted(rows["frame"], frame))
+    ends = picked(rows, slice(max(at - 1, 0), at + 2))
+    stop = int(ends["frame"][-1])
+    frames = np.setdiff1d(np.arange(ends["frame"][0], stop, dtype=np.int32), ends["frame"])
+    return spanned(ends, frames, way, picked(rows, slice(0, 0)))
+
+
+def _with_velocity(rows: Rows, frame: int, fps: float | None) -> Rows:
+    """The rows, one frame's velocity told from the frames beside it; unknown: as it was."""
+    if fps is None:
+        return rows
+    near = np.flatnonzero(np.abs(rows["frame"] - frame) <= 1)
+    places = places_of(rows)[near]
+    seconds = (rows["frame"][near[-1]] - rows["frame"][near[0]]) / fps
+    if seconds and np.isfinite(places).all():
+        at = near[rows["frame"][near] == frame]
+        rows["vx"][at], rows["vy"][at] = (places[-1] - places[0]) / seconds
+    return rows

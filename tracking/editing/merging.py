@@ -1,0 +1,165 @@
+"""Planners that make one track of several."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.editing.change import Change, LabelState, State, no_rows, no_stretches
+from tracking.editing.gaps import rows_in
+from tracking.editing.identities import given_to, stretches_of
+from tracking.editing.interpolation import How, Way
+from tracking.editing.scope import frames_text, tracks_text
+from tracking.editing.selection import Rows, stacked
+from tracking.editing.stretches import spanned
+from tracking.errors import EditError
+from tracking.geometry import View
+from tracking.tracks import Labels, TrackLabel, TrackTable, check_known
+
+Keep = Literal["first", "second", "surer"]
+Frames = NDArray[np.int32]
+
+
+def plan_merge(
+    table: TrackTable,
+    a: int,
+    b: int,
+    keep: Keep = "first",
+    labels: Labels | None = None,
+    *,
+    fill: bool = False,
+    how: How | None = None,
+    view: View | None = None,
+    fps: float | None = None,
+) -> Change:
+    """Make one track of two: everything of b becomes a's.
+
+    Where both stand in a frame, keep says whose row stays: a's ("first"), b's ("second") or that of
+    higher confidence ("surer"). With labels given, a takes over what b's label says and its own
+    does not. fill: gaps that are left between a row of a and one of b are interpolated.
+    Raises EditError for unknown or equal tracks.
+    """
+    return plan_merge_tracks(table, a, [b], keep, labels, fill=fill, how=how, view=view, fps=fps)
+
+
+def plan_merge_tracks(
+    table: TrackTable,
+    into: int,
+    others: Sequence[int],
+    keep: Keep = "first",
+    labels: Labels | None = None,
+    *,
+    fill: bool = False,
+    how: How | None = None,
+    view: View | None = None,
+    fps: float | None = None,
+) -> Change:
+    """Make one track of several: everything of the others becomes the first one's.
+
+    Args:
+        table, into, others: which, and whose id stays.
+        keep: where several stand in a frame, whose row stays: that of the earliest named of them
+            ("first"), of the last named ("second"), or of highest confidence ("surer").
+        labels: given, the first takes over what the others' say and its own does not.
+        fill: gaps left between rows of different tracks are interpolated.
+        how, view, fps: of that interpolation.
+
+    Raises:
+        EditError: a track is unknown or named twice, or keep is another word.
+    """
+    tracks = (into, *others)
+    check_known(table, *tracks)
+    if len(set(tracks)) < len(tracks) or len(tracks) < 2:
+        twice = next((track for track in tracks if tracks.count(track) > 1), into)
+        raise EditError(f"merge of track {twice} with itself; choose different tracks")
+    if keep not in ("first", "second", "surer"):
+        raise EditError(f"merge: keep is {keep!r}; it is 'first', 'second' or 'surer'")
+    frames, owners, shared = _kept(table, tracks, keep)
+    dropped, before = [no_rows()], [no_stretches()]
+    for track in tracks:
+        own = table.frames_of_track(track)
+        kept = frames[owners == track]
+        dropped.append(rows_in(table, track, np.setdiff1d(own, kept, assume_unique=True)))
+        if track != into:
+            before.append(stretches_of(track, kept, frames[owners != track]))
+    moved = np.concatenate(before)
+    way = Way(how, view, fps)
+    filled = _bridges(table, into, frames, owners, way) if fill else dict(no_rows())
+    said, says = _merged_labels(labels, into, others)
+    return Change(
+        "merge",
+        _text(tracks, keep, shared, len(filled["frame"])),
+        min(table.frame_range(track)[0] for track in others),
+        State(moved, stacked(dropped), said),
+        State(given_to(moved, into), filled, says),
+    )
+
+
+def _kept(
+    table: TrackTable, tracks: tuple[int, ...], keep: Keep
+) -> tuple[Frames, NDArray[np.int64], int]:
+    """All frames, ascending, whose row stays in each, and in how many frames several stood."""
+    each = [table.frames_of_track(track) for track in tracks]
+    frames = np.concatenate(each)
+    rank = np.repeat(np.arange(len(tracks)), [len(own) for own in each])
+    doubt = np.zeros(len(frames))
+    if keep == "surer":
+        sure = np.concatenate([table.of_track(track)["confidence"] for track in tracks])
+        doubt = -np.nan_to_num(sure.astype(np.float64), nan=-1.0)
+    order = np.lexsort((-rank if keep == "second" else rank, doubt, frames))
+    first = np.flatnonzero(np.diff(frames[order], prepend=-1))
+    stays = order[first]
+    shared = np.count_nonzero(np.diff(first, append=len(frames)) > 1)
+    return frames[stays], np.array(tracks)[rank[stays]], int(shared)
+
+
+def _bridges(
+    table: TrackTable, into: int, frames: Frames, owners: NDArray[np.int64], way: Way
+) -> Rows:
+    """Rows for the gaps between rows that were of different tracks."""
+    gaps = np.flatnonzero((np.diff(frames) > 1) & (np.diff(owners) != 0))
+    missing = [np.arange(frames[at] + 1, frames[at + 1], dtype=np.int32) for at in gaps]
+    if not missing:
+        return dict(no_rows())
+    borders = np.unique(np.concatenate([gaps, gaps + 1]))
+    ends = stacked(
+        rows_in(table, track, frames[borders[owners[borders] == track]])
+        for track in np.unique(owners[borders]).tolist()
+    )
+    ends["track"][:] = into
+    return spanned(ends, np.concatenate(missing), way, no_rows())
+
+
+def _text(tracks: tuple[int, ...], keep: Keep, shared: int, filled: int) -> str:
+    text = f"Merge {tracks_text(tracks[1:])} into {tracks[0]}"
+    if shared:
+        whose = {"first": tracks[0], "second": tracks[-1], "surer": "the surer row"}[keep]
+        who = "both" if len(tracks) == 2 else "several"
+        if len(tracks) > 2 and keep != "surer":
+            whose = f"the {'first' if keep == 'first' else 'last'} of them"
+        text += f"; where {who} stand ({frames_text(shared)}), {whose} is kept"
+    if filled:
+        text += f"; {frames_text(filled)} between them interpolated"
+    return text
+
+
+def _merged_labels(
+    labels: Labels | None, into: int, others: Sequence[int]
+) -> tuple[LabelState, LabelState]:
+    """What the tracks' labels said and will say."""
+    said = [track for track in others if labels is not None and track in labels.tracks]
+    if labels is None or not said:
+        return LabelState(), LabelState()
+    own = joined = labels.of_track(into)
+    for track in said:
+        joined = _joined(joined, labels.of_track(track))
+    before = {into: own, **{track: labels.of_track(track) for track in said}}
+    return LabelState(before), LabelState({into: joined, **dict.fromkeys(said, TrackLabel())})
+
+
+def _joined(own: TrackLabel, other: TrackLabel) -> TrackLabel:
+    notes = "\n".join(text for text in (own.notes, other.notes) if text)
+    return TrackLabel(own.name or other.name, {**other.attributes, **own.attributes}, notes)

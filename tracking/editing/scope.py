@@ -1,0 +1,48 @@
+"""Which frames and tracks an edit touches, checked and put into words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from tracking.errors import EditError
+from tracking.tracks import TrackTable, check_known
+
+_NAMED = 4
+"""So many tracks are named one by one in an edit's text."""
+
+
+def scope_text(start: int, end: int | None) -> str:
+    """The frames of an edit in words, the last one named, not the one after."""
+    if end is None:
+        return f"from frame {start} on"
+    if end == start + 1:
+        return f"in frame {start}"
+    return f"in frames {start} to {end - 1}"
+
+
+def tracks_text(tracks: Sequence[int]) -> str:
+    """Tracks in words: "4", "4 and 7", "1, 2, 4, 7 and 8 more"."""
+    if len(tracks) > _NAMED + 1:
+        return f"{', '.join(map(str, tracks[:_NAMED]))} and {len(tracks) - _NAMED} more"
+    *first, last = map(str, tracks)
+    return f"{', '.join(first)} and {last}" if first else last
+
+
+def frames_text(count: int) -> str:
+    """A number of frames in words."""
+    return f"{count} frame" if count == 1 else f"{count} frames"
+
+
+def check_scope(start: int, end: int | None) -> None:
+    """Raise EditError for a range that is empty or begins before frame 0; end None: no end."""
+    if start < 0 or (end is not None and end <= start):
+        raise EditError(f"frames {start} to {end}: the range is empty or begins before frame 0")
+
+
+def checked_tracks(table: TrackTable, tracks: Iterable[int]) -> tuple[int, ...]:
+    """The tracks, each once, ascending. Raises EditError for none at all and for unknown ones."""
+    chosen = tuple(sorted(set(tracks)))
+    if not chosen:
+        raise EditError("no track is chosen; select at least one")
+    check_known(table, *chosen)
+    return chosen
