@@ -51,6 +51,11 @@ class LiveTracker(QObject):
         self._thread = threading.Thread(target=self._run, name="live tracker", daemon=True)
         self._ended.connect(self._report, Qt.ConnectionType.QueuedConnection)
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should be told of the tracking, a line each; known at its end."""
+        return self._process.notes
+
     def start(self) -> None:
         """Begin."""
         self._thread.start()

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.shown import Spans, joined
+from app.presenters.shown import ShownTracks, Spans, joined
 from tracking.trackers import StepResult
 from tracking.tracks import DETECTION_COLUMNS, PARTICLE_COLUMNS, TRACK_COLUMNS, Columns, empty
 
@@ -110,3 +110,95 @@ class LiveTracks:
             spans[-1][1] = frame + 1
         else:
             spans.append([frame, frame + 1, predicted])
+
+
+class ContinuedTracks:
+    """Corrected tracks up to a frame, and from it on what a tracker finds that goes on from them.
+
+    The corrected tracks do not change while a tracker is at work: what they look like before the
+    frame is made once, however often the tracker's part grows.
+    """
+
+    def __init__(self, before: ShownTracks, frame: int, live: LiveTracks) -> None:
+        self._before, self._frame, self._live = before, frame, live
+        early = {track: _until(spans, frame) for track, spans in before.spans().items()}
+        self._early: dict[int, Spans] = {track: part for track, part in early.items() if len(part)}
+        self._keyframes = {track: one[one < frame] for track, one in before.keyframes().items()}
+        self._both: dict[int, tuple[Spans, Spans]] = {}  # the tracker's part, and both
+
+    @property
+    def frames(self) -> tuple[int, int]:
+        """What was tracked before the frame, and since."""
+        first, stop = self._live.frames
+        return self._before.frames[0], max(self._frame, stop if stop > first else 0)
+
+    @property
+    def ids(self) -> Sequence[int]:
+        """All tracks that are shown."""
+        return sorted(self._early.keys() | set(self._live.ids))
+
+    def of_frame(self, frame: int) -> Columns:
+        """The frame's rows."""
+        return self._part(frame).of_frame(frame)
+
+    def recent(self, frame: int, back: int) -> Columns:
+        """The rows of the frame's people, from `back` frames before it."""
+        start = frame - back
+        if frame < self._frame or start >= self._frame:
+            return self._part(frame).recent(frame, back)
+        here = self.of_frame(frame)["track"]
+        early = self._before.recent(self._frame - 1, self._frame - 1 - start)
+        rows = joined([early, self._live.recent(frame, frame - self._frame)])
+        mine = np.isin(rows["track"], here)
+        return {name: column[mine] for name, column in rows.items()}
+
+    def of_track(self, track: int) -> Columns:
+        """The rows of a track."""
+        rows = self._before.of_track(track)
+        early = rows["frame"] < self._frame
+        return joined([{n: rows[n][early] for n in rows}, self._live.of_track(track)])
+
+    def detections(self, frame: int) -> Columns:
+        """What was measured in the frame."""
+        return self._part(frame).detections(frame)
+
+    def particles(self, frame: int) -> Columns:
+        """The frame's particles."""
+        return self._part(frame).particles(frame)
+
+    def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
+        """The stretches of every track, or of some."""
+        shown = {**self._early, **self._joined(self._live.spans())}
+        if tracks is None:
+            return shown
+        return {track: shown[track] for track in set(tracks) & shown.keys()}
+
+    def keyframes(self, tracks: Iterable[int] | None = None) -> dict[int, NDArray[np.int64]]:
+        """The frames before the tracker's whose row a person made."""
+        asked = self._keyframes if tracks is None else set(tracks) & self._keyframes.keys()
+        return {track: self._keyframes[track] for track in asked if len(self._keyframes[track])}
+
+    def activity(self, frame_count: int) -> NDArray[np.uint16]:
+        """People per frame."""
+        people = self._live.activity(frame_count)
+        people[: self._frame] = self._before.activity(frame_count)[: self._frame]
+        return people
+
+    def _part(self, frame: int) -> ShownTracks:
+        return self._before if frame < self._frame else self._live
+
+    def _joined(self, late: dict[int, Spans]) -> dict[int, Spans]:
+        """The tracker's stretches behind the earlier ones; the same arrays while they are equal."""
+        for track, spans in late.items():
+            if track not in self._both or self._both[track][0] is not spans:
+                early = self._early.get(track)
+                whole = spans if early is None else np.concatenate((early, spans))
+                self._both[track] = (spans, whole)
+        return {track: self._both[track][1] for track in late}
+
+
+def _until(spans: Spans, frame: int) -> Spans:
+    """The stretches before a frame, the last one cut there."""
+    early = spans[spans[:, 0] < frame].copy()
+    early[:, 1] = np.minimum(early[:, 1], frame)
+    return early

@@ -92,11 +92,18 @@ def open_path(
         raise
 
 
-def keep_run(recording: Recording, run: Run) -> Session:
-    """A session of a run that was just made, kept on disk from its first moment."""
-    folder = unsaved_folder()
-    folder.mkdir(parents=True, exist_ok=True)
-    path = _free_name(folder, recording.path.stem or "session")
+def keep_run(recording: Recording, run: Run, path: Path | None = None) -> Session:
+    """A session of a run that was just made, kept on disk from its first moment.
+
+    Without a path it stands among the program's own files until the user gives it a place.
+
+    Raises:
+        OutputError, OSError: it cannot be written; nothing is left of it then.
+    """
+    if path is None:
+        folder = unsaved_folder()
+        folder.mkdir(parents=True, exist_ok=True)
+        path = _free_name(folder, recording.path.stem or "session")
     session = Session.create(recording, [run], path)
     remember_place(session, recording)
     return session

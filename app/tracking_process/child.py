@@ -16,7 +16,7 @@ import time
 import traceback
 from typing import IO
 
-from app.tracking_process.messages import Kind, packed_error, packed_steps, send
+from app.tracking_process.messages import Kind, packed_error, packed_notes, packed_steps, send
 from app.tracking_process.request import TrackingRequest
 from tracking.trackers import StepResult
 
@@ -71,6 +71,8 @@ def _track(request: TrackingRequest, answers: IO[bytes], stop: threading.Event) 
                 send(answers, Kind.STEPS, packed_steps(batch))
                 batch, sent_s = [], time.monotonic()
         send(answers, Kind.STEPS, packed_steps(batch))
+        if tracking.notes:
+            send(answers, Kind.NOTES, packed_notes(tracking.notes))
 
 
 if __name__ == "__main__":

@@ -38,6 +38,7 @@ class Kind(Enum):
     STEPS = 1
     ERROR = 2
     DONE = 3
+    NOTES = 4
 
 
 class TrackerBug(Exception):  # noqa: N818 - a report of what went wrong in the child
@@ -81,6 +82,16 @@ def unpacked_steps(payload: bytes) -> tuple[StepResult, ...]:
             tables.append(columns)
         steps.append(StepResult(frame, *tables))
     return tuple(steps)
+
+
+def packed_notes(notes: Sequence[str]) -> bytes:
+    """What the user should be told of the tracking, as bytes."""
+    return json.dumps(list(notes)).encode()
+
+
+def unpacked_notes(payload: bytes) -> tuple[str, ...]:
+    """What `packed_notes` packed."""
+    return tuple(json.loads(payload))
 
 
 def packed_error(error: Exception, trace: str) -> bytes:

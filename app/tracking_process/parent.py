@@ -10,7 +10,13 @@ import threading
 from collections.abc import Iterator
 from pathlib import Path
 
-from app.tracking_process.messages import Kind, receive, unpacked_error, unpacked_steps
+from app.tracking_process.messages import (
+    Kind,
+    receive,
+    unpacked_error,
+    unpacked_notes,
+    unpacked_steps,
+)
 from app.tracking_process.request import TrackingRequest
 from tracking.errors import TrackwrightError
 from tracking.trackers import StepResult
@@ -23,9 +29,13 @@ class TrackerProcess:
 
     `batches` belongs to one thread and waits; `stop` and `kill` may be called from any other one
     and never wait. The child ends with this process, also where that is killed.
+
+    Attributes:
+        notes: what the user should be told of the tracking, a line each; known at its end.
     """
 
     def __init__(self, request: TrackingRequest) -> None:
+        self.notes: tuple[str, ...] = ()
         self._request = request
         self._lock = threading.Lock()
         self._child: subprocess.Popen[bytes] | None = None
@@ -55,6 +65,8 @@ class TrackerProcess:
                     yield unpacked_steps(payload)
                 elif kind is Kind.ERROR:
                     raise unpacked_error(payload)
+                elif kind is Kind.NOTES:
+                    self.notes = unpacked_notes(payload)
                 else:
                     return
             self._check_death(child)

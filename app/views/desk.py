@@ -18,7 +18,7 @@ from app.views.overlaying import Overlaying
 from app.views.playback import Playback
 from app.views.workspace import Workspace
 from tracking.session import Session
-from tracking.trackers import StepResult
+from tracking.trackers import Resume, StepResult
 from tracking.tracks import Run
 
 
@@ -27,7 +27,7 @@ class Desk(QObject):
 
     Signals: `changed()`, commands may be enabled or disabled by now; `progressed()`, the tracker
     at work is further; `failed(error)`; `said(text)`; `tracked(run)`, it came to its end with a
-    `Run`.
+    `Run`; `noted(lines)`, what the user should be told of it.
     """
 
     changed = Signal()
@@ -35,6 +35,7 @@ class Desk(QObject):
     failed = Signal(object)
     said = Signal(str)
     tracked = Signal(object)
+    noted = Signal(object)
 
     def __init__(self, document: Document, workspace: Workspace, parent: QObject) -> None:
         super().__init__(parent)
@@ -153,10 +154,14 @@ class Desk(QObject):
         settings: Any = None,
         seed: int = 0,
         frames: tuple[int, int] | None = None,
+        resume: Resume | None = None,
     ) -> None:
-        """Put a tracker to work on some frames; what it finds is shown as it comes."""
-        self.document.begin_live()
-        self.live.start(tracker, settings, seed, frames)
+        """Put a tracker to work on some frames; what it finds is shown as it comes.
+
+        With `resume` it goes on from the corrected tracks, which stay shown before its frames.
+        """
+        self.document.begin_live(resume.frame if resume is not None else None)
+        self.live.start(tracker, settings, seed, frames, resume)
         if frames is not None and not frames[0] <= self.playback.clock.frame < frames[1]:
             self.playback.go(frames[0])
         self.draw()
@@ -205,6 +210,8 @@ class Desk(QObject):
     def _end_live(self, run: object) -> None:
         self.tracked.emit(run)
         self.draw()
+        if self.live.notes:
+            self.noted.emit(self.live.notes)
 
     def _fail_live(self, error: Exception) -> None:
         """Nothing is kept of it, so nothing of it stays in view; play begins anew."""

@@ -17,6 +17,7 @@ from app.presenters.opening import Opened, Report
 from app.presenters.scenes import WelcomeScene
 from app.presenters.words import tr
 from app.views.desk import Desk
+from app.views.keeping import Keeping
 from app.views.leaving import Leaving, Then
 from app.views.questions import choose_file, choose_new_file
 from app.views.remembered import Remembered
@@ -28,7 +29,6 @@ from tracking.errors import SessionError, TrackwrightError
 from tracking.formats import write_mot
 from tracking.recording import OpenOptions, Recording
 from tracking.session import RecordingMissing, Session, generations
-from tracking.tracks import Run
 
 if TYPE_CHECKING:
     from app.views.main_window import MainWindow
@@ -59,9 +59,9 @@ class Files(QObject):
         self._whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
         self._leaving = Leaving(self, window)
-        self._waiting: Run | None = None
         self.desk: Desk | None = None
-        work.changed.connect(self._keep_waiting)
+        self.keeping = Keeping(window, work, self)
+        self.keeping.changed.connect(self.changed)
 
     # opening
 
@@ -158,7 +158,8 @@ class Files(QObject):
         desk.progressed.connect(self.progressed)
         desk.failed.connect(self.failed)
         desk.said.connect(self.said)
-        desk.tracked.connect(self._keep)
+        desk.tracked.connect(self.keeping.keep)
+        desk.noted.connect(lambda notes: self._window.notice.say("\n".join(notes)))
         if not opening.is_unsaved_place(path):
             self._remembered.add_recent(path.resolve())
         self._window.show_workspace()
@@ -190,6 +191,9 @@ class Files(QObject):
         desk = self.desk
         if desk is None:
             return
+        if self.keeping.holds:
+            self.keeping.offer()
+            return
         warning = ""
         if self.session is not None and len(self.session.history):
             warning = tr(
@@ -203,27 +207,6 @@ class Files(QObject):
         if self.desk is not None:
             self.desk.track(*dialog.answer())
 
-    def _keep(self, run: Run | None) -> None:
-        """Keep what was tracked: in the session, or as a new one that is on disk at once."""
-        desk = self.desk
-        if desk is None or run is None:
-            return
-        if desk.document.session is not None:
-            desk.add_run(run)
-            return
-        if self._work.busy:
-            self._waiting = run
-            return
-        recording = desk.document.recording
-        work = lambda _: opening.keep_run(recording, run)  # noqa: E731 - said once, right here
-        self._work.run(tr("Keeping the result"), work, desk.take_session, cancellable=False)
-
-    def _keep_waiting(self) -> None:
-        """Keep what a tracker found while other work was going on, once that is done."""
-        if not self._work.busy:
-            run, self._waiting = self._waiting, None
-            self._keep(run)
-
     # saving
 
     @property
@@ -234,7 +217,7 @@ class Files(QObject):
     @property
     def unsaved(self) -> bool:
         """Whether something would be lost from view without saving."""
-        if self.tracker_found_some or self._waiting is not None:
+        if self.tracker_found_some or self.keeping.holds:
             return True
         session = self.session
         return session is not None and (session.dirty or opening.is_unsaved_place(session.path))
@@ -249,8 +232,8 @@ class Files(QObject):
         self._window.workspace.take_typed()
         session = self.session
         if session is None:
-            return
-        if opening.is_unsaved_place(session.path):
+            self.keeping.try_again(then)
+        elif opening.is_unsaved_place(session.path):
             self.save_as(then)
         elif session.path is not None:
             self.save_to(session.path, then)
@@ -266,7 +249,10 @@ class Files(QObject):
     def save_to(self, path: Path, then: Then | None = None) -> None:
         """Save at a place in the background."""
         session = self.session
-        if session is None or self._work.refuses():
+        if self._work.refuses():
+            return
+        if session is None:
+            self.keeping.try_again(then, path)
             return
 
         def saved(_: object) -> None:
@@ -342,7 +328,8 @@ class Files(QObject):
     def close(self) -> None:
         """Let the open document go; its threads have ended when this returns."""
         if self.desk is not None:
-            desk, self.desk, self._waiting = self.desk, None, None
+            desk, self.desk = self.desk, None
+            self.keeping.drop()
             if desk.document.recording.is_stereo:  # one camera leaves nothing to choose
                 self._remembered.set_text("eyes", desk.eyes)
             self._whereabouts.end()

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from app.background import LiveTracker
 from app.presenters.words import tr
 from tracking.recording import Recording
-from tracking.trackers import StepResult
+from tracking.trackers import Resume, StepResult
 
 _SPEED_OVER_S = 2.0
 
@@ -20,6 +20,10 @@ class LiveTracking(QObject):
 
     Signals: `tracked(results)`, a tuple of `StepResult` in order; `finished(run)`, the run over
     what was tracked, None where that is nothing; `failed(error)`.
+
+    Attributes:
+        tracker: at work, or that was last. done: one past the last frame it has been through.
+        notes: what the user should be told of what was tracked last, a line each.
     """
 
     tracked = Signal(object)
@@ -30,6 +34,7 @@ class LiveTracking(QObject):
         super().__init__(parent)
         self.tracker = ""
         self.done = 0
+        self.notes: tuple[str, ...] = ()
         self._recording = recording
         self._frames = (0, recording.frame_count)
         self._worker: LiveTracker | None = None
@@ -46,12 +51,17 @@ class LiveTracking(QObject):
         settings: Any = None,
         seed: int = 0,
         frames: tuple[int, int] | None = None,
+        resume: Resume | None = None,
     ) -> None:
-        """Put a tracker to work on a half-open range of frames; None: on all of them."""
+        """Put a tracker to work on a half-open range of frames; None: on all of them.
+
+        With `resume` it goes on from corrected tracks; the range begins where they end then.
+        """
         self.close()
-        self._frames = frames or (0, self._recording.frame_count)
-        self.tracker, self.done, self._recent = tracker, 0, []
-        worker = LiveTracker(self._recording, tracker, settings, seed, self, frames)
+        first = resume.frame if resume is not None else 0
+        self._frames = frames or (first, self._recording.frame_count)
+        self.tracker, self.done, self.notes, self._recent = tracker, 0, (), []
+        worker = LiveTracker(self._recording, tracker, settings, seed, self, frames, resume)
         worker.tracked.connect(self._take)
         worker.finished.connect(self._finish)
         worker.failed.connect(self._fail)
@@ -114,6 +124,8 @@ class LiveTracking(QObject):
             self.tracked.emit(results)
 
     def _finish(self, run: object) -> None:
+        if self._worker is not None:
+            self.notes = self._worker.notes
         self._drop()
         self.finished.emit(run)
 
