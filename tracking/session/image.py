@@ -1,12 +1,9 @@
-"""A session as the bytes of an HDF5 file, built in memory: nothing on disk can break it."""
+"""What a session file says, written into a new one."""
 
 from __future__ import annotations
 
-import io
 import json
-import zlib
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing import Entry
+from tracking.session.image_file import ImageFile
 from tracking.session.layout import (
     CHUNK_ROWS,
     EDIT_COLUMNS,
@@ -28,8 +26,8 @@ from tracking.session.layout import (
     TRACK_LABEL_COLUMNS,
     TRAJECTORY_TYPE,
     VERSION,
-    Types,
 )
+from tracking.session.packing import Packer
 from tracking.session.reference import RecordingReference
 from tracking.session.runs import StoredRun
 from tracking.tracks import (
@@ -37,13 +35,11 @@ from tracking.tracks import (
     PARTICLE_COLUMNS,
     Columns,
     Labels,
+    ParticleColumn,
     Run,
     TrackTable,
     empty,
 )
-
-_COMPRESSION = 1
-"""gzip's quickest level: with bytes shuffled, higher ones gain a few percent at twice the time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,27 +82,31 @@ class Snapshot:
     newer: bool = False
 
 
-def build_image(snapshot: Snapshot) -> memoryview:
-    """The bytes of the session file. The same snapshot gives the same arrays, byte for byte."""
-    image = io.BytesIO()
+def write_image(snapshot: Snapshot, image: ImageFile) -> None:
+    """Write the session file. The same snapshot gives the same arrays, byte for byte.
+
+    Raises OSError where the disk refuses.
+    """
+    packer = Packer(image)
     with h5py.File(image, "w") as file:
         _write_stamps(file, snapshot.stamps)
-        _write_recording(file.create_group("recording"), snapshot.recording)
+        _write_recording(packer, file.create_group("recording"), snapshot.recording)
         runs = file.create_group("runs")
         for number, run in enumerate(snapshot.runs):
             if isinstance(run, StoredRun):
-                run.copy_into(runs, str(number))
+                run.copy_into(image, runs.create_group(str(number)))
             else:
-                _write_run(runs.create_group(str(number)), run)
-        columns = snapshot.tracks.columns()
-        tracks = _write_table(file, "tracks", CORRECTED_COLUMNS, columns)
+                _write_run(packer, runs.create_group(str(number)), run)
+        columns = snapshot.tracks.in_order()
+        tracks = packer.table(file, "tracks", CORRECTED_COLUMNS, columns)
         tracks.attrs["highest_track"] = snapshot.tracks.highest_track
         tracks.attrs["run"] = -1 if snapshot.adopted is None else snapshot.adopted
-        _write_labels(file, snapshot.labels)
-        _write_table(file, "edits", EDIT_COLUMNS, _edit_columns(snapshot.edits))
+        _write_labels(packer, file, snapshot.labels)
+        packer.table(file, "edits", EDIT_COLUMNS, _edit_columns(snapshot.edits))
         file.create_group("samples")
-        _write_trajectory(file, columns, snapshot.recording.fps)
-    return image.getbuffer()
+        rows = Trajectory(columns)
+        trajectory = packer.column(file, "trajectory", rows, TRAJECTORY_TYPE)
+        trajectory.attrs["fps"] = snapshot.recording.fps
 
 
 def _write_stamps(file: h5py.File, stamps: Stamps) -> None:
@@ -117,7 +117,7 @@ def _write_stamps(file: h5py.File, stamps: Stamps) -> None:
     file.attrs["included_steps"] = stamps.included
 
 
-def _write_recording(group: h5py.Group, recording: RecordingReference) -> None:
+def _write_recording(packer: Packer, group: h5py.Group, recording: RecordingReference) -> None:
     group.attrs["name"] = recording.name
     group.attrs["path"] = recording.path
     group.attrs["fps"] = recording.fps
@@ -130,10 +130,10 @@ def _write_recording(group: h5py.Group, recording: RecordingReference) -> None:
     sources = {
         name: [getattr(source, name) for source in recording.sources] for name in SOURCE_COLUMNS
     }
-    _write_table(group, "sources", SOURCE_COLUMNS, sources)
+    packer.table(group, "sources", SOURCE_COLUMNS, sources)
 
 
-def _write_run(group: h5py.Group, run: Run) -> None:
+def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
     group.attrs["tracker"] = run.tracker
     group.attrs["settings"] = json.dumps(dict(run.settings), sort_keys=True)
     group.attrs["seed"] = run.seed
@@ -150,10 +150,9 @@ def _write_run(group: h5py.Group, run: Run) -> None:
     }
     for name, columns in tables.items():
         types = RUN_TABLES[name]
-        _write_table(group, name, types, _by_frame_and_track(columns or empty(types)))
-    whole = {name: np.asarray(run.particles.columns[name]) for name in PARTICLE_COLUMNS}
-    particles = _write_table(group, "particles", PARTICLE_COLUMNS, whole)
-    _write_column(particles, "start", np.asarray(run.particles.start, np.int64))
+        packer.table(group, name, types, _by_frame_and_track(columns or empty(types)))
+    particles = packer.table(group, "particles", PARTICLE_COLUMNS, run.particles.columns)
+    packer.column(particles, "start", run.particles.start, np.dtype(np.int64))
 
 
 def _by_frame_and_track(columns: Columns) -> Columns:
@@ -166,7 +165,7 @@ def _by_frame_and_track(columns: Columns) -> Columns:
     return {name: column[order] for name, column in columns.items()}
 
 
-def _write_labels(file: h5py.File, labels: Labels) -> None:
+def _write_labels(packer: Packer, file: h5py.File, labels: Labels) -> None:
     tracks = labels.tracks
     columns = {
         "track": np.array(list(tracks), np.int64),
@@ -174,18 +173,18 @@ def _write_labels(file: h5py.File, labels: Labels) -> None:
         "attributes": [json.dumps(dict(label.attributes)) for label in tracks.values()],
         "notes": [label.notes for label in tracks.values()],
     }
-    group = _write_table(file, "labels", TRACK_LABEL_COLUMNS, columns)
-    _write_table(group, "parts", PART_LABEL_COLUMNS, empty(PART_LABEL_COLUMNS))
+    group = packer.table(file, "labels", TRACK_LABEL_COLUMNS, columns)
+    packer.table(group, "parts", PART_LABEL_COLUMNS, empty(PART_LABEL_COLUMNS))
     occluders = {
         "name": [item.name for item in labels.occluders],
         "polygon": [json.dumps(item.polygon) for item in labels.occluders],
     }
-    _write_table(group, "occluders", OCCLUDER_COLUMNS, occluders)
+    packer.table(group, "occluders", OCCLUDER_COLUMNS, occluders)
     reviewed = {
         name: np.array([getattr(seen, name) for seen in labels.reviewed], np.int64)
         for name in REVIEWED_COLUMNS
     }
-    _write_table(group, "reviewed", REVIEWED_COLUMNS, reviewed)
+    packer.table(group, "reviewed", REVIEWED_COLUMNS, reviewed)
 
 
 def _edit_columns(edits: Sequence[Entry]) -> dict[str, Any]:
@@ -197,69 +196,32 @@ def _edit_columns(edits: Sequence[Entry]) -> dict[str, Any]:
     }
 
 
-def _write_trajectory(file: h5py.File, columns: Columns, fps: float) -> None:
-    """The layout of the Pedestrian Dynamics Data Archive; z is the floor's height, 0."""
-    known = np.isfinite(columns["x"]) & np.isfinite(columns["y"])
-    rows = np.zeros(int(np.count_nonzero(known)), TRAJECTORY_TYPE)
-    for name, column in (("id", "track"), ("frame", "frame"), ("x", "x"), ("y", "y")):
-        rows[name] = columns[column][known]
-    _write_column(file, "trajectory", rows)
-    file["trajectory"].attrs["fps"] = fps
+class Trajectory:
+    """The corrected tracks as rows of the Pedestrian Dynamics Data Archive, read by slices.
 
-
-def _write_table(
-    parent: h5py.Group, name: str, types: Types, columns: Mapping[str, Any]
-) -> h5py.Group:
-    group = parent.create_group(name)
-    for column, dtype in types.items():
-        if dtype == TEXT:
-            _write_text(group, column, columns[column])
-        else:
-            _write_column(group, column, np.asarray(columns[column], dtype))
-    return group
-
-
-def _write_text(group: h5py.Group, name: str, texts: Sequence[str]) -> None:
-    dtype = h5py.string_dtype()
-    group.create_dataset(
-        name, data=np.array(texts, object) if texts else None, dtype=dtype, shape=(len(texts),)
-    )
-
-
-def _write_column(group: h5py.Group, name: str, values: NDArray[Any]) -> None:
-    """A column in pieces of `CHUNK_ROWS`, bytes shuffled, then packed by gzip.
-
-    Packed here, not by the HDF5 library: so it takes all cores, and reading other files does not
-    wait, as the library does one thing at a time.
+    Rows without a place on the floor are left out; z is the floor's height, 0.
     """
-    if not len(values):
-        group.create_dataset(name, data=values)
-        return
-    rows = min(CHUNK_ROWS, len(values))
-    dataset = group.create_dataset(
-        name,
-        shape=values.shape,
-        dtype=values.dtype,
-        chunks=(rows,),
-        compression="gzip",
-        compression_opts=_COMPRESSION,
-        shuffle=True,
-    )
-    if len(values) == rows:
-        dataset.id.write_direct_chunk((0,), _packed(values, rows))
-        return
-    starts = range(0, len(values), rows)
-    with ThreadPoolExecutor() as pool:
-        pieces = pool.map(lambda start: _packed(values[start : start + rows], rows), starts)
-        for start, piece in zip(starts, pieces, strict=True):
-            dataset.id.write_direct_chunk((start,), piece)
 
+    def __init__(self, columns: Mapping[str, ParticleColumn]) -> None:
+        """`CORRECTED_COLUMNS`, sorted by frame then track."""
+        self._columns = columns
+        known = [
+            np.isfinite(columns["x"][start : start + CHUNK_ROWS])
+            & np.isfinite(columns["y"][start : start + CHUNK_ROWS])
+            for start in range(0, len(columns["x"]), CHUNK_ROWS)
+        ]
+        self._rows = np.flatnonzero(np.concatenate(known)) if known else np.zeros(0, np.int64)
 
-def _packed(values: NDArray[Any], rows: int) -> bytes:
-    """What the library's shuffle and gzip filters make of a piece; the last one is filled up."""
-    padded = np.zeros(rows, values.dtype)
-    padded[: len(values)] = values
-    if padded.itemsize == 1:
-        return zlib.compress(padded.tobytes(), _COMPRESSION)
-    by_byte = padded.view(np.uint8).reshape(rows, padded.itemsize)
-    return zlib.compress(by_byte.T.tobytes(), _COMPRESSION)
+    def __len__(self) -> int:
+        """How many rows have a place."""
+        return len(self._rows)
+
+    def __getitem__(self, rows: slice) -> NDArray[Any]:
+        """A stretch of them."""
+        chosen = self._rows[rows]
+        made = np.zeros(len(chosen), TRAJECTORY_TYPE)
+        if len(chosen):
+            first, stop = int(chosen[0]), int(chosen[-1]) + 1
+            for name, column in (("id", "track"), ("frame", "frame"), ("x", "x"), ("y", "y")):
+                made[name] = self._columns[column][first:stop][chosen - first]
+        return made

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from concurrent.futures import Future
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
-from tracking.session.image import Snapshot, build_image
+from tracking.session.image import Snapshot, write_image
 from tracking.session.saving import replace_verified
 from tracking.session.store import Store
 
@@ -34,7 +35,7 @@ class PendingSave:
         Raises OutputError, with the old file whole, where that fails.
         """
         try:
-            replace_verified(self.path, build_image(self.snapshot))
+            replace_verified(self.path, partial(write_image, self.snapshot))
         except BaseException as why:
             self.written.set_exception(why)
             raise

@@ -14,7 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import EditError, SessionError
+from tracking.session.copying import copy_group
 from tracking.session.hdf5 import opened, read_columns, text_attribute
+from tracking.session.image_file import ImageFile
 from tracking.session.layout import CHUNK_ROWS, RUN_TABLES
 from tracking.tracks import (
     LARGEST_NUMBER,
@@ -67,10 +69,12 @@ class StoredRun:
                 known_tracks=_known_tracks(group),
             )
 
-    def copy_into(self, parent: h5py.Group, name: str) -> None:
-        """Copy the run as it is, compressed bytes and all, into another file."""
-        with opened(self.path) as file:
-            file.copy(f"runs/{self.number}", parent, name)
+    def copy_into(self, image: ImageFile, target: h5py.Group) -> None:
+        """Copy the run as it is, packed bytes and all, into a group of another file.
+
+        Raises SessionError where this file is damaged, OSError where the other's disk refuses.
+        """
+        copy_group(self.path, f"runs/{self.number}", image, target)
 
     def _particles(self, group: h5py.Group) -> Particles:
         start = group["start"][()]

@@ -10,13 +10,13 @@ import shutil
 import sys
 import time
 import uuid
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from tracking.errors import OutputError
+from tracking.session.image_file import ImageFile
 
 GENERATIONS = 5
-_PIECE = 8 << 20
 _TRIES, _PAUSE_S = 20, 0.1
 
 
@@ -45,8 +45,8 @@ def generations(path: Path) -> tuple[Path, ...]:
     return tuple(file for file in kept if file.is_file())
 
 
-def replace_verified(path: Path, image: memoryview) -> None:
-    """Put the image in the session's place; the file that was there becomes a generation.
+def replace_verified(path: Path, write: Callable[[ImageFile], None]) -> None:
+    """Put what `write` writes in the session's place; the file that was there becomes a generation.
 
     At every moment a whole file stands under the name: the old one until the new one is on the
     disk and read back equal. Raises OutputError, with the old file untouched.
@@ -55,8 +55,10 @@ def replace_verified(path: Path, image: memoryview) -> None:
     beside = folder / f"saving-{uuid.uuid4().hex}.h5"
     with telling_where(path):
         try:
-            _write(beside, image)
-            _verify(beside, image)
+            with contextlib.closing(ImageFile(beside)) as image:
+                write(image)
+                image.finish()
+                image.verify()
             with contextlib.suppress(OSError):  # whoever could read the old one, and nobody else
                 shutil.copymode(path, beside)
             _keep_generation(path)
@@ -91,31 +93,6 @@ def telling_where(path: Path, failed: str = "the session was not saved") -> Iter
             errno.ENOENT: "its folder does not exist; choose another",
         }.get(why.errno or 0, f"{why.strerror or why}; try another place")
         raise OutputError(f"{path}: {failed}: {reason}") from why
-
-
-def _write(file: Path, image: memoryview) -> None:
-    handle = os.open(
-        file, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | getattr(os, "O_BINARY", 0), 0o644
-    )
-    try:
-        at = 0
-        while at < len(image):
-            at += os.write(handle, image[at : at + _PIECE])
-        os.fsync(handle)
-    finally:
-        os.close(handle)
-
-
-def _verify(file: Path, image: memoryview) -> None:
-    """Read the file back: what the disk holds must be what was meant."""
-    at = 0
-    with file.open("rb", buffering=0) as written:
-        while piece := written.read(_PIECE):
-            if piece != image[at : at + len(piece)]:
-                raise OSError(errno.EIO, "what was written reads back otherwise; check the disk")
-            at += len(piece)
-    if at != len(image):
-        raise OSError(errno.EIO, "what was written reads back shorter; check the disk")
 
 
 def _replace(new: Path, path: Path) -> None:

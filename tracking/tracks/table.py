@@ -8,7 +8,9 @@ came from and with snapshots. Rows that are added stand behind the others, in th
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from tracking.errors import EditError
 from tracking.tracks.columns import CORRECTED_COLUMNS, Columns, Source, empty
 from tracking.tracks.rewriting import Rewriting
+from tracking.tracks.run import ParticleColumn
 from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, checked_columns
 
 Slots = NDArray[np.int64]
@@ -152,6 +155,15 @@ class TrackTable:
             self._sorted = self._sort()
         return dict(self._sorted)
 
+    def in_order(self) -> Mapping[str, ParticleColumn]:
+        """The columns of `columns()`, to be read by slices: no sorted copy is kept of them."""
+        if self._sorted is not None:
+            return dict(self._sorted)
+        order = self._order()
+        return {
+            name: _ColumnInOrder(partial(self._column, name), order) for name in CORRECTED_COLUMNS
+        }
+
     def snapshot(self) -> TrackTable:
         """A table of its own with the rows of now; quick, the values are shared."""
         copy = TrackTable.__new__(TrackTable)
@@ -213,10 +225,14 @@ class TrackTable:
             self._hold(self._sort())
 
     def _sort(self) -> dict[str, NDArray[Any]]:
+        rows = self._rows(self._order())
+        return {name: _read_only(column) for name, column in rows.items()}
+
+    def _order(self) -> Slots:
+        """The slots of all rows, by frame then track."""
         frames = np.concatenate([self._base["frame"], self._tail["frame"]]).astype(np.int64)
         order = np.argsort((frames << 32) | self._track, kind="stable")
-        rows = self._rows(order[self._track[order] > 0])
-        return {name: _read_only(column) for name, column in rows.items()}
+        return order[self._track[order] > 0]
 
     # Slots
 
@@ -246,6 +262,20 @@ class TrackTable:
         values[~in_tail] = base[slots[~in_tail]]
         values[in_tail] = tail[slots[in_tail] - len(base)]
         return values
+
+
+@dataclass(frozen=True, slots=True)
+class _ColumnInOrder:
+    """A column whose rows are put in order as they are asked for."""
+
+    read: Callable[[Slots], NDArray[Any]]
+    order: Slots
+
+    def __len__(self) -> int:
+        return len(self.order)
+
+    def __getitem__(self, rows: slice) -> NDArray[Any]:
+        return self.read(self.order[rows])
 
 
 def _by_track(
