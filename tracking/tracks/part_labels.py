@@ -100,6 +100,21 @@ class PartLabels(Mapping[PartKey, PartLabel]):
             if (track, part) in block[frame]
         )
 
+    def unlike(self, other: PartLabels) -> tuple[list[PartLabel], list[PartLabel]]:
+        """The labels of the frames in which the two differ: here, and in the other.
+
+        Of two that share most of their labels only the rest is looked at.
+        """
+        here: list[PartLabel] = []
+        there: list[PartLabel] = []
+        for number in self._blocks.keys() | other._blocks.keys():
+            mine, theirs = self._blocks.get(number, {}), other._blocks.get(number, {})
+            for frame in mine.keys() | theirs.keys() if mine is not theirs else ():
+                if mine.get(frame) is not theirs.get(frame):
+                    here += mine.get(frame, {}).values()
+                    there += theirs.get(frame, {}).values()
+        return here, there
+
     def changed(self, out: Iterable[PartKey], labels: Iterable[PartLabel]) -> PartLabels:
         """These labels without some, and then with others."""
         changes: dict[int, dict[PartKey, PartLabel | None]] = {}

@@ -1,0 +1,136 @@
+"""What people drew and said, as the views show it: body parts, occluders, lines, regions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+import numpy as np
+
+from app.presenters.scenes import Colour, Points
+
+PART_COLOURS: tuple[Colour, ...] = ((230, 159, 0), (86, 180, 233), (204, 121, 167))
+"""Of head, torso and hip-leg: told apart also by the colour-blind."""
+OCCLUDER_COLOUR: Colour = (240, 228, 66)
+LINE_COLOUR: Colour = (213, 94, 0)
+REGION_COLOUR: Colour = (0, 158, 115)
+
+
+class Tool(Enum):
+    """What is being labelled; the value is the command that begins it."""
+
+    PARTS = "labels.parts"
+    OCCLUDERS = "labels.occluders"
+    LINES = "labels.lines"
+    REGIONS = "labels.regions"
+    REVIEWED = "labels.reviewed"
+
+    @property
+    def on_floor(self) -> bool:
+        """Whether it is drawn on the overhead view."""
+        return self in (Tool.LINES, Tool.REGIONS)
+
+
+@dataclass(frozen=True, slots=True)
+class PartMark:
+    """A body part's rectangle in a picture.
+
+    Attributes:
+        part: 0 head, 1 torso, 2 hip-leg.
+        box: left, top, width, height in pixels of that eye as recorded.
+        label: what is written at it, e.g. "head: on".
+        given: somebody said it; else it is a first guess, drawn dotted.
+        on_part: what was said; None: unsure.
+        chosen: the part that the keys speak of.
+    """
+
+    part: int
+    box: tuple[float, float, float, float]
+    label: str
+    given: bool
+    on_part: bool | None = None
+    chosen: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """A polygon or a line.
+
+    Attributes:
+        points: (n, 2) pixels or metres; a row of NaN breaks it where it is out of sight.
+        closed: a polygon, else a line.
+        arrow: (2, 2) from tail to tip, which way is forward over a line; (0, 2): none.
+        picked: drawn with emphasis and its corners.
+    """
+
+    name: str
+    points: Points
+    closed: bool
+    colour: Colour
+    arrow: Points = field(default_factory=lambda: np.zeros((0, 2)))
+    picked: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class PictureLabels:
+    """What was drawn and said, in one eye."""
+
+    parts: tuple[PartMark, ...] = ()
+    outlines: tuple[Outline, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class FloorLabels:
+    """What was drawn on the floor, in metres."""
+
+    outlines: tuple[Outline, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class PartLine:
+    """One part in the panel: its name, what was said of it in this frame, how often in all.
+
+    Attributes:
+        said: "on", "off", "unsure"; "" where nothing was said.
+        counts: how many labels say on, off and unsure.
+    """
+
+    name: str
+    said: str
+    chosen: bool
+    counts: tuple[int, int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class RangeLine:
+    """One reviewed range in the panel; track 0 stands for all."""
+
+    text: str
+    track: int
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class LabellingScene:
+    """The panel of the labelling that goes on.
+
+    Attributes:
+        tool: what is labelled. title: e.g. "Body parts of 4 red coat".
+        hint: what to do, in a line.
+        parts: head, torso, hip-leg; only of `Tool.PARTS`. step: frames to go on after the last.
+        names: what was drawn, of the tools that draw. picked: number of the one chosen, -1: none.
+        ranges: reviewed ranges. proposed: start and end (last frame) for a further one.
+        selected: the selected track in words; "" for nobody.
+    """
+
+    tool: Tool
+    title: str
+    hint: str
+    parts: tuple[PartLine, ...] = ()
+    step: int = 1
+    names: tuple[str, ...] = ()
+    picked: int = -1
+    ranges: tuple[RangeLine, ...] = ()
+    proposed: tuple[int, int] = (0, 0)
+    selected: str = ""
