@@ -8,8 +8,7 @@ came from and with snapshots. Rows that are added stand behind the others, in th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
 from functools import partial
 from typing import Any
 
@@ -18,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tracking.errors import EditError
 from tracking.tracks.columns import CORRECTED_COLUMNS, Columns, Source, empty
+from tracking.tracks.growing import ColumnInOrder, Growing
 from tracking.tracks.rewriting import Rewriting
 from tracking.tracks.run import ParticleColumn
 from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, checked_columns
@@ -62,6 +62,7 @@ class TrackTable:
         self._tail = {name: self._base[name][:0] for name in _VALUES}
         self._tail_order: Slots = np.zeros(0, np.int64)
         self._track = columns["track"].copy()
+        self._growing: dict[str, Growing] = {}
         self._sorted: dict[str, NDArray[Any]] | None = {
             name: _read_only(columns[name]) for name in CORRECTED_COLUMNS
         }
@@ -161,7 +162,7 @@ class TrackTable:
             return dict(self._sorted)
         order = self._order()
         return {
-            name: _ColumnInOrder(partial(self._column, name), order) for name in CORRECTED_COLUMNS
+            name: ColumnInOrder(partial(self._column, name), order) for name in CORRECTED_COLUMNS
         }
 
     def snapshot(self) -> TrackTable:
@@ -169,7 +170,7 @@ class TrackTable:
         copy = TrackTable.__new__(TrackTable)
         copy._revision, copy._highest_track = self._revision, self._highest_track
         copy._base, copy._tail, copy._tail_order = self._base, self._tail, self._tail_order
-        copy._track = self._track.copy()
+        copy._track, copy._growing = self._track.copy(), {}
         copy._sorted = self._sorted
         copy._slots = None if self._slots is None else dict(self._slots)
         return copy
@@ -211,13 +212,21 @@ class TrackTable:
         self._shorten_tail()
 
     def _append(self, rows: dict[str, NDArray[Any]]) -> None:
-        if not len(rows["frame"]):
+        added = len(rows["frame"])
+        if not added:
             return
+        before = len(self._tail["frame"])
+        frames = self._tail["frame"][self._tail_order]
+        order = np.argsort(rows["frame"], kind="stable")
+        places = np.searchsorted(frames, rows["frame"][order], side="right")
+        self._tail_order = np.insert(self._tail_order, places, before + order)
+        if not self._growing:
+            held = {**self._tail, "track": self._track}
+            self._growing = {name: Growing(array) for name, array in held.items()}
         self._tail = {
-            name: _read_only(np.concatenate([self._tail[name], rows[name]])) for name in _VALUES
+            name: _read_only(self._growing[name].with_more(rows[name])) for name in _VALUES
         }
-        self._tail_order = np.argsort(self._tail["frame"], kind="stable")
-        self._track = np.concatenate([self._track, np.zeros(len(rows["frame"]), np.int32)])
+        self._track = self._growing["track"].with_more(np.zeros(added, np.int32))
 
     def _shorten_tail(self) -> None:
         """Sort everything anew once the tail has grown long; seldom enough to cost nothing."""
@@ -262,20 +271,6 @@ class TrackTable:
         values[~in_tail] = base[slots[~in_tail]]
         values[in_tail] = tail[slots[in_tail] - len(base)]
         return values
-
-
-@dataclass(frozen=True, slots=True)
-class _ColumnInOrder:
-    """A column whose rows are put in order as they are asked for."""
-
-    read: Callable[[Slots], NDArray[Any]]
-    order: Slots
-
-    def __len__(self) -> int:
-        return len(self.order)
-
-    def __getitem__(self, rows: slice) -> NDArray[Any]:
-        return self.read(self.order[rows])
 
 
 def _by_track(
