@@ -1,7 +1,9 @@
 """Edits: pure planners, one reversible Change, one function that applies it, the log."""
 
+from tracking.editing.alone import plan_undo_alone
 from tracking.editing.change import Change, LabelState, State, apply_change
 from tracking.editing.crossing import propose_swap_frame
+from tracking.editing.differences import Difference, compare_runs, differences
 from tracking.editing.dragging import plan_drag
 from tracking.editing.drawing import plan_lines, plan_occluders, plan_regions
 from tracking.editing.gaps import Gap, gaps_of, plan_fill_gap, plan_fill_gaps
@@ -17,6 +19,7 @@ from tracking.editing.keyframes import (
 from tracking.editing.labelling import plan_rename, plan_set_attribute, plan_set_notes
 from tracking.editing.merging import Keep, plan_merge, plan_merge_tracks
 from tracking.editing.part_labelling import plan_label_part, plan_unlabel_part, with_parts_carried
+from tracking.editing.protection import Protection, protected_stretches
 from tracking.editing.reviewing import (
     plan_forget_verdict,
     plan_mark_reviewed,
@@ -32,22 +35,31 @@ from tracking.editing.rows import (
     plan_new_track,
 )
 from tracking.editing.standing import Box, body_position, standing_box
+from tracking.editing.taking import plan_take
 from tracking.editing.text import state_as_text, state_from_text
 from tracking.editing.thinning import plan_thin
+from tracking.editing.touch_index import TOUCHED_COLUMNS, TouchIndex
+from tracking.editing.touched import touched
 from tracking.editing.visibility import plan_mark_occluded
 
 __all__ = [
+    "TOUCHED_COLUMNS",
     "Box",
     "Change",
+    "Difference",
     "Entry",
     "Gap",
     "History",
     "How",
     "Keep",
     "LabelState",
+    "Protection",
     "State",
+    "TouchIndex",
     "apply_change",
     "body_position",
+    "compare_runs",
+    "differences",
     "gaps_of",
     "keyframes_of",
     "plan_add_keyframe",
@@ -76,14 +88,18 @@ __all__ = [
     "plan_set_notes",
     "plan_split",
     "plan_swap",
+    "plan_take",
     "plan_thin",
+    "plan_undo_alone",
     "plan_unlabel_part",
     "plan_unmark_reviewed",
     "plan_verdict",
     "propose_swap_frame",
+    "protected_stretches",
     "standing_box",
     "state_as_text",
     "state_from_text",
+    "touched",
     "with_parts_carried",
     "with_verdict",
 ]

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
+import numpy as np
+from numpy.typing import NDArray
+
 from tracking.editing.change import Change
 from tracking.editing.text import state_as_text, state_from_text
+from tracking.editing.touch_index import TouchIndex
+from tracking.editing.touched import touched
 from tracking.errors import EditError
 
 
@@ -22,6 +28,7 @@ class Entry:
         before, after: the two sides of the change as text (see `state_as_text`).
         undone: whether it is taken back.
         abandoned: taken back, and then something else was done: it cannot be redone.
+        undoes: the older edit that this one takes back alone; 0: none, it is an edit of its own.
     """
 
     id: int
@@ -34,6 +41,7 @@ class Entry:
     after: str
     undone: bool = False
     abandoned: bool = False
+    undoes: int = 0
 
     @property
     def change(self) -> Change:
@@ -48,11 +56,17 @@ class Entry:
 class History:
     """Entries in order. It keeps books only; whoever applies a change tells it."""
 
-    def __init__(self, entries: Iterable[Entry] = ()) -> None:
-        """Take up a log as it was saved."""
+    def __init__(self, entries: Iterable[Entry] = (), touches: TouchIndex | None = None) -> None:
+        """Take up a log as it was saved, with what its edits touch where that is known.
+
+        Raises EditError for a log that cannot be.
+        """
         self._entries = list(entries)
+        self._touches = TouchIndex() if touches is None else touches
         if [entry.id for entry in self._entries] != list(range(1, len(self._entries) + 1)):
             raise EditError("the log of edits is not numbered from 1 on without gaps")
+        if any(not 0 <= entry.undoes < entry.id for entry in self._entries):
+            raise EditError("the log of edits has an edit that undoes a later one")
         self._done = [at for at, entry in enumerate(self._entries) if not entry.undone]
         self._undone = [
             at
@@ -61,6 +75,10 @@ class History:
         ]
         if self._done and self._undone and self._undone[-1] < self._done[-1]:
             raise EditError("the log of edits has an undone edit before one that is in force")
+        self._takers: dict[int, int] = {}
+        for entry in reversed(self._entries):
+            if entry.undoes and not entry.undone and entry.id not in self._takers:
+                self._takers[entry.undoes] = entry.id
 
     def __len__(self) -> int:
         """The number of entries, undone ones too."""
@@ -75,6 +93,12 @@ class History:
         """All entries, oldest first."""
         return tuple(self._entries)
 
+    def entry(self, number: int) -> Entry:
+        """The entry with that id. Raises EditError where there is none."""
+        if not 1 <= number <= len(self._entries):
+            raise EditError(f"there is no edit {number}; the log has {len(self._entries)}")
+        return self._entries[number - 1]
+
     @property
     def next_undo(self) -> Entry | None:
         """The edit undo takes back next."""
@@ -85,14 +109,75 @@ class History:
         """The edit redo makes again next."""
         return self._entries[self._undone[-1]] if self._undone else None
 
-    def draft(self, change: Change, time: str, author: str) -> Entry:
+    @property
+    def touches(self) -> dict[str, NDArray[np.int64]]:
+        """What the edits touch, as far as that was worked out: see `TouchIndex.columns`."""
+        return self._touches.columns
+
+    # An old edit alone
+
+    def taken_back_by(self, number: int) -> int:
+        """The later edit in force that takes this one back alone; 0: none does."""
+        return self._takers.get(number, 0)
+
+    def why_not_alone(self, number: int) -> str:
+        """Why an edit cannot be undone alone, in one line; "" where it can.
+
+        It can where no later edit in force touches what it touched: rows of the same tracks in the
+        same frames, the same label. Raises EditError where there is no such edit.
+        """
+        entry = self.entry(number)
+        if entry.undone:
+            return f"edit {number} is undone already"
+        if taker := self.taken_back_by(number):
+            return f"edit {number} is taken back already, by edit {taker}"
+        try:
+            standing = self._standing_on(number)
+        except EditError as why:  # a damaged line of the log
+            return str(why)
+        if not standing:
+            return ""
+        last = self._entries[standing[-1] - 1]
+        others = len(standing) - 1
+        first = "undo that first" if not others else f"undo that first, then {others} more"
+        return f"edit {last.id} ({last.text}) stands on it: {first}"
+
+    def _standing_on(self, number: int) -> list[int]:
+        """The later edits that touch what an edit touched, ascending.
+
+        An edit and the later one that takes it back are together nothing, unless only one of them
+        is later.
+        """
+        if self._touches.edits < len(self._entries):
+            self._look_up([at + 1 for at in self._done[bisect_left(self._done, number) :]])
+        own = touched(self.entry(number).change)
+        return [
+            edit
+            for edit in self._touches.later(number, own)
+            if not self._entries[edit - 1].undone
+            and edit not in self._takers
+            and not self._entries[edit - 1].undoes > number
+        ]
+
+    def _look_up(self, edits: Iterable[int]) -> None:
+        """Work out what edits touch whose lines came from a file that does not say so."""
+        for edit in edits:
+            if edit not in self._touches:
+                self._touches.add(edit, touched(self._entries[edit - 1].change))
+
+    # Keeping books
+
+    def draft(self, change: Change, time: str, author: str, undoes: int = 0) -> Entry:
         """The entry a change will have once it is added."""
         before, after = state_as_text(change.before), state_as_text(change.after)
-        number = len(self._entries) + 1
-        return Entry(number, time, author, change.kind, change.text, change.frame, before, after)
+        number, what = len(self._entries) + 1, (change.kind, change.text, change.frame)
+        return Entry(number, time, author, *what, before, after, undoes=undoes)
 
-    def add(self, entry: Entry) -> None:
-        """Log a change that was made; what was undone before cannot be redone any more."""
+    def add(self, entry: Entry, change: Change | None = None) -> None:
+        """Log a change that was made; what was undone before cannot be redone any more.
+
+        change: the entry's, where it is at hand.
+        """
         if entry.id != len(self._entries) + 1 or entry.undone:
             raise EditError(f"edit {entry.id} is not the next of the log")
         for at in self._undone:
@@ -100,6 +185,8 @@ class History:
         self._undone.clear()
         self._done.append(len(self._entries))
         self._entries.append(entry)
+        self._touches.add(entry.id, touched(entry.change if change is None else change))
+        self._take_back(entry, in_force=True)
 
     def mark_undone(self) -> Entry:
         """Log that the last edit in force was taken back."""
@@ -108,6 +195,7 @@ class History:
         at = self._done.pop()
         self._undone.append(at)
         self._entries[at] = replace(self._entries[at], undone=True)
+        self._take_back(self._entries[at], in_force=False)
         return self._entries[at]
 
     def mark_redone(self) -> Entry:
@@ -117,4 +205,14 @@ class History:
         at = self._undone.pop()
         self._done.append(at)
         self._entries[at] = replace(self._entries[at], undone=False)
+        self._take_back(self._entries[at], in_force=True)
         return self._entries[at]
+
+    def _take_back(self, entry: Entry, *, in_force: bool) -> None:
+        """Note what an edit that undoes another one alone means for that one, and so on."""
+        while entry.undoes:
+            if in_force:
+                self._takers[entry.undoes] = entry.id
+            else:
+                self._takers.pop(entry.undoes, None)
+            entry, in_force = self._entries[entry.undoes - 1], not in_force

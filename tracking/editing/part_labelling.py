@@ -53,8 +53,8 @@ def plan_unlabel_part(labels: Labels, *keys: PartKey) -> Change:
 def with_parts_carried(change: Change, labels: Labels) -> Change:
     """The change with part labels going along where rows go from track to track.
 
-    A label is about the person in the picture, as a row is. A label that stands where another one
-    arrives belonged to nobody's row any more, or to a row that leaves: it is taken away.
+    A label is about the person in the picture, as a row is. What was said of a track in the frames
+    where rows arrive was about a row that leaves or is gone: it is taken away.
     """
     if not (len(labels.parts) and len(change.before.stretches)):
         return change
@@ -66,9 +66,7 @@ def with_parts_carried(change: Change, labels: Labels) -> Change:
             leaving[label.key] = label
             moved = replace(label, track=to)
             coming[moved.key] = moved
-    for key in coming:
-        if key in labels.parts:
-            leaving[key] = labels.parts[key]
+        leaving.update((label.key, label) for label in labels.parts.of_track(to, start, end))
     if not leaving:
         return change
     before, after = change.before.labels, change.after.labels

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tracking.editing import Change, Entry, History
+from tracking.editing import Change, Entry, History, plan_undo_alone, with_parts_carried
 from tracking.errors import OutputError, SessionError
 from tracking.session.edited import Edited
 from tracking.session.finding import find_recording
@@ -189,6 +189,7 @@ class Session:
         Raises EditError where it does not apply, OutputError where it cannot be put on disk
         (nothing is changed then), SessionError for a session open for reading only.
         """
+        change = with_parts_carried(change, self.labels)
         entry = self.history.draft(change, now(), self._author)
         return self._do("apply", entry, change)
 
@@ -201,6 +202,15 @@ class Session:
         """Make the edit taken back last again. Raises EditError where there is none."""
         entry = self._edited.next("redo")
         return self._do("redo", entry, entry.change)
+
+    def undo_alone(self, number: int) -> Entry:
+        """Take one older edit back and leave what was done after it; an edit of its own.
+
+        Raises EditError that names the later edit which stands on it, and as `apply`.
+        """
+        change = plan_undo_alone(self.history, self.labels, number)
+        entry = self.history.draft(change, now(), self._author, undoes=number)
+        return self._do("apply", entry, change)
 
     def add_run(self, run: Run, *, adopt: bool = True) -> int:
         """Add a tracker's result; gives its number.

@@ -33,19 +33,19 @@ class Edited:
 
         change: the entry's own, as it was made; undo applies its inverse.
         """
-        change = change.inverse if act == "undo" else change
-        labels = apply_change(self.tracks, self.labels, change)
+        made = change.inverse if act == "undo" else change
+        labels = apply_change(self.tracks, self.labels, made)
         try:
             keep(act, entry)
         except BaseException:
-            apply_change(self.tracks, labels, change.inverse)
+            apply_change(self.tracks, labels, made.inverse)
             raise
         self.labels = labels
         if act == "undo":
             return self.history.mark_undone()
         if act == "redo":
             return self.history.mark_redone()
-        self.history.add(entry)
+        self.history.add(entry, change)
         return entry
 
     def replay(self, act: Act, entry: Entry) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sqlite3
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
@@ -18,9 +18,11 @@ CREATE TABLE IF NOT EXISTS origin (session TEXT NOT NULL, save TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS steps (
     number INTEGER PRIMARY KEY, act TEXT NOT NULL, edit INTEGER NOT NULL, time TEXT NOT NULL,
     author TEXT NOT NULL, kind TEXT NOT NULL, text TEXT NOT NULL, frame INTEGER NOT NULL,
-    before TEXT NOT NULL, after TEXT NOT NULL);
+    before TEXT NOT NULL, after TEXT NOT NULL, undoes INTEGER NOT NULL DEFAULT 0);
 """
-_STEP_TYPES = (int, str, int, str, str, str, str, int, str, str)
+_UNDOES = "ALTER TABLE steps ADD COLUMN undoes INTEGER NOT NULL DEFAULT 0"
+"""For a journal that an older program left behind."""
+_STEP_TYPES = (int, str, int, str, str, str, str, int, str, str, int)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +51,8 @@ class Journal:
             self._base.execute("PRAGMA journal_mode=WAL")
             self._base.execute("PRAGMA synchronous=FULL")
             self._base.executescript(_TABLES)
+            if "undoes" not in [row[1] for row in self._base.execute("PRAGMA table_info(steps)")]:
+                self._base.execute(_UNDOES)
             last = self._base.execute("SELECT max(number) FROM steps").fetchone()[0]
         self._last = int(last or 0)
 
@@ -69,11 +73,11 @@ class Journal:
         with _telling(self._path, "read"):
             rows = self._base.execute("SELECT * FROM steps ORDER BY number").fetchall()
         for row in rows:
-            number, act, *entry = row
+            number, act, *said, undoes = row
             types = tuple(type(value) for value in row)
             if types != _STEP_TYPES or act not in ("apply", "undo", "redo"):
                 raise SessionError(f"{self._path}: a step of the journal is damaged")
-            yield Step(number, act, Entry(*entry))
+            yield Step(number, act, replace(Entry(*said), undoes=undoes))
 
     def append(self, act: Act, entry: Entry) -> None:
         """Write a step; it is on disk when this returns. Raises OutputError where it is not."""
@@ -82,6 +86,7 @@ class Journal:
             *(self._last + 1, act, entry.id, entry.time, entry.author, entry.kind),
             *(entry.text, entry.frame),
             *((entry.before, entry.after) if applied else ("", "")),
+            entry.undoes,
         )
         marks = ", ".join("?" * len(row))
         with _telling(self._path, "written"):

@@ -1,0 +1,280 @@
+"""An old edit alone: the others stay as they are, or it is said which one stands on it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field, replace
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from label_edits import label_plans
+from tables_of_people import bytes_of, table_at, table_of
+
+from tracking.editing import (
+    Change,
+    Entry,
+    History,
+    apply_change,
+    plan_delete,
+    plan_draw_box,
+    plan_mark_reviewed,
+    plan_merge,
+    plan_move_box,
+    plan_reassign,
+    plan_rename,
+    plan_set_attribute,
+    plan_set_notes,
+    plan_split,
+    plan_swap,
+    plan_undo_alone,
+    with_parts_carried,
+)
+from tracking.errors import EditError
+from tracking.tracks import Labels, TrackTable
+
+TRACKS = st.integers(1, 5)
+FRAMES = st.integers(0, 12)
+PLACES = st.sets(st.tuples(FRAMES, TRACKS), min_size=8, max_size=40).map(sorted)
+BOXES = st.tuples(*[st.floats(0.5, 1e3)] * 4)
+
+
+@dataclass
+class Desk:
+    """A table, its labels and their history, edited together."""
+
+    table: TrackTable
+    labels: Labels = field(default_factory=Labels)
+    history: History = field(default_factory=History)
+
+    def do(self, change: Change) -> Entry:
+        return self.make(with_parts_carried(change, self.labels))
+
+    def make(self, change: Change, undoes: int = 0) -> Entry:
+        self.labels = apply_change(self.table, self.labels, change)
+        entry = self.history.draft(change, "2026-01-01T00:00:00.000+00:00", "ada", undoes)
+        self.history.add(entry)
+        return entry
+
+    def undo_alone(self, number: int) -> Entry:
+        return self.make(plan_undo_alone(self.history, self.labels, number), undoes=number)
+
+    def undo(self) -> None:
+        entry = self.history.next_undo
+        assert entry is not None
+        self.labels = apply_change(self.table, self.labels, entry.change.inverse)
+        self.history.mark_undone()
+
+    def redo(self) -> None:
+        entry = self.history.next_redo
+        assert entry is not None
+        self.labels = apply_change(self.table, self.labels, entry.change)
+        self.history.mark_redone()
+
+
+@st.composite
+def changes(draw: st.DrawFn, table: TrackTable, labels: Labels) -> Change | None:
+    """Any edit; None where what was drawn is nonsense."""
+    a, b, start = draw(TRACKS), draw(TRACKS), draw(FRAMES)
+    end = draw(st.none() | FRAMES)
+    plans = [
+        lambda: plan_swap(table, a, b, start, end),
+        lambda: plan_split(table, a, start),
+        lambda: plan_merge(table, a, b, draw(st.sampled_from(("first", "second"))), labels),
+        lambda: plan_reassign(table, a, b, start, end),
+        lambda: plan_delete(table, a, start, end),
+        lambda: plan_move_box(table, a, start, draw(BOXES)),
+        lambda: plan_draw_box(table, draw(st.none() | TRACKS), start, draw(BOXES)),
+    ]
+    if draw(st.booleans()):
+        plans = label_plans(draw, table, labels)
+    try:
+        return draw(st.sampled_from(plans))()
+    except EditError:
+        return None
+
+
+def replayed(table: TrackTable, history: History, without: set[int]) -> tuple[object, Labels]:
+    """The table and labels after all edits of the log but some, each field of a label by itself."""
+    labels, said = Labels(), {}
+    for entry in history:
+        if entry.undoes or entry.id in without:
+            continue
+        change = entry.change
+        old, new = change.before.labels, change.after.labels
+        for track in new.tracks:
+            before, after = fields_of(old.tracks[track]), fields_of(new.tracks[track])
+            for name in {*before, *after}:
+                if before.get(name) != after.get(name):
+                    said[track, name] = after.get(name)
+        sides = (
+            replace(change.before, labels=replace(old, tracks={})),
+            replace(change.after, labels=replace(new, tracks={})),
+        )
+        labels = apply_change(table, labels, replace(change, before=sides[0], after=sides[1]))
+    return bytes_of(table), (labels, {key: value for key, value in said.items() if value})
+
+
+def fields_of(label: object) -> dict[str, str]:
+    return {
+        "name": label.name,
+        "notes": label.notes,
+        **{f"bag {key}": value for key, value in label.attributes.items()},
+    }
+
+
+def said_of(labels: Labels) -> tuple[Labels, dict[tuple[int, str], str]]:
+    said = {
+        (track, name): value
+        for track, label in labels.tracks.items()
+        for name, value in fields_of(label).items()
+        if value
+    }
+    return replace(labels, tracks={}), said
+
+
+def own_edits(history: History) -> set[int]:
+    """The edits that are taken back alone."""
+    return {entry.id for entry in history if history.taken_back_by(entry.id)}
+
+
+@settings(max_examples=250, deadline=None)
+@given(st.data())
+def test_without_one_edit_the_rest_is_what_it_would_have_been(data: st.DataObject) -> None:
+    places = data.draw(PLACES)
+    desk = Desk(table_at(places))
+    for _ in range(data.draw(st.integers(2, 8))):
+        change = data.draw(changes(desk.table, desk.labels))
+        if change is not None:
+            desk.do(change)
+    for _ in range(data.draw(st.integers(1, 6))):
+        if not len(desk.history):
+            return
+        number = data.draw(st.integers(1, len(desk.history)))
+        if why := desk.history.why_not_alone(number):
+            with pytest.raises(EditError, match=re.escape(why)):
+                desk.undo_alone(number)
+            continue
+        desk.undo_alone(number)
+        table, labels = replayed(table_at(places), desk.history, own_edits(desk.history))
+        assert bytes_of(desk.table) == table
+        assert said_of(desk.labels) == labels
+        change = data.draw(changes(desk.table, desk.labels))
+        if change is not None:
+            desk.do(change)
+    after, labels = bytes_of(desk.table), desk.labels
+    while desk.history.next_undo:
+        desk.undo()
+    assert (bytes_of(desk.table), desk.labels) == (bytes_of(table_at(places)), Labels())
+    while desk.history.next_redo:
+        desk.redo()
+    assert (bytes_of(desk.table), desk.labels) == (after, labels)
+    again = History(desk.history.entries)
+    assert [again.why_not_alone(entry.id) for entry in again] == [
+        desk.history.why_not_alone(entry.id) for entry in again
+    ]
+
+
+@pytest.fixture
+def desk() -> Desk:
+    return Desk(table_of({1: [(0, 30)], 2: [(0, 30)], 3: [(0, 30)]}))
+
+
+def test_an_edit_of_other_tracks_stays_when_an_older_one_is_undone(desk: Desk) -> None:
+    start = bytes_of(desk.table)
+    desk.do(plan_swap(desk.table, 1, 2, 10))
+    desk.do(plan_delete(desk.table, 3, 0, 5))
+    entry = desk.undo_alone(1)
+    assert (entry.kind, entry.text) == ("undo", "Undo edit 1 alone: Swap 1 and 2 from frame 10 on")
+    assert (entry.undoes, desk.history.taken_back_by(1)) == (1, 3)
+    desk.undo_alone(2)
+    assert bytes_of(desk.table) == start
+
+
+def test_an_edit_inside_a_swapped_stretch_stands_on_the_swap(desk: Desk) -> None:
+    desk.do(plan_swap(desk.table, 1, 2, 10))
+    desk.do(plan_move_box(desk.table, 2, 20, (1.0, 2.0, 3.0, 4.0)))
+    desk.do(plan_delete(desk.table, 1, 25))
+    with pytest.raises(EditError) as told:
+        desk.undo_alone(1)
+    assert str(told.value) == (
+        "edit 3 (Delete 1 from frame 25 on) stands on it: undo that first, then 1 more"
+    )
+
+
+def test_an_edit_before_a_swapped_stretch_does_not_stand_on_the_swap(desk: Desk) -> None:
+    desk.do(plan_swap(desk.table, 1, 2, 10))
+    desk.do(plan_move_box(desk.table, 2, 9, (1.0, 2.0, 3.0, 4.0)))
+    assert desk.history.why_not_alone(1) == ""
+
+
+def test_what_is_undone_does_not_stand_on_anything(desk: Desk) -> None:
+    desk.do(plan_swap(desk.table, 1, 2, 10))
+    desk.do(plan_delete(desk.table, 1, 25))
+    desk.undo()
+    assert desk.history.why_not_alone(1) == ""
+    assert desk.history.why_not_alone(2) == "edit 2 is undone already"
+
+
+def test_what_is_taken_back_alone_does_not_stand_on_anything(desk: Desk) -> None:
+    start = bytes_of(desk.table)
+    desk.do(plan_swap(desk.table, 1, 2, 10))
+    desk.do(plan_delete(desk.table, 1, 25))
+    desk.undo_alone(2)
+    assert desk.history.why_not_alone(2) == "edit 2 is taken back already, by edit 3"
+    desk.undo_alone(1)
+    assert bytes_of(desk.table) == start
+
+
+def test_an_edit_taken_back_alone_can_be_made_again(desk: Desk) -> None:
+    desk.do(plan_swap(desk.table, 1, 2, 10))
+    desk.do(plan_delete(desk.table, 3, 5))
+    after = bytes_of(desk.table)
+    desk.undo_alone(1)
+    desk.undo_alone(3)
+    assert bytes_of(desk.table) == after
+    assert desk.history.taken_back_by(1) == 0
+    desk.undo_alone(1)
+    assert desk.history.taken_back_by(1) == 5
+
+
+def test_what_was_made_where_an_edit_was_taken_back_bars_making_it_again(desk: Desk) -> None:
+    desk.do(plan_swap(desk.table, 1, 2, 10))
+    desk.undo_alone(1)
+    desk.do(plan_delete(desk.table, 1, 25))
+    assert "edit 3" in desk.history.why_not_alone(2)
+
+
+def test_fields_of_one_label_are_undone_each_alone(desk: Desk) -> None:
+    for plan in (
+        lambda: plan_rename(desk.table, desk.labels, 1, "red coat"),
+        lambda: plan_set_attribute(desk.table, desk.labels, 1, "bag", "yes"),
+        lambda: plan_set_notes(desk.table, desk.labels, 1, "limps"),
+    ):
+        desk.do(plan())
+    desk.undo_alone(1)
+    label = desk.labels.of_track(1)
+    assert (label.name, label.attributes, label.notes) == ("", {"bag": "yes"}, "limps")
+    desk.do(plan_rename(desk.table, desk.labels, 1, "blue coat"))
+    assert "edit 5" in desk.history.why_not_alone(4)
+
+
+def test_reviewed_ranges_apart_are_undone_each_alone(desk: Desk) -> None:
+    desk.do(plan_mark_reviewed(desk.labels, 0, 0, 10))
+    desk.do(plan_mark_reviewed(desk.labels, 0, 20, 30))
+    assert desk.history.why_not_alone(1) == ""
+    desk.do(plan_mark_reviewed(desk.labels, 0, 10, 20))
+    assert "edit 3" in desk.history.why_not_alone(1)
+
+
+def test_an_edit_that_is_not_there_is_said(desk: Desk) -> None:
+    with pytest.raises(EditError, match="there is no edit 7; the log has 0"):
+        desk.undo_alone(7)
+
+
+def test_a_long_text_is_not_made_longer_each_time(desk: Desk) -> None:
+    desk.do(plan_rename(desk.table, desk.labels, 1, "red" * 100))
+    for number in range(1, 8):
+        desk.undo_alone(number)
+    assert all(len(entry.text) <= 320 for entry in desk.history)
+    assert desk.history.entries[-1].text.endswith("…")
