@@ -1,0 +1,171 @@
+"""Who of the corrected tracks the people of a run are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from tracking.editing.counterparts import mates, same_keys
+from tracking.editing.protection import Protection
+from tracking.tracks import Columns
+
+Integers = NDArray[np.integer]
+Indices = NDArray[np.int64]
+
+_SURE = 20.0
+"""A frame that stays as it is tells so many times more who somebody is than one that is asked."""
+_ASSERTED = 3
+"""Protected frames in a row in which somebody must stand on a track to be that person."""
+_NEVER = -1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Naming:
+    """How a run's people are called in the corrected table.
+
+    Attributes:
+        track: (n,) of each of the run's rows its corrected id.
+        fresh: the ids among them that nobody bears in the table.
+    """
+
+    track: NDArray[np.int32]
+    fresh: NDArray[np.int64]
+
+
+def named(
+    corrected: Columns,
+    found: Columns,
+    frames: tuple[int, int],
+    known_tracks: int,
+    highest_track: int,
+    protection: Protection,
+) -> Naming:
+    """The corrected ids of a run's rows.
+
+    Ids that the run went on with stay. Everybody else is whoever of the remaining tracks they
+    stand on in most frames, each track given once; frames before the range and protected ones
+    tell more. Where somebody then stands on a protected row of another id, that row is right, and
+    from there on they are that person. Who is nobody known gets an id above the highest.
+
+    Args:
+        corrected, found: rows of the table and of the run, from a little before the range on.
+        frames: the range, half-open. known_tracks: of the run. highest_track: of the table.
+    """
+    people, number = np.unique(found["track"], return_inverse=True)
+    kept = people <= known_tracks
+    own = np.where(kept[number], same_keys(found, corrected), -1)
+    mate = mates(found, corrected, own)[0]
+    # One more at the end, which those who stand on nobody (-1) look up.
+    theirs = np.append(corrected["track"], 0)[mate].astype(np.int64)
+    sure = np.append(protection.covers(corrected["track"], corrected["frame"]), False)[mate]
+    weight = np.where(sure | (found["frame"] < frames[0]), _SURE, 1.0)
+    free = (theirs > 0) & ~kept[number] & ~np.isin(theirs, people[kept])
+    base = np.where(kept, people, 0).astype(np.int64)
+    matched = _assigned(number[free], theirs[free], weight[free], len(people))
+    base = np.where(base > 0, base, matched)
+    base, top = _with_fresh(base, people, known_tracks, highest_track)
+    track, since = _asserted(number, found["frame"], base[number], np.where(sure, theirs, 0))
+    track = _apart(track, since, number, found["frame"], top)
+    fresh = np.setdiff1d(track, np.union1d(corrected["track"], people[kept]))
+    return Naming(track.astype(np.int32), fresh)
+
+
+def _assigned(
+    person: Indices, track: Integers, weight: NDArray[np.float64], people: int
+) -> Indices:
+    """(people,) the track of each by the largest total weight, no track twice; 0 for nobody."""
+    given = np.zeros(people, np.int64)
+    if not len(person):
+        return given
+    tracks, column = np.unique(track, return_inverse=True)
+    shape = (people, len(tracks))
+    counts = coo_array((weight, (person, column)), shape).tocsr()
+    linked = coo_array((np.ones(len(person)), (person, people + column)), (sum(shape),) * 2)
+    group = connected_components(linked, directed=False)[1]
+    members = np.argsort(group, kind="stable")
+    for rows in np.split(members, np.flatnonzero(np.diff(group[members])) + 1):
+        mine, theirs = rows[rows < people], rows[rows >= people] - people
+        if len(mine) and len(theirs):
+            block = counts[mine][:, theirs].toarray()
+            one, other = linear_sum_assignment(block, maximize=True)
+            real = block[one, other] > 0
+            given[mine[one[real]]] = tracks[theirs[other[real]]]
+    return given
+
+
+def _with_fresh(
+    base: Indices, people: Integers, known_tracks: int, highest_track: int
+) -> tuple[Indices, int]:
+    """The ids with new ones for who has none, and the highest of all.
+
+    A run that went on from the corrected tracks numbered its new people already; they keep these
+    numbers where nobody bears them.
+    """
+    nobody = base == 0
+    own = nobody & (known_tracks > 0) & (people > max(known_tracks, highest_track))
+    base = np.where(own, people, base)
+    top = max(highest_track, int(base.max(initial=0)))
+    rest = np.flatnonzero(nobody & ~own)
+    base[rest] = top + 1 + np.arange(len(rest))
+    return base, top + len(rest)
+
+
+def _asserted(
+    number: Indices, frame: Integers, base: Indices, asserted: Indices
+) -> tuple[Indices, Indices]:
+    """The ids where protected rows have the last word, and the frame since when each holds.
+
+    Args:
+        number: (n,) the run's person of each row. base: (n,) its id so far. asserted: (n,) the id
+            of the protected row it stands on, 0 for none.
+    """
+    track, since = base.copy(), np.full(len(base), _NEVER)
+    if not asserted.any():
+        return track, since
+    order = np.lexsort((frame, number))
+    told = order[asserted[order] > 0]
+    # Of the rows that stand on protected ones: as many in a row of one id as it takes.
+    begins = np.append(True, (np.diff(number[told]) != 0) | (np.diff(asserted[told]) != 0))
+    run = np.cumsum(begins[: len(told)]) - 1
+    told = told[np.bincount(run, minlength=1)[run] >= _ASSERTED]
+    place = np.empty(len(order), np.int64)
+    place[order] = np.arange(len(order))
+    source = np.full(len(order), _NEVER)
+    source[place[told]] = place[told]
+    source = np.maximum.accumulate(source)
+    row = order[source]
+    holds = (source >= 0) & (number[row] == number[order])
+    track[order[holds]] = asserted[row[holds]]
+    since[order[holds]] = frame[row[holds]]
+    return track, since
+
+
+def _apart(track: Indices, since: Indices, number: Indices, frame: Integers, top: int) -> Indices:
+    """The ids with nobody twice in a frame.
+
+    Whose id was asserted later keeps it; the other one is somebody new from there on.
+    """
+    while len(rows := _borne_by_several(track, number)):
+        order = rows[np.lexsort((number[rows], -since[rows], frame[rows], track[rows]))]
+        same = (np.diff(track[order]) == 0) & (np.diff(frame[order]) == 0)
+        if not same.any():
+            break
+        loser = order[1:][same]
+        first = loser[np.argmin(frame[loser])]
+        rest = (number == number[first]) & (track == track[first]) & (frame >= frame[first])
+        top += 1
+        track = np.where(rest & (since <= since[first]), top, track)
+    return track
+
+
+def _borne_by_several(track: Indices, number: Indices) -> Indices:
+    """The rows whose id more than one of the run's people bear."""
+    pairs = np.unique((track << 32) | number)
+    ids, count = np.unique(pairs >> 32, return_counts=True)
+    several = ids[count > 1]
+    return np.flatnonzero(np.isin(track, several)) if len(several) else several
