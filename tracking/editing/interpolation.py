@@ -125,13 +125,14 @@ def _walk(
     walked = _between(places, at, share)
     height = _between(heights[:, None], at, share)[:, 0]
     seen = carried(view, walked, height, _between(fit, at, share))
-    chosen = np.isfinite(seen).all(axis=1, keepdims=True) & ~straight[:, None]
+    walks = np.asarray(np.isfinite(seen).all(axis=1), np.bool_) & ~straight
+    chosen = walks[:, None]
     _write(rows, np.where(chosen, seen, boxes_of(rows)), np.where(chosen, walked, places_of(rows)))
 
 
 def _known_places(ends: Columns, places: Floats, view: View) -> Floats:
     """The ends' places (k, 2), where unknown told from their boxes."""
-    unknown = ~np.isfinite(places).all(axis=1)
+    unknown = np.asarray(~np.isfinite(places).all(axis=1), np.bool_)
     if not unknown.any():
         return places
     boxes = boxes_of(ends)

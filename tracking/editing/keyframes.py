@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from tracking.editing.change import Change, State
 from tracking.editing.interpolation import How, Way
 from tracking.editing.scope import check_scope, frames_text, scope_text
-from tracking.editing.selection import Rows, picked, stacked
+from tracking.editing.selection import Rows, differing, picked, stacked
 from tracking.editing.standing import places_of
 from tracking.editing.stretches import (
     replaced,
@@ -52,13 +52,14 @@ def key_row_change(
         EditError: nothing would change.
     """
     track, frame = int(row["track"][0]), int(row["frame"][0])
+    there = table.of_track(track, frame, frame + 1)
+    if len(there["frame"]) and not differing(there, row).any():
+        raise EditError(f"track {track} is already so in frame {frame}; nothing to change")
     old = rows_around(table, track, frame)
     new = respanned(old, with_row(old, row), way)
     if join:
         new = stacked([new, _bridges(new, frame, way)])
     before, after = replaced(old, _with_velocity(new, frame, way.fps))
-    if not len(after["frame"]):
-        raise EditError(f"track {track} is already so in frame {frame}; nothing to change")
     kind, text = kind_and_text
     following = len(after["frame"]) - 1
     if following:

@@ -65,18 +65,21 @@ def plan_thin(
 
 
 def _kept(rows: Columns, way: Way, tolerances: tuple[float, float]) -> Flags:
-    """(n,) bool: which rows become keyframes."""
+    """(n,) which rows become keyframes."""
     keys = np.asarray(rows["source"] == Source.PERSON)
     keys[0] = keys[-1] = True
-    while not keys.all():
-        off = _off(rows, _thinned(rows, keys, way), tolerances)
-        stretch = np.cumsum(keys)
+    open_rows = np.flatnonzero(~keys)
+    while len(open_rows):
+        there = picked(rows, open_rows)
+        between = spanned(picked(rows, keys), there["frame"], way, there)
+        off, stretch = _off(there, between, tolerances), np.cumsum(keys)[open_rows]
         order = np.lexsort((off, stretch))
         worst = order[np.flatnonzero(np.diff(stretch[order], append=-1))]
         worst = worst[off[worst] > 1]
-        if not len(worst):
-            break
-        keys[worst] = True
+        keys[open_rows[worst]] = True
+        divided = np.isin(stretch, stretch[worst])
+        divided[worst] = False
+        open_rows = open_rows[divided]
     return keys
 
 
