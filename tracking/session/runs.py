@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections import OrderedDict
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, overload
 
@@ -18,6 +18,7 @@ from tracking.session.copying import copy_group
 from tracking.session.hdf5 import opened, read_columns, text_attribute
 from tracking.session.image_file import ImageFile
 from tracking.session.layout import CHUNK_ROWS, RUN_TABLES
+from tracking.session.stamping import now
 from tracking.tracks import (
     LARGEST_NUMBER,
     PARTICLE_COLUMNS,
@@ -67,6 +68,7 @@ class StoredRun:
                 software=text_attribute(group, "software"),
                 detector=text_attribute(group, "detector"),
                 known_tracks=_known_tracks(group),
+                made=text_attribute(group, "made") if "made" in group.attrs else "",
             )
 
     def copy_into(self, image: ImageFile, target: h5py.Group) -> None:
@@ -193,9 +195,24 @@ class Runs(Sequence[Run]):
         return (self[number] for number in range(len(self)))
 
     def add(self, run: Run) -> int:
-        """Add a run; gives its number."""
-        self._held.append(run)
+        """Add a run, which was made just now where it does not say so itself; gives its number."""
+        self._held.append(run if run.made else replace(run, made=now()))
         return len(self._held) - 1
+
+    def drop(self, number: int, adopted: int | None, *, saving: bool) -> None:
+        """Forget a run.
+
+        Raises EditError where it is not the last one, whose number nobody else would get, where the
+        corrected tracks began as it, or where a file is being written that holds it.
+        """
+        if number != len(self._held) - 1:
+            raise EditError(f"run {number} is not the last one: later runs would be renumbered")
+        if number == adopted:
+            raise EditError(f"run {number}: the corrected tracks began as it; it stays")
+        if saving:
+            raise EditError(f"run {number} is being saved; drop it when that is done")
+        del self._held[number]
+        self._loaded.pop(number, None)
 
     def held(self) -> tuple[Run | StoredRun, ...]:
         """The runs as they are held, without loading any."""

@@ -65,6 +65,7 @@ class Run:
         detector: fingerprint of the failure detector, "" where none was used.
         known_tracks: of a run that tracked again from corrected tracks: the highest id there was;
             ids up to it are those of the corrected tracks. 0: a run with ids of its own.
+        made: when it was added to a session: UTC, ISO 8601; "" where nobody knows.
     """
 
     tracker: str
@@ -80,3 +81,4 @@ class Run:
     software: str = ""
     detector: str = ""
     known_tracks: int = 0
+    made: str = ""
