@@ -22,6 +22,7 @@ class Pictured:
     trails: bool = True
     foreground: bool = False
     disparity: bool = False
+    labels: bool = True
 
     @property
     def kinds(self) -> Kinds:

@@ -13,6 +13,7 @@ from app.presenters.setting import Pictured
 from app.presenters.tracker_state import TrackerState, TrackerWords
 from app.presenters.words import tr
 from app.views.editing import Editing
+from app.views.labelling import Labelling
 from app.views.live import LiveTracking
 from app.views.overlaying import Overlaying
 from app.views.playback import Playback
@@ -43,6 +44,7 @@ class Desk(QObject):
         self.playback = Playback(document.recording, self)
         self.editing = Editing(document, self.playback, self)
         self.overlaying = Overlaying(document, self.playback, self)
+        self.labelling = Labelling(document, self.playback, workspace, self)
         self.live = LiveTracking(document.recording, self)
         self.pictured = Pictured()
         self.eyes = "left"
@@ -60,6 +62,9 @@ class Desk(QObject):
         self.editing.failed.connect(self.failed)
         self.editing.said.connect(self.said)
         self.overlaying.changed.connect(self.draw_instant)
+        self.labelling.changed.connect(self.draw)
+        self.labelling.failed.connect(self.failed)
+        self.labelling.said.connect(self.said)
         self.overlaying.failed.connect(self.failed)
         self.live.tracked.connect(self._take_live)
         self.live.finished.connect(self._end_live)
@@ -94,6 +99,7 @@ class Desk(QObject):
         """End all threads and let the recording go."""
         self.live.close()
         self.overlaying.close()
+        self.labelling.close()
         self.playback.close()
         if self.document.session is not None:
             self.document.session.close()
@@ -112,6 +118,7 @@ class Desk(QObject):
             tracks=bool(document.tracks.ids),
             selected=bool(document.selection),
             editing=document.flow is not None,
+            labelling=self.labelling.tool is not None,
             live=self.live.running,
             can_undo=session is not None and session.history.next_undo is not None,
             can_redo=session is not None and session.history.next_redo is not None,
@@ -127,6 +134,13 @@ class Desk(QObject):
     def best_tracker(self) -> str:
         """The tracker that play starts; "" where none can work on the recording."""
         return self._words.best
+
+    def leave(self) -> None:
+        """Esc: leave the labelling, else the edit that waits, else let the person go."""
+        if self.labelling.tool is not None:
+            self.labelling.leave()
+        else:
+            self.editing.leave()
 
     # playing and tracking
 
@@ -255,6 +269,7 @@ class Desk(QObject):
         if self.eyes == "both":
             view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
         view.overhead.show_scene(document.overhead.scene(instant))
+        self.labelling.draw(self.eyes == "both", self.pictured.labels)
 
     def draw_playhead(self) -> None:
         """Draw the timeline and the transport line."""

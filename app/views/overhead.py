@@ -7,9 +7,11 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF, QRadialGradient
 from PySide6.QtWidgets import QWidget
 
+from app.presenters.labelling_scene import FloorLabels
 from app.presenters.scenes import FloorPerson, OverheadScene
 from app.views.canvas import Canvas
 from app.views.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
+from app.views.labelling_marks import draw_outlines
 from app.views.labels import draw_message, draw_plate, place_plates, plate_rect
 from app.views.marks import draw_fading_trail, draw_preview
 from app.views.particles import darkened, draw_particles
@@ -38,6 +40,7 @@ class OverheadView(Canvas):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(upward=True, parent=parent)
         self._scene: OverheadScene | None = None
+        self._labels = FloorLabels()
         self._floor_key: tuple[object, ...] = ()
         self._floor_drawn = QPixmap()
         self._dot_key = ("", 0.0)
@@ -52,6 +55,12 @@ class OverheadView(Canvas):
         if before is None or (before.bounds != scene.bounds and self._fitted):
             self.fit()
         self.update()
+
+    def show_labels(self, labels: FloorLabels) -> None:
+        """Draw counting lines and regions."""
+        if labels is not self._labels:
+            self._labels = labels
+            self.update()
 
     def content(self) -> QRectF:
         """The bounds of the scene, in metres."""
@@ -99,6 +108,8 @@ class OverheadView(Canvas):
             draw_message(painter, area, text, theme)
             return
         painter.drawPixmap(0, 0, self._floor(scene, theme))
+        painter.setFont(scaled_font(self.font(), 0.92))
+        draw_outlines(painter, self._labels.outlines, self.viewport, area, theme)
         self._draw_trails(painter, scene, theme)
         self._draw_particles(painter, scene, theme)
         for person in scene.people:

@@ -8,8 +8,10 @@ from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
+from app.presenters.labelling_scene import PictureLabels
 from app.presenters.scenes import Eye, PersonMark, PictureScene
 from app.views.canvas import Canvas
+from app.views.labelling_marks import draw_outlines, draw_parts
 from app.views.labels import draw_message, draw_note, plate_rect
 from app.views.legend import draw_legend
 from app.views.marks import draw_people, draw_preview
@@ -34,6 +36,7 @@ class PictureView(Canvas):
     def __init__(self, eye: Eye, parent: QWidget | None = None) -> None:
         super().__init__(upward=False, parent=parent)
         self._scene = PictureScene(eye, 0, None)
+        self._labels = PictureLabels()
         self._image = QImage()
         self._overlay = QImage()
         self._eye_name = ""
@@ -52,6 +55,12 @@ class PictureView(Canvas):
         if self._image.size() != before:
             self.fit()
         self.update()
+
+    def show_labels(self, labels: PictureLabels) -> None:
+        """Draw what people drew and said at this instant."""
+        if labels != self._labels:
+            self._labels = labels
+            self.update()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Follow the language."""
@@ -111,8 +120,10 @@ class PictureView(Canvas):
         self._draw_grid(painter)
         painter.setFont(scaled_font(self.font(), 0.92, bold=True))
         shown = area.intersected(self.viewport.rect(self.content()))
+        draw_outlines(painter, self._labels.outlines, self.viewport, shown, theme)
         draw_preview(painter, self._scene.preview, self.viewport)
         draw_people(painter, self._scene.people, self.viewport, shown)
+        draw_parts(painter, self._labels.parts, self.viewport, shown)
         painter.setFont(scaled_font(self.font(), 0.92))
         metrics = QFontMetricsF(painter.font())
         eye = plate_rect(metrics, self._eye_name, QPointF(8, 12 + metrics.height()))

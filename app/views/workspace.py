@@ -19,6 +19,7 @@ from app.presenters.scenes import Eye
 from app.views.edit_panel import EditPanel
 from app.views.eye_switch import EyeSwitch
 from app.views.history_panel import HistoryPanel
+from app.views.labelling_panel import LabellingPanel
 from app.views.overhead import OverheadView
 from app.views.picture import PictureView
 from app.views.remembered import Remembered
@@ -43,6 +44,7 @@ class Workspace(QWidget):
         self.card = TrackPanel(self)
         self.history = HistoryPanel(self)
         self.preview = EditPanel(self)
+        self.labelling = LabellingPanel(self)
         self.transport = TransportBar(self)
         self.timeline = TimelineView(self)
         self._splitters: dict[str, QSplitter] = {}
@@ -73,6 +75,7 @@ class Workspace(QWidget):
         beside.setContentsMargins(0, 0, 0, 0)
         beside.setSpacing(0)
         beside.addWidget(self.preview)
+        beside.addWidget(self.labelling)
         beside.addWidget(panels, 1)
         top = self._split(
             "top", Qt.Orientation.Horizontal, (eyes, self.overhead, right), (9, 10, 6)

@@ -8,6 +8,7 @@ from app.presenters.commands import (
     edit_menu,
     file_menu,
     help_menu,
+    labels_menu,
     playback_menu,
     review_menu,
     tracks_menu,
@@ -19,13 +20,14 @@ from app.presenters.words import tr
 
 __all__ = ["COMMANDS", "MENUS", "Command", "Situation", "command_items"]
 
-MENUS: Final = ("File", "Edit", "View", "Playback", "Tracks", "Review", "Help")
+MENUS: Final = ("File", "Edit", "View", "Playback", "Tracks", "Labels", "Review", "Help")
 COMMANDS: Final[tuple[Command, ...]] = (
     *file_menu.COMMANDS,
     *edit_menu.COMMANDS,
     *view_menu.COMMANDS,
     *playback_menu.COMMANDS,
     *tracks_menu.COMMANDS,
+    *labels_menu.COMMANDS,
     *review_menu.COMMANDS,
     *help_menu.COMMANDS,
 )

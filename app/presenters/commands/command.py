@@ -13,6 +13,7 @@ class Situation:
     Attributes:
         recording, session: open. tracks: there is something to select. selected: somebody is.
         editing: a preview waits for Enter. live: a tracker is at work. busy: other long work is.
+        labelling: something is being labelled.
         stereo, truth: the recording has a right eye, a truth file.
         can_track: a tracker exists for the recording; else `why_no_tracking` says why.
         read_only: the session cannot be saved under its name, e.g. as another window has it open.
@@ -23,6 +24,7 @@ class Situation:
     tracks: bool = False
     selected: bool = False
     editing: bool = False
+    labelling: bool = False
     live: bool = False
     busy: bool = False
     can_undo: bool = False

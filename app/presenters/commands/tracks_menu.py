@@ -37,7 +37,7 @@ COMMANDS: Final = (
         "Tracks",
         "Select nobody, leave the edit",
         ("Esc",),
-        lambda now: "" if now.selected or now.editing else tr("nobody is selected"),
+        lambda now: "" if now.selected or now.editing or now.labelling else tr("nobody is selected"),
     ),
     Command(
         "tracks.to_start",

@@ -30,6 +30,7 @@ COMMANDS: Final = (
         lambda now: two_eyes(now) or floor(now),
         True,
     ),
+    Command("view.labels", "View", "Labels on the picture", ("U",), recording, True),
     Command("view.next_pane", "View", "To the next part of the window", ("F6",), recording),
     Command("view.look_system", "View", "Look: as the system", (), checkable=True, separated=True),
     Command("view.look_light", "View", "Look: light", checkable=True),

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from app.views.runnable.correcting import CORRECTING
+from app.views.runnable.labelling import LABELLING
 from app.views.runnable.on_desk import OnDesk
 from app.views.runnable.playing import PLAYING
 from app.views.runnable.viewing import VIEWING
@@ -20,7 +21,7 @@ __all__ = ["runnable_commands"]
 def runnable_commands(window: MainWindow) -> dict[str, Callable[[], None]]:
     """For each command of the catalogue what it does."""
     commands = of_the_window(window)
-    for name, run in {**PLAYING, **VIEWING, **CORRECTING}.items():
+    for name, run in {**PLAYING, **VIEWING, **CORRECTING, **LABELLING}.items():
         commands[name] = _on_desk(window, run)
     return commands
 

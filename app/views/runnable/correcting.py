@@ -22,7 +22,7 @@ CORRECTING: dict[str, OnDesk] = {
     "tracks.stop": lambda desk: desk.live.stop(),
     "tracks.next": lambda desk: desk.editing.pick_next(1),
     "tracks.previous": lambda desk: desk.editing.pick_next(-1),
-    "tracks.none": lambda desk: desk.editing.leave(),
+    "tracks.none": lambda desk: desk.leave(),
     "tracks.to_start": _to_track(end=False),
     "tracks.to_end": _to_track(end=True),
     "tracks.swap": lambda desk: desk.editing.begin(EditKind.SWAP),

@@ -25,4 +25,5 @@ VIEWING: dict[str, OnDesk] = {
     "view.trails": _toggle("trails"),
     "view.foreground": _toggle("foreground"),
     "view.disparity": _toggle("disparity"),
+    "view.labels": _toggle("labels"),
 }
