@@ -94,6 +94,6 @@ def test_what_cannot_be_thinned_is_told(plan: object, why: str) -> None:
 
 def test_ten_minutes_are_thinned_within_a_second() -> None:
     table = strolling(12_000)
-    start = time.perf_counter()
+    start = time.process_time()
     plan_thin(table, 1, view=VIEW, fps=FPS)
-    assert time.perf_counter() - start < 1.5
+    assert time.process_time() - start < 1.5
