@@ -120,14 +120,14 @@ class Labelling(QObject):
             self.leave()
             return
         self._playback.pause()
-        self._document.leave_edit()
+        self._document.correcting.leave()
         self._presenter.choice.tool = tool
         self._presenter.choice.picked = -1
         for layer in self._layers:
             layer.hide()
-        layer = self._layer_of(tool)
-        if layer is not None:
-            layer.begin()
+        used = self._layer_of(tool)
+        if used is not None:
+            used.begin()
         self.changed.emit()
 
     def leave(self) -> None:
@@ -247,7 +247,7 @@ class Labelling(QObject):
             self.failed.emit(error)
             self.changed.emit()
             return False
-        self.said.emit(tr("Done: {text}", text=change.text))
+        self.said.emit(tr("Done: {what}", what=change.text))
         self.changed.emit()
         return True
 
