@@ -275,8 +275,8 @@ def test_a_thousand_frames_are_interpolated_within_20_ms() -> None:
         do(table, plan_add_keyframe(table, 1, frame))
     seconds = []
     for how in ("linear", "floor") * 5:
-        start = time.process_time()
+        start = time.thread_time()
         plan_interpolate(table, 1, 0, 1001, how, view=VIEW, fps=FPS)
-        seconds.append(time.process_time() - start)
+        seconds.append(time.thread_time() - start)
     assert min(seconds[1::2]) < 0.02
     assert min(seconds[0::2]) < 0.02
