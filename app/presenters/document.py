@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 
-from app.presenters.edit_flow import EditFlow, EditKind
-from app.presenters.edit_preview import PlannedEdit, planned_edit, preview_trails
-from app.presenters.live_tracks import LiveTracks
+from app.presenters.correcting import Correcting
+from app.presenters.differences import Comparison
+from app.presenters.edits import (
+    EditFlow,
+    Footing,
+    Ground,
+    PlannedEdit,
+    PreviewedTracks,
+    preview_trails,
+    replaced_rows,
+)
+from app.presenters.live_tracks import ContinuedTracks, LiveTracks
 from app.presenters.overhead import OverheadPresenter
 from app.presenters.panels import EditMarks, HistoryList, track_card
 from app.presenters.pictures import PicturePresenter
@@ -23,7 +33,10 @@ from tracking.errors import EditError
 from tracking.recording import Recording
 from tracking.session import Session
 from tracking.trackers import StepResult
-from tracking.tracks import ReviewedRange, TrackLabel
+from tracking.tracks import Labels, ReviewedRange, Run, TrackLabel, TrackTable
+
+Settle = Callable[[Change, Labels], Change]
+"""Adds to an edit that is confirmed what it settles."""
 
 
 class Document:
@@ -37,12 +50,15 @@ class Document:
         self.recording = recording
         self.session = session
         self.selection = Selection()
-        self.flow: EditFlow | None = None
-        self.planned: PlannedEdit | None = None
+        self._footing = Footing.of(recording)
+        self.correcting = Correcting(self.selection, self._footing, self._ground)
         self.pictures = PicturePresenter(recording)
         self.overhead = OverheadPresenter(recording)
         self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
         self._live, self._live_shown = LiveTracks(), session is None
+        self._continues_at: int | None = None
+        self.settle: Settle | None = None
+        self.comparison: Comparison | None = None
         self._marks, self._history = EditMarks(), HistoryList()
         self._retake()
 
@@ -50,6 +66,11 @@ class Document:
     def tracks(self) -> ShownTracks:
         """The tracks that are shown."""
         return self._tracks
+
+    @property
+    def is_live(self) -> bool:
+        """Whether the tracks of a tracker at work are shown, not those of the session."""
+        return self._live_shown
 
     @property
     def tracked_until(self) -> int:
@@ -63,20 +84,22 @@ class Document:
 
     # tracking
 
-    def begin_live(self) -> None:
-        """A tracker starts anew; what it finds is shown until it has come to its end.
+    def begin_live(self, continues_at: int | None = None) -> None:
+        """A tracker starts; what it finds is shown until it has come to its end.
 
-        The corrected tracks of a session stay as they are.
+        The corrected tracks of a session stay as they are; where the tracker goes on from them at
+        a frame, they are shown before it.
         """
-        self.leave_edit()
+        self.correcting.leave()
         self.selection.choose(0)
         self._live, self._live_shown = LiveTracks(), True
+        self._continues_at = continues_at
         self._retake()
 
     def take_live(self, results: Iterable[StepResult]) -> None:
         """Take further results of the tracker at work, in order."""
         self._live.extend(results)
-        self._timeline.take(self._live, {})
+        self._timeline.take(self._tracks, {})
 
     def take_session(self, session: Session) -> None:
         """Show a session from now on."""
@@ -94,33 +117,65 @@ class Document:
         """Show the tracks of the tracker at work, or those of the session."""
         session = self.session
         self._tracks: ShownTracks = self._live
+        if session is not None and self._live_shown and self._continues_at is not None:
+            before = SessionTracks(session.tracks, self._adopted)
+            self._tracks = ContinuedTracks(before, self._continues_at, self._live)
         marks: dict[int, tuple[TimelineMark, ...]] = {}
         reviewed: tuple[ReviewedRange, ...] = ()
         if session is not None and not self._live_shown:
-            adopted = session.adopted_run
-            run = session.runs[adopted] if adopted is not None else None
-            self._tracks = SessionTracks(session.tracks, run)
+            self._tracks = SessionTracks(session.tracks, self._adopted)
             marks, reviewed = self._marks.of(session.history), session.labels.reviewed
         self._timeline.take(self._tracks, marks)
         self._timeline.take_reviewed(reviewed)
 
+    @property
+    def _adopted(self) -> Run | None:
+        """The run the corrected tracks began as."""
+        session = self.session
+        if session is None or session.adopted_run is None:
+            return None
+        return session.runs[session.adopted_run]
+
     # what the views show
 
     def instant(self, frame: int) -> Instant:
-        """The frame as all views show it."""
-        planned = self.planned
-        shown = planned is not None and planned.change is not None
-        return Instant(
+        """The frame as all views show it; with an edit that waits as it would be after it."""
+        planned, flow = self.planned, self.flow
+        change = planned.change if planned is not None else None
+        shown = planned is not None and change is not None
+        shown_now = Instant(
             frame=frame,
-            tracks=self._tracks,
+            tracks=PreviewedTracks(self._tracks, change) if change else self._tracks,
             names=self._names(),
             selected=self.selection.track,
-            other=self.flow.other if self.flow is not None else 0,
+            other=flow.other if flow is not None else 0,
+            also=self._emphasised(change),
             preview=preview_trails(planned, floor_points) if planned and shown else (),
             picture_preview=(
                 preview_trails(planned, self.pictures.left_foot_points) if planned and shown else ()
             ),
+            replaced=replaced_rows(planned, frame),
+            movable=self.correcting.can_place,
+            drawing=flow is not None and flow.drawing,
         )
+        return shown_now if shown else self._compared(shown_now)
+
+    def _compared(self, instant: Instant) -> Instant:
+        """The instant with the people in question as the run has them that is compared."""
+        comparison, frame = self.comparison, instant.frame
+        if comparison is None or comparison.current is None:
+            return instant
+        return replace(
+            instant,
+            preview=comparison.trails(frame, floor_points),
+            picture_preview=comparison.trails(frame, self.pictures.left_foot_points),
+            replaced=comparison.dashed_rows(frame),
+        )
+
+    def _emphasised(self, change: Change | None) -> tuple[int, ...]:
+        """Who is drawn like the selected person: others selected too, and who is being drawn."""
+        new = change.tracks if change is not None and self.flow and not self.flow.track else ()
+        return (*self.selection.also, *new)
 
     def timeline(
         self,
@@ -134,7 +189,8 @@ class Document:
         `loaded` are the half-open ranges of frames at hand; `no_lanes` is said without lanes.
         """
         cut = self.flow.cut if self.flow is not None and self.flow.has_cut else None
-        return self._timeline.scene(playhead, self.instant(frame), loaded, cut, no_lanes)
+        marked = self.correcting.range_shown
+        return self._timeline.scene(playhead, self.instant(frame), loaded, cut, no_lanes, marked)
 
     def take_suspicions(self, suspicions: Sequence[TimelineMark]) -> None:
         """Mark on the timeline what may be wrong, instead of what was marked before."""
@@ -153,77 +209,60 @@ class Document:
     def label(self, track: int) -> TrackLabel:
         """What people said of a track; nothing of those a tracker at work has numbered anew."""
         session = self.session
-        if session is None or self._live_shown:
+        if session is None or self._renumbered:
             return TrackLabel()
         return session.labels.of_track(track)
 
+    @property
+    def _renumbered(self) -> bool:
+        """Whether the ids shown are a tracker's own, not those of the session."""
+        return self._live_shown and self._continues_at is None
+
     def _names(self) -> dict[int, str]:
-        if self.session is None or self._live_shown:
+        if self.session is None or self._renumbered:
             return {}
         return {track: label.name for track, label in self.session.labels.tracks.items()}
 
-    # selecting
-
-    def pick(self, track: int) -> None:
-        """A person was clicked: select them, or give them to the edit that waits for one."""
-        if self.flow is not None and self.flow.needs_other:
-            if track and self.session is not None:
-                self._put(self.flow.with_other(track, self.session.tracks))
-        elif self.flow is None:
-            self.selection.choose(track)
-
-    def pick_typed(self, track: int) -> None:
-        """An id was typed for the other person of the edit; one that is not there is told."""
-        flow, session = self.flow, self.session
-        if flow is None or session is None or not flow.takes_other:
-            return
-        if track == flow.track:
-            self._put(flow, tr("{track} is the selected person: type another id", track=track))
-        elif track not in session.tracks:
-            self._put(flow, tr("There is no track {track}", track=track))
-        else:
-            self._put(flow.with_other(track, session.tracks))
-
-    def pick_next(self, frame: int, step: int) -> None:
-        """Tab: the next person of the frame, or of all where nobody stands in it."""
-        here = self._tracks.of_frame(frame)["track"].tolist() or list(self._tracks.ids)
-        if self.flow is None:
-            self.selection.choose(self.selection.cycle(here, step))
-        elif self.session is not None and self.flow.kind in (EditKind.SWAP, EditKind.MERGE):
-            along = Selection()
-            along.choose(self.flow.other or self.flow.track)
-            other = along.cycle(here, step, skip=self.flow.track)
-            if other:
-                self._put(self.flow.with_other(other, self.session.tracks))
-
     # correcting
 
-    def begin_edit(self, kind: EditKind, frame: int) -> None:
-        """Begin an edit of the selected track at a frame."""
-        if self.selection and self.session is not None:
-            self._put(EditFlow.begin(kind, self.selection.track, frame, self.recording.fps))
+    @property
+    def flow(self) -> EditFlow | None:
+        """The edit on its way."""
+        return self.correcting.flow
 
-    def change_edit(self, flow: EditFlow) -> None:
-        """Put another state of the edit in place of the one there is."""
-        self._put(flow)
+    @property
+    def planned(self) -> PlannedEdit | None:
+        """What the edit on its way would do."""
+        return self.correcting.planned
 
-    def leave_edit(self) -> None:
-        """Leave the edit; everything stays as it is."""
-        self.flow = self.planned = None
+    def people_at(self, frame: int) -> list[int]:
+        """Who stands in a frame; all there are where nobody does."""
+        here: list[int] = self._tracks.of_frame(frame)["track"].tolist()
+        return here or list(self._tracks.ids)
 
-    def _put(self, flow: EditFlow, problem: str = "") -> None:
-        if self.session is not None:
-            self.flow = flow
-            tracks, labels = self.session.tracks, self.session.labels
-            self.planned = planned_edit(flow, tracks, labels, self.recording.fps, problem)
+    def _ground(self) -> Ground | None:
+        """What edits are planned on; nothing yet where there is no session; None: not now."""
+        session = self.session
+        if session is None:
+            idle = not self._tracks.ids
+            return Ground(TrackTable(), Labels(), self._footing) if idle else None
+        if self._live_shown or session.read_only:
+            return None
+        adopted = session.adopted_run
+        signals = session.runs[adopted].signals if adopted is not None else None
+        return Ground(session.tracks, session.labels, self._footing, signals)
 
     def confirm_edit(self) -> Change | None:
-        """Do the edit that waits; None where it is not ready."""
-        change = self.planned.change if self.planned is not None else None
+        """Do the edit that waits; None where it is not ready. Who was drawn is selected then."""
+        drawn = self.flow is not None and not self.flow.track
+        change = self.correcting.confirm()
         if change is None:
             return None
-        self.leave_edit()
+        if self.settle is not None and self.session is not None:
+            change = self.settle(change, self.session.labels)
         self.apply(change)
+        if drawn:
+            self.selection.choose(change.tracks[0])
         return change
 
     def apply(self, change: Change) -> None:
@@ -272,5 +311,4 @@ class Document:
         marks = self._marks.of(self.session.history)
         self._timeline.take_changed(change.tracks, self._tracks, frames, marks)
         self._timeline.take_reviewed(self.session.labels.reviewed)
-        if self.selection and self.selection.track not in table:
-            self.selection.choose(0)
+        self.selection.keep(track for track in self.selection.all if track in table)

@@ -100,13 +100,28 @@ def keep_run(recording: Recording, run: Run, path: Path | None = None) -> Sessio
     Raises:
         OutputError, OSError: it cannot be written; nothing is left of it then.
     """
-    if path is None:
-        folder = unsaved_folder()
-        folder.mkdir(parents=True, exist_ok=True)
-        path = _free_name(folder, recording.path.stem or "session")
-    session = Session.create(recording, [run], path)
+    session = Session.create(recording, [run], path or _unsaved_path(recording))
     remember_place(session, recording)
     return session
+
+
+def session_by_hand(recording: Recording) -> Session:
+    """A session nothing was tracked for, to be labelled by hand, on disk from its first moment.
+
+    It stands among the program's own files until the user gives it a place.
+
+    Raises:
+        OutputError, OSError: it cannot be written.
+    """
+    session = Session.create(recording, [], _unsaved_path(recording))
+    remember_place(session, recording)
+    return session
+
+
+def _unsaved_path(recording: Recording) -> Path:
+    folder = unsaved_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    return _free_name(folder, recording.path.stem or "session")
 
 
 def remember_place(session: Session, recording: Recording) -> None:

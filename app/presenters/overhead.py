@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,6 +20,7 @@ Bounds = tuple[float, float, float, float]
 
 _MARGIN_M = 0.6
 _LOOKS_DOWN_DEG = 75.0
+_NO_TRAIL: Floats = np.zeros((0, 2))
 
 
 class OverheadPresenter:
@@ -57,14 +60,31 @@ class OverheadPresenter:
             preview=instant.preview,
             message=self._message,
             looks_down=self._looks_down,
+            ghosts=_ghosts(instant),
+            movable=instant.movable,
         )
 
     def _people(self, instant: Instant) -> tuple[FloorPerson, ...]:
-        rows = instant.tracks.of_frame(instant.frame)
         recent = instant.tracks.recent(instant.frame, self._trail_frames)
         trails = trails_by_track(recent, floor_points(recent))
-        people = [
-            FloorPerson(
+        people = _floor_people(instant.tracks.of_frame(instant.frame), instant, trails)
+        return tuple(sorted(people, key=lambda person: person.selected))
+
+
+def _ghosts(instant: Instant) -> tuple[FloorPerson, ...]:
+    """People where they are before an edit that waits, as far as it moves or takes them out."""
+    rows = instant.replaced
+    return () if rows is None else tuple(_floor_people(rows, instant, {}))
+
+
+def _floor_people(
+    rows: Columns, instant: Instant, trails: Mapping[int, Floats]
+) -> Iterator[FloorPerson]:
+    """Whoever of the rows has a known place."""
+    names = ("track", "x", "y", "vx", "vy", "predicted")
+    for track, x, y, vx, vy, lost in zip(*(rows[name].tolist() for name in names), strict=True):
+        if np.isfinite(x + y):
+            yield FloorPerson(
                 track=track,
                 label=instant.label(track),
                 position=(x, y),
@@ -72,15 +92,8 @@ class OverheadPresenter:
                 colour=colour_of_track(track),
                 selected=instant.is_chosen(track),
                 predicted=lost,
-                trail=trails[track],
+                trail=trails.get(track, _NO_TRAIL),
             )
-            for track, x, y, vx, vy, lost in zip(
-                *(rows[name].tolist() for name in ("track", "x", "y", "vx", "vy", "predicted")),
-                strict=True,
-            )
-            if np.isfinite(x + y)
-        ]
-        return tuple(sorted(people, key=lambda person: person.selected))
 
 
 def relative_weights(particles: Columns) -> NDArray[np.float32]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +16,7 @@ from app.presenters.setting import NOTHING_LAID, Instant, Laid, Pictured
 from app.presenters.trails import TRAIL_S, floor_points, foot_points, trails_by_track
 from app.presenters.words import tr
 from tracking.recording import Image, Recording, StereoFrame
-from tracking.tracks import Columns
+from tracking.tracks import Columns, Source
 
 Floats = NDArray[np.float64]
 
@@ -62,6 +63,8 @@ class PicturePresenter:
             grid=self._floor_grid(eye) if pictured.grid else np.zeros((0, 2, 2)),
             message=laid.message,
             preview=self._preview(eye, instant),
+            ghosts=self._ghosts(eye, instant),
+            drawing=instant.drawing and eye is Eye.LEFT,
             legend=laid.legend,
         )
 
@@ -87,26 +90,41 @@ class PicturePresenter:
 
     def _people(self, eye: Eye, instant: Instant, pictured: Pictured) -> tuple[PersonMark, ...]:
         rows = instant.tracks.of_frame(instant.frame)
+        trails = self._trails(eye, instant) if pictured.trails else {}
+        marks = self._marks(eye, rows, instant, trails)
+        return tuple(sorted(marks, key=lambda mark: mark.selected))
+
+    def _ghosts(self, eye: Eye, instant: Instant) -> tuple[PersonMark, ...]:
+        """People where they are before an edit that waits, as far as it moves or takes them out."""
+        rows = instant.replaced
+        return () if rows is None else tuple(self._marks(eye, rows, instant, {}))
+
+    def _marks(
+        self, eye: Eye, rows: Columns, instant: Instant, trails: Mapping[int, Floats]
+    ) -> Iterator[PersonMark]:
         boxes = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
         if eye is Eye.RIGHT:
             boxes = self._right_boxes(boxes, rows)
-        trails = self._trails(eye, instant) if pictured.trails else {}
-        marks = [
-            PersonMark(
-                track=track,
-                box=(float(box[0]), float(box[1]), float(box[2]), float(box[3])),
-                label=instant.label(track),
-                colour=colour_of_track(track),
-                selected=instant.is_chosen(track),
-                predicted=lost,
-                trail=trails.get(track, _NO_TRAIL),
-            )
-            for track, box, lost in zip(
-                rows["track"].tolist(), boxes, rows["predicted"].tolist(), strict=True
-            )
-            if np.isfinite(box).all()
-        ]
-        return tuple(sorted(marks, key=lambda mark: mark.selected))
+        movable = instant.selected if instant.movable and eye is Eye.LEFT else 0
+        hidden = rows["visibility"] == 0
+        by_person = rows["source"] == Source.PERSON if "source" in rows else np.zeros_like(hidden)
+        columns = rows["track"], rows["predicted"], hidden, by_person
+        for box, track, lost, behind, key in zip(
+            boxes, *(one.tolist() for one in columns), strict=True
+        ):
+            if np.isfinite(box).all():
+                yield PersonMark(
+                    track=track,
+                    box=(float(box[0]), float(box[1]), float(box[2]), float(box[3])),
+                    label=instant.label(track),
+                    colour=colour_of_track(track),
+                    selected=instant.is_chosen(track),
+                    predicted=lost,
+                    trail=trails.get(track, _NO_TRAIL),
+                    occluded=behind,
+                    keyframe=key,
+                    movable=track == movable,
+                )
 
     def _trails(self, eye: Eye, instant: Instant) -> dict[int, Floats]:
         rows = instant.tracks.recent(instant.frame, self._trail_frames)

@@ -37,6 +37,8 @@ class PersonMark:
         selected: drawn with emphasis.
         predicted: drawn dashed, nothing was seen of the person.
         trail: (n, 2) foot points in pixels, oldest first.
+        occluded: drawn dotted, a person said they are behind something.
+        keyframe: a person made the box. movable: drawn with handles; it can be dragged.
     """
 
     track: int
@@ -46,6 +48,9 @@ class PersonMark:
     selected: bool
     predicted: bool
     trail: Points
+    occluded: bool = False
+    keyframe: bool = False
+    movable: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +85,8 @@ class PictureScene:
         grid: line segments (n, 2, 2) of the floor grid in pixels, or empty.
         message: said in the middle where there is no picture.
         preview: trails in pixels before (dashed) and after (solid) of an edit being previewed.
+        ghosts: people where they are before that edit, as far as it moves or takes them out.
+        drawing: a box is to be drawn.
     """
 
     eye: Eye
@@ -91,6 +98,8 @@ class PictureScene:
     message: str = ""
     preview: tuple[PreviewTrail, ...] = ()
     legend: tuple[LegendEntry, ...] = ()
+    ghosts: tuple[PersonMark, ...] = ()
+    drawing: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,6 +136,8 @@ class OverheadScene:
         preview: trails before (dashed) and after (solid) of an edit being previewed.
         message: said where there is nothing to show, e.g. no calibration.
         looks_down: the camera looks (nearly) straight down, not forward.
+        ghosts: people where they are before that edit, as far as it moves or takes them out.
+        movable: people can be dragged over the floor.
     """
 
     frame: int
@@ -141,6 +152,8 @@ class OverheadScene:
     preview: tuple[PreviewTrail, ...] = ()
     message: str = ""
     looks_down: bool = False
+    ghosts: tuple[FloorPerson, ...] = ()
+    movable: bool = False
 
 
 class SpanKind(IntEnum):
@@ -204,6 +217,7 @@ class TimelineScene:
         activity: (frame_count,) people per frame, uint16.
         tracked: half-open frame range. loaded: the half-open ranges of frames at hand.
         cut: a frame with an edit being previewed, or None.
+        marked: the half-open range of frames the user has set, or that an edit goes over.
         message: said where there are no lanes.
         marks: those of all lanes, by frame. reviewed: half-open ranges looked at for all tracks.
     """
@@ -216,6 +230,7 @@ class TimelineScene:
     tracked: tuple[int, int] = (0, 0)
     loaded: tuple[tuple[int, int], ...] = ()
     cut: int | None = None
+    marked: tuple[int, int] | None = None
     message: str = ""
     marks: tuple[TimelineMark, ...] = ()
     reviewed: tuple[tuple[int, int], ...] = ()
@@ -264,6 +279,38 @@ class HistoryItem:
 
 
 @dataclass(frozen=True, slots=True)
+class ChoiceRow:
+    """Something of an edit that can be chosen.
+
+    Attributes:
+        row: its number. title: e.g. "How far". options: e.g. "from here on", "this range".
+        chosen: the number of the one in force. key: the one that goes on to the next.
+    """
+
+    row: int
+    title: str
+    options: tuple[str, ...]
+    chosen: int
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
+class Proposal:
+    """Something the program found that may be meant: a person, a frame.
+
+    Attributes:
+        number: an id, or which of the proposals it is. chosen: it is the one in force.
+        colour: of the person, None for a frame. why: said when the mouse rests on it.
+    """
+
+    number: int
+    text: str
+    chosen: bool
+    colour: Colour | None = None
+    why: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class EditPreview:
     """An edit that waits for Enter.
 
@@ -271,9 +318,10 @@ class EditPreview:
         title: e.g. "Swap 4 and 7 from frame 834 on".
         details: lines that say what will change.
         frame: the cut, moved by the arrow keys, where it `has_cut`.
-        choice_title: what can be chosen, e.g. "How far". choices: e.g. "from here on", "this
-            range", "this frame". choice: the number of the one in force.
+        end: one past the last frame of a range; None where the edit goes over none.
+        choices: what can be chosen.
         other: id of the second person, 0 while they are to be picked, None where none is needed.
+        others: who may be meant. cuts: frames where two people may have changed over.
         ready: False while the other person is still to be picked; Enter does nothing then.
         hint: the keys that work now beside Enter and Esc, e.g. "Left / Right move the frame".
     """
@@ -281,10 +329,11 @@ class EditPreview:
     title: str
     details: tuple[str, ...]
     frame: int
-    choice_title: str = ""
-    choices: tuple[str, ...] = ()
-    choice: int = 0
+    end: int | None = None
+    choices: tuple[ChoiceRow, ...] = ()
     other: int | None = None
+    others: tuple[Proposal, ...] = ()
+    cuts: tuple[Proposal, ...] = ()
     has_cut: bool = True
     ready: bool = True
     hint: str = ""

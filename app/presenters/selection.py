@@ -2,24 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 
 class Selection:
-    """The selected track; 0 is nobody."""
+    """The selected track, 0 for nobody, and others that were added to it.
+
+    Attributes:
+        track: the one that was picked last. also: the others, in the order they were picked.
+    """
 
     def __init__(self) -> None:
         self.track = 0
+        self.also: tuple[int, ...] = ()
 
     def __bool__(self) -> bool:
         """Whether anybody is selected."""
         return self.track > 0
 
+    @property
+    def all(self) -> tuple[int, ...]:
+        """Everybody who is selected, who was picked last first."""
+        return (self.track, *self.also) if self.track else ()
+
     def choose(self, track: int) -> bool:
-        """Select a track, or nobody (0); True where that is another than before."""
-        changed = track != self.track
-        self.track = track
+        """Select a track alone, or nobody (0); True where that is another than before."""
+        changed = track != self.track or bool(self.also)
+        self.track, self.also = track, ()
         return changed
+
+    def add(self, track: int) -> None:
+        """Add a track to the selected ones, or take it out where it is among them."""
+        if not track:
+            return
+        if track in self.all:
+            rest = tuple(one for one in self.all if one != track)
+            self.track, self.also = (rest[0], rest[1:]) if rest else (0, ())
+        else:
+            self.track, self.also = track, self.all
+
+    def keep(self, known: Iterable[int]) -> None:
+        """Let go whoever is not among the known tracks any more."""
+        rest = tuple(one for one in self.all if one in set(known))
+        self.track, self.also = (rest[0], rest[1:]) if rest else (0, ())
 
     def cycle(self, tracks: Sequence[int], step: int = 1, skip: int = 0) -> int:
         """The next (1) or previous (-1) of the tracks after the selected one, wrapping around.

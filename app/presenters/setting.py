@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from app.presenters.overlays import Kinds
 from app.presenters.scenes import LegendEntry, PreviewTrail
 from app.presenters.shown import ShownTracks
+from tracking.tracks import Columns
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,8 +55,11 @@ class Instant:
     Attributes:
         frame: number. tracks: where people come from. names: of tracks that have one.
         selected: track id, 0 for nobody. other: the second person of an edit, 0 for nobody.
+        also: others who are drawn with emphasis, as they are selected too.
         preview: trails on the floor (m) of an edit that waits.
         picture_preview: the same in pixels of the left eye.
+        replaced: the frame's rows that this edit moves elsewhere or takes out; None: none.
+        movable: boxes and people can be dragged. drawing: a box is to be drawn.
     """
 
     frame: int
@@ -63,8 +67,17 @@ class Instant:
     names: Mapping[int, str] = field(default_factory=dict)
     selected: int = 0
     other: int = 0
+    also: tuple[int, ...] = ()
     preview: tuple[PreviewTrail, ...] = ()
     picture_preview: tuple[PreviewTrail, ...] = ()
+    replaced: Columns | None = None
+    movable: bool = False
+    drawing: bool = False
+
+    @property
+    def chosen(self) -> tuple[int, ...]:
+        """Everybody who is drawn with emphasis."""
+        return tuple(track for track in (self.selected, self.other, *self.also) if track > 0)
 
     def label(self, track: int) -> str:
         """The id, and the name where there is one."""
@@ -73,4 +86,4 @@ class Instant:
 
     def is_chosen(self, track: int) -> bool:
         """Whether the track is drawn with emphasis."""
-        return track in (self.selected, self.other) and track > 0
+        return track in self.chosen

@@ -107,6 +107,7 @@ class TimelinePresenter:
         loaded: tuple[tuple[int, int], ...],
         cut: int | None,
         message: str = "",
+        marked: tuple[int, int] | None = None,
     ) -> TimelineScene:
         """The timeline with its playhead."""
         if instant.names != self._names:
@@ -114,7 +115,7 @@ class TimelinePresenter:
             self._names = instant.names
         if self._stale:
             self._make_stale(instant)
-        chosen = (instant.selected, instant.other)
+        chosen = instant.chosen
         if chosen != self._chosen:
             self._chosen = chosen
             self._lanes = self._with_chosen(chosen)
@@ -127,6 +128,7 @@ class TimelinePresenter:
             tracked=instant.tracks.frames,
             loaded=loaded,
             cut=cut,
+            marked=marked,
             message=message,
             marks=self._marks,
             reviewed=self._reviewed_of.get(0, ()),

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
+    QContextMenuEvent,
     QHelpEvent,
     QKeyEvent,
     QMouseEvent,
@@ -25,8 +26,15 @@ class Canvas(QWidget):
     """A zoomable drawing of some content.
 
     The wheel zooms at the cursor, dragging (any place, left or middle button) pans, a double
-    click or the key 0 fits, + and - zoom. A click without a drag is given to :meth:`clicked_at`.
+    click or the key 0 fits, + and - zoom. A click without a drag is given to :meth:`clicked_at`;
+    a drag that begins at something that can be moved goes to :meth:`drag_to`.
+
+    Signals:
+        menu_asked(int, QPoint): a right click on a track (0: on none), or the menu key (-1: on who
+            is selected); where on the screen.
     """
+
+    menu_asked = Signal(int, QPoint)
 
     def __init__(self, upward: bool, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -34,6 +42,7 @@ class Canvas(QWidget):
         self._fitted = True
         self._pressed_at: QPoint | None = None
         self._panning = False
+        self._holding = False
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
@@ -49,8 +58,28 @@ class Canvas(QWidget):
         """Draw everything but the ground."""
         raise NotImplementedError
 
-    def clicked_at(self, at: QPointF) -> None:
-        """A click without a drag."""
+    def clicked_at(self, at: QPointF, extend: bool) -> None:
+        """A click without a drag; `extend`: with Shift."""
+        raise NotImplementedError
+
+    def track_at(self, at: QPointF) -> int:
+        """The track at a place of the widget; 0 where there is none."""
+        raise NotImplementedError
+
+    def grabs(self, at: QPointF) -> bool:
+        """Whether a drag from here moves something rather than the whole content; holds it then."""
+        raise NotImplementedError
+
+    def drag_to(self, at: QPointF) -> None:
+        """What is held was dragged to a place of the widget."""
+        raise NotImplementedError
+
+    def drop(self) -> None:
+        """What was dragged is let go where it is."""
+        raise NotImplementedError
+
+    def cursor_at(self, at: QPointF) -> Qt.CursorShape:
+        """The shape of the cursor while no button is pressed."""
         raise NotImplementedError
 
     def name_at(self, at: QPointF) -> str:
@@ -113,36 +142,50 @@ class Canvas(QWidget):
         event.accept()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:  # noqa: N802
-        """Remember where: a click or the start of a pan."""
+        """Remember where: a click, the start of a pan, or of something being moved."""
         if event.button() in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
             self._pressed_at = event.position().toPoint()
             self._panning = event.button() is Qt.MouseButton.MiddleButton
+            self._holding = not self._panning and self.grabs(event.position())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802
-        """Pan once the mouse has really moved."""
+        """Pan, or move what is held, once the mouse has really moved."""
         at = event.position().toPoint()
         if self._pressed_at is None:
-            over = self.name_at(event.position())
-            self.setCursor(
-                Qt.CursorShape.PointingHandCursor if over else Qt.CursorShape.ArrowCursor
-            )
+            self.setCursor(self.cursor_at(event.position()))
             return
         moved = at - self._pressed_at
-        if self._panning or moved.manhattanLength() >= QApplication.startDragDistance():
-            self._panning = True
-            self._fitted = False
-            self._viewport = self._viewport.moved(QPointF(moved))
-            self._pressed_at = at
-            self.setCursor(Qt.CursorShape.ClosedHandCursor)
-            self.update()
+        if not self._panning and moved.manhattanLength() < QApplication.startDragDistance():
+            return
+        self._panning = True
+        if self._holding:
+            self.drag_to(event.position())
+            return
+        self._fitted = False
+        self._viewport = self._viewport.moved(QPointF(moved))
+        self._pressed_at = at
+        self.setCursor(Qt.CursorShape.ClosedHandCursor)
+        self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:  # noqa: N802
-        """A press that did not pan was a click."""
+        """A press that moved nothing was a click."""
+        if event.button() is Qt.MouseButton.RightButton:
+            return
         if self._pressed_at is not None and not self._panning:
-            self.clicked_at(event.position())
+            extend = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            self.clicked_at(event.position(), extend)
+        elif self._panning and self._holding:
+            self.drop()
         self._pressed_at = None
-        self._panning = False
-        self.unsetCursor()
+        self._panning = self._holding = False
+        self.setCursor(self.cursor_at(event.position()))
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:  # noqa: N802
+        """Ask for what can be done to who is under the cursor, or selected."""
+        by_key = event.reason() is QContextMenuEvent.Reason.Keyboard
+        track = -1 if by_key else self.track_at(QPointF(event.pos()))
+        self.menu_asked.emit(track, event.globalPos())
+        event.accept()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:  # noqa: N802
         """Show everything."""

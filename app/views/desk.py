@@ -12,6 +12,7 @@ from app.presenters.scenes import Eye, TransportScene
 from app.presenters.setting import Pictured
 from app.presenters.tracker_state import TrackerState, TrackerWords
 from app.presenters.words import tr
+from app.views.dragging import Dragging
 from app.views.editing import Editing
 from app.views.labelling import Labelling
 from app.views.live import LiveTracking
@@ -43,6 +44,7 @@ class Desk(QObject):
         self.document = document
         self.playback = Playback(document.recording, self)
         self.editing = Editing(document, self.playback, self)
+        self.dragging = Dragging(document, self.playback, self.editing)
         self.overlaying = Overlaying(document, self.playback, self)
         self.labelling = Labelling(document, self.playback, workspace, self)
         self.live = LiveTracking(document.recording, self)
@@ -59,6 +61,7 @@ class Desk(QObject):
         self.playback.moved.connect(self.draw_playhead)
         self.playback.failed.connect(self.failed)
         self.editing.changed.connect(self.draw)
+        self.editing.previewed.connect(self.draw_preview)
         self.editing.failed.connect(self.failed)
         self.editing.said.connect(self.said)
         self.overlaying.changed.connect(self.draw_instant)
@@ -75,6 +78,7 @@ class Desk(QObject):
         desk, view = self, self._workspace
         for picker in (view.left, view.right, view.overhead, view.timeline):
             picker.track_picked.connect(desk.editing.pick)
+            picker.track_added.connect(desk.editing.add)
         view.timeline.frame_sought.connect(desk.playback.go)
         view.timeline.cut_moved.connect(desk.editing.put_cut)
         view.transport.play_toggled.connect(desk.toggle)
@@ -92,8 +96,16 @@ class Desk(QObject):
         view.preview.confirmed.connect(desk.editing.confirm)
         view.preview.cancelled.connect(desk.editing.leave)
         view.preview.cut_moved.connect(desk.editing.move_cut)
+        view.preview.end_moved.connect(desk.editing.move_end)
         view.preview.choice_made.connect(desk.editing.choose)
         view.preview.other_typed.connect(desk.editing.pick_typed)
+        view.preview.cut_proposed.connect(desk.editing.put_proposed_cut)
+        view.left.box_grabbed.connect(desk.dragging.grab_box)
+        view.left.box_dragged.connect(desk.dragging.drag_box)
+        view.left.box_dropped.connect(desk.dragging.drop)
+        view.overhead.person_grabbed.connect(desk.dragging.grab_person)
+        view.overhead.person_dragged.connect(desk.dragging.drag_person)
+        view.overhead.person_dropped.connect(desk.dragging.drop)
 
     def close(self) -> None:
         """End all threads and let the recording go."""
@@ -119,6 +131,7 @@ class Desk(QObject):
             selected=bool(document.selection),
             editing=document.flow is not None,
             labelling=self.labelling.tool is not None,
+            placing=document.flow is not None and document.flow.places,
             live=self.live.running,
             can_undo=session is not None and session.history.next_undo is not None,
             can_redo=session is not None and session.history.next_redo is not None,
@@ -222,10 +235,10 @@ class Desk(QObject):
             self.changed.emit()
 
     def _end_live(self, run: object) -> None:
-        self.tracked.emit(run)
-        self.draw()
         if self.live.notes:
             self.noted.emit(self.live.notes)
+        self.tracked.emit(run)
+        self.draw()
 
     def _fail_live(self, error: Exception) -> None:
         """Nothing is kept of it, so nothing of it stays in view; play begins anew."""
@@ -256,6 +269,12 @@ class Desk(QObject):
         view.history.show_scene(document.history())
         view.preview.show_scene(document.planned.scene if document.planned else None)
         self.changed.emit()
+
+    def draw_preview(self) -> None:
+        """Draw only what an edit that waits would do: often, while something is dragged."""
+        planned = self.document.planned
+        self.draw_instant()
+        self._workspace.preview.show_scene(planned.scene if planned is not None else None)
 
     def draw_instant(self) -> None:
         """Draw the pictures and the floor: the same frame in all of them."""

@@ -2,59 +2,18 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QIntValidator, QKeyEvent
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QLineEdit,
-    QPushButton,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.presenters.scenes import EditPreview
+from app.views.choices import ChoiceButtons, ProposalChips
 from app.views.icons import IconButton
+from app.views.id_edit import IdEdit
 from app.views.parts import quiet
 from app.views.preview_legend import PreviewLegend
 from app.views.theme import scaled_font
 
-_LARGEST_ID = 2**31 - 1
-
-
-class IdEdit(QLineEdit):
-    """Takes a track's id. It wants digits and their correction only: other keys stay shortcuts.
-
-    Signals:
-        typed(int): Enter was pressed.
-    """
-
-    typed = Signal(int)
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setValidator(QIntValidator(1, _LARGEST_ID, self))
-        self.returnPressed.connect(lambda: self.typed.emit(int(self.text())))
-
-    def wants(self, event: QKeyEvent) -> bool:
-        """Whether a key is typed into the field rather than a shortcut of the window."""
-        corrections = (Qt.Key.Key_Backspace, Qt.Key.Key_Return, Qt.Key.Key_Enter)
-        return event.text().isdigit() or (bool(self.text()) and event.key() in corrections)
-
-    def event(self, event: QEvent) -> bool:
-        """Leave the keys to the window that are not wanted here."""
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            event.setAccepted(self.wants(event))
-            return event.isAccepted()
-        return super().event(event)
-
-    def focusInEvent(self, event: QFocusEvent) -> None:  # noqa: N802 - Qt's name
-        """What is typed replaces what is there."""
-        super().focusInEvent(event)
-        self.selectAll()
+_CHOICE_ROWS = 2
 
 
 class EditPanel(QFrame):
@@ -62,20 +21,22 @@ class EditPanel(QFrame):
 
     Signals:
         confirmed(), cancelled(): Enter, Esc.
-        cut_moved(int): by so many frames.
-        choice_made(int): one of the preview's choices, counted from 0.
-        other_typed(int): the other person's id.
+        cut_moved(int), end_moved(int): by so many frames.
+        choice_made(int, int): which row of choices, and which of its options.
+        other_typed(int): the other person's id, typed or clicked.
+        cut_proposed(int): which of the frames that were found.
     """
 
     confirmed = Signal()
     cancelled = Signal()
     cut_moved = Signal(int)
-    choice_made = Signal(int)
+    end_moved = Signal(int)
+    choice_made = Signal(int, int)
     other_typed = Signal(int)
+    cut_proposed = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._choices: tuple[str, ...] = ()
         self._asking = False
         self.setProperty("notice", True)
         self.setAccessibleName(self.tr("Edit preview"))
@@ -85,8 +46,9 @@ class EditPanel(QFrame):
         self._title = self._words(rows)
         self._title.setFont(scaled_font(self.font(), 1.1, bold=True))
         self._build_other(rows)
+        self._build_cuts(rows)
         self._build_choices(rows)
-        self._build_nudge(rows)
+        self._build_frames(rows)
         self._details = self._words(rows)
         self._legend = PreviewLegend(self)
         rows.addWidget(self._legend, 0, Qt.AlignmentFlag.AlignLeft)
@@ -111,42 +73,51 @@ class EditPanel(QFrame):
         return widget, line
 
     def _build_other(self, rows: QVBoxLayout) -> None:
-        title = quiet(self.tr("Other person"), self)
-        self._other_line, line = self._line(rows, title)
+        self._other_title = quiet(self.tr("With"), self)
+        self._other_line, line = self._line(rows, self._other_title)
         self._other = IdEdit(self)
         self._other.setPlaceholderText(self.tr("id"))
         self._other.setAccessibleName(self.tr("Id of the other person"))
         self._other.setToolTip(self.tr("Type their id and press Enter"))
-        self._other.setMaximumWidth(12 * self.fontMetrics().averageCharWidth())
+        self._other.setMaximumWidth(9 * self.fontMetrics().averageCharWidth())
         self._other.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._other.typed.connect(self.other_typed)
+        self._others = ProposalChips("", self)
+        self._others.chosen.connect(self.other_typed)
         line.addWidget(self._other)
-        line.addStretch(1)
+        line.addWidget(self._others, 1)
+        line.addStretch(0)
+
+    def _build_cuts(self, rows: QVBoxLayout) -> None:
+        self._cuts = ProposalChips(self.tr("Changed over at"), self)
+        self._cuts.chosen.connect(self.cut_proposed)
+        rows.addWidget(self._cuts)
 
     def _build_choices(self, rows: QVBoxLayout) -> None:
-        self._choice_title = quiet("", self)
-        rows.addWidget(self._choice_title)
-        self._choice_frame = QFrame(self)
-        self._choice_frame.setProperty("track", True)
-        self._choice_row = QHBoxLayout(self._choice_frame)
-        self._choice_row.setContentsMargins(2, 2, 2, 2)
-        self._choice_row.setSpacing(2)
-        self._choice_group = QButtonGroup(self)
-        rows.addWidget(self._choice_frame, 0, Qt.AlignmentFlag.AlignLeft)
+        self._choices = [ChoiceButtons(self) for _ in range(_CHOICE_ROWS)]
+        for row, buttons in enumerate(self._choices):
+            buttons.chosen.connect(lambda number, row=row: self.choice_made.emit(row, number))
+            rows.addWidget(buttons)
 
-    def _build_nudge(self, rows: QVBoxLayout) -> None:
-        self._nudge, line = self._line(rows, quiet(self.tr("Cut at"), self))
-        earlier = IconButton("step-back", self.tr("Cut a frame earlier"), self.tr("Left"), self)
-        earlier.clicked.connect(lambda: self.cut_moved.emit(-1))
-        later = IconButton("step-forward", self.tr("Cut a frame later"), self.tr("Right"), self)
-        later.clicked.connect(lambda: self.cut_moved.emit(1))
-        for button in (earlier, later):
-            button.setAutoRepeat(True)
-        self._frame = QLabel(self)
-        self._frame.setFont(scaled_font(self.font(), 1.0, bold=True))
-        for widget in (earlier, self._frame, later):
+    def _build_frames(self, rows: QVBoxLayout) -> None:
+        """The cut and, beside it, the end of a range, each with buttons to move it."""
+        self._frames = QWidget(self)
+        line = QHBoxLayout(self._frames)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.setSpacing(12)
+        cut, self._frame = self._nudge(self.tr("From"), self.tr("Left"), self.tr("Right"))
+        cut.moved.connect(self.cut_moved)
+        keys = self.tr("Ctrl+Left"), self.tr("Ctrl+Right")
+        self._until, self._end = self._nudge(self.tr("to"), *keys)
+        self._until.moved.connect(self.end_moved)
+        for widget in (cut, self._until):
             line.addWidget(widget)
         line.addStretch(1)
+        rows.addWidget(self._frames)
+
+    def _nudge(self, title: str, back_key: str, on_key: str) -> tuple[_Nudge, QLabel]:
+        nudge = _Nudge(title, back_key, on_key, self._frames)
+        return nudge, nudge.label
 
     def _build_ends(self, rows: QVBoxLayout) -> None:
         line = QHBoxLayout()
@@ -175,14 +146,20 @@ class EditPanel(QFrame):
         self._details.setVisible(bool(preview.details))
         self._hint.setText(preview.hint)
         self._hint.setVisible(bool(preview.hint))
-        self._frame.setText(self.tr("frame {0}").format(preview.frame))
-        self._nudge.setVisible(preview.ready and preview.has_cut)
-        self._confirm.setVisible(preview.ready)
+        self._frame.setText(str(preview.frame))
+        self._until.setVisible(preview.end is not None)
+        self._end.setText(str(preview.end - 1) if preview.end is not None else "")
+        self._frames.setVisible(preview.has_cut and preview.other != 0)
+        self._confirm.setEnabled(preview.ready)
         self._legend.setVisible(preview.ready)
         self._other_line.setVisible(preview.other is not None)
         self._other.setText(str(preview.other or ""))
+        self._others.show_scene(preview.others)
+        self._cuts.show_scene(preview.cuts)
         self._ask(preview.other == 0)
-        self._show_choices(preview)
+        shown = {choice.row: choice for choice in preview.choices} if preview.other != 0 else {}
+        for row, buttons in enumerate(self._choices):
+            buttons.show_scene(shown.get(row))
 
     def _ask(self, asking: bool) -> None:
         """Take the keyboard for the id when it begins to be asked for, give it back after."""
@@ -192,32 +169,26 @@ class EditPanel(QFrame):
             self._other.clearFocus()
         self._asking = asking
 
-    def _show_choices(self, preview: EditPreview) -> None:
-        shown = preview.ready and len(preview.choices) > 1
-        self._choice_title.setVisible(shown)
-        self._choice_title.setText(preview.choice_title)
-        self._choice_frame.setVisible(shown)
-        self._choice_frame.setAccessibleName(preview.choice_title)
-        if preview.choices != self._choices:
-            self._choices = preview.choices
-            for button in self._choice_group.buttons():
-                self._choice_group.removeButton(button)
-                self._choice_row.removeWidget(button)
-                button.deleteLater()
-            for number, text in enumerate(preview.choices):
-                self._add_choice(number, text)
-        for button in self._choice_group.buttons():
-            button.setChecked(self._choice_group.id(button) == preview.choice)
 
-    def _add_choice(self, number: int, text: str) -> None:
-        button = QToolButton(self._choice_frame)
-        button.setText(text)
-        button.setAccessibleName(text)
-        button.setCheckable(True)
-        button.setProperty("segment", True)
-        button.setProperty("tight", True)
-        button.setFont(scaled_font(self.font(), 0.92))
-        button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        button.clicked.connect(lambda: self.choice_made.emit(number))
-        self._choice_group.addButton(button, number)
-        self._choice_row.addWidget(button)
+class _Nudge(QWidget):
+    """A frame number between two buttons that move it; `moved(frames)` says by how many."""
+
+    moved = Signal(int)
+
+    def __init__(self, title: str, back_key: str, on_key: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.label = QLabel(self)
+        self.label.setFont(scaled_font(parent.font(), 1.0, bold=True))
+        earlier = IconButton(
+            "step-back", self.tr("{0} a frame earlier").format(title), back_key, self
+        )
+        earlier.clicked.connect(lambda: self.moved.emit(-1))
+        later = IconButton("step-forward", self.tr("{0} a frame later").format(title), on_key, self)
+        later.clicked.connect(lambda: self.moved.emit(1))
+        line = QHBoxLayout(self)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.setSpacing(4)
+        for widget in (quiet(title, self), earlier, self.label, later):
+            line.addWidget(widget)
+        for button in (earlier, later):
+            button.setAutoRepeat(True)

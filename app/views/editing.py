@@ -6,8 +6,9 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
+from app.presenters import opening
 from app.presenters.document import Document
-from app.presenters.edit_flow import EditFlow, EditKind
+from app.presenters.edits import EditFlow, EditKind, Scope
 from app.presenters.words import tr
 from app.views.playback import Playback
 from tracking.editing import (
@@ -23,10 +24,12 @@ class Editing(QObject):
     """Turns gestures into edits of a document.
 
     Signals: `changed()`, the tracks, the labels or the waiting edit are others than before;
+    `previewed()`, only what the waiting edit would do is;
     `failed(error)`, an edit does not apply; `said(text)`, what was done.
     """
 
     changed = Signal()
+    previewed = Signal()
     failed = Signal(object)
     said = Signal(str)
 
@@ -37,23 +40,46 @@ class Editing(QObject):
 
     # an edit on its way
 
-    def begin(self, kind: EditKind) -> None:
-        """X, S, M or Del: begin an edit of the selected track at the playhead."""
+    def begin(self, kind: EditKind, scope: Scope | None = None, other: int = 0) -> None:
+        """Begin an edit of who is selected at the playhead, perhaps with the second person."""
+        self._begun(lambda frame: self._document.correcting.begin(kind, frame, scope, other))
+
+    def begin_drawing(self, new: bool = False) -> None:
+        """W: draw a box of who is selected, or (Ins) the first one of somebody new."""
+        self._begun(lambda frame: self._document.correcting.begin_drawing(frame, new))
+
+    def _begun(self, begin: Callable[[int], None]) -> None:
         self._playback.pause()
-        self._document.begin_edit(kind, self._playback.clock.frame)
+        begin(self._playback.clock.frame)
+        flow = self._document.flow
+        if flow is not None and flow.has_cut and flow.cut != self._playback.clock.frame:
+            self._playback.go(flow.cut)
         self.changed.emit()
 
     def pick(self, track: int) -> None:
         """A person was clicked in some view."""
-        self._picked(lambda: self._document.pick(track))
+        self._picked(lambda: self._document.correcting.pick(track))
+
+    def add(self, track: int) -> None:
+        """A person was clicked with Shift: they are selected too."""
+        self._picked(lambda: self._document.correcting.add(track))
 
     def pick_next(self, step: int) -> None:
         """Tab or Shift+Tab."""
-        self._picked(lambda: self._document.pick_next(self._playback.number, step))
+        here = self._document.people_at(self._playback.number)
+        self._picked(lambda: self._document.correcting.pick_next(here, step))
 
     def pick_typed(self, track: int) -> None:
-        """The other person's id was typed."""
-        self._picked(lambda: self._document.pick_typed(track))
+        """The other person's id was typed or chosen among those that may be meant."""
+        self._picked(lambda: self._document.correcting.pick_typed(track))
+
+    def next_proposal(self, step: int) -> None:
+        """Up or Down: another of the frames, or of the people, that were found."""
+        self._picked(lambda: self._document.correcting.next_proposal(step))
+
+    def put_proposed_cut(self, number: int) -> None:
+        """One of the frames that were found was clicked."""
+        self._put(lambda flow: flow.at_cut(number))
 
     def _picked(self, pick: Callable[[], None]) -> None:
         before = self._document.flow
@@ -74,35 +100,66 @@ class Editing(QObject):
             self.move_cut(frame - flow.cut)
 
     def move_end(self, frames: int) -> None:
-        """Ctrl+Left / Right: move the end of the range."""
+        """Ctrl+Left / Right: move the end of the range, and the playhead to its last frame."""
         count = self._document.recording.frame_count
-        self._put(lambda flow: flow.with_end_moved(frames, count))
+        self._put(lambda flow: flow.with_end_moved(frames, count), at_end=True)
 
-    def next_choice(self) -> None:
-        """R: from here on, this range, this frame, and around again; of a merge whom to keep."""
-        self._put(lambda flow: flow.with_choice(flow.choice + 1))
+    def next_choice(self, row: int = 0) -> None:
+        """R: from here on, this range, this frame, and around again; C: how it is done."""
+        self._put(lambda flow: flow.with_choice(row, flow.chosen(row) + 1))
 
-    def choose(self, number: int) -> None:
+    def choose(self, row: int, number: int) -> None:
         """One of the edit's choices was clicked."""
-        self._put(lambda flow: flow.with_choice(number))
+        self._put(lambda flow: flow.with_choice(row, number))
 
-    def _put(self, step: Callable[[EditFlow], EditFlow]) -> None:
-        flow = self._document.flow
-        if flow is None:
+    def nudge(self, right: int, down: int, *, far: bool = False, resize: bool = False) -> None:
+        """An arrow key moves or resizes the box that waits."""
+        self._document.correcting.nudge(right, down, far=far, resize=resize)
+        self.previewed.emit()
+
+    def mark(self, *, end: bool) -> None:
+        """[ or ]: the range begins, or ends, with the frame at the playhead."""
+        frame, correcting = self._playback.clock.frame, self._document.correcting
+        if end:
+            correcting.mark(stop=frame + 1)
+        else:
+            correcting.mark(start=frame)
+        self.changed.emit()
+        if correcting.marked is not None:
+            first, stop = correcting.marked
+            self.said.emit(tr("Range: frames {first} to {last}", first=first, last=stop - 1))
+
+    def unmark(self) -> None:
+        """No range any more."""
+        self._document.correcting.unmark()
+        self.changed.emit()
+
+    def _put(self, step: Callable[[EditFlow], EditFlow], at_end: bool = False) -> None:
+        before = self._document.flow
+        if before is None:
             return
-        self._document.change_edit(step(flow))
-        if self._document.flow is not None and flow.has_cut:
-            self._playback.go(self._document.flow.cut)
+        self._document.correcting.change(step(before))
+        flow = self._document.flow
+        if flow is not None and flow.has_cut:
+            self._playback.go(flow.end - 1 if at_end else flow.cut)
         self.changed.emit()
 
     def confirm(self) -> None:
         """Enter: do the edit."""
-        self._do(self._document.confirm_edit, tr("Done: {text}"))
+        self._do(self._confirm, tr("Done: {text}"))
+
+    def _confirm(self) -> Change | None:
+        """Do it; the first box anybody draws makes the session it is kept in."""
+        document = self._document
+        ready = document.planned is not None and document.planned.change is not None
+        if ready and document.session is None:
+            document.take_session(opening.session_by_hand(document.recording))
+        return document.confirm_edit()
 
     def leave(self) -> None:
         """Esc: leave the edit, or let the selected person go."""
         if self._document.flow is not None:
-            self._document.leave_edit()
+            self._document.correcting.leave()
         else:
             self._document.selection.choose(0)
         self.changed.emit()
@@ -111,12 +168,12 @@ class Editing(QObject):
 
     def undo(self) -> bool:
         """Take the last edit back and go where it was; whether that was done."""
-        self._document.leave_edit()
+        self._document.correcting.leave()
         return self._do(self._document.undo, tr("Undone: {text}"))
 
     def redo(self) -> bool:
         """Do the edit again that was taken back and go where it was; whether that was done."""
-        self._document.leave_edit()
+        self._document.correcting.leave()
         return self._do(self._document.redo, tr("Done again: {text}"))
 
     def go_to_edit(self, edit: int) -> None:

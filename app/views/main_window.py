@@ -22,6 +22,7 @@ from app.presenters.explaining import explain
 from app.presenters.scenes import CommandItem
 from app.presenters.words import tr
 from app.views.command_palette import CommandPalette
+from app.views.context_menu import ContextMenu
 from app.views.desk import Desk
 from app.views.files import Files
 from app.views.icons import application_icon
@@ -57,6 +58,7 @@ class MainWindow(QMainWindow):
         self.files = Files(self, self.work, remembered)
         self.menus = Menus(self)
         self.palette_of_commands = CommandPalette(self)
+        self.context_menu = ContextMenu(self)
         self._pages = QStackedWidget(self)
         self._guard = TypingGuard(self)
         self._commands: dict[str, Callable[[], None]] = runnable_commands(self)
@@ -88,7 +90,7 @@ class MainWindow(QMainWindow):
         bar: QMenuBar = self.menuBar()
         bar.setCornerWidget(search)
         self.setAcceptDrops(True)
-        names = ("tracks.swap", "tracks.split", "tracks.merge", "tracks.end_here")
+        names = ("tracks.swap", "tracks.split", "tracks.merge", "tracks.end_here", "tracks.draw")
         self.workspace.card.set_actions([self.menus.actions[name] for name in names])
 
     def _connect(self) -> None:
@@ -142,6 +144,11 @@ class MainWindow(QMainWindow):
         """Bring commands, title and progress up to date, once, before the next event."""
         if not self._refreshing.isActive():
             self._refreshing.start()
+
+    def bring_up_to_date(self) -> None:
+        """The same at once, for what is about to be shown."""
+        self._refreshing.stop()
+        self._refresh_now()
 
     def _refresh_now(self) -> None:
         self.menus.show_items(self.command_items())

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from app.presenters.scenes import Colour, PersonMark, PreviewTrail
 from app.views.labels import draw_plate, place_plates, plate_rect
@@ -16,6 +16,7 @@ from app.views.theme import faded
 from app.views.viewport import Points, Viewport, polygon
 
 _CORNER = 4.0
+_DIAMOND_PX = 5.0
 _AGES = 6  # steps in which a trail fades
 _MOST_POINTS = 31  # of a trail
 
@@ -92,6 +93,28 @@ def draw_preview(painter: QPainter, trails: Sequence[PreviewTrail], viewport: Vi
         painter.drawPolyline(polygon(viewport.to_widget(trail.points)))
 
 
+def draw_ghosts(painter: QPainter, people: Sequence[PersonMark], viewport: Viewport) -> None:
+    """Where people are before an edit that moves them or takes them out: faint, with a cross."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for person in people:
+        rect = viewport.rect(QRectF(*person.box))
+        for colour, width in (((0, 0, 0), 3.2), (person.colour, 1.6)):
+            pen = QPen(faded(QColor(*colour), 0.55), width)
+            pen.setDashPattern([5.0 / width, 4.0 / width])
+            painter.setPen(pen)
+            painter.drawRoundedRect(rect, _CORNER, _CORNER)
+            painter.drawLine(rect.topLeft(), rect.bottomRight())
+            painter.drawLine(rect.topRight(), rect.bottomLeft())
+
+
+def draw_cross(painter: QPainter, at: QPointF, area: QRectF) -> None:
+    """Thin lines through the cursor over the whole picture, to see a box's sides before it."""
+    for colour, width in ((QColor(0, 0, 0, 120), 3.0), (QColor(255, 255, 255, 210), 1.0)):
+        painter.setPen(QPen(colour, width))
+        painter.drawLine(QPointF(area.left(), at.y()), QPointF(area.right(), at.y()))
+        painter.drawLine(QPointF(at.x(), area.top()), QPointF(at.x(), area.bottom()))
+
+
 def preview_pen(colour: QColor, after: bool) -> QPen:
     """The pen of a trail as it would be after an edit, or as it is before."""
     if after:
@@ -113,7 +136,21 @@ def _draw_box(painter: QPainter, person: PersonMark, rect: QRectF) -> None:
     painter.setPen(QPen(colour.darker(320), width + 1.4))  # opaque: translucent takes five times
     painter.drawRoundedRect(rect, _CORNER, _CORNER)
     pen = QPen(colour, width)
-    if person.predicted:
+    if person.occluded:
+        pen.setDashPattern([1.0, 2.0])
+    elif person.predicted:
         pen.setDashPattern([4.0, 3.0])
     painter.setPen(pen)
     painter.drawRoundedRect(rect, _CORNER, _CORNER)
+    if person.keyframe:
+        _draw_diamond(painter, QPointF(rect.center().x(), rect.bottom()), colour)
+
+
+def _draw_diamond(painter: QPainter, at: QPointF, colour: QColor) -> None:
+    """The mark of a keyframe, as on the timeline."""
+    reach = _DIAMOND_PX
+    corners = [QPointF(0, -reach), QPointF(reach, 0), QPointF(0, reach), QPointF(-reach, 0)]
+    painter.setPen(QPen(colour.darker(320), 1.4))
+    painter.setBrush(QColor(255, 255, 255))
+    painter.drawPolygon(QPolygonF([at + corner for corner in corners]))
+    painter.setBrush(Qt.BrushStyle.NoBrush)

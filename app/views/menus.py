@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
 from app.presenters.commands import COMMANDS, MENUS, Command
 from app.presenters.scenes import CommandItem
 from app.presenters.words import tr
-from app.views.edit_panel import IdEdit
 from app.views.icons import icon
+from app.views.id_edit import IdEdit
 
 _TYPING = (QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox, QComboBox)
 

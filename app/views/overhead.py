@@ -24,6 +24,7 @@ _ARROW_S = 0.8  # an arrow shows where somebody is after this time
 _LONGEST_ARROW_PX = 70.0
 _STANDING_M_S = 0.05
 _DOT_PX = 10
+_GRIP_PX = 3.0  # around a person's ring
 
 
 class OverheadView(Canvas):
@@ -31,16 +32,26 @@ class OverheadView(Canvas):
 
     Signals:
         track_picked(int): the nearest person to a click, 0 where nobody is near.
+        track_added(int): the same with Shift.
         floor_clicked(float, float): where a click was, in metres.
+        person_grabbed(int), person_dragged(float, float), person_dropped(): somebody is taken hold
+            of, is now at x, y in metres, is let go.
     """
 
     track_picked = Signal(int)
+    track_added = Signal(int)
+    person_grabbed = Signal(int)
+    person_dragged = Signal(float, float)
+    person_dropped = Signal()
     floor_clicked = Signal(float, float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(upward=True, parent=parent)
         self._scene: OverheadScene | None = None
         self._labels = FloorLabels()
+        self._held: FloorPerson | None = None
+        self._held_off = QPointF()
+        self._dragged = False
         self._floor_key: tuple[object, ...] = ()
         self._floor_drawn = QPixmap()
         self._dot_key = ("", 0.0)
@@ -69,14 +80,54 @@ class OverheadView(Canvas):
         left, bottom, right, top = self._scene.bounds
         return QRectF(left, bottom, right - left, top - bottom)
 
-    def clicked_at(self, at: QPointF) -> None:
+    def clicked_at(self, at: QPointF, extend: bool) -> None:
         """Report who and where."""
         if self.content().isEmpty():
             return
-        person = self._person_at(at)
-        self.track_picked.emit(person.track if person is not None else 0)
+        (self.track_added if extend else self.track_picked).emit(self.track_at(at))
         place = self.viewport.to_content(at)
         self.floor_clicked.emit(place.x(), place.y())
+
+    def track_at(self, at: QPointF) -> int:
+        """The person near."""
+        person = self._person_at(at)
+        return person.track if person is not None else 0
+
+    def grabs(self, at: QPointF) -> bool:
+        """A person whose ring is under the cursor."""
+        self._held, self._dragged = self._movable_at(at), False
+        if self._held is not None:
+            self._held_off = self.viewport.point(*self._held.position) - at
+        return self._held is not None
+
+    def _movable_at(self, at: QPointF) -> FloorPerson | None:
+        person = self._person_at(at) if self._scene is not None and self._scene.movable else None
+        if person is None:
+            return None
+        apart = QLineF(self.viewport.point(*person.position), at).length()
+        return person if apart <= self._radius() + _GRIP_PX else None
+
+    def drag_to(self, at: QPointF) -> None:
+        """Tell where the person stands by now."""
+        if self._held is None:
+            return
+        if not self._dragged:
+            self._dragged = True
+            self.person_grabbed.emit(self._held.track)
+        place = self.viewport.to_content(at + self._held_off)
+        self.person_dragged.emit(place.x(), place.y())
+
+    def drop(self) -> None:
+        """Tell that the person stays."""
+        self._held = None
+        self.person_dropped.emit()
+
+    def cursor_at(self, at: QPointF) -> Qt.CursorShape:
+        """Arrows over who can be moved, a hand near people."""
+        if self._movable_at(at) is not None:
+            return Qt.CursorShape.SizeAllCursor
+        over = self._person_at(at) is not None
+        return Qt.CursorShape.PointingHandCursor if over else Qt.CursorShape.ArrowCursor
 
     def name_at(self, at: QPointF) -> str:
         """The person near the cursor and where they stand."""
@@ -112,6 +163,8 @@ class OverheadView(Canvas):
         draw_outlines(painter, self._labels.outlines, self.viewport, area, theme)
         self._draw_trails(painter, scene, theme)
         self._draw_particles(painter, scene, theme)
+        for person in scene.ghosts:
+            self._draw_ghost(painter, person, theme)
         for person in scene.people:
             self._draw_person(painter, person, theme)
         self._draw_measured(painter, scene, theme)
@@ -179,6 +232,17 @@ class OverheadView(Canvas):
         painter.setPen(pen)
         painter.drawEllipse(at, radius, radius)
         self._draw_arrow(painter, person, at, colour)
+
+    def _draw_ghost(self, painter: QPainter, person: FloorPerson, theme: Theme) -> None:
+        """Where somebody stands before an edit that moves them or takes them out."""
+        at, reach = self.viewport.point(*person.position), self._radius() * 0.7
+        pen = QPen(faded(theme.track(person.colour), 0.7), 1.6)
+        pen.setDashPattern([3.0, 2.5])
+        painter.setPen(pen)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawEllipse(at, self._radius(), self._radius())
+        for way in (QPointF(reach, reach), QPointF(reach, -reach)):
+            painter.drawLine(at - way, at + way)
 
     def _draw_arrow(
         self, painter: QPainter, person: FloorPerson, at: QPointF, colour: QColor

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Signal
+from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.labelling_scene import PictureLabels
 from app.presenters.scenes import Eye, PersonMark, PictureScene
+from app.views.box_handles import Grip, cursor_of, draw_handles, handle_at
 from app.views.canvas import Canvas
 from app.views.labelling_marks import draw_outlines, draw_parts
 from app.views.labels import draw_message, draw_note, plate_rect
 from app.views.legend import draw_legend
-from app.views.marks import draw_people, draw_preview
+from app.views.marks import draw_cross, draw_ghosts, draw_people, draw_preview
 from app.views.theme import Theme, scaled_font
 from tracking.recording.frame import Image
 
@@ -27,10 +28,17 @@ class PictureView(Canvas):
     Signals:
         track_picked(int): a person was clicked, the nearest where boxes lie over each other;
             0 for a click beside all people.
+        track_added(int): the same with Shift.
         picture_clicked(float, float): where a click was, in pixels as recorded.
+        box_grabbed(), box_dragged(object), box_dropped(): the box with handles, or one that is
+            being drawn, is taken hold of, is now (left, top, width, height), is let go.
     """
 
     track_picked = Signal(int)
+    track_added = Signal(int)
+    box_grabbed = Signal()
+    box_dragged = Signal(object)
+    box_dropped = Signal()
     picture_clicked = Signal(float, float)
 
     def __init__(self, eye: Eye, parent: QWidget | None = None) -> None:
@@ -40,6 +48,9 @@ class PictureView(Canvas):
         self._image = QImage()
         self._overlay = QImage()
         self._eye_name = ""
+        self._grip: Grip | None = None
+        self._dragged = False
+        self._hover: QPointF | None = None
         self._rename()
 
     def show_scene(self, scene: PictureScene) -> None:
@@ -83,14 +94,65 @@ class PictureView(Canvas):
             return QRectF()
         return QRectF(-0.5, -0.5, self._image.width(), self._image.height())
 
-    def clicked_at(self, at: QPointF) -> None:
+    def clicked_at(self, at: QPointF, extend: bool) -> None:
         """Report who and where."""
         if self._image.isNull():
             return
-        person = self._person_at(at)
-        self.track_picked.emit(person.track if person is not None else 0)
+        (self.track_added if extend else self.track_picked).emit(self.track_at(at))
         place = self.viewport.to_content(at)
         self.picture_clicked.emit(place.x(), place.y())
+
+    def track_at(self, at: QPointF) -> int:
+        """The person there."""
+        person = self._person_at(at)
+        return person.track if person is not None else 0
+
+    # moving and drawing boxes
+
+    def grabs(self, at: QPointF) -> bool:
+        """A new box's corner while one is to be drawn, else a handle or the movable box itself."""
+        self._grip, self._dragged = self._grip_at(at), False
+        return self._grip is not None
+
+    def _grip_at(self, at: QPointF) -> Grip | None:
+        place = self.viewport.to_content(at)
+        if self._scene.drawing and not self._image.isNull():
+            return Grip((1, 1), (place.x(), place.y(), 0.0, 0.0), place)
+        person = self._movable()
+        if person is None:
+            return None
+        handle = handle_at(self.viewport.rect(QRectF(*person.box)), at)
+        return Grip(handle, person.box, place) if handle is not None else None
+
+    def _movable(self) -> PersonMark | None:
+        return next((person for person in self._scene.people if person.movable), None)
+
+    def drag_to(self, at: QPointF) -> None:
+        """Tell where the box is by now."""
+        if self._grip is None:
+            return
+        if not self._dragged:
+            self._dragged = True
+            self.box_grabbed.emit()
+        self._hover = at
+        self.box_dragged.emit(self._grip.moved_to(self.viewport.to_content(at)))
+
+    def drop(self) -> None:
+        """Tell that the box stays."""
+        self._grip = None
+        self.box_dropped.emit()
+
+    def cursor_at(self, at: QPointF) -> Qt.CursorShape:
+        """A cross to draw, arrows over handles, a hand over people."""
+        if self._scene.drawing:
+            self._hover = at
+            self.update()
+            return Qt.CursorShape.CrossCursor
+        grip = self._grip_at(at)
+        if grip is not None:
+            return cursor_of(grip.handle)
+        over = self._person_at(at) is not None
+        return Qt.CursorShape.PointingHandCursor if over else Qt.CursorShape.ArrowCursor
 
     def name_at(self, at: QPointF) -> str:
         """The person's label under the cursor."""
@@ -122,8 +184,15 @@ class PictureView(Canvas):
         shown = area.intersected(self.viewport.rect(self.content()))
         draw_outlines(painter, self._labels.outlines, self.viewport, shown, theme)
         draw_preview(painter, self._scene.preview, self.viewport)
+        draw_ghosts(painter, self._scene.ghosts, self.viewport)
         draw_people(painter, self._scene.people, self.viewport, shown)
         draw_parts(painter, self._labels.parts, self.viewport, shown)
+        movable = self._movable()
+        if movable is not None:
+            rect = self.viewport.rect(QRectF(*movable.box))
+            draw_handles(painter, rect, QColor(*movable.colour))
+        if self._scene.drawing and self._hover is not None:
+            draw_cross(painter, self._hover, shown)
         painter.setFont(scaled_font(self.font(), 0.92))
         metrics = QFontMetricsF(painter.font())
         eye = plate_rect(metrics, self._eye_name, QPointF(8, 12 + metrics.height()))

@@ -225,6 +225,18 @@ class TrackPanel(Panel):
         self._name.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self._name.selectAll()
 
+    def edit_attributes(self) -> None:
+        """Put the keyboard into the attributes; a first one is begun where there are none."""
+        self._attributes.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        if self._attributes.rowCount():
+            self._attributes.setCurrentCell(0, 1)
+        else:
+            self._attributes.add_row()
+
+    def edit_notes(self) -> None:
+        """Put the cursor into the notes."""
+        self._notes.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
     def _send_name(self) -> None:
         if self._card is not None and self._name.text() != self._card.name:
             self.name_edited.emit(self._card.track, self._name.text())

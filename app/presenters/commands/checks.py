@@ -37,6 +37,30 @@ def selected(now: Situation) -> str:
     return editable(now) or ("" if now.selected else tr("select a person first"))
 
 
+def on_floor(now: Situation) -> str:
+    """A person must be selected, and the floor be known."""
+    return selected(now) or floor(now)
+
+
+def drawable(now: Situation) -> str:
+    """A recording must be open for changes; the first box that is drawn makes the session."""
+    if now.session:
+        return editable(now)
+    if now.live:
+        return tr("stop tracking first, then correct")
+    return tr("wait until the work in progress is done") if now.busy else recording(now)
+
+
+def waiting(now: Situation) -> str:
+    """An edit must wait for Enter."""
+    return "" if now.editing else tr("no edit is waiting")
+
+
+def placing(now: Situation) -> str:
+    """An edit of a box must wait for Enter."""
+    return "" if now.placing else tr("no box is being moved")
+
+
 def trackable(now: Situation) -> str:
     """A tracker must exist for the recording, and nothing else be going on."""
     if now.live:

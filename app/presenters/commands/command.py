@@ -12,7 +12,8 @@ class Situation:
 
     Attributes:
         recording, session: open. tracks: there is something to select. selected: somebody is.
-        editing: a preview waits for Enter. live: a tracker is at work. busy: other long work is.
+        editing: a preview waits for Enter. placing: it is one of a box.
+        live: a tracker is at work. busy: other long work is.
         labelling: something is being labelled.
         stereo, truth: the recording has a right eye, a truth file.
         can_track: a tracker exists for the recording; else `why_no_tracking` says why.
@@ -25,6 +26,7 @@ class Situation:
     selected: bool = False
     editing: bool = False
     labelling: bool = False
+    placing: bool = False
     live: bool = False
     busy: bool = False
     can_undo: bool = False

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from app.presenters.edit_flow import Scope
 from app.views.desk import Desk
 from app.views.runnable.on_desk import OnDesk
 
 
 def _step(frames: int) -> OnDesk:
-    """A frame or ten: moves the cut while an edit waits, else the playhead."""
+    """A frame or ten: moves a box or the cut of an edit that waits, else the playhead."""
 
     def step(desk: Desk) -> None:
         flow = desk.document.flow
-        if flow is not None and flow.has_cut and not flow.needs_other:
+        if flow is not None and flow.places:
+            desk.editing.nudge(1 if frames > 0 else -1, 0, far=abs(frames) > 1)
+        elif flow is not None and flow.has_cut and not flow.needs_other:
             desk.editing.move_cut(frames)
         else:
             desk.playback.step(frames)
@@ -21,11 +22,13 @@ def _step(frames: int) -> OnDesk:
 
 
 def _second(direction: int) -> OnDesk:
-    """A second; while an edit over a range waits, its end by a frame."""
+    """A second; of a box that waits the width, of an edit over a range its end by a frame."""
 
     def step(desk: Desk) -> None:
         flow = desk.document.flow
-        if flow is not None and flow.scope is Scope.RANGE:
+        if flow is not None and flow.places:
+            desk.editing.nudge(direction, 0, resize=True)
+        elif flow is not None and flow.has_end:
             desk.editing.move_end(direction)
         else:
             desk.playback.step(direction * max(1, round(desk.playback.clock.fps)))

@@ -33,6 +33,8 @@ def of_the_window(window: MainWindow) -> dict[str, Callable[[], None]]:
         "play.goto": work_space.transport.edit_frame,
         "tracks.track": files.ask_track,
         "tracks.rename": work_space.card.edit_name,
+        "tracks.attributes": work_space.card.edit_attributes,
+        "tracks.notes": work_space.card.edit_notes,
         "review.score": files.score,
         "help.keys": lambda: ShortcutsDialog(window.command_items(), window).open(),
         "help.about": lambda: window.notice.say(

@@ -1,0 +1,97 @@
+"""What can be done to tracks, how far it goes, and in which ways."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import Enum
+from typing import Final
+
+
+class EditKind(Enum):
+    """What is to be done."""
+
+    SWAP = "swap"
+    SPLIT = "split"
+    MERGE = "merge"
+    REASSIGN = "reassign"
+    DELETE = "delete"
+    DRAW = "draw"
+    MOVE = "move"
+    FLOOR = "floor"
+    INTERPOLATE = "interpolate"
+    FILL = "fill"
+    KEYFRAME = "keyframe"
+    NO_KEYFRAME = "no keyframe"
+    THIN = "thin"
+    OCCLUDE = "occlude"
+    SHOW = "show"
+    REVIEW = "review"
+
+
+class Scope(Enum):
+    """How far an edit goes."""
+
+    ON = "from here on"
+    RANGE = "this range"
+    FRAME = "this frame"
+    WHOLE = "the whole track"
+    BETWEEN = "between the keyframes"
+    GAP = "this gap"
+    JOINED = "this frame and the gap beside it"
+
+
+class Way(Enum):
+    """How an edit is done, where there is more than one way."""
+
+    KEEP_FIRST = "first"
+    KEEP_SECOND = "second"
+    KEEP_SURER = "surer"
+    LINEAR = "linear"
+    FLOOR = "floor"
+
+
+_ANY: Final = (Scope.ON, Scope.RANGE, Scope.FRAME, Scope.WHOLE)
+_STRETCH: Final = (Scope.FRAME, Scope.RANGE, Scope.ON, Scope.WHOLE)
+_PATHS: Final = (Way.FLOOR, Way.LINEAR)
+
+SCOPES: Final[Mapping[EditKind, tuple[Scope, ...]]] = {
+    EditKind.SWAP: _ANY,
+    EditKind.SPLIT: (Scope.ON,),
+    EditKind.MERGE: (Scope.WHOLE,),
+    EditKind.REASSIGN: _ANY,
+    EditKind.DELETE: _ANY,
+    EditKind.DRAW: (Scope.FRAME, Scope.JOINED),
+    EditKind.MOVE: (Scope.FRAME,),
+    EditKind.FLOOR: (Scope.FRAME,),
+    EditKind.INTERPOLATE: (Scope.BETWEEN, Scope.RANGE),
+    EditKind.FILL: (Scope.GAP,),
+    EditKind.KEYFRAME: (Scope.FRAME,),
+    EditKind.NO_KEYFRAME: (Scope.FRAME,),
+    EditKind.THIN: (Scope.RANGE, Scope.ON, Scope.WHOLE),
+    EditKind.OCCLUDE: _STRETCH,
+    EditKind.SHOW: _STRETCH,
+    EditKind.REVIEW: _STRETCH,
+}
+"""How far each kind may go; the first is meant unless another is chosen."""
+
+WAYS: Final[Mapping[EditKind, tuple[Way, ...]]] = {
+    EditKind.MERGE: (Way.KEEP_FIRST, Way.KEEP_SECOND, Way.KEEP_SURER),
+    EditKind.INTERPOLATE: _PATHS,
+    EditKind.FILL: _PATHS,
+}
+"""The ways of each kind that has several; a way along the floor needs to know where it is."""
+
+OF_TWO: Final = (EditKind.SWAP, EditKind.MERGE, EditKind.REASSIGN)
+"""Edits that ask for another person, or for another id."""
+
+PLACING: Final = (EditKind.DRAW, EditKind.MOVE, EditKind.FLOOR)
+"""Edits of one box or place, moved by the arrow keys."""
+
+OF_SEVERAL: Final = (
+    EditKind.MERGE,
+    EditKind.DELETE,
+    EditKind.OCCLUDE,
+    EditKind.SHOW,
+    EditKind.REVIEW,
+)
+"""Edits that are done to everybody who is selected."""

@@ -1,0 +1,41 @@
+"""Who stands near somebody."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.tracks import Columns, TrackTable
+
+
+def nearest_first(table: TrackTable, track: int, frame: int) -> tuple[int, ...]:
+    """Everybody else in the frame, who stands nearest to the track there (or last) first."""
+    rows = table.of_frame(frame)
+    own = _nearest_row(table.of_track(track), frame)
+    others = rows["track"] != track
+    ids = rows["track"][others]
+    if own is None or not len(ids):
+        return tuple(ids.tolist())
+    here, there = _places(own), _places(rows)[others]
+    metres = np.linalg.norm(there[:, :2] - here[0, :2], axis=1)
+    pixels = np.linalg.norm(there[:, 2:] - here[0, 2:], axis=1)
+    apart = metres if np.isfinite(metres).all() else pixels
+    return tuple(ids[np.argsort(apart, kind="stable")].tolist())
+
+
+def _nearest_row(rows: Columns, frame: int) -> Columns | None:
+    if not len(rows["frame"]):
+        return None
+    at = int(np.argmin(np.abs(rows["frame"] - frame)))
+    return {name: column[at : at + 1] for name, column in rows.items()}
+
+
+def nearest_row(table: TrackTable, track: int, frame: int) -> Columns | None:
+    """The track's row whose frame is nearest; None where it has none."""
+    return _nearest_row(table.of_track(track), frame)
+
+
+def _places(rows: Columns) -> NDArray[np.float64]:
+    """(n, 4) x, y in metres and the boxes' centres in px."""
+    centre = rows["left"] + rows["width"] / 2, rows["top"] + rows["height"] / 2
+    return np.column_stack((rows["x"], rows["y"], *centre)).astype(np.float64)

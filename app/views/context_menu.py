@@ -1,0 +1,96 @@
+"""The menu of a right click on a person: what can be done to them, with its keys."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QPoint
+from PySide6.QtWidgets import QMenu
+
+from app.presenters.words import tr
+
+if TYPE_CHECKING:
+    from app.views.main_window import MainWindow
+
+_LINE = ""
+_OF_PERSON = (
+    "tracks.swap",
+    "tracks.split",
+    "tracks.merge",
+    "tracks.reassign",
+    _LINE,
+    "tracks.end_here",
+    "tracks.delete_range",
+    "tracks.delete_frame",
+    "tracks.delete_track",
+    _LINE,
+    "tracks.draw",
+    "tracks.move_box",
+    "tracks.move_floor",
+    "tracks.keyframe",
+    "tracks.no_keyframe",
+    "tracks.interpolate",
+    "tracks.fill_gap",
+    _LINE,
+    "tracks.occluded",
+    "tracks.visible",
+    "tracks.reviewed",
+    _LINE,
+    "tracks.rename",
+    "tracks.attributes",
+    "tracks.notes",
+    _LINE,
+    "tracks.to_start",
+    "tracks.to_end",
+)
+_OF_NOBODY = (
+    "tracks.new",
+    _LINE,
+    "tracks.range_start",
+    "tracks.range_end",
+    "tracks.no_range",
+    _LINE,
+    "edit.undo",
+    "edit.redo",
+)
+_OF_EDIT = ("tracks.confirm", "tracks.scope", "tracks.way", _LINE, "tracks.none")
+
+
+class ContextMenu(QObject):
+    """Opens over the pictures, the floor and the timeline of one window."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self.menu: QMenu | None = None
+        view = window.workspace
+        for place in (view.left, view.right, view.overhead, view.timeline):
+            place.menu_asked.connect(self.open)
+
+    def open(self, track: int, at: QPoint) -> None:
+        """Select who was clicked (-1: who is selected already) and offer what can be done."""
+        desk = self._window.desk
+        if desk is None:
+            return
+        waiting = desk.document.flow is not None
+        if not waiting and track >= 0 and track not in desk.document.selection.all:
+            desk.editing.pick(track)
+        names = _OF_PERSON if desk.document.selection else _OF_NOBODY
+        self._window.bring_up_to_date()
+        self._fill(_OF_EDIT if waiting else names).popup(at)
+
+    def _fill(self, names: tuple[str, ...]) -> QMenu:
+        menu = QMenu(self._window)
+        menu.setAccessibleName(tr("What can be done here"))
+        for name in names:
+            if name == _LINE:
+                menu.addSeparator()
+            else:
+                menu.addAction(self._window.menus.actions[name])
+        menu.aboutToHide.connect(menu.deleteLater)
+        menu.destroyed.connect(self._forget)
+        self.menu = menu
+        return menu
+
+    def _forget(self) -> None:
+        self.menu = None

@@ -1,0 +1,41 @@
+"""A field for the id of a track."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QIntValidator, QKeyEvent
+from PySide6.QtWidgets import QLineEdit, QWidget
+
+_LARGEST_ID = 2**31 - 1
+
+
+class IdEdit(QLineEdit):
+    """Takes a track's id. It wants digits and their correction only: other keys stay shortcuts.
+
+    Signals:
+        typed(int): Enter was pressed.
+    """
+
+    typed = Signal(int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setValidator(QIntValidator(1, _LARGEST_ID, self))
+        self.returnPressed.connect(lambda: self.typed.emit(int(self.text())))
+
+    def wants(self, event: QKeyEvent) -> bool:
+        """Whether a key is typed into the field rather than a shortcut of the window."""
+        corrections = (Qt.Key.Key_Backspace, Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        return event.text().isdigit() or (bool(self.text()) and event.key() in corrections)
+
+    def event(self, event: QEvent) -> bool:
+        """Leave the keys to the window that are not wanted here."""
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            event.setAccepted(self.wants(event))
+            return event.isAccepted()
+        return super().event(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:  # noqa: N802 - Qt's name
+        """What is typed replaces what is there."""
+        super().focusInEvent(event)
+        self.selectAll()
