@@ -46,6 +46,10 @@ class TimeAxis:
         frame = int(np.floor(self.start + (x - self.left) / self.px_per_frame))
         return min(max(frame, 0), max(self.frame_count - 1, 0))
 
+    def edges(self, columns: int) -> NDArray[np.float64]:
+        """(columns + 1,) the frames at the borders of so many equal columns."""
+        return np.linspace(self.start, self.start + self.frames, columns + 1)
+
     def resized(self, left: float, width: float) -> TimeAxis:
         """The same frames over another width."""
         return TimeAxis(left, max(width, 1.0), self.start, self.frames, self.frame_count)
@@ -54,10 +58,28 @@ class TimeAxis:
         """All of a recording."""
         return TimeAxis(self.left, self.width, 0.0, float(max(frame_count, 1)), frame_count)
 
+    def fitting(self, first: int, end: int) -> TimeAxis:
+        """The frames from first to end with a little room at both sides, as close as can be."""
+        room = 0.04 * max(end - first, 1)
+        return self._spanning(first - room, end - first + 2 * room)
+
+    def around(self, frame: int, frames: float) -> TimeAxis:
+        """So many frames with one of them in the middle."""
+        return self._spanning(frame + 0.5 - frames / 2, frames)
+
+    def _spanning(self, start: float, frames: float) -> TimeAxis:
+        wide = min(max(frames, self._least), float(max(self.frame_count, 1)))
+        start -= (wide - frames) / 2
+        return TimeAxis(self.left, self.width, start, wide, self.frame_count)._inside()
+
+    @property
+    def _least(self) -> float:
+        """How few frames it shows when enlarged most."""
+        return min(self.width / _MOST_PX_PER_FRAME, float(max(self.frame_count, 1)))
+
     def zoomed(self, x: float, factor: float) -> TimeAxis:
         """Enlarged so that the frame under `x` stays there, as far as the ends allow."""
-        least = min(self.width / _MOST_PX_PER_FRAME, float(self.frame_count))
-        frames = min(max(self.frames / factor, least), float(max(self.frame_count, 1)))
+        frames = min(max(self.frames / factor, self._least), float(max(self.frame_count, 1)))
         under = self.start + (x - self.left) / self.px_per_frame
         start = under - (x - self.left) * frames / self.width
         return TimeAxis(self.left, self.width, start, frames, self.frame_count)._inside()

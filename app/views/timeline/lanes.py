@@ -1,91 +1,110 @@
-"""Drawing the lanes: a track a row, solid where measured, hatched where predicted."""
+"""Drawing the lanes: a track a row.
+
+Solid where it was measured, dotted where it was predicted, an outline where it is interpolated.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QFontMetricsF, QPainter
 
-from app.presenters.scenes import Lane
+from app.presenters.scenes import Lane, SpanKind
 from app.views.theme import Theme, faded
 from app.views.timeline.axis import TimeAxis
+from app.views.timeline.lane_marks import draw_ends, draw_keyframes, draw_marks
+from app.views.timeline.strips import covered, covered_by_kind, dotted, draw_strip, opacity
 
-_BAR = 0.46  # of a lane's height
-_THINNEST_PX = 1.5
-_NARROWEST_HATCH_PX = 4.0
+_BAR, _DOTS = 0.52, 0.2  # of a lane's height
+_RAIL_PX = 1.5
+_BETWEEN_RAILS = 0.22
+_REVIEWED = 0.2
+_LEAST_NAME = 0.85  # of a line of text: lower lanes bear no name
 
 
-def draw_lane(painter: QPainter, lane: Lane, row: QRectF, axis: TimeAxis, theme: Theme) -> None:
+def draw_lane(
+    painter: QPainter,
+    lane: Lane,
+    row: QRectF,
+    axis: TimeAxis,
+    tracked: tuple[int, int],
+    theme: Theme,
+) -> None:
     """One track in its row; `row` spans the whole width, name and bar."""
     if lane.selected:
         painter.fillRect(row, theme.selection)
     _draw_name(painter, lane, row, axis, theme)
     painter.save()
     painter.setClipRect(QRectF(axis.left, row.top(), axis.width, row.height()))
-    colour = theme.track(lane.colour)
-    height = row.height() * _BAR
-    top = row.center().y() - height / 2
-    painter.setPen(Qt.PenStyle.NoPen)
-    for start, stop, predicted in visible_spans(lane.spans, axis):
-        bar = QRectF(start, top, max(stop - start, _THINNEST_PX), height)
-        if predicted:
-            _draw_predicted(painter, bar, colour)
-        else:
-            painter.setBrush(colour)
-            painter.drawRoundedRect(bar, min(2.5, bar.width() / 2), 2.5)
-    _draw_marks(painter, lane, row, axis, theme)
+    if lane.reviewed:
+        draw_reviewed(painter, lane.reviewed, axis, row, theme)
+    bar = QRectF(axis.left, row.top(), axis.width, _BAR * row.height())
+    bar.moveCenter(QPointF(bar.center().x(), row.center().y()))
+    _draw_bar(painter, lane, bar, row.height(), axis, theme)
+    draw_ends(painter, lane, row, axis, tracked, theme)
+    draw_keyframes(painter, lane, row, axis, theme)
+    draw_marks(painter, lane.marks, row, axis, theme)
     painter.restore()
 
 
-def visible_spans(spans: NDArray[np.int64], axis: TimeAxis) -> list[tuple[float, float, bool]]:
-    """Left, right and predicted of the spans inside the axis.
-
-    Where several begin within one pixel only the first is kept: drawing is bounded by the width.
-    """
-    if not len(spans):
-        return []
-    left, right = axis.xs_of(spans[:, 0]), axis.xs_of(spans[:, 1])
-    inside = (right > axis.left) & (left < axis.left + axis.width)
-    left, right, predicted = left[inside], right[inside], spans[inside, 2] != 0
-    if len(left) > axis.width:
-        _, kept = np.unique(left.astype(np.int64), return_index=True)
-        left, right, predicted = left[kept], right[kept], predicted[kept]
-    left = np.maximum(left, axis.left - 8)
-    right = np.minimum(right, axis.left + axis.width + 8)
-    return list(zip(left.tolist(), right.tolist(), predicted.tolist(), strict=True))
+def draw_reviewed(
+    painter: QPainter,
+    reviewed: tuple[tuple[int, int], ...],
+    axis: TimeAxis,
+    place: QRectF,
+    theme: Theme,
+) -> None:
+    """Shade what a person has looked at."""
+    ranges = np.array(_apart(reviewed), np.int64)
+    shares = covered(ranges, axis.edges(_columns(painter, axis)))
+    across = QRectF(axis.left, place.top(), axis.width, place.height())
+    draw_strip(painter, opacity(shares), faded(theme.good, _REVIEWED), across)
 
 
-def _draw_predicted(painter: QPainter, bar: QRectF, colour: QColor) -> None:
-    painter.setBrush(faded(colour, 0.22))
-    painter.drawRect(bar)
-    if bar.width() < _NARROWEST_HATCH_PX:
-        return
-    painter.setBrush(QBrush(faded(colour, 0.9), Qt.BrushStyle.BDiagPattern))
-    painter.drawRect(bar)
+def _apart(ranges: tuple[tuple[int, int], ...]) -> list[tuple[int, int]]:
+    """The ranges ascending, those that touch or overlap as one."""
+    whole: list[tuple[int, int]] = []
+    for start, end in sorted(ranges):
+        if whole and start <= whole[-1][1]:
+            whole[-1] = whole[-1][0], max(end, whole[-1][1])
+        else:
+            whole.append((start, end))
+    return whole
+
+
+def _columns(painter: QPainter, axis: TimeAxis) -> int:
+    return max(1, int(axis.width * painter.device().devicePixelRatioF()))
+
+
+def _draw_bar(
+    painter: QPainter, lane: Lane, bar: QRectF, row_height: float, axis: TimeAxis, theme: Theme
+) -> None:
+    colour, ratio = theme.track(lane.colour), painter.device().devicePixelRatioF()
+    shares = covered_by_kind(lane.spans, axis, _columns(painter, axis))
+    if SpanKind.PREDICTED in shares:
+        dots = QRectF(bar.left(), 0, bar.width(), max(2.0, _DOTS * row_height))
+        dots.moveCenter(bar.center())
+        draw_strip(painter, dotted(opacity(shares[SpanKind.PREDICTED]), ratio), colour, dots)
+    if SpanKind.INTERPOLATED in shares:
+        inked = opacity(shares[SpanKind.INTERPOLATED])
+        draw_strip(painter, inked, faded(colour, _BETWEEN_RAILS), bar)
+        for top in (bar.top(), bar.bottom() - _RAIL_PX):
+            draw_strip(painter, inked, colour, QRectF(bar.left(), top, bar.width(), _RAIL_PX))
+    if SpanKind.MEASURED in shares:
+        draw_strip(painter, opacity(shares[SpanKind.MEASURED]), colour, bar)
 
 
 def _draw_name(painter: QPainter, lane: Lane, row: QRectF, axis: TimeAxis, theme: Theme) -> None:
     metrics = QFontMetricsF(painter.font())
-    radius = metrics.ascent() * 0.32
+    radius = min(metrics.ascent() * 0.32, 0.36 * row.height())
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(theme.track(lane.colour))
     painter.drawEllipse(QPointF(row.left() + 12 + radius, row.center().y()), radius, radius)
+    if row.height() < _LEAST_NAME * metrics.height():
+        return
     left = row.left() + 20 + 2 * radius
     place = QRectF(left, row.top(), axis.left - left - 8, row.height())
     painter.setPen(theme.text if lane.selected else theme.text_muted)
     text = metrics.elidedText(lane.label, Qt.TextElideMode.ElideRight, place.width())
     flags = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
     painter.drawText(place, flags, text)
-
-
-def _draw_marks(painter: QPainter, lane: Lane, row: QRectF, axis: TimeAxis, theme: Theme) -> None:
-    """A small diamond at every edit."""
-    painter.setPen(QPen(theme.sunken, 1.2))
-    painter.setBrush(theme.text)
-    reach = row.height() * 0.26
-    for mark in lane.marks:
-        at = QPointF(axis.x_of(mark.frame), row.center().y())
-        if axis.left - reach <= at.x() <= axis.left + axis.width + reach:
-            corners = [QPointF(0, -reach), QPointF(reach, 0), QPointF(0, reach), QPointF(-reach, 0)]
-            painter.drawPolygon(QPolygonF([at + corner for corner in corners]))

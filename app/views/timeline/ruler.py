@@ -76,11 +76,28 @@ def draw_playhead(painter: QPainter, x: float, lanes: QRectF, theme: Theme) -> N
     painter.drawPolygon(QPolygonF([QPointF(x + dx, lanes.top() + dy) for dx, dy in _PLAYHEAD]))
 
 
-def draw_cut(painter: QPainter, x: float, lanes: QRectF, theme: Theme) -> None:
-    """Where a previewed edit begins: a dashed line, and what lies after it tinted."""
-    after = QRectF(QPointF(x, lanes.top()), QPointF(lanes.right(), lanes.bottom()))
-    painter.fillRect(after, faded(theme.warning, 0.07))
+def draw_cut(painter: QPainter, x: float, end_x: float | None, lanes: QRectF, theme: Theme) -> None:
+    """Where a previewed edit begins: a dashed line, and what it touches after it tinted."""
+    stop = lanes.right() if end_x is None else end_x
+    after = QRectF(QPointF(x, lanes.top()), QPointF(max(stop, x), lanes.bottom()))
+    painter.fillRect(after, faded(theme.warning, 0.07 if end_x is None else 0.16))
     pen = QPen(theme.warning, 2.0)
     pen.setDashPattern([3.0, 2.0])
     painter.setPen(pen)
     painter.drawLine(after.topLeft(), after.bottomLeft())
+    if end_x is not None:
+        painter.drawLine(after.topRight(), after.bottomRight())
+
+
+def draw_range(painter: QPainter, ends: tuple[float, float], lanes: QRectF, theme: Theme) -> None:
+    """The range the user has set: tinted, with a bracket at each end."""
+    left, right = ends
+    painter.fillRect(
+        QRectF(QPointF(left, lanes.top()), QPointF(right, lanes.bottom())),
+        faded(theme.accent, 0.12),
+    )
+    painter.setPen(QPen(theme.accent, 2.0))
+    for x, inward in ((left, 5.0), (right, -5.0)):
+        painter.drawLine(QPointF(x, lanes.top()), QPointF(x, lanes.bottom()))
+        for y in (lanes.top() + 1, lanes.bottom() - 1):
+            painter.drawLine(QPointF(x, y), QPointF(x + inward, y))

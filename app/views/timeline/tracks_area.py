@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import (
     QFontMetricsF,
     QHelpEvent,
@@ -21,19 +20,25 @@ from app.presenters.scenes import Lane, TimelineScene
 from app.views.labels import draw_message
 from app.views.theme import Theme, current_theme, scaled_font
 from app.views.timeline.axis import TimeAxis
-from app.views.timeline.lanes import draw_lane
+from app.views.timeline.controls import TimelineControls
+from app.views.timeline.gestures import Gestures
+from app.views.timeline.hover import words_at
+from app.views.timeline.lane_marks import mark_at
+from app.views.timeline.lanes import draw_lane, draw_reviewed
+from app.views.timeline.rows import Arrangement, LaneRows
 from app.views.timeline.ruler import (
     PLAYHEAD_HEIGHT,
     SMALL,
     draw_cut,
     draw_playhead,
+    draw_range,
     draw_ruler,
     draw_tick_lines,
 )
 
-_NOTCH = 120.0
 _PLAYHEAD_PX = 8.0  # to either side of its line
-_ZOOM_PER_NOTCH = 1.25
+_SCROLL_PX = 12
+_RIGHT_PX = _SCROLL_PX + 2
 
 
 class TracksArea(QWidget):
@@ -41,13 +46,16 @@ class TracksArea(QWidget):
 
     Signals:
         frame_sought(int): a click or drag on ruler or lanes.
-        track_picked(int): a click on a lane, 0 below the last.
+        track_picked(int): a click on a lane, 0 below the last. track_added(int): with Shift.
+        menu_asked(int, QPoint): a right click on a lane; where on the screen.
         cut_moved(int): the cut of a preview was dragged to a frame.
         axis_changed(object): zoomed or panned; the new :class:`TimeAxis`.
     """
 
     frame_sought = Signal(int)
     track_picked = Signal(int)
+    track_added = Signal(int)
+    menu_asked = Signal(int, QPoint)
     cut_moved = Signal(int)
     axis_changed = Signal(object)
 
@@ -55,17 +63,29 @@ class TracksArea(QWidget):
         super().__init__(parent)
         self._scene: TimelineScene | None = None
         self._axis = TimeAxis(0.0, 1.0, 0.0, 1.0, 0)
-        self._lives = np.zeros((0, 2), np.int64)  # first and end frame of each lane
+        self._rows = LaneRows()
         self._drawn: QPixmap | None = None
-        self._dragging = ""
-        self._drag_x = 0.0
+        self._gestures = Gestures(self)
         self.lanes_drawn = 0
         self.scroll_bar = QScrollBar(Qt.Orientation.Vertical, self)
         self.scroll_bar.valueChanged.connect(self._redraw)
+        self.time_bar = QScrollBar(Qt.Orientation.Horizontal, self)
+        self.time_bar.valueChanged.connect(self._scroll_time)
+        self.controls = TimelineControls(self)
+        self._connect_controls()
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(self.tr("Timeline"))
+        self.scroll_bar.setAccessibleName(self.tr("Scroll the lanes"))
+        self.time_bar.setAccessibleName(self.tr("Scroll in time"))
+
+    def _connect_controls(self) -> None:
+        self.controls.zoomed.connect(self.zoom)
+        self.controls.fit_all.connect(self.show_all)
+        self.controls.fit_selected.connect(self.show_selected)
+        self.controls.fit_second.connect(self.show_second)
+        self.controls.arranged.connect(self._arrange)
 
     # sizes
 
@@ -75,9 +95,14 @@ class TracksArea(QWidget):
         return self._axis
 
     @property
+    def cut(self) -> int | None:
+        """The frame of a previewed edit's cut."""
+        return self._scene.cut if self._scene is not None else None
+
+    @property
     def lane_height(self) -> float:
-        """Of a row, by the font."""
-        return self.fontMetrics().height() + 7.0
+        """Of a row, by the font and the user's choice."""
+        return float(round(self.fontMetrics().height() * self.controls.arrangement.height.value))
 
     @property
     def ruler_height(self) -> float:
@@ -94,7 +119,7 @@ class TracksArea(QWidget):
 
     def _name_width(self) -> float:
         widest = 18 * QFontMetricsF(self.font()).averageCharWidth() + 24
-        return min(widest, 0.3 * self.width())
+        return float(round(min(widest, 0.3 * self.width())))
 
     # scenes
 
@@ -102,26 +127,25 @@ class TracksArea(QWidget):
         """Draw another instant; lanes only where they are other ones."""
         before, self._scene = self._scene, scene
         if before is None or before.frame_count != scene.frame_count:
-            self._set_axis(self._axis.whole(scene.frame_count))
-        elif before.frame != scene.frame and not self._dragging:
-            self._set_axis(self._axis.showing(scene.frame))
+            self.set_axis(self._axis.whole(scene.frame_count))
+        elif before.frame != scene.frame and not self._gestures.dragging:
+            self.set_axis(self._axis.showing(scene.frame))
         if before is None or before.lanes is not scene.lanes:
-            self._lives = np.array([_life(lane) for lane in scene.lanes]).reshape(-1, 2)
-            self._fit_scroll_bar()
-        if before is not None and before.frame != scene.frame and not self._dragging:
+            self._rows.take(scene.lanes)
+            self._arrange(self.controls.arrangement)
+        if before is not None and before.frame != scene.frame and not self._gestures.dragging:
             self._follow(scene.frame)
         self._update_moved(before, scene)
 
     def reveal(self, track: int) -> None:
         """Scroll to a track's lane."""
-        lanes = self._scene.lanes if self._scene is not None else ()
-        row = next((index for index, lane in enumerate(lanes) if lane.track == track), None)
+        row = self._rows.row_of(track)
         if row is not None:
             self._reveal_row(row)
 
     def _follow(self, frame: int) -> None:
         """Scroll to somebody who is there at a frame where nobody in sight is."""
-        there = np.flatnonzero((self._lives[:, 0] <= frame) & (frame < self._lives[:, 1]))
+        there = self._rows.living_at(frame)
         first, stop = self._rows_in_sight()
         if len(there) and not ((there >= first) & (there < stop)).any():
             self._reveal_row(int(there[-1]))
@@ -137,12 +161,74 @@ class TracksArea(QWidget):
         offset, height = self.scroll_bar.value(), self.lane_height
         return int(offset // height), int((offset + self._lanes_rect().height()) // height) + 1
 
-    def _set_axis(self, axis: TimeAxis) -> None:
-        fitted = axis.resized(self._name_width(), self.width() - self._name_width() - 14)
-        if fitted != self._axis:
-            self._axis = fitted
-            self._redraw()
-            self.axis_changed.emit(fitted)
+    def _arrange(self, arrangement: Arrangement) -> None:
+        self._rows.arrange(arrangement, self._axis)
+        self._fit_scroll_bars()
+        self._redraw()
+
+    # what is shown of the recording
+
+    def set_axis(self, axis: TimeAxis) -> None:
+        """Show other frames."""
+        name_width = self._name_width()
+        fitted = axis.resized(name_width, self.width() - name_width - _RIGHT_PX)
+        if fitted == self._axis:
+            return
+        self._axis = fitted
+        if self.controls.arrangement.in_view_only:
+            self._rows.arrange(self.controls.arrangement, fitted)
+        self._fit_scroll_bars()
+        self._redraw()
+        self.axis_changed.emit(fitted)
+
+    def zoom(self, factor: float) -> None:
+        """Closer around the playhead where it is in sight, else around the middle."""
+        axis, frame = self._axis, self._scene.frame if self._scene is not None else 0
+        inside = axis.start <= frame < axis.start + axis.frames
+        x = axis.x_of(frame + 0.5) if inside else axis.left + axis.width / 2
+        self.set_axis(axis.zoomed(x, factor))
+
+    def pan(self, share: float) -> None:
+        """Later, or earlier, by a share of the frames shown."""
+        self.set_axis(self._axis.moved(share * self._axis.frames))
+
+    def scroll_lanes(self, lanes: float) -> None:
+        """Further down by so many lanes, or up."""
+        self.scroll_bar.setValue(round(self.scroll_bar.value() + lanes * self.lane_height))
+
+    def show_all(self) -> None:
+        """The whole recording."""
+        if self._scene is not None:
+            self.set_axis(self._axis.whole(self._scene.frame_count))
+
+    def show_selected(self) -> None:
+        """The selected track from its first to its last frame."""
+        lanes = self._scene.lanes if self._scene is not None else ()
+        chosen = [lane.spans for lane in lanes if lane.selected and len(lane.spans)]
+        if chosen:
+            first = min(int(spans[0, 0]) for spans in chosen)
+            self.set_axis(self._axis.fitting(first, max(int(spans[-1, 1]) for spans in chosen)))
+
+    def show_second(self) -> None:
+        """A second around the playhead."""
+        if self._scene is not None:
+            self.set_axis(self._axis.around(self._scene.frame, self._scene.fps))
+
+    def show_track_or_second(self, lane: Lane | None, frame: int) -> None:
+        """All of a track; where it is shown already, or beside the lanes, a second there."""
+        if self._scene is None:
+            return
+        second = self._axis.around(frame, self._scene.fps)
+        if lane is None or not len(lane.spans):
+            self.set_axis(second)
+            return
+        whole = self._axis.fitting(int(lane.spans[0, 0]), int(lane.spans[-1, 1]))
+        shown = (whole.start, whole.frames) == (self._axis.start, self._axis.frames)
+        self.set_axis(second if shown else whole)
+
+    def _scroll_time(self, first: int) -> None:
+        if first != int(self._axis.start):
+            self.set_axis(self._axis.moved(first - self._axis.start))
 
     def _redraw(self) -> None:
         self._drawn = None
@@ -153,9 +239,9 @@ class TracksArea(QWidget):
         if (
             before is None
             or before.lanes is not scene.lanes
-            or before.message != scene.message
-            or (before.tracked, before.cut, before.message)
-            != (scene.tracked, scene.cut, scene.message)
+            or before.reviewed is not scene.reviewed
+            or (before.tracked, before.cut, before.marked, before.message)
+            != (scene.tracked, scene.cut, scene.marked, scene.message)
         ):
             self._redraw()
             return
@@ -164,17 +250,31 @@ class TracksArea(QWidget):
             self.update(QRectF(left, 0, 2 * _PLAYHEAD_PX, self.height()).toAlignedRect())
 
     def _lanes_rect(self) -> QRectF:
-        return QRectF(self.rect()).adjusted(0, self.ruler_height, 0, 0)
+        foot = _SCROLL_PX if self.time_bar.isVisibleTo(self) else 0
+        return QRectF(self.rect()).adjusted(0, self.ruler_height, 0, -foot)
 
-    def _fit_scroll_bar(self) -> None:
-        lanes = len(self._scene.lanes) if self._scene is not None else 0
-        height = self._lanes_rect().height()
-        bar = self.scroll_bar
-        bar.setGeometry(QRect(self.width() - 12, round(self.ruler_height), 12, max(0, int(height))))
-        bar.setRange(0, max(0, round(lanes * self.lane_height - height) + (1 if lanes else 0)))
+    def _fit_scroll_bars(self) -> None:
+        axis, ruler = self._axis, round(self.ruler_height)
+        self.controls.setGeometry(0, 0, round(axis.left), ruler)
+        # The room that the bar takes is said without asking it: its own signal would pan.
+        self.time_bar.blockSignals(True)
+        self.time_bar.setVisible(axis.frames < axis.frame_count)
+        self.time_bar.setRange(0, max(0, int(axis.frame_count - axis.frames)))
+        self.time_bar.setPageStep(max(1, int(axis.frames)))
+        self.time_bar.setSingleStep(max(1, int(axis.frames / 20)))
+        self.time_bar.setValue(int(axis.start))
+        self.time_bar.blockSignals(False)
+        foot = self.height() - _SCROLL_PX
+        self.time_bar.setGeometry(round(axis.left), foot, round(axis.width), _SCROLL_PX)
+        height, bar, whole = self._lanes_rect().height(), self.scroll_bar, self._lanes_height()
+        bar.setGeometry(QRect(self.width() - _SCROLL_PX, ruler, _SCROLL_PX, max(0, int(height))))
+        bar.setRange(0, max(0, round(whole - height)))
         bar.setPageStep(max(1, round(height)))
         bar.setSingleStep(round(self.lane_height))
-        bar.setVisible(lanes * self.lane_height > height)
+        bar.setVisible(whole > height)
+
+    def _lanes_height(self) -> float:
+        return len(self._rows) * self.lane_height
 
     # drawing
 
@@ -191,10 +291,20 @@ class TracksArea(QWidget):
             painter.setClipRect(
                 QRectF(self._axis.left - 6, 0, self._axis.width + 12, area.bottom())
             )
-            if self._scene.cut is not None:
-                draw_cut(painter, self._axis.x_of(self._scene.cut), area, theme)
+            self._draw_edit(painter, self._scene, area, theme)
             draw_playhead(painter, self._axis.x_of(self._scene.frame + 0.5), area, theme)
         painter.end()
+
+    def _draw_edit(
+        self, painter: QPainter, scene: TimelineScene, area: QRectF, theme: Theme
+    ) -> None:
+        """The range that is set, or where a previewed edit begins and ends."""
+        first, end = scene.marked if scene.marked is not None else (0, None)
+        end_x = self._axis.x_of(end) if end is not None else None
+        if scene.cut is not None:
+            draw_cut(painter, self._axis.x_of(scene.cut), end_x, area, theme)
+        elif end_x is not None:
+            draw_range(painter, (self._axis.x_of(first), end_x), area, theme)
 
     def _draw_still(self, theme: Theme, ratio: float) -> QPixmap:
         picture = QPixmap(self.size() * ratio)
@@ -219,12 +329,17 @@ class TracksArea(QWidget):
             draw_message(painter, area, scene.message, theme)
             return
         painter.setClipRect(area)
+        if scene.reviewed:
+            draw_reviewed(painter, scene.reviewed, self._axis, area, theme)
+        if not len(self._rows):
+            draw_message(painter, area, self.tr("No track is in the frames shown"), theme)
         offset, height = self.scroll_bar.value(), self.lane_height
-        first, stop = self._rows_in_sight()
-        for index in range(first, min(stop, len(scene.lanes))):
-            row = QRectF(0, area.top() + index * height - offset, self.width(), height)
-            draw_lane(painter, scene.lanes[index], row, self._axis, theme)
-            self.lanes_drawn += 1
+        for at in range(*self._rows_in_sight()):
+            lane = self._rows.lane(at)
+            if lane is not None:
+                row = QRectF(0, area.top() + at * height - offset, self.width(), height)
+                draw_lane(painter, lane, row, self._axis, scene.tracked, theme)
+                self.lanes_drawn += 1
         painter.setPen(QPen(theme.line, 1.0))
         edge = round(self._axis.left) - 0.5
         painter.drawLine(QPointF(edge, area.top()), QPointF(edge, area.bottom()))
@@ -234,92 +349,56 @@ class TracksArea(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
         """The same frames over the new width."""
         super().resizeEvent(event)
-        self._fit_scroll_bar()
-        self._set_axis(self._axis)
+        self.set_axis(self._axis)
+        self._fit_scroll_bars()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802
         """Follow theme and font."""
         super().changeEvent(event)
         if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.FontChange):
+            self._fit_scroll_bars()
             self._redraw()
 
     def wheelEvent(self, event: QWheelEvent) -> None:  # noqa: N802
-        """Zoom in time; over the names or with Shift scroll the lanes; sideways pan."""
-        steps = event.angleDelta()
-        over_names = event.position().x() < self._axis.left
-        if over_names or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-            moved = (steps.y() or steps.x()) / _NOTCH * 3 * self.lane_height
-            self.scroll_bar.setValue(round(self.scroll_bar.value() - moved))
-        elif abs(steps.x()) > abs(steps.y()):
-            self._set_axis(self._axis.moved(-steps.x() / _NOTCH * 0.1 * self._axis.frames))
-        else:
-            factor = _ZOOM_PER_NOTCH ** (steps.y() / _NOTCH)
-            self._set_axis(self._axis.zoomed(event.position().x(), factor))
-        event.accept()
+        """Zoom, pan or scroll."""
+        self._gestures.turn_wheel(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:  # noqa: N802
-        """Start to seek, to move the cut or to pan; a lane is picked at once."""
-        at = event.position()
-        if event.button() is Qt.MouseButton.MiddleButton:
-            self._dragging, self._drag_x = "pan", at.x()
-        elif event.button() is Qt.MouseButton.LeftButton:
-            if self._on_cut(at):
-                self._dragging = "cut"
-                return
-            if at.y() > self.ruler_height:
-                lane = self.lane_at(at)
-                self.track_picked.emit(lane.track if lane is not None else 0)
-            if at.x() >= self._axis.left:
-                self._dragging = "seek"
-                self.frame_sought.emit(self._axis.frame_at(at.x()))
+        """Seek, pick, pan or move the cut."""
+        self._gestures.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802
-        """Go on with what the press began."""
-        x = event.position().x()
-        if self._dragging == "seek":
-            self.frame_sought.emit(self._axis.frame_at(x))
-        elif self._dragging == "cut":
-            self.cut_moved.emit(self._axis.frame_at(x + self._axis.px_per_frame / 2))
-        elif self._dragging == "pan":
-            self._set_axis(self._axis.moved((self._drag_x - x) / self._axis.px_per_frame))
-            self._drag_x = x
-        else:
-            shape = Qt.CursorShape
-            on_cut = self._on_cut(event.position())
-            self.setCursor(shape.SplitHCursor if on_cut else shape.ArrowCursor)
+        """Go on."""
+        self._gestures.move(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:  # noqa: ARG002, N802
         """Done."""
-        self._dragging = ""
+        self._gestures.release()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:  # noqa: N802
-        """On the ruler: the whole recording."""
-        if event.position().y() <= self.ruler_height and self._scene is not None:
-            self._set_axis(self._axis.whole(self._scene.frame_count))
-
-    def _on_cut(self, at: QPointF) -> bool:
-        cut = self._scene.cut if self._scene is not None else None
-        below = at.y() > self.ruler_height
-        return cut is not None and below and abs(at.x() - self._axis.x_of(cut)) <= 5
+        """Zoom to what is there."""
+        self._gestures.double_click(event)
 
     def lane_at(self, at: QPointF) -> Lane | None:
         """The lane under a point."""
-        if self._scene is None or at.y() <= self.ruler_height:
+        if not self._lanes_rect().contains(at):
             return None
-        row = int((at.y() - self.ruler_height + self.scroll_bar.value()) // self.lane_height)
-        return self._scene.lanes[row] if row < len(self._scene.lanes) else None
+        offset = at.y() - self.ruler_height + self.scroll_bar.value()
+        return self._rows.lane(int(offset // self.lane_height))
+
+    def words_at(self, at: QPointF) -> str:
+        """What is told of a point: the track, the frame and its time, and what is there."""
+        if self._scene is None:
+            return ""
+        lane, x = self.lane_at(at), at.x()
+        beside = x < self._axis.left
+        mark = mark_at(lane.marks, x, self._axis) if lane is not None and not beside else None
+        frame = None if beside else self._axis.frame_at(x)
+        return words_at(self._scene, lane, frame, mark)
 
     def event(self, event: QEvent) -> bool:
-        """Tell the lane and the frame under the cursor."""
+        """Tell what is under the mouse."""
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            lane, x = self.lane_at(QPointF(event.pos())), event.pos().x()
-            frame = self.tr("frame {0}").format(self._axis.frame_at(x))
-            words = [lane.label] if lane is not None else []
-            words += [frame] if x >= self._axis.left else []
-            QToolTip.showText(event.globalPos(), ", ".join(words), self)
+            QToolTip.showText(event.globalPos(), self.words_at(QPointF(event.pos())), self)
             return True
         return super().event(event)
-
-
-def _life(lane: Lane) -> tuple[int, int]:
-    return (int(lane.spans[0, 0]), int(lane.spans[-1, 1])) if len(lane.spans) else (0, 0)

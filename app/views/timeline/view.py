@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QPoint, Signal
 from PySide6.QtWidgets import QFrame, QVBoxLayout, QWidget
 
 from app.presenters.scenes import TimelineScene
@@ -15,12 +15,15 @@ class TimelineView(QFrame):
 
     Signals:
         frame_sought(int): a click or drag on ruler, lanes or overview.
-        track_picked(int): a click on a lane, 0 beside all.
+        track_picked(int): a click on a lane, 0 beside all. track_added(int): with Shift.
+        menu_asked(int, QPoint): a right click on a lane.
         cut_moved(int): the cut of a previewed edit was dragged to a frame.
     """
 
     frame_sought = Signal(int)
     track_picked = Signal(int)
+    track_added = Signal(int)
+    menu_asked = Signal(int, QPoint)
     cut_moved = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -35,6 +38,8 @@ class TimelineView(QFrame):
         self.area.axis_changed.connect(self.overview.show_window)
         self.area.frame_sought.connect(self.frame_sought)
         self.area.track_picked.connect(self.track_picked)
+        self.area.track_added.connect(self.track_added)
+        self.area.menu_asked.connect(self.menu_asked)
         self.area.cut_moved.connect(self.cut_moved)
         self.overview.frame_sought.connect(self.frame_sought)
         self._selected = 0

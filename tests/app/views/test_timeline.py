@@ -12,7 +12,6 @@ from PySide6.QtGui import QPixmap
 
 from app.views.timeline import TimelineView
 from app.views.timeline.axis import TimeAxis, ticks
-from app.views.timeline.lanes import visible_spans
 from app.views.timeline.overview import busiest
 from app.views.timeline.ruler import PLAYHEAD_HEIGHT
 
@@ -217,18 +216,6 @@ def test_ticks_count_frames_where_seconds_are_far_apart():
 def test_long_recordings_are_ticked_in_hours():
     long = TimeAxis(0.0, 800.0, 0.0, 20.0 * 7200, 20 * 7200)
     assert (20 * 3600, "1:00:00") in list(ticks(long, 20.0, 60.0))
-
-
-def test_spans_out_of_sight_are_not_drawn():
-    spans = np.array([[0, 100, 0], [450, 550, 1], [900, 1000, 0]])
-    zoomed = TimeAxis(100.0, 800.0, 400.0, 200.0, 1000)
-    assert [predicted for _, _, predicted in visible_spans(spans, zoomed)] == [True]
-
-
-def test_more_spans_than_pixels_cost_no_more_than_the_pixels():
-    starts = np.arange(0, 100_000, 2)
-    spans = np.column_stack([starts, starts + 1, np.zeros_like(starts)])
-    assert len(visible_spans(spans, TimeAxis(0.0, 800.0, 0.0, 100_000.0, 100_000))) <= 801
 
 
 def test_the_overview_keeps_the_busiest_frame_of_each_column():

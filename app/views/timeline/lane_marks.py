@@ -1,0 +1,124 @@
+"""What stands on the lanes: where tracks begin and end, keyframes, edits, swaps, suspicions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QPainter, QPen, QPolygonF
+
+from app.presenters.scenes import Lane, MarkKind, TimelineMark
+from app.views.theme import Theme
+from app.views.timeline.axis import TimeAxis
+
+_APART_PX = 4.0
+_REACH = 0.24  # of a lane's height, from a mark's middle to its border
+_END, _SERIF_PX = 0.74, 3.0
+
+
+def draw_ends(
+    painter: QPainter,
+    lane: Lane,
+    row: QRectF,
+    axis: TimeAxis,
+    tracked: tuple[int, int],
+    theme: Theme,
+) -> None:
+    """Brackets where the track was born and where it died, not where the tracking ended."""
+    if not len(lane.spans):
+        return
+    first, end = int(lane.spans[0, 0]), int(lane.spans[-1, 1])
+    painter.setPen(QPen(theme.track(lane.colour), 1.6))
+    half = _END * row.height() / 2
+    for frame, inwards, there in (
+        (first, _SERIF_PX, first > tracked[0]),
+        (end, -_SERIF_PX, end < tracked[1]),
+    ):
+        x = axis.x_of(frame)
+        if there and axis.left - _SERIF_PX <= x <= axis.left + axis.width + _SERIF_PX:
+            top, bottom = row.center().y() - half, row.center().y() + half
+            lines = [QLineF(x, top, x, bottom), QLineF(x, top, x + inwards, top)]
+            painter.drawLines([*lines, QLineF(x, bottom, x + inwards, bottom)])
+
+
+def draw_keyframes(
+    painter: QPainter, lane: Lane, row: QRectF, axis: TimeAxis, theme: Theme
+) -> None:
+    """A small square at every row a person made."""
+    places = _places(lane.keyframes + 0.5, axis)
+    if not len(places):
+        return
+    side = max(3.0, 0.24 * row.height())
+    painter.setPen(QPen(theme.sunken, 1.0))
+    painter.setBrush(theme.text)
+    top = row.center().y() - side / 2
+    painter.drawRects([QRectF(x - side / 2, top, side, side) for x in places])
+
+
+def draw_marks(
+    painter: QPainter,
+    marks: Iterable[TimelineMark],
+    row: QRectF,
+    axis: TimeAxis,
+    theme: Theme,
+) -> None:
+    """Diamonds where it was edited, crosses where it was swapped, triangles where to look."""
+    frames: dict[MarkKind, list[int]] = {}
+    for mark in marks:
+        frames.setdefault(mark.kind, []).append(mark.frame)
+    reach = max(3.0, _REACH * row.height())
+    for kind, draw in _DRAWN.items():
+        if kind in frames:
+            at = np.array(frames[kind], np.float64)
+            for x in _places(at, axis):
+                draw(painter, QPointF(x, row.center().y()), reach, theme)
+
+
+def mark_at(marks: Iterable[TimelineMark], x: float, axis: TimeAxis) -> TimelineMark | None:
+    """The mark nearest to a place on the screen, within reach of the mouse."""
+    near = [(abs(axis.x_of(mark.frame) - x), at, mark) for at, mark in enumerate(marks)]
+    best = min(near, default=None)
+    return best[2] if best is not None and best[0] <= _APART_PX + 1 else None
+
+
+def _places(frames: NDArray[np.floating], axis: TimeAxis) -> list[float]:
+    """Where ascending frames in view lie; of those that would cover each other the first."""
+    xs = axis.left + (frames - axis.start) * axis.px_per_frame
+    xs = xs[(xs >= axis.left - _APART_PX) & (xs <= axis.left + axis.width + _APART_PX)]
+    _, first = np.unique(xs // _APART_PX, return_index=True)
+    places: list[float] = xs[first].tolist()
+    return places
+
+
+def _draw_diamond(painter: QPainter, at: QPointF, reach: float, theme: Theme) -> None:
+    corners = [QPointF(0, -reach), QPointF(reach, 0), QPointF(0, reach), QPointF(-reach, 0)]
+    painter.setPen(QPen(theme.sunken, 1.2))
+    painter.setBrush(theme.text)
+    painter.drawPolygon(QPolygonF([at + corner for corner in corners]))
+
+
+def _draw_cross(painter: QPainter, at: QPointF, reach: float, theme: Theme) -> None:
+    lines = [
+        QLineF(at + QPointF(-reach, -reach), at + QPointF(reach, reach)),
+        QLineF(at + QPointF(-reach, reach), at + QPointF(reach, -reach)),
+    ]
+    for colour, width in ((theme.sunken, 5.0), (theme.text, 2.2)):
+        painter.setPen(QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+        painter.drawLines(lines)
+
+
+def _draw_triangle(painter: QPainter, at: QPointF, reach: float, theme: Theme) -> None:
+    up = QPointF(at.x(), at.y() - reach)
+    corners = [QPointF(-1.1 * reach, -reach), QPointF(1.1 * reach, -reach), QPointF(0, 0.9 * reach)]
+    painter.setPen(QPen(theme.sunken, 1.2))
+    painter.setBrush(theme.warning)
+    painter.drawPolygon(QPolygonF([up + corner for corner in corners]))
+
+
+_DRAWN: dict[MarkKind, Callable[[QPainter, QPointF, float, Theme], None]] = {
+    MarkKind.EDIT: _draw_diamond,
+    MarkKind.SWAP: _draw_cross,
+    MarkKind.SUSPICION: _draw_triangle,
+}
