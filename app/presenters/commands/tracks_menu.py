@@ -45,7 +45,9 @@ COMMANDS: Final = (
         "Tracks",
         "Select nobody, leave the edit",
         ("Esc",),
-        lambda now: "" if now.selected or now.editing or now.labelling else tr("nobody is selected"),
+        lambda now: (
+            "" if now.selected or now.editing or now.labelling else tr("nobody is selected")
+        ),
     ),
     Command(
         "tracks.to_start",
@@ -81,8 +83,10 @@ COMMANDS: Final = (
     Command("tracks.new", "Tracks", "Draw a new person", ("Ins",), drawable, icon="add"),
     Command("tracks.move_box", "Tracks", "Move or resize the box", ("V",), selected),
     Command("tracks.move_floor", "Tracks", "Move on the floor", ("Shift+V",), on_floor),
-    Command("tracks.keyframe", "Tracks", "Make this a keyframe", ("Q",), selected, separated=True),
-    Command("tracks.no_keyframe", "Tracks", "Take the keyframe out", ("Shift+Q",), selected),
+    Command(
+        "tracks.keyframe", "Tracks", "Make this a keyframe", ("Shift+W",), selected, separated=True
+    ),
+    Command("tracks.no_keyframe", "Tracks", "Take the keyframe out", ("Backspace",), selected),
     Command("tracks.interpolate", "Tracks", "Interpolate between keyframes", ("I",), selected),
     Command("tracks.fill_gap", "Tracks", "Fill the gap", ("Shift+I",), selected),
     Command("tracks.thin", "Tracks", "Make keyframes of what was tracked", (), selected),
