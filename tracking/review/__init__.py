@@ -1,5 +1,15 @@
 """Where to look: places where tracks are likely wrong, ranked by what looking is worth."""
 
+from tracking.review.queue import open_suspicions, ranked
+from tracking.review.searching import find_suspicions
 from tracking.review.suspicion import Suspicion, SuspicionKey
+from tracking.review.wording import KINDS
 
-__all__ = ["Suspicion", "SuspicionKey"]
+__all__ = [
+    "KINDS",
+    "Suspicion",
+    "SuspicionKey",
+    "find_suspicions",
+    "open_suspicions",
+    "ranked",
+]

@@ -1,0 +1,111 @@
+"""What every reason is looked for in, worked out once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracking.geometry import View
+from tracking.review.appearance import Looks
+from tracking.review.evidence import Evidence, Flags, Floats, Rows
+from tracking.review.neighbours import Neighbours, neighbours
+from tracking.tracks import Occluder
+
+REACH_M = 1.2
+"""People nearer than this can be taken for one another."""
+_LOOKED_AT = (0.5, 1.0)
+"""Places down a box that tell whether somebody stands behind something."""
+_BORDER = 0.02
+"""Share of the picture's width and height that counts as its border."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Material:
+    """The evidence with what several reasons need of it.
+
+    Attributes:
+        evidence: the rows. near: pairs within `REACH_M`. looks: over time.
+        first, last: (t,) first and last row of each track.
+        size: of the picture in px; of what the boxes reach where no camera is known.
+        occluders: of the labels.
+    """
+
+    evidence: Evidence
+    near: Neighbours
+    looks: Looks
+    first: Rows
+    last: Rows
+    size: tuple[float, float]
+    occluders: tuple[Occluder, ...]
+
+    @classmethod
+    def of(cls, evidence: Evidence, view: View | None, occluders: tuple[Occluder, ...]) -> Material:
+        """Work it out."""
+        near = neighbours(evidence, REACH_M)
+        ends = np.flatnonzero(~evidence.goes_on)
+        first = np.concatenate(([0], ends + 1)).astype(np.int64)[: len(ends) + 1]
+        last = np.concatenate((ends, [len(evidence) - 1])).astype(np.int64)
+        return cls(
+            evidence,
+            near,
+            Looks.of(evidence, near.nearest_m),
+            first if len(evidence) else first[:0],
+            last if len(evidence) else last[:0],
+            view.camera.size if view else _reached(evidence),
+            occluders,
+        )
+
+    def at_border(self, rows: Rows) -> Flags:
+        """(k,) whether the boxes touch the picture's border: people come and go there."""
+        box = self.evidence.box[rows]
+        margin = np.array(self.size) * _BORDER
+        low, high = box[:, :2], box[:, :2] + box[:, 2:]
+        return np.asarray(
+            (low <= margin).any(axis=1)
+            | (high >= np.array(self.size) - 1 - margin).any(axis=1)
+            | ~np.isfinite(box).all(axis=1)
+        )
+
+    def at_occluder(self, rows: Rows) -> Flags:
+        """(k,) whether a body's middle or feet lie in a labelled occluder."""
+        box = self.evidence.box[rows]
+        across = box[:, 0] + box[:, 2] / 2
+        hidden = np.zeros(len(rows), np.bool_)
+        for occluder in self.occluders:
+            for share in _LOOKED_AT:
+                point = np.stack((across, box[:, 1] + share * box[:, 3]), axis=1)
+                hidden |= _within(point, np.array(occluder.polygon))
+        return hidden
+
+    def nearest(self, rows: Rows) -> Rows:
+        """(k,) the track nearest to each row in its frame; 0 where nobody is within reach."""
+        near = self.near
+        one = np.concatenate((near.first, near.second))
+        other = np.concatenate((near.second, near.first))
+        # Of what is written to one place several times the last stays: the nearest.
+        order = np.argsort(-np.tile(near.distance_m, 2), kind="stable")
+        tracks = np.zeros(len(self.evidence), np.int64)
+        tracks[one[order]] = self.evidence.track[other[order]]
+        return tracks[rows]
+
+
+def _within(points: Floats, polygon: Floats) -> Flags:
+    """(k,) whether points lie in a polygon: a ray to the right meets its edges an odd number."""
+    u, v = points.T
+    inside = np.zeros(len(points), np.bool_)
+    for (u0, v0), (u1, v1) in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
+        if v0 != v1:
+            crosses = (v0 > v) != (v1 > v)
+            inside ^= crosses & (u < u0 + (v - v0) / (v1 - v0) * (u1 - u0))
+    return inside
+
+
+def _reached(evidence: Evidence) -> tuple[float, float]:
+    """How far to the right and down any box reaches, in px."""
+    far = evidence.box[:, :2] + evidence.box[:, 2:]
+    far = far[np.isfinite(far).all(axis=1)]
+    if not len(far):
+        return 0.0, 0.0
+    width, height = far.max(axis=0).tolist()
+    return width, height

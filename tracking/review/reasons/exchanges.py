@@ -1,0 +1,29 @@
+"""Two tracks near each other that look like each other afterwards."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracking.review.appearance import changed_over
+from tracking.review.evidence import keys
+from tracking.review.found import Found, of_pairs, peaks, ramp
+from tracking.review.material import Material
+
+_APART_S = 1.5
+_LOW, _HIGH = 0.5, 6.0
+"""How much better the looks agree changed over: from hardly to clearly."""
+
+
+def exchanges(material: Material) -> Found:
+    """Where two tracks' colours and heights agree best with their names changed over."""
+    evidence, near = material.evidence, material.near
+    first, second = evidence.track[near.first], evidence.track[near.second]
+    frame = evidence.frame[near.first]
+    better = changed_over(material.looks, first, second, frame)
+    # Of frames about as good the one in which they were nearest.
+    value = better - 0.3 * near.distance_m
+    told = np.flatnonzero(better > _LOW)
+    pair = keys(first[told], second[told])
+    best = told[peaks(pair, frame[told], value[told], evidence.frames_of(_APART_S))]
+    strength = ramp(better[best], _LOW, _HIGH)
+    return of_pairs("exchange", first[best], second[best], frame[best], strength, better[best])

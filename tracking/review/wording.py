@@ -1,0 +1,95 @@
+"""Reasons in words, and what would put them right."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """How a kind of reason is said.
+
+    Attributes:
+        one, two: sentences about one track (a) and about two (a, b); they may name `figure` and
+            the `time`.
+        fix_one, fix_two: what usually puts it right; see `Suspicion.fix`.
+    """
+
+    one: str
+    two: str = ""
+    fix_one: str = "look"
+    fix_two: str = "swap"
+
+
+WORDS: Mapping[str, Words] = MappingProxyType(
+    {
+        "exchange": Words(
+            "", "{a} and {b} look like each other from {time} on: their colours changed over"
+        ),
+        "turn": Words(
+            "", "{a} goes on as {b} was walking and {b} as {a}, {figure:.1f} m off, at {time}"
+        ),
+        "crossing": Words("", "{a} and {b} passed within {figure:.1f} m at {time}"),
+        "shared": Words("", "{a} and {b} were seen as one for {figure:.1f} s until {time}"),
+        "lost": Words(
+            "",
+            "{a} ends in the middle of the floor, and {b} begins near it at {time}",
+            fix_two="merge",
+        ),
+        "ended": Words(
+            "{a} ends in the middle of the floor at {time}",
+            "{a} ends in the middle of the floor at {time}, beside {b}",
+            fix_two="look",
+        ),
+        "begun": Words(
+            "{a} begins in the middle of the floor at {time}",
+            "{a} begins in the middle of the floor at {time}, beside {b}",
+            fix_two="look",
+        ),
+        "colour": Words("{a} has other colours from {time} on", fix_one="split"),
+        "height": Words("{a} is {figure:.2f} m taller or shorter from {time} on", fix_one="split"),
+        "jump": Words("{a} jumps by {figure:.1f} m at {time}", fix_one="split"),
+        "predicted": Words(
+            "{a} was out of sight for {figure:.1f} s and is seen again at {time}",
+            "{a} was out of sight for {figure:.1f} s and is seen again at {time}, beside {b}",
+            fix_one="split",
+        ),
+        "drift": Words(
+            "{a} is not seen any more from {time} on and goes on for {figure:.1f} s",
+            fix_one="delete",
+        ),
+        "margin": Words(
+            "another choice for {a} would have been nearly as good at {time}",
+            "another choice for {a} would have been nearly as good at {time}, beside {b}",
+        ),
+        "spread": Words("the particles of {a} spread over {figure:.1f} m at {time}"),
+        "split": Words("the particles of {a} fall in two at {time}"),
+        "part": Words("{figure:.0f} body parts of {a} have failed at {time}"),
+    }
+)
+"""By kind of reason."""
+
+KINDS = tuple(WORDS)
+"""All kinds of suspicions there are."""
+
+
+def sentence(kind: str, first: int, second: int, figure: float, seconds: float) -> str:
+    """A reason as a sentence, e.g. "4 and 7 passed within 0.3 m at 00:41"."""
+    words = WORDS[kind]
+    said = words.two if second else words.one
+    return said.format(a=first, b=second, figure=figure, time=clock(seconds))
+
+
+def fix(kind: str, second: int) -> str:
+    """What would put it right: "swap", "split", "merge", "delete" or "look"."""
+    words = WORDS[kind]
+    return words.fix_two if second else words.fix_one
+
+
+def clock(seconds: float) -> str:
+    """Minutes and seconds, with hours where there are some: "00:41", "1:02:07"."""
+    minutes, second = divmod(int(seconds), 60)
+    hours, minute = divmod(minutes, 60)
+    return f"{hours}:{minute:02}:{second:02}" if hours else f"{minute:02}:{second:02}"
