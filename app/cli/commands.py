@@ -6,6 +6,7 @@ that help comes at once and no command waits for libraries it does not use.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -152,8 +153,10 @@ def trackers(json: options.Json = False) -> None:
 
 @program.command()
 def track(
-    out: Annotated[Path, typer.Option("--out", "-o", help="The session to make: NAME.h5.")],
     recording: Recording = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", "-o", help="The session to make: NAME.h5.")
+    ] = None,
     tracker: Annotated[
         str | None, typer.Option(help="Its name.", show_default="best for the recording")
     ] = None,
@@ -165,6 +168,10 @@ def track(
     ] = None,
     seed: options.Seed = 0,
     detector: Annotated[Path | None, typer.Option(help="A failure detector made by train.")] = None,
+    again: options.Again = None,
+    start: options.From = None,
+    until: options.Until = None,
+    accept: options.Accept = False,
     force: options.Force = False,
     left: options.Left = None,
     right: options.Right = None,
@@ -178,12 +185,19 @@ def track(
     allow_outside: options.Outside = False,
     json: options.Json = False,
 ) -> None:
-    """Run a tracker over a recording."""
+    """Run a tracker over a recording, or again from a frame of a corrected session on."""
     from app.cli.recordings import Bare
     from app.cli.track import Order, run_track
+    from app.cli.track_again import asked_again, run_track_again
 
     eyes = Bare(left, right, calibration, height, tilt, roll, fps, layout, first, allow_outside)
     order = Order(tracker, tuple(setting or ()), frames, seed, detector)
+    if (wish := asked_again(again, start, until, accept=accept)) is not None:
+        wish = replace(wish, recording=recording, out=out, allow_outside=allow_outside)
+        run_track_again(wish, order, force=force, as_json=json)
+        return
+    if out is None:
+        raise typer.BadParameter("name the session to make", param_hint="--out")
     run_track(recording, eyes, out, order, force=force, as_json=json)
 
 

@@ -22,6 +22,34 @@ Force = Annotated[
 ]
 Seed = Annotated[int, typer.Option(min=0, max=LARGEST_SEED, help="Of all random numbers.")]
 
+_AGAIN = "Again, after corrections"
+Again = Annotated[
+    Path | None,
+    typer.Option(
+        "--again",
+        help="A session: go on from its corrected tracks and print what would change there.",
+        rich_help_panel=_AGAIN,
+    ),
+]
+From = Annotated[
+    int | None,
+    typer.Option("--from", min=1, help="The first frame to track again.", rich_help_panel=_AGAIN),
+]
+Until = Annotated[
+    int | None,
+    typer.Option(
+        "--until", min=1, help="The first frame not to.", show_default="all", rich_help_panel=_AGAIN
+    ),
+]
+Accept = Annotated[
+    bool,
+    typer.Option(
+        "--accept",
+        help="Take what changes, except what somebody corrected or marked as reviewed, and save.",
+        rich_help_panel=_AGAIN,
+    ),
+]
+
 Left = Annotated[
     Path | None,
     typer.Option("--left", help="The left or only eye: a video.", rich_help_panel=_BARE),

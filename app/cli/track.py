@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import typer
 
@@ -17,13 +18,14 @@ from app.cli.recordings import Bare, opened
 from app.cli.tracks import is_session
 from app.presenters.opening import remember_place
 from tracking.errors import OutputError, SessionError, SettingsError
-from tracking.pipeline import track
+from tracking.pipeline import Tracking, track
 from tracking.recording import Recording
 from tracking.session import Session
-from tracking.trackers import best_tracker, parse_settings, tracker_named
+from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
 from tracking.tracks import Run
 
-_BYTES_A_FRAME = 16 << 10
+BYTES_A_FRAME = 16 << 10
+"""Of a session with its particles, at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +52,7 @@ def run_track(
     if order.detector is not None:
         raise typer.BadParameter("failure detectors are not built yet", param_hint="--detector")
     with opened(path, bare) as recording:
-        check_file(out, recording.frame_count * _BYTES_A_FRAME)
+        check_file(out, recording.frame_count * BYTES_A_FRAME)
         refuse_to_lose(out, force=force)
         for note in recording.notes:
             say(f"note: {note}")
@@ -77,13 +79,16 @@ def tracked(recording: Recording, order: Order) -> Run:
         RecordingError, CalibrationError: the tracker cannot work on this recording.
     """
     spec = tracker_named(order.tracker or best_tracker(recording))
-    settings = parse_settings(spec, _pairs(order.settings))
+    settings = parsed_settings(spec, order.settings)
     frames = _range(order.frames, recording.frame_count)
+    with track(recording, spec.name, settings, order.seed, frames) as work:
+        return run_of(work, recording, f"tracking with {spec.name}")
+
+
+def run_of(work: Tracking, recording: Recording, what: str) -> Run:
+    """The run of a tracker at work, to its end, with a progress bar; odd things are told."""
     told = recording.notes
-    with (
-        track(recording, spec.name, settings, order.seed, frames) as work,
-        progress(f"tracking with {spec.name}") as advance,
-    ):
+    with progress(what) as advance:
         start, stop = work.frames
         for result in work:
             advance(result.frame + 1 - start, stop - start)
@@ -131,6 +136,11 @@ def _is_worth_keeping(out: Path) -> bool:
 def has_work(session: Session) -> bool:
     """Whether somebody corrected or labelled something in the session."""
     return len(session.history) > 0
+
+
+def parsed_settings(spec: TrackerSpec, texts: Sequence[str]) -> Any:
+    """The tracker's settings with those typed as KEY=VALUE; raises `SettingsError`."""
+    return parse_settings(spec, _pairs(texts))
 
 
 def _pairs(texts: Sequence[str]) -> dict[str, str]:

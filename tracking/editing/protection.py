@@ -96,9 +96,10 @@ def protected_stretches(
 
 
 def in_force(history: History) -> Iterator[Entry]:
-    """The edits that count, oldest first: none that was undone, nor what took it back."""
+    """The edits of people that count, oldest first: none taken back, nor what took it back."""
     for entry in history:
-        if not entry.undone and entry.kind not in ("take", "undo"):
+        taken_back = entry.undone or history.taken_back_by(entry.id)
+        if not taken_back and not entry.undoes and entry.kind != "take":
             yield entry
 
 

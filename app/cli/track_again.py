@@ -1,0 +1,230 @@
+"""`track --again`: from a frame of a corrected session on, with the people as corrected."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import closing, contextmanager
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import typer
+
+from app.cli.destination import check_file
+from app.cli.output import print_json, say
+from app.cli.track import BYTES_A_FRAME, Order, parsed_settings, refuse_to_lose, run_of
+from app.presenters.opening import open_path, remember_place
+from tracking.editing import Change, Difference, differences, plan_take
+from tracking.errors import EditError, SessionError, SettingsError
+from tracking.pipeline import track
+from tracking.recording import OpenOptions, Recording
+from tracking.session import Session
+from tracking.trackers import (
+    TRACKERS,
+    Resume,
+    best_tracker,
+    settings_from,
+    settings_values,
+    tracker_named,
+)
+from tracking.tracks import Run
+
+
+@dataclass(frozen=True, slots=True)
+class Again:
+    """What is to be tracked again.
+
+    Attributes:
+        session: whose corrected tracks to go on from. recording: where it is by now, if it moved.
+        start, until: half-open range of frames; until None: to the end.
+        out: the session to make; None: the same one, where anything is kept.
+        accept: take what changes. allow_outside: follow paths out of the recording's folder.
+    """
+
+    session: Path
+    start: int
+    until: int | None = None
+    recording: Path | None = None
+    out: Path | None = None
+    accept: bool = False
+    allow_outside: bool = False
+
+
+def asked_again(
+    session: Path | None, start: int | None, until: int | None, *, accept: bool
+) -> Again | None:
+    """What the options ask for; None where they do not ask to track again.
+
+    Raises:
+        typer.BadParameter: some of them are missing.
+    """
+    if session is None:
+        if start is not None or until is not None or accept:
+            raise typer.BadParameter(
+                "--from, --until and --accept go with a session to track again",
+                param_hint="--again",
+            )
+        return None
+    if start is None:
+        raise typer.BadParameter("name the first frame to track again", param_hint="--from")
+    return Again(session, start, until, accept=accept)
+
+
+def run_track_again(again: Again, order: Order, *, force: bool, as_json: bool) -> None:
+    """Track again, print what would change, and with `accept` take it."""
+    if order.frames is not None:
+        raise typer.BadParameter("tracking again takes --from and --until", param_hint="--frames")
+    with _opened(again) as (session, recording):
+        _check_place(session, recording, again, force=force)
+        began_s = time.perf_counter()
+        run = _tracked_again(session, recording, again, order)
+        rate = (run.frames[1] - run.frames[0]) / (time.perf_counter() - began_s)
+        found = differences(
+            session.tracks, session.labels, session.history, run, run.frames, fps=recording.fps
+        )
+        change = _taken(session, recording, run) if again.accept else None
+        kept = _keep(session, recording, run, change, again)
+    if as_json:
+        print_json(_as_json(run, rate, found, change, kept))
+    else:
+        _tell(run, rate, found, change, kept)
+
+
+@contextmanager
+def _opened(again: Again) -> Iterator[tuple[Session, Recording]]:
+    if again.session.suffix.lower() != ".h5":
+        raise SettingsError(f"{again.session} is no session; make one with track -o NAME.h5 first")
+    options = OpenOptions(allow_outside=again.allow_outside)
+    with closing(open_path(again.session, again.recording, options)) as opened:
+        session = opened.document.session
+        assert session is not None
+        for note in session.notes:
+            say(f"note: {note}")
+        yield session, opened.document.recording
+
+
+def _check_place(session: Session, recording: Recording, again: Again, *, force: bool) -> None:
+    """Refuse before the work what could not be saved after it."""
+    if again.out is not None and again.out.resolve() == again.session.resolve():
+        raise typer.BadParameter("leave it out to keep the same session", param_hint="--out")
+    if again.out is not None:
+        check_file(again.out, recording.frame_count * BYTES_A_FRAME)
+        refuse_to_lose(again.out, force=force)
+    elif again.accept and session.read_only:
+        raise SessionError(
+            f"{again.session} is open for reading only, so nothing can be taken into it; "
+            "name another session with -o"
+        )
+
+
+def _tracked_again(session: Session, recording: Recording, again: Again, order: Order) -> Run:
+    """The new run: by default the same tracker with the settings of the run that was corrected."""
+    if not 0 < again.start < recording.frame_count:
+        raise SettingsError(
+            f"frame {again.start}: tracking again goes on from a frame within "
+            f"1:{recording.frame_count}; choose --from there"
+        )
+    name, settings = _tracker(session, recording, order)
+    stop = recording.frame_count if again.until is None else again.until
+    resume = Resume.of(session.tracks, again.start, recording.fps)
+    with track(recording, name, settings, order.seed, (again.start, stop), resume) as work:
+        return run_of(work, recording, f"tracking again from frame {again.start} with {name}")
+
+
+def _tracker(session: Session, recording: Recording, order: Order) -> tuple[str, Any]:
+    """The tracker's name and settings: those of the run that was corrected, but for what is typed.
+
+    Where that run is not one of a tracker that is built, as an imported one: the best tracker.
+    """
+    before = session.runs[session.adopted_run or 0] if len(session.runs) else None
+    known = before if before is not None and before.tracker in TRACKERS else None
+    spec = tracker_named(order.tracker or (known.tracker if known else best_tracker(recording)))
+    typed = parsed_settings(spec, order.settings)
+    if known is None or known.tracker != spec.name:
+        return spec.name, typed
+    named = {text.partition("=")[0].strip() for text in order.settings}
+    values = {k: v for k, v in settings_values(typed).items() if k in named}
+    return spec.name, settings_from(spec.settings_type, {**known.settings, **values})
+
+
+def _taken(session: Session, recording: Recording, run: Run) -> Change | None:
+    """What taking the run changes; None: nothing."""
+    try:
+        return plan_take(
+            session.tracks, session.labels, session.history, run, run.frames, fps=recording.fps
+        )
+    except EditError as nothing:
+        say(f"note: {nothing}")
+        return None
+
+
+def _keep(
+    session: Session, recording: Recording, run: Run, change: Change | None, again: Again
+) -> Path | None:
+    """Save the run and what is taken of it; gives where, None where nothing is to be kept.
+
+    With a place of its own the session tracked from stays as it is, its journal too.
+    """
+    if again.out is not None:
+        _copy(session, again.out)
+        with closing(Session.open(again.out)) as copy:
+            return _saved(copy, recording, run, change)
+    return _saved(session, recording, run, change) if again.accept else None
+
+
+def _saved(session: Session, recording: Recording, run: Run, change: Change | None) -> Path:
+    session.add_run(run, adopt=False)
+    if change is not None:
+        session.apply(change)
+    place = session.save()
+    remember_place(session, recording)
+    return place
+
+
+def _copy(session: Session, out: Path) -> None:
+    """The session as it is now, under another name."""
+    pending = session.begin_save(out)
+    try:
+        pending.write()
+    finally:
+        session.abandon_save(pending)
+
+
+def _as_json(
+    run: Run,
+    rate: float,
+    found: Sequence[Difference],
+    change: Change | None,
+    kept: Path | None,
+) -> dict[str, Any]:
+    return {
+        "session": None if kept is None else str(kept),
+        "tracker": run.tracker,
+        "frames": list(run.frames),
+        "frames_a_second": rate,
+        "tracks": len(set(run.tracks["track"].tolist())),
+        "taken": None if change is None else change.text,
+        "differences": [asdict(each) for each in found],
+    }
+
+
+def _tell(
+    run: Run,
+    rate: float,
+    found: Sequence[Difference],
+    change: Change | None,
+    kept: Path | None,
+) -> None:
+    say(f"{run.tracker}: frames {run.frames[0]}:{run.frames[1]}, {rate:.1f} frames a second")
+    for each in found:
+        stays = "  (protected, stays as it is)" if each.protected else ""
+        print(f"{each.start:>8}:{each.end:<8} {each.text}{stays}")
+    if not found:
+        say("nothing would change" if change is None else "nothing changes by much")
+    if change is not None:
+        say(change.text)
+    elif found and kept is None:
+        say("nothing is kept; add --accept to take this, or -o OUT to keep the run beside it")
+    if kept is not None:
+        say(f"saved in {kept}")
