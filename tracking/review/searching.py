@@ -86,13 +86,11 @@ def _suspicions(material: Material, reasons: Reasons) -> list[Suspicion]:
     cost = costs(material, first, second, frame)
     start, end = stretches(reasons, places, evidence)
     spoken = _spoken(reasons, places)
+    told = np.flatnonzero(likely >= _LEAST)
+    figures = (column[told].tolist() for column in (start, end, likely, cost))
     return [
-        _suspicion(reasons, spoken[number], evidence.fps, *figures)
-        for number, *figures in zip(
-            np.flatnonzero(likely >= _LEAST).tolist(),
-            *(column[likely >= _LEAST].tolist() for column in (start, end, likely, cost)),
-            strict=True,
-        )
+        _suspicion(reasons, int(leader[place]), spoken[place], evidence.fps, *numbers)
+        for place, *numbers in zip(told.tolist(), *figures, strict=True)
     ]
 
 
@@ -118,6 +116,7 @@ def _spoken(reasons: Reasons, places: Places) -> list[Rows]:
 
 def _suspicion(
     reasons: Reasons,
+    leader: int,
     rows: Rows,
     fps: float,
     start: int,
@@ -125,11 +124,12 @@ def _suspicion(
     likelihood: float,
     cost: float,
 ) -> Suspicion:
-    leader = int(rows[0])
     first, second = int(reasons.first[leader]), int(reasons.second[leader])
     kind = reasons.kinds[int(reasons.kind[leader])]
-    strongest = dict(reversed([(int(reasons.kind[row]), int(row)) for row in rows]))
-    texts = tuple(_said(reasons, row, fps) for row in reversed(strongest.values()))
+    strongest: dict[int, int] = {}
+    for row in (leader, *rows.tolist()):
+        strongest.setdefault(int(reasons.kind[row]), row)
+    texts = tuple(_said(reasons, row, fps) for row in strongest.values())
     return Suspicion(
         kind=kind,
         tracks=tuple(sorted({first, second} - {0})),
