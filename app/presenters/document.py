@@ -298,6 +298,23 @@ class Document:
         self._take_changed(change)
         return change
 
+    def undo_alone(self, edit: int) -> Change:
+        """Take one older edit back and leave what was done after it; what was done.
+
+        Raises:
+            EditError: a later edit stands on it, or a tracker's people are shown.
+        """
+        if self.session is None:
+            raise EditError(tr("Nothing to undo: there is no session yet"))
+        self._refuse_while_live()
+        change = self.session.undo_alone(edit).change
+        self._take_changed(change)
+        return change
+
+    def why_not_alone(self, edit: int) -> str:
+        """Why an edit cannot be undone alone; "" where it can."""
+        return "" if self.session is None else self.session.history.why_not_alone(edit)
+
     def _refuse_while_live(self) -> None:
         if self._live_shown and self.session is not None:
             raise EditError(tr("Not changed: stop tracking first, then correct"))

@@ -48,14 +48,26 @@ class HistoryList:
         state = (len(history), undo.id if undo else 0, redo.id if redo else 0)
         if state != self._state:
             self._state = state
-            self._shown = tuple(self._item(entry) for entry in history if not entry.abandoned)
+            self._shown = tuple(
+                self._item(entry, history.taken_back_by(entry.id))
+                for entry in history
+                if not entry.abandoned
+            )
         return self._shown
 
-    def _item(self, entry: Entry) -> HistoryItem:
+    def _item(self, entry: Entry, taken_by: int) -> HistoryItem:
         item = self._items.get(entry.id)
-        if item is None or item.undone != entry.undone:
-            when = _local(entry.time)
-            item = HistoryItem(entry.id, entry.text, when, entry.author, entry.frame, entry.undone)
+        if item is None or (item.undone, item.taken_by) != (entry.undone, taken_by):
+            item = HistoryItem(
+                edit=entry.id,
+                text=entry.text,
+                when=local_time(entry.time),
+                author=entry.author,
+                frame=entry.frame,
+                undone=entry.undone,
+                kind=entry.kind,
+                taken_by=taken_by,
+            )
             self._items[entry.id] = item
         return item
 
@@ -95,7 +107,7 @@ class EditMarks:
                 self._marks[mark.track].pop(entry.id)
 
 
-def _local(time: str) -> str:
+def local_time(time: str) -> str:
     """An ISO time as the user's clock shows it: today only the hour, else the day too."""
     try:
         moment = datetime.fromisoformat(time).astimezone()

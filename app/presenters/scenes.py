@@ -268,7 +268,11 @@ class TrackCard:
 
 @dataclass(frozen=True, slots=True)
 class HistoryItem:
-    """One edit in the history panel; undone edits are shown greyed."""
+    """One edit in the history panel; undone edits are shown greyed.
+
+    Attributes:
+        kind: one word, e.g. "swap". taken_by: the later edit that takes this one back alone; 0.
+    """
 
     edit: int
     text: str
@@ -276,6 +280,8 @@ class HistoryItem:
     author: str
     frame: int
     undone: bool
+    kind: str = ""
+    taken_by: int = 0
 
 
 @dataclass(frozen=True, slots=True)

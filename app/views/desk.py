@@ -14,6 +14,7 @@ from app.presenters.tracker_state import TrackerState, TrackerWords
 from app.presenters.words import tr
 from app.views.dragging import Dragging
 from app.views.editing import Editing
+from app.views.history import HistoryWalk
 from app.views.labelling import Labelling
 from app.views.live import LiveTracking
 from app.views.overlaying import Overlaying
@@ -46,6 +47,7 @@ class Desk(QObject):
         self.editing = Editing(document, self.playback, self)
         self.dragging = Dragging(document, self.playback, self.editing)
         self.overlaying = Overlaying(document, self.playback, self)
+        self.walk = HistoryWalk(document, self.playback, workspace.history, self)
         self.labelling = Labelling(document, self.playback, workspace, self)
         self.live = LiveTracking(document.recording, self)
         self.pictured = Pictured()
@@ -65,9 +67,10 @@ class Desk(QObject):
         self.editing.failed.connect(self.failed)
         self.editing.said.connect(self.said)
         self.overlaying.changed.connect(self.draw_instant)
-        self.labelling.changed.connect(self.draw)
-        self.labelling.failed.connect(self.failed)
-        self.labelling.said.connect(self.said)
+        for part in (self.labelling, self.walk):
+            part.changed.connect(self.draw)
+            part.failed.connect(self.failed)
+            part.said.connect(self.said)
         self.overlaying.failed.connect(self.failed)
         self.live.tracked.connect(self._take_live)
         self.live.finished.connect(self._end_live)
@@ -91,8 +94,6 @@ class Desk(QObject):
         view.card.frame_sought.connect(desk.playback.go)
         view.history.undo_asked.connect(desk.editing.undo)
         view.history.redo_asked.connect(desk.editing.redo)
-        view.history.frame_sought.connect(desk.playback.go)
-        view.history.goto_asked.connect(desk.editing.go_to_edit)
         view.preview.confirmed.connect(desk.editing.confirm)
         view.preview.cancelled.connect(desk.editing.leave)
         view.preview.cut_moved.connect(desk.editing.move_cut)

@@ -26,6 +26,9 @@ COMMANDS: Final = (
         icon="redo",
     ),
     Command(
+        "edit.undo_alone", "Edit", "Undo the chosen edit alone", ("Ctrl+Alt+Z",), editable
+    ),
+    Command(
         "edit.commands", "Edit", "Search commands...", ("Ctrl+K",), separated=True, icon="search"
     ),
 )

@@ -36,6 +36,7 @@ def _vertical(down: int, *, far: bool = False, resize: bool = False) -> OnDesk:
 CORRECTING: dict[str, OnDesk] = {
     "edit.undo": lambda desk: desk.editing.undo(),
     "edit.redo": lambda desk: desk.editing.redo(),
+    "edit.undo_alone": lambda desk: desk.walk.undo_alone(),
     "tracks.stop": lambda desk: desk.live.stop(),
     "tracks.next": lambda desk: desk.editing.pick_next(1),
     "tracks.previous": lambda desk: desk.editing.pick_next(-1),

@@ -124,22 +124,26 @@ def history(qtbot, dark):
 
 
 def row_point(panel, row: int):
-    return panel._list.visualItemRect(panel._list.item(row)).center()
+    return panel._list.visualRect(panel._model.index(row)).center()
+
+
+def listed(panel) -> list[str]:
+    return [panel._model.item(row).text for row in range(panel._model.rowCount())]
 
 
 def test_the_newest_edit_stands_on_top(history):
-    assert [history._list.item(row).text() for row in range(3)] == ["edit 3", "edit 2", "edit 1"]
+    assert listed(history) == ["edit 3", "edit 2", "edit 1"]
 
 
-def test_a_click_goes_to_the_frame_an_edit_changed(history, qtbot):
-    with qtbot.waitSignal(history.frame_sought) as sought:
+def test_a_click_goes_to_what_an_edit_changed(history, qtbot):
+    with qtbot.waitSignal(history.edit_sought) as sought:
         qtbot.mouseClick(history._list.viewport(), LEFT, pos=row_point(history, 1))
-    assert sought.args == [200]
+    assert sought.args == [2]
 
 
 def test_a_double_click_undoes_to_an_edit(history, qtbot):
     with qtbot.waitSignal(history.goto_asked) as asked:
-        history._list.itemDoubleClicked.emit(history._list.item(2))
+        history._list.doubleClicked.emit(history._model.index(2))
     assert asked.args == [1]
 
 
@@ -238,15 +242,15 @@ def test_an_edit_without_a_cut_cannot_be_moved(preview):
 
 
 def test_a_further_edit_leaves_the_rows_of_the_others_as_they_are(history):
-    oldest = history._list.item(2)
+    history._list.setCurrentIndex(history._model.index(2))
     history.show_scene((edit(1), edit(2), edit(3), edit(4)))
-    assert history._list.item(3) is oldest
-    assert history._list.item(3).text() == "edit 1"
-    assert [history._list.item(row).text() for row in range(2)] == ["edit 4", "edit 3"]
+    assert history.current_edit == 1
+    assert listed(history) == ["edit 4", "edit 3", "edit 2", "edit 1"]
     history.show_scene((edit(1), edit(5)))
-    assert [history._list.item(row).text() for row in range(2)] == ["edit 5", "edit 1"]
+    assert listed(history) == ["edit 5", "edit 1"]
+    assert history.current_edit == 1
     history.show_scene(())
-    assert history._list.count() == 0
+    assert history._model.rowCount() == 0
 
 
 def test_a_name_that_was_refused_is_put_back(track_panel, qtbot, heard):
