@@ -12,6 +12,7 @@ from app.presenters.scenes import Eye, TransportScene
 from app.presenters.setting import Pictured
 from app.presenters.tracker_state import TrackerState, TrackerWords
 from app.presenters.words import tr
+from app.views.comparing import Comparing
 from app.views.dragging import Dragging
 from app.views.editing import Editing
 from app.views.history import HistoryWalk
@@ -19,6 +20,7 @@ from app.views.labelling import Labelling
 from app.views.live import LiveTracking
 from app.views.overlaying import Overlaying
 from app.views.playback import Playback
+from app.views.reviewing import Reviewing
 from app.views.workspace import Workspace
 from tracking.session import Session
 from tracking.trackers import Resume, StepResult
@@ -50,9 +52,13 @@ class Desk(QObject):
         self.walk = HistoryWalk(document, self.playback, workspace.history, self)
         self.labelling = Labelling(document, self.playback, workspace, self)
         self.live = LiveTracking(document.recording, self)
+        self.comparing = Comparing(document, self.playback, self.editing, workspace, self)
+        panel = workspace.review
+        self.reviewing = Reviewing(document, self.playback, self.editing, panel, self)
         self.pictured = Pictured()
         self.eyes = "left"
         self._workspace = workspace
+        self._again = False  # the tracker at work is to put right what was corrected before
         self._words = TrackerWords(document.recording)
         self._connect_parts()
         self._connect_views()
@@ -66,6 +72,10 @@ class Desk(QObject):
         self.editing.previewed.connect(self.draw_preview)
         self.editing.failed.connect(self.failed)
         self.editing.said.connect(self.said)
+        for part in (self.reviewing, self.comparing):
+            part.changed.connect(self.changed)
+            part.failed.connect(self.failed)
+            part.said.connect(self.said)
         self.overlaying.changed.connect(self.draw_instant)
         for part in (self.labelling, self.walk):
             part.changed.connect(self.draw)
@@ -111,12 +121,19 @@ class Desk(QObject):
     def close(self) -> None:
         """End all threads and let the recording go."""
         self.live.close()
+        self.reviewing.close()
+        self.comparing.close()
         self.overlaying.close()
         self.labelling.close()
         self.playback.close()
         if self.document.session is not None:
             self.document.session.close()
         self.document.recording.close()
+
+    @property
+    def window_page(self) -> Workspace:
+        """What dialogs stand before."""
+        return self._workspace
 
     # what can be done
 
@@ -142,6 +159,8 @@ class Desk(QObject):
             can_track=bool(self._words.best),
             why_no_tracking=self._words.why_not,
             read_only=session is not None and session.read_only,
+            comparing=self.comparing.shown,
+            **self.reviewing.situation,
         )
 
     @property
@@ -188,11 +207,31 @@ class Desk(QObject):
 
         With `resume` it goes on from the corrected tracks, which stay shown before its frames.
         """
+        self._again = False
         self.document.begin_live(resume.frame if resume is not None else None)
         self.live.start(tracker, settings, seed, frames, resume)
         if frames is not None and not frames[0] <= self.playback.clock.frame < frames[1]:
             self.playback.go(frames[0])
         self.draw()
+
+    def track_again(
+        self,
+        tracker: str,
+        settings: Any = None,
+        seed: int = 0,
+        frames: tuple[int, int] | None = None,
+    ) -> None:
+        """Track some frames again, from the corrected tracks on; what would change is shown then.
+
+        Raises:
+            SettingsError: the tracker cannot go on from there.
+        """
+        session, first = self.document.session, frames[0] if frames is not None else 0
+        resume = None
+        if session is not None and first > 0:
+            resume = Resume.of(session.tracks, first, self.document.recording.fps)
+        self.track(tracker, settings, seed, frames, resume)
+        self._again = True
 
     def drop_live(self) -> None:
         """End the tracker at work; what it found is forgotten."""
@@ -213,6 +252,8 @@ class Desk(QObject):
             return
         number = session.add_run(run)
         self.document.end_live()
+        if self._again:
+            self.comparing.open(number)
         if session.adopted_run != number:
             self.said.emit(tr("Kept as run {n}: the corrected tracks stay as they are", n=number))
         self.draw()
@@ -269,6 +310,8 @@ class Desk(QObject):
         view.card.show_scene(document.card())
         view.history.show_scene(document.history())
         view.preview.show_scene(document.planned.scene if document.planned else None)
+        self.reviewing.refresh()
+        self.comparing.refresh()
         self.changed.emit()
 
     def draw_preview(self) -> None:

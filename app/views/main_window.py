@@ -92,6 +92,8 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         names = ("tracks.swap", "tracks.split", "tracks.merge", "tracks.end_here", "tracks.draw")
         self.workspace.card.set_actions([self.menus.actions[name] for name in names])
+        decisions = ("review.right", "review.fix", "review.dismiss")
+        self.workspace.review.set_actions([self.menus.actions[name] for name in decisions])
 
     def _connect(self) -> None:
         self.menus.asked.connect(self.run_command)

@@ -20,6 +20,13 @@ class PreviewLegend(QWidget):
         self._words = (self.tr("before"), self.tr("after"))
         self.setAccessibleName(self.tr("Dashed trails: before the edit; solid ones: after it"))
 
+    def set_words(self, dashed: str, solid: str) -> None:
+        """Say something else of the dashed and of the solid trails."""
+        self._words = (dashed, solid)
+        self.setAccessibleName(self.tr("Dashed: {0}; solid: {1}").format(dashed, solid))
+        self.updateGeometry()
+        self.update()
+
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Both beside each other."""
         words = sum(self.fontMetrics().horizontalAdvance(word) for word in self._words)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -97,6 +98,11 @@ class SettingsForm(QWidget):
             control.setValue(value)
         elif isinstance(control, QLineEdit):
             control.setText(str(value))
+
+    def put_known(self, values: Mapping[str, Any]) -> None:
+        """Put those values in whose settings there are; a run of an older program had others."""
+        for name in values.keys() & self._controls.keys():
+            self.put(name, values[name])
 
     def _add_group(self, name: str, rows: QVBoxLayout) -> QGridLayout:
         """The tracker's own settings stand open; those of the stages before it are folded."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from PySide6.QtWidgets import (
@@ -109,6 +110,13 @@ class TrackDialog(QDialog):
             line.addWidget(widget)
         line.addStretch(1)
         return line
+
+    def put_settings(self, tracker: str, values: Mapping[str, Any], seed: int) -> None:
+        """Choose a tracker, its settings as far as it knows them, and the seed."""
+        if tracker in self._names:
+            self._choice.setCurrentIndex(self._names.index(tracker))
+            self.form.put_known(values)
+        self._seed.setValue(seed)
 
     def put_frames(self, first: int, last: int) -> None:
         """Choose the frames that are tracked, the last one among them."""

@@ -15,7 +15,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.presenters.differences_scene import DifferencesScene
 from app.presenters.scenes import Eye
+from app.views.differences_panel import DifferencesPanel
 from app.views.edit_panel import EditPanel
 from app.views.eye_switch import EyeSwitch
 from app.views.history_panel import HistoryPanel
@@ -45,6 +47,7 @@ class Workspace(QWidget):
         self.history = HistoryPanel(self)
         self.preview = EditPanel(self)
         self.labelling = LabellingPanel(self)
+        self.differences = DifferencesPanel(self)
         self.transport = TransportBar(self)
         self.timeline = TimelineView(self)
         self._splitters: dict[str, QSplitter] = {}
@@ -65,6 +68,8 @@ class Workspace(QWidget):
         widest = max(side.minimumSizeHint().width() + 12, _PANEL_LETTERS * letter)
         panels.setMinimumWidth(widest)
         panels.setMinimumHeight(1)
+        self.differences.setMinimumWidth(widest)
+        self._panels = panels
         # As wide as the panels, and as high as its words need at that width.
         policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         policy.setHeightForWidth(True)
@@ -77,6 +82,7 @@ class Workspace(QWidget):
         beside.addWidget(self.preview)
         beside.addWidget(self.labelling)
         beside.addWidget(panels, 1)
+        beside.addWidget(self.differences, 1)
         top = self._split(
             "top", Qt.Orientation.Horizontal, (eyes, self.overhead, right), (9, 10, 6)
         )
@@ -116,6 +122,11 @@ class Workspace(QWidget):
         splitter.setSizes([100 * share for share in shares])
         self._splitters[name] = splitter
         return splitter
+
+    def show_differences(self, scene: DifferencesScene | None) -> None:
+        """Show a comparison in the place of the panels, or the panels again."""
+        self.differences.show_scene(scene)
+        self._panels.setVisible(scene is None)
 
     def show_eyes(self, mode: str, stereo: bool) -> None:
         """Lay out for "left", "both" or "anaglyph"."""

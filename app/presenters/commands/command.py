@@ -15,6 +15,10 @@ class Situation:
         editing: a preview waits for Enter. placing: it is one of a box.
         live: a tracker is at work. busy: other long work is.
         labelling: something is being labelled.
+        suspicions: the review queue lists some. suspicion: one of them is looked at; fixable: an
+            edit would put it right. watched: a stretch was just watched.
+        comparing: two versions of the tracks are compared. unkept: what a tracker found is in
+            memory alone.
         stereo, truth: the recording has a right eye, a truth file.
         can_track: a tracker exists for the recording; else `why_no_tracking` says why.
         read_only: the session cannot be saved under its name, e.g. as another window has it open.
@@ -26,6 +30,12 @@ class Situation:
     selected: bool = False
     editing: bool = False
     labelling: bool = False
+    suspicions: bool = False
+    suspicion: bool = False
+    fixable: bool = False
+    watched: bool = False
+    comparing: bool = False
+    unkept: bool = False
     placing: bool = False
     live: bool = False
     busy: bool = False

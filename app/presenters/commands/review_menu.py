@@ -4,11 +4,85 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import session
-from app.presenters.commands.command import Command
+from app.presenters.commands.checks import editable, session, trackable
+from app.presenters.commands.command import Command, Situation
 from app.presenters.words import tr
 
+
+def _listed(now: Situation) -> str:
+    """Something must be left in the queue, or be compared."""
+    if now.suspicions or now.comparing:
+        return ""
+    return session(now) or tr("nothing is left to look at")
+
+
+def _looked_at(now: Situation) -> str:
+    """A suspicion must be looked at."""
+    return session(now) or ("" if now.suspicion else tr("press N to go to a suspicion first"))
+
+
+def _decidable(now: Situation) -> str:
+    """A suspicion must be looked at in a session that can be changed."""
+    return editable(now) or _looked_at(now)
+
+
+def _fixable(now: Situation) -> str:
+    """The suspicion must say what would put it right."""
+    said = tr("this one can only be looked at: correct it by hand, or say that it is right")
+    return _decidable(now) or ("" if now.fixable else said)
+
+
+def _watched(now: Situation) -> str:
+    """A stretch must have been watched."""
+    return editable(now) or ("" if now.watched else tr("play a stretch first"))
+
+
+def _watched_of_some(now: Situation) -> str:
+    """A stretch must have been watched, with somebody selected."""
+    return _watched(now) or ("" if now.selected else tr("select a person first"))
+
+
+def _tracked(now: Situation) -> str:
+    """There must be corrected tracks, and a tracker that can go on from them."""
+    return session(now) or trackable(now)
+
+
 COMMANDS: Final = (
+    Command("review.next", "Review", "Next suspicion", ("N",), _listed),
+    Command("review.previous", "Review", "Previous suspicion", ("P",), _listed),
+    Command("review.play", "Review", "Play its stretch", ("Shift+N",), _looked_at),
+    Command(
+        "review.plays", "Review", "Play each stretch when going to it", (), session, checkable=True
+    ),
+    Command("review.right", "Review", "It is right", ("Z",), _decidable, separated=True),
+    Command("review.fix", "Review", "Put it right...", ("E",), _fixable),
+    Command("review.dismiss", "Review", "Dismiss it", ("Backspace",), _decidable),
+    Command(
+        "review.mark",
+        "Review",
+        "Mark what was just watched as reviewed",
+        ("Shift+Z",),
+        _watched_of_some,
+        separated=True,
+    ),
+    Command(
+        "review.mark_all",
+        "Review",
+        "Mark it as reviewed for everybody",
+        ("Alt+Z",),
+        _watched,
+    ),
+    Command("review.unmark", "Review", "Unmark what was just watched", (), _watched),
+    Command(
+        "review.again",
+        "Review",
+        "Track again from here...",
+        ("Ctrl+Shift+R",),
+        _tracked,
+        separated=True,
+        icon="live",
+    ),
+    Command("review.runs", "Review", "Runs...", ("Ctrl+R",), session),
     Command(
         "review.score",
         "Review",

@@ -9,6 +9,7 @@ from app.views.runnable.correcting import CORRECTING
 from app.views.runnable.labelling import LABELLING
 from app.views.runnable.on_desk import OnDesk
 from app.views.runnable.playing import PLAYING
+from app.views.runnable.reviewing import REVIEWING
 from app.views.runnable.viewing import VIEWING
 from app.views.runnable.window import of_the_window
 
@@ -21,7 +22,7 @@ __all__ = ["runnable_commands"]
 def runnable_commands(window: MainWindow) -> dict[str, Callable[[], None]]:
     """For each command of the catalogue what it does."""
     commands = of_the_window(window)
-    for name, run in {**PLAYING, **VIEWING, **CORRECTING, **LABELLING}.items():
+    for name, run in {**PLAYING, **VIEWING, **CORRECTING, **REVIEWING, **LABELLING}.items():
         commands[name] = _on_desk(window, run)
     return commands
 
