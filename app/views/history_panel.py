@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QListView,
     QMenu,
     QStackedLayout,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -96,6 +97,8 @@ class HistoryPanel(Panel):
         self._text.setPlaceholderText(self.tr("Find: words, a track's id"))
         self._text.setAccessibleName(self.tr("Find edits by words or a track's id"))
         self._text.setClearButtonEnabled(True)
+        for button in self._text.findChildren(QToolButton):
+            button.setAccessibleName(self.tr("Clear"))
         self._text.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._text.textChanged.connect(self._narrow)
         self._by = QComboBox(self)

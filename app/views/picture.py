@@ -69,9 +69,8 @@ class PictureView(Canvas):
 
     def show_labels(self, labels: PictureLabels) -> None:
         """Draw what people drew and said at this instant."""
-        if labels != self._labels:
-            self._labels = labels
-            self.update()
+        self._labels = labels
+        self.update()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Follow the language."""
