@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench accuracy pictures lock clean
+.PHONY: help demo test format bench accuracy kills model pictures lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -42,6 +42,12 @@ bench: $(STAMP) ## measure speed (not part of make test)
 
 accuracy: $(STAMP) ## the accuracy table of the README, on scenes no setting was chosen on (half an hour)
 	$(BIN)/python -m tests.benchmarks.accuracy
+
+kills: $(STAMP) ## kill the window 1,000 times while tracks are corrected in it: nothing may be lost (20 minutes)
+	$(BIN)/python -m tests.sweeps.kill
+
+model: $(STAMP) ## sessions against a plain list of states, 10,000 runs of 50 steps (two hours)
+	$(BIN)/python -m tests.sweeps.model
 
 pictures: $(STAMP) ## make the pictures in docs/ through a virtual screen
 	@$(BIN)/python -m app.system_libraries
