@@ -2,7 +2,7 @@
 
 from tracking.editing.alone import plan_undo_alone
 from tracking.editing.change import Change, LabelState, State, apply_change
-from tracking.editing.crossing import propose_swap_frame
+from tracking.editing.crossing import SwapFrame, propose_swap_frame, propose_swap_frames
 from tracking.editing.differences import Difference, compare_runs, differences
 from tracking.editing.dragging import plan_drag
 from tracking.editing.drawing import plan_lines, plan_occluders, plan_regions
@@ -18,6 +18,7 @@ from tracking.editing.keyframes import (
 )
 from tracking.editing.labelling import plan_rename, plan_set_attribute, plan_set_notes
 from tracking.editing.merging import Keep, plan_merge, plan_merge_tracks
+from tracking.editing.noticed import signals_of
 from tracking.editing.part_labelling import plan_label_part, plan_unlabel_part, with_parts_carried
 from tracking.editing.protection import Protection, protected_stretches
 from tracking.editing.reviewing import (
@@ -55,6 +56,7 @@ __all__ = [
     "LabelState",
     "Protection",
     "State",
+    "SwapFrame",
     "TouchIndex",
     "apply_change",
     "body_position",
@@ -95,7 +97,9 @@ __all__ = [
     "plan_unmark_reviewed",
     "plan_verdict",
     "propose_swap_frame",
+    "propose_swap_frames",
     "protected_stretches",
+    "signals_of",
     "standing_box",
     "state_as_text",
     "state_from_text",

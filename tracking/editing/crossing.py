@@ -2,114 +2,148 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
+from dataclasses import dataclass
 
+import numpy as np
+
+from tracking.editing.courses import Courses, Floats, Frames, courses_of, turned_over
+from tracking.editing.looks import looks_changed
 from tracking.errors import EditError
 from tracking.tracks import Columns, TrackTable, check_known
 
-Floats = NDArray[np.float64]
+_REACH_M = 0.55
+_APART_WEIGHT = 2.0
+"""People change over where they meet: what twice, three times the reach apart counts against it."""
+_NEAR_FRAMES, _NEAR_WEIGHT = 150.0, 1.5
+"""How the frame the user looks at counts: of two cuts about as good the nearer one wins."""
+_PEAK_FRAMES = 10
+"""Two proposals are at least so far apart."""
+_MOST_FRAMES = 50_000
+"""Of longer meetings only the closest frames are judged."""
 
-_WINDOW = 6
-"""Rows on either side of a cut from which a walk is told."""
-_NEARNESS = 0.25
-"""How much a metre (or a mean distance apart) counts against a cut, beside a metre of jump."""
-_HERE = 0.1
-"""How much of the cost's whole span being as far as can be from the user's frame counts."""
+
+@dataclass(frozen=True, slots=True)
+class SwapFrame:
+    """A frame in which two tracks may have changed over.
+
+    Attributes:
+        frame: the first one in which they should bear each other's name.
+        likelihood: 0 to 1, of all frames of the two.
+        text: why, in words.
+    """
+
+    frame: int
+    likelihood: float
+    text: str
 
 
-def propose_swap_frame(table: TrackTable, a: int, b: int, near: int | None = None) -> int:
-    """The first frame in which a and b should change names.
+def propose_swap_frame(
+    table: TrackTable, a: int, b: int, near: int | None = None, signals: Columns | None = None
+) -> int:
+    """The first frame in which a and b should change names: see `propose_swap_frames`."""
+    return propose_swap_frames(table, a, b, near, signals, 1)[0].frame
 
-    Every frame in which both stand is judged as a cut: how far each person would jump from where
-    their walk was leading, less how far they would jump with the names changed over, less how far
-    apart they are (people change over where they meet). Measured on the floor, or between the
-    boxes' centres where there are no metres. near: the frame the user looks at; of two cuts about
-    as good the nearer one wins.
 
-    Raises EditError for unknown or equal tracks, and where they never stand in one frame.
+def propose_swap_frames(
+    table: TrackTable,
+    a: int,
+    b: int,
+    near: int | None = None,
+    signals: Columns | None = None,
+    most: int = 5,
+) -> tuple[SwapFrame, ...]:
+    """The frames in which a and b most likely changed over, likeliest first; at least one.
+
+    Every frame of their time together is judged as a cut by what speaks for it: that each walk
+    goes on as the other's rather than as its own, in place and direction; that clothes and height
+    go over from one to the other; and how close they were. On the floor, or between the boxes
+    where there are no metres, taking people as of usual height.
+
+    Args:
+        table, a, b: the tracks.
+        near: the frame the user looks at; of two cuts about as good the nearer one wins.
+        signals: `SIGNAL_COLUMNS` of the two (see `signals_of`); None: nothing was noticed.
+        most: so many at most, each a good number of frames from the others.
+
+    Returns:
+        With likelihoods that sum to 1 over all frames: people who stand together and look alike
+        give several low ones.
+
+    Raises:
+        EditError: unknown or equal tracks.
     """
     check_known(table, a, b)
     if a == b:
         raise EditError(f"track {a} cannot change over with itself; choose two different tracks")
-    rows_a, rows_b = table.of_track(a), table.of_track(b)
-    frames, at_a, at_b = np.intersect1d(
-        rows_a["frame"], rows_b["frame"], assume_unique=True, return_indices=True
-    )
+    courses = courses_of(table, a, b)
+    frames = _cuts(courses)
     if not len(frames):
-        return _handover(table, a, b)
-    places_a, places_b = _places(rows_a, rows_b)
-    known = np.isfinite(places_a[at_a]).all(axis=1) & np.isfinite(places_b[at_b]).all(axis=1)
-    if not known.any():
-        return int(frames[0])
-    frames, at_a, at_b = frames[known], at_a[known], at_b[known]
-    cost = _cost(frames, places_a[at_a], places_b[at_b])
+        later = max(table.frame_range(a)[0], table.frame_range(b)[0])
+        return (SwapFrame(later, 1.0, "they never stand in one frame; the later one begins here"),)
+    walks = turned_over(courses, frames)
+    looks = looks_changed(signals, a, b, frames)
+    apart = _apart(courses, frames)
+    score = walks + looks - _APART_WEIGHT * np.log1p(np.square(apart / _REACH_M))
     if near is not None:
-        away = np.abs(frames - near) / max(int(np.ptp(frames)), 1)
-        cost = cost + _HERE * np.ptp(cost) * away
-    return int(frames[int(np.argmin(cost))])
-
-
-def _handover(table: TrackTable, a: int, b: int) -> int:
-    """Tracks that never stand in one frame change over where the later one begins."""
-    return max(table.frame_range(a)[0], table.frame_range(b)[0])
-
-
-def _places(rows_a: Columns, rows_b: Columns) -> tuple[Floats, Floats]:
-    """(n, 2) where the people are: metres on the floor, else centres of boxes in pixels."""
-    on_floor = [np.column_stack([rows["x"], rows["y"]]) for rows in (rows_a, rows_b)]
-    if all(np.isfinite(places).all(axis=1).mean() > 0.5 for places in on_floor):
-        return on_floor[0], on_floor[1]
-    left, right = (
-        np.column_stack([rows["left"] + rows["width"] / 2, rows["top"] + rows["height"] / 2])
-        for rows in (rows_a, rows_b)
+        score = score - _NEAR_WEIGHT * np.minimum(np.abs(frames - near) / _NEAR_FRAMES, 2.0)
+    share = np.exp(score - score.max())
+    share /= share.sum()
+    return tuple(
+        SwapFrame(
+            int(frames[at]),
+            _around(frames, share, at),
+            _text(walks[at], looks[at], apart[at], courses),
+        )
+        for at in _peaks(frames, score, most)
     )
-    return left, right
 
 
-def _cost(frames: NDArray[np.int32], a: Floats, b: Floats) -> Floats:
-    """(n,) the lower, the likelier the two changed over between the frame before and this one."""
-    apart = _length(a - b)
-    meeting: Floats = np.minimum(apart, np.concatenate([apart[:1], apart[:-1]]))
-    if len(frames) < 3:
-        return meeting
-    led_a, came_a = _walks(frames, a)
-    led_b, came_b = _walks(frames, b)
-    kept = _jump(led_a, came_a) + _jump(led_b, came_b)
-    changed = _jump(led_a, came_b) + _jump(led_b, came_a)
-    cost: Floats = changed - kept + _NEARNESS * meeting
-    return cost
+def _cuts(courses: Courses) -> Frames:
+    """The frames of their time together in which one of the two stands."""
+    frames = np.union1d(courses.a.frames, courses.b.frames)
+    start = max(courses.a.frames[0], courses.b.frames[0])
+    end = min(courses.a.frames[-1], courses.b.frames[-1])
+    frames = frames[(frames >= start) & (frames <= end)]
+    if len(frames) > _MOST_FRAMES:
+        apart = _apart(courses, frames)
+        frames = np.sort(frames[np.argpartition(apart, _MOST_FRAMES)[:_MOST_FRAMES]])
+    return frames
 
 
-def _walks(frames: NDArray[np.int32], places: Floats) -> tuple[Floats, Floats]:
-    """Where the rows before each cut lead to, and where those after it come from.
+def _apart(courses: Courses, frames: Frames) -> Floats:
+    """(n,) m between them at each cut: the less of the frame and the one before it.
 
-    Both (n, 4): place at the cut and the way walked in half a window, by a line fitted to a window
-    of rows. Cut i lies between rows i - 1 and i; beyond its ends the walk goes on as it was.
+    Where one is missing, between where they were before and are after.
     """
-    width = min(_WINDOW, len(frames) - 1)
-    times = np.pad(frames.astype(float), width, "reflect", reflect_type="odd")
-    padded = np.pad(places, ((width, width), (0, 0)), "reflect", reflect_type="odd")
-    t = np.lib.stride_tricks.sliding_window_view(times, width)
-    p = np.lib.stride_tricks.sliding_window_view(padded, width, axis=0)
-    middle = t.mean(axis=1)
-    off = t - middle[:, None]
-    slope = np.einsum("nw,ncw->nc", off, p) / np.square(off).sum(axis=1)[:, None]
-    cuts = (times[width - 1 : -width - 1] + times[width:-width]) / 2
-
-    def at_cut(side: slice) -> Floats:
-        place = p.mean(axis=2)[side] + slope[side] * (cuts - middle[side])[:, None]
-        return np.hstack([place, slope[side] * width / 2])
-
-    return at_cut(slice(0, len(frames))), at_cut(slice(width, len(frames) + width))
+    places = [
+        np.column_stack([np.interp(frames, way.frames, way.places[:, axis]) for axis in (0, 1)])
+        for way in (courses.a, courses.b)
+    ]
+    apart = np.linalg.norm(places[0] - places[1], axis=1)
+    return np.asarray(np.minimum(apart, np.concatenate([apart[:1], apart[:-1]])))
 
 
-def _jump(led: Floats, came: Floats) -> Floats:
-    """(n,) how far place and walk on both sides of a cut are from each other."""
-    apart = led - came
-    return _length(apart[:, :2]) + _length(apart[:, 2:])
+def _peaks(frames: Frames, score: Floats, most: int) -> list[int]:
+    """The best frames, none within the peak's width of a better one."""
+    chosen: list[int] = []
+    for at in np.argsort(-score, kind="stable").tolist():
+        if all(abs(int(frames[at]) - int(frames[other])) > _PEAK_FRAMES for other in chosen):
+            chosen.append(at)
+        if len(chosen) == most:
+            break
+    return chosen
 
 
-def _length(vectors: Floats) -> Floats:
-    lengths: Floats = np.linalg.norm(vectors, axis=1)
-    return lengths
+def _around(frames: Frames, share: Floats, at: int) -> float:
+    """The likelihood that it was here or within two frames."""
+    return float(share[np.abs(frames - frames[at]) <= 2].sum())
+
+
+def _text(walks: float, looks: float, apart: float, courses: Courses) -> str:
+    unit = "m" if courses.in_metres else "m or so"
+    reasons = [f"{apart:.1f} {unit} apart"]
+    if walks > 1:
+        reasons.append("each walks on as the other did")
+    if looks > 1:
+        reasons.append("their looks change over")
+    return ", ".join(reasons)
