@@ -12,7 +12,7 @@ from tracking.editing import Change, Entry, History, plan_undo_alone, with_parts
 from tracking.errors import OutputError, SessionError
 from tracking.session.edited import Edited
 from tracking.session.finding import find_recording
-from tracking.session.image import Snapshot, Stamps
+from tracking.session.image import Snapshot, Stamps, empty_snapshot
 from tracking.session.journal import Act
 from tracking.session.known import KnownRecordings
 from tracking.session.pending import PendingSave
@@ -40,7 +40,7 @@ class Session:
         """Use `create` or `open`."""
         self._stamps = snapshot.stamps
         self._recording = snapshot.recording
-        self._edited = Edited(snapshot.tracks, snapshot.labels, History(snapshot.edits))
+        self._edited = Edited(snapshot.tracks, snapshot.labels, snapshot.history())
         self._adopted = snapshot.adopted
         self._runs = Runs(snapshot.runs)
         self._path = path
@@ -74,7 +74,7 @@ class Session:
         folder = path.parent if path is not None else recording.folder
         made = now()
         stamps = Stamps(made_up(), "", "", 0, made, made, software())
-        empty = Snapshot(stamps, refer_to(recording, folder), (), TrackTable(), None, Labels(), ())
+        empty = empty_snapshot(stamps, refer_to(recording, folder))
         session = cls(empty, None, author_named(author))
         for run in runs:
             session.add_run(run)
@@ -229,6 +229,12 @@ class Session:
         self._base = self._content
         return number
 
+    def drop_run(self, number: int) -> None:
+        """Forget the last run. Raises EditError for another one, and for the one adopted."""
+        self._refuse_read_only()
+        self._runs.drop(number, self._adopted, saving=self._pending is not None)
+        self._content += 1
+
     def _do(self, act: Act, entry: Entry, change: Change) -> Entry:
         self._refuse_read_only()
         if self._store is not None and self._saved < self._base:
@@ -323,6 +329,7 @@ class Session:
             adopted=self._adopted,
             labels=self.labels,
             edits=self.history.entries,
+            touched=self.history.touches,
         )
         self._pending = PendingSave(snapshot, target, self._content, store)
         return self._pending

@@ -11,19 +11,16 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing import Entry
+from tracking.editing import TOUCHED_COLUMNS, Entry, History, TouchIndex
 from tracking.session.image_file import ImageFile
+from tracking.session.label_tables import tables_of
 from tracking.session.layout import (
     CHUNK_ROWS,
     EDIT_COLUMNS,
     FORMAT,
-    OCCLUDER_COLUMNS,
-    PART_LABEL_COLUMNS,
-    REVIEWED_COLUMNS,
     RUN_TABLES,
     SOURCE_COLUMNS,
     TEXT,
-    TRACK_LABEL_COLUMNS,
     TRAJECTORY_TYPE,
     VERSION,
 )
@@ -68,7 +65,8 @@ class Snapshot:
 
     Attributes:
         tracks: a snapshot of the corrected table; adopted: the run it began as, or None.
-        edits: the log. runs: in memory, or still in a file they are copied from.
+        edits: the log; touched: `TOUCHED_COLUMNS` of those of which it is known.
+        runs: in memory, or still in a file they are copied from.
         newer: it was read from a file that may say more than this program knows.
     """
 
@@ -79,7 +77,18 @@ class Snapshot:
     adopted: int | None
     labels: Labels
     edits: tuple[Entry, ...]
+    touched: Columns
     newer: bool = False
+
+    def history(self) -> History:
+        """The log, to go on with."""
+        return History(self.edits, TouchIndex.from_columns(self.touched, len(self.edits)))
+
+
+def empty_snapshot(stamps: Stamps, recording: RecordingReference) -> Snapshot:
+    """What a session on a recording says before anything was tracked or edited."""
+    nothing = empty(TOUCHED_COLUMNS)
+    return Snapshot(stamps, recording, (), TrackTable(), None, Labels(), (), nothing)
 
 
 def write_image(snapshot: Snapshot, image: ImageFile) -> None:
@@ -103,6 +112,7 @@ def write_image(snapshot: Snapshot, image: ImageFile) -> None:
         tracks.attrs["run"] = -1 if snapshot.adopted is None else snapshot.adopted
         _write_labels(packer, file, snapshot.labels)
         packer.table(file, "edits", EDIT_COLUMNS, _edit_columns(snapshot.edits))
+        packer.table(file, "edits/touched", TOUCHED_COLUMNS, snapshot.touched)
         file.create_group("samples")
         rows = Trajectory(columns)
         trajectory = packer.column(file, "trajectory", rows, TRAJECTORY_TYPE)
@@ -141,6 +151,7 @@ def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
     group.attrs["software"] = run.software
     group.attrs["detector"] = run.detector
     group.attrs["known_tracks"] = run.known_tracks
+    group.attrs["made"] = run.made
     tables: Mapping[str, Columns] = {
         "tracks": run.tracks,
         "detections": run.detections,
@@ -166,25 +177,8 @@ def _by_frame_and_track(columns: Columns) -> Columns:
 
 
 def _write_labels(packer: Packer, file: h5py.File, labels: Labels) -> None:
-    tracks = labels.tracks
-    columns = {
-        "track": np.array(list(tracks), np.int64),
-        "name": [label.name for label in tracks.values()],
-        "attributes": [json.dumps(dict(label.attributes)) for label in tracks.values()],
-        "notes": [label.notes for label in tracks.values()],
-    }
-    group = packer.table(file, "labels", TRACK_LABEL_COLUMNS, columns)
-    packer.table(group, "parts", PART_LABEL_COLUMNS, empty(PART_LABEL_COLUMNS))
-    occluders = {
-        "name": [item.name for item in labels.occluders],
-        "polygon": [json.dumps(item.polygon) for item in labels.occluders],
-    }
-    packer.table(group, "occluders", OCCLUDER_COLUMNS, occluders)
-    reviewed = {
-        name: np.array([getattr(seen, name) for seen in labels.reviewed], np.int64)
-        for name in REVIEWED_COLUMNS
-    }
-    packer.table(group, "reviewed", REVIEWED_COLUMNS, reviewed)
+    for path, types, columns in tables_of(labels):
+        packer.table(file, path, types, columns)
 
 
 def _edit_columns(edits: Sequence[Entry]) -> dict[str, Any]:

@@ -20,7 +20,9 @@ import numpy as np
 
 from tracking.session.layout import (
     FORMAT,
+    LATER_COLUMNS,
     LATER_RUN_TABLES,
+    LATER_TABLES,
     RUN_TABLES,
     TABLES,
     TEXT,
@@ -160,7 +162,14 @@ def _check_type(dataset: h5py.Dataset, where: str) -> None:
 
 def _check_tables(file: h5py.File, datasets: Mapping[str, h5py.Dataset]) -> None:
     for name, types in TABLES.items():
-        _check_table(datasets, name, types)
+        if name in LATER_TABLES and name not in file:
+            continue
+        later = LATER_COLUMNS.get(name, frozenset())
+        there = {column for column in later if f"{name}/{column}" in datasets}
+        missing = later - there if not there else frozenset()
+        _check_table(
+            datasets, name, {column: types[column] for column in types if column not in missing}
+        )
     for name in ("recording/manifest", "recording/calibration"):
         if name not in datasets or datasets[name].ndim or datasets[name].dtype.kind != "O":
             raise Refused(f"has no text at {name}")

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tracking.editing import TOUCHED_COLUMNS
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     CORRECTED_COLUMNS,
@@ -19,7 +20,7 @@ from tracking.tracks import (
 )
 
 FORMAT = "trackwright-session"
-VERSION = (1, 0)
+VERSION = (1, 1)
 """Major: older programs cannot read it. Minor: they can, and miss something."""
 
 CHUNK_ROWS = 65_536
@@ -46,12 +47,34 @@ EDIT_COLUMNS: Types = MappingProxyType(
         "after": TEXT,
         "undone": np.dtype(np.bool_),
         "abandoned": np.dtype(np.bool_),  # undone and not to be redone
+        "undoes": np.dtype(np.int64),  # the older edit that this one takes back alone; 0: none
     }
 )
 TRACK_LABEL_COLUMNS: Types = MappingProxyType(
     {"track": np.dtype(np.int64), "name": TEXT, "attributes": TEXT, "notes": TEXT}
 )
-PART_LABEL_COLUMNS: Types = _types(frame=np.int32, track=np.int32, part=np.uint8, on_part=np.bool_)
+PART_LABEL_COLUMNS: Types = MappingProxyType(
+    {
+        "frame": np.dtype(np.int32),
+        "track": np.dtype(np.int32),
+        "part": np.dtype(np.uint8),  # 0 head, 1 torso, 2 hip-leg
+        "on_part": np.dtype(np.bool_),  # False also where a person is unsure
+        "sure": np.dtype(np.bool_),
+        "left": np.dtype(np.float64),  # px of the left image as recorded, 0-based
+        "top": np.dtype(np.float64),
+        "width": np.dtype(np.float64),
+        "height": np.dtype(np.float64),
+        "source": np.dtype(np.uint8),  # of the rectangle: 0 tracker, 1 person, 2 truth
+    }
+)
+LINE_COLUMNS: Types = MappingProxyType(
+    {"name": TEXT, **{name: np.dtype(np.float64) for name in ("x1", "y1", "x2", "y2")}}
+)
+"""m on the floor."""
+REGION_COLUMNS: Types = MappingProxyType({"name": TEXT, "polygon": TEXT})
+VERDICT_COLUMNS: Types = MappingProxyType(
+    {"kind": TEXT, "tracks": TEXT, "frame": np.dtype(np.int64), "decision": TEXT}
+)
 OCCLUDER_COLUMNS: Types = MappingProxyType({"name": TEXT, "polygon": TEXT})
 REVIEWED_COLUMNS: Types = _types(track=np.int64, start=np.int64, end=np.int64)
 SOURCE_COLUMNS: Types = MappingProxyType(
@@ -69,7 +92,11 @@ TABLES: Mapping[str, Types] = MappingProxyType(
         "labels/parts": PART_LABEL_COLUMNS,
         "labels/occluders": OCCLUDER_COLUMNS,
         "labels/reviewed": REVIEWED_COLUMNS,
+        "labels/lines": LINE_COLUMNS,
+        "labels/regions": REGION_COLUMNS,
+        "labels/verdicts": VERDICT_COLUMNS,
         "edits": EDIT_COLUMNS,
+        "edits/touched": TOUCHED_COLUMNS,
     }
 )
 """Columns of every table, by group; those of a run are in `RUN_TABLES`."""
@@ -84,6 +111,17 @@ RUN_TABLES: Mapping[str, Types] = MappingProxyType(
         "signals": SIGNAL_COLUMNS,
     }
 )
+
+LATER_TABLES = frozenset({"labels/lines", "labels/regions", "labels/verdicts", "edits/touched"})
+"""Tables that sessions of format 1.0 do not have."""
+
+LATER_COLUMNS: Mapping[str, frozenset[str]] = MappingProxyType(
+    {
+        "edits": frozenset({"undoes"}),
+        "labels/parts": frozenset({"sure", "left", "top", "width", "height", "source"}),
+    }
+)
+"""Columns that tables of format 1.0 do not have."""
 
 LATER_RUN_TABLES = frozenset({"signals"})
 """Tables of a run that sessions of format 1.0 do not have."""

@@ -6,37 +6,22 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import h5py
 
-from tracking.editing import Entry, History
+from tracking.editing import TOUCHED_COLUMNS, Entry, History, TouchIndex
 from tracking.errors import EditError, SessionError
 from tracking.session import inspection
 from tracking.session.hdf5 import opened, read_columns, text_attribute
 from tracking.session.image import Snapshot, Stamps
-from tracking.session.layout import (
-    EDIT_COLUMNS,
-    OCCLUDER_COLUMNS,
-    REVIEWED_COLUMNS,
-    SOURCE_COLUMNS,
-    TRACK_LABEL_COLUMNS,
-    VERSION,
-)
+from tracking.session.label_tables import read_labels
+from tracking.session.layout import EDIT_COLUMNS, SOURCE_COLUMNS, VERSION
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.session.saving import generations
-from tracking.tracks import (
-    CORRECTED_COLUMNS,
-    LARGEST_NUMBER,
-    Labels,
-    Occluder,
-    ReviewedRange,
-    TrackLabel,
-    TrackTable,
-)
+from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, TrackTable, empty
 
 _MOST_FPS, _WIDEST = 1e6, 1 << 20
 
@@ -100,8 +85,9 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
             read_columns(tracks, CORRECTED_COLUMNS),
             highest_track=int(tracks.attrs["highest_track"]),
         )
-        edits = read_edits(file)
-        History(edits)
+        labels, edits = read_labels(file), read_edits(file)
+        touched = _read_touched(file["edits"])
+        History(edits, TouchIndex.from_columns(touched, len(edits)))
     except EditError as why:
         raise SessionError(f"{path}: the session file is damaged: {why}") from why
     adopted = int(tracks.attrs["run"])
@@ -113,8 +99,9 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
         runs=tuple(StoredRun(path, number) for number in range(len(file["runs"]))),
         tracks=table,
         adopted=None if adopted < 0 else adopted,
-        labels=_read_labels(file["labels"]),
+        labels=labels,
         edits=edits,
+        touched=touched,
     )
 
 
@@ -124,13 +111,19 @@ _READERS = {1: _read_version_1}
 
 def read_edits(file: h5py.File) -> tuple[Entry, ...]:
     """The log."""
-    columns = read_columns(file["edits"], EDIT_COLUMNS)
-    lists = [
-        column if isinstance(column, list) else column.tolist()
-        for column in (columns[name] for name in EDIT_COLUMNS)
-    ]
+    group = file["edits"]
+    types = {name: dtype for name, dtype in EDIT_COLUMNS.items() if name in group}
+    columns = read_columns(group, types)
+    lists = [column if isinstance(column, list) else column.tolist() for column in columns.values()]
     rows = zip(*lists, strict=True)
-    return tuple(Entry(**dict(zip(EDIT_COLUMNS, row, strict=True))) for row in rows)
+    return tuple(Entry(**dict(zip(types, row, strict=True))) for row in rows)
+
+
+def _read_touched(edits: h5py.Group) -> Columns:
+    """What the edits touch; nothing is known of those in a file of format 1.0."""
+    if "touched" not in edits:
+        return empty(TOUCHED_COLUMNS)
+    return read_columns(edits["touched"], TOUCHED_COLUMNS)
 
 
 def read_recording(group: h5py.Group) -> RecordingReference:
@@ -163,33 +156,3 @@ def _read_stamps(file: h5py.File) -> Stamps:
     names = ("session", "save", "previous_save", "created", "modified", "software")
     said = {name: text_attribute(file, name) for name in names}
     return Stamps(**said, included=int(file.attrs["included_steps"]))
-
-
-def _read_labels(group: h5py.Group) -> Labels:
-    columns = read_columns(group, TRACK_LABEL_COLUMNS)
-    tracks = {}
-    for track, name, fields, notes in zip(
-        *(columns["track"].tolist(), columns["name"], columns["attributes"], columns["notes"]),
-        strict=True,
-    ):
-        attributes = {str(key): str(value) for key, value in json.loads(fields).items()}
-        tracks[track] = TrackLabel(name, attributes, notes)
-    return Labels(
-        dict(sorted(tracks.items())),
-        _read_occluders(group["occluders"]),
-        _read_reviewed(group["reviewed"]),
-    )
-
-
-def _read_occluders(group: h5py.Group) -> tuple[Occluder, ...]:
-    columns = read_columns(group, OCCLUDER_COLUMNS)
-    return tuple(
-        Occluder(name, tuple((float(u), float(v)) for u, v in json.loads(polygon)))
-        for name, polygon in zip(columns["name"], columns["polygon"], strict=True)
-    )
-
-
-def _read_reviewed(group: h5py.Group) -> tuple[ReviewedRange, ...]:
-    columns = read_columns(group, REVIEWED_COLUMNS)
-    rows: Sequence[Sequence[int]] = [columns[name].tolist() for name in REVIEWED_COLUMNS]
-    return tuple(ReviewedRange(*row) for row in zip(*rows, strict=True))

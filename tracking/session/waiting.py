@@ -6,7 +6,6 @@ import shutil
 import tempfile
 from pathlib import Path
 
-from tracking.editing import History
 from tracking.errors import EditError, OutputError, SessionError
 from tracking.session.edited import Edited
 from tracking.session.image import Stamps
@@ -26,7 +25,7 @@ def read_with_waiting(path: Path) -> tuple[Edited, int] | None:
     if not has_waiting_journal(path):
         return None
     snapshot = read_session(path)
-    edited = Edited(snapshot.tracks, snapshot.labels, History(snapshot.edits))
+    edited = Edited(snapshot.tracks, snapshot.labels, snapshot.history())
     made = 0
     try:
         for step in _steps(path, snapshot.stamps):
