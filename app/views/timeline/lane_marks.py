@@ -14,6 +14,7 @@ from app.views.theme import Theme
 from app.views.timeline.axis import TimeAxis
 
 _APART_PX = 4.0
+_CROWDED_PX, _DOT_PX = 14.0, 2.0
 _REACH = 0.24  # of a lane's height, from a mark's middle to its border
 _END, _SERIF_PX = 0.74, 3.0
 
@@ -46,15 +47,16 @@ def draw_ends(
 def draw_keyframes(
     painter: QPainter, lane: Lane, row: QRectF, axis: TimeAxis, theme: Theme
 ) -> None:
-    """A small square at every row a person made."""
+    """A small square at every row a person made; where they crowd, dots below the bar."""
     places = _places(lane.keyframes + 0.5, axis)
-    if not len(places):
+    if not places:
         return
-    side = max(3.0, 0.24 * row.height())
-    painter.setPen(QPen(theme.sunken, 1.0))
+    crowded = len(places) > 1 and (places[-1] - places[0]) / (len(places) - 1) < _CROWDED_PX
+    side = _DOT_PX if crowded else max(3.0, 0.24 * row.height())
+    middle = row.center().y() + (0.36 * row.height() if crowded else 0.0)
+    painter.setPen(Qt.PenStyle.NoPen if crowded else QPen(theme.sunken, 1.0))
     painter.setBrush(theme.text)
-    top = row.center().y() - side / 2
-    painter.drawRects([QRectF(x - side / 2, top, side, side) for x in places])
+    painter.drawRects([QRectF(x - side / 2, middle - side / 2, side, side) for x in places])
 
 
 def draw_marks(

@@ -18,7 +18,7 @@ from app.views.timeline.strips import covered, covered_by_kind, dotted, draw_str
 _BAR, _DOTS = 0.52, 0.2  # of a lane's height
 _RAIL_PX = 1.5
 _BETWEEN_RAILS = 0.22
-_REVIEWED = 0.2
+_REVIEWED = 0.16
 _LEAST_NAME = 0.85  # of a line of text: lower lanes bear no name
 
 

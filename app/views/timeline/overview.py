@@ -2,38 +2,39 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
-    QColor,
-    QImage,
+    QHelpEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QPen,
     QPixmap,
     QResizeEvent,
+    QWheelEvent,
 )
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from app.presenters.scenes import TimelineScene
+from app.presenters.words import time_text
 from app.views.theme import Theme, current_theme, faded
 from app.views.timeline.axis import TimeAxis
+from app.views.timeline.overview_picture import draw_band, draw_overview
 
-
-def busiest(activity: NDArray[np.uint16], columns: int) -> NDArray[np.float64]:
-    """The most people at once in each of `columns` equal parts of the recording."""
-    if not len(activity) or columns < 1:
-        return np.zeros(max(columns, 0))
-    starts = np.minimum(np.arange(columns) * len(activity) // columns, len(activity) - 1)
-    return np.asarray(np.maximum.reduceat(activity, starts), np.float64)
+_NOTCH, _ZOOM_PER_NOTCH = 120.0, 1.25
 
 
 class OverviewStrip(QWidget):
-    """Signals: frame_sought(int), on a click or drag."""
+    """The left button seeks; the middle one, or the left one with Ctrl, moves what the lanes show.
+
+    Signals:
+        frame_sought(int): a click or drag. window_sought(int): the lanes shall show that frame.
+        zoomed(float): the wheel; closer by a factor.
+    """
 
     frame_sought = Signal(int)
+    window_sought = Signal(int)
+    zoomed = Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -42,15 +43,14 @@ class OverviewStrip(QWidget):
         self._drawn: QPixmap | None = None
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(self.tr("Overview of the whole recording"))
-        self.setToolTip(
-            self.tr("The whole recording: people at once; below, what is tracked; above, at hand")
-        )
 
     def show_scene(self, scene: TimelineScene) -> None:
-        """Draw another instant; activity only where it is another one."""
+        """Draw another instant; what stays only where it is another one."""
         before, self._scene = self._scene, scene
         if before is None or (
             before.activity is not scene.activity
+            or before.marks is not scene.marks
+            or before.reviewed is not scene.reviewed
             or (before.tracked, before.frame_count) != (scene.tracked, scene.frame_count)
         ):
             self._drawn = None
@@ -71,6 +71,20 @@ class OverviewStrip(QWidget):
         """The height is fixed."""
         return QSize(200, self.sizeHint().height())
 
+    def words_at(self, x: float) -> str:
+        """What is told of a place: the frame, its time, how many people."""
+        scene, axis = self._scene, self._axis()
+        if scene is None or x < axis.left:
+            return self.tr("The whole recording: people at once; below, what is tracked")
+        frame = axis.frame_at(x)
+        lines = [
+            self.tr("frame {0}, {1}").format(frame, time_text(frame / max(scene.fps, 1e-6))),
+            self.tr("people: {0}").format(int(scene.activity[frame])),
+        ]
+        if any(start <= frame < end for start, end in scene.reviewed):
+            lines.append(self.tr("reviewed"))
+        return "\n".join(lines)
+
     def _axis(self) -> TimeAxis:
         left, width = 0.0, float(self.width())
         if self._shown is not None:
@@ -78,8 +92,10 @@ class OverviewStrip(QWidget):
         count = self._scene.frame_count if self._scene is not None else 1
         return TimeAxis(left, max(width, 1.0), 0.0, float(max(count, 1)), count)
 
+    # drawing
+
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
-        """Activity from its picture, then window and playhead."""
+        """What stays from its picture, then window and playhead."""
         theme, painter = current_theme(), QPainter(self)
         ratio = self.devicePixelRatioF()
         if self._drawn is None or self._drawn.size() != self.size() * ratio:
@@ -107,40 +123,16 @@ class OverviewStrip(QWidget):
         ground = QRectF(axis.left, 4, axis.width, self.height() - 8)
         painter.fillRect(ground, theme.sunken)
         if self._scene is not None:
-            foot = QRectF(ground.left(), ground.bottom() - 3, ground.width(), 3)
-            self._draw_activity(painter, self._scene, ground, theme)
-            self._draw_band(painter, self._scene.tracked, foot, theme.accent)
+            draw_overview(painter, self._scene, axis, ground, theme)
         painter.end()
         return picture
-
-    def _draw_activity(
-        self, painter: QPainter, scene: TimelineScene, ground: QRectF, theme: Theme
-    ) -> None:
-        columns, rows = int(ground.width()), int(ground.height()) - 5
-        most = busiest(scene.activity, columns)
-        if columns < 1 or rows < 1 or not most.any():
-            return
-        tops = rows - np.ceil(rows * most / most.max())
-        filled = np.arange(rows)[:, None] >= tops
-        ink = faded(theme.text_faint, 0.55)
-        pixels = np.where(filled, np.uint32(ink.rgba()), np.uint32(0))
-        image = QImage(pixels.data, columns, rows, 4 * columns, QImage.Format.Format_ARGB32)
-        painter.drawImage(QPointF(ground.left(), ground.top() + 2), image)
 
     def _draw_loaded(self, painter: QPainter, scene: TimelineScene, theme: Theme) -> None:
         """What is at hand, changing all the time, on top of the picture of what stays."""
         axis = self._axis()
         ground = QRectF(axis.left, 4, axis.width, 2)
         for frames in scene.loaded:
-            self._draw_band(painter, frames, ground, faded(theme.text_muted, 0.7))
-
-    def _draw_band(
-        self, painter: QPainter, frames: tuple[int, int], band: QRectF, colour: QColor
-    ) -> None:
-        axis = self._axis()
-        left, right = axis.x_of(frames[0]), axis.x_of(frames[1])
-        if right > left:
-            painter.fillRect(QRectF(left, band.top(), right - left, band.height()), colour)
+            draw_band(painter, frames, axis, ground, faded(theme.text_muted, 0.7))
 
     def _draw_window(self, painter: QPainter, theme: Theme) -> None:
         shown = self._shown
@@ -148,13 +140,15 @@ class OverviewStrip(QWidget):
             return
         axis = self._axis()
         left, right = axis.x_of(shown.start), axis.x_of(shown.start + shown.frames)
+        ground = QRectF(axis.left, 4, axis.width, self.height() - 8)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(faded(theme.window, 0.55))
-        painter.drawRect(QRectF(axis.left, 4, left - axis.left, self.height() - 8))
-        painter.drawRect(QRectF(right, 4, axis.left + axis.width - right, self.height() - 8))
+        painter.drawRect(QRectF(ground.left(), ground.top(), left - axis.left, ground.height()))
+        painter.drawRect(QRectF(right, ground.top(), ground.right() - right, ground.height()))
         painter.setPen(QPen(theme.text_muted, 1.2))
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawRoundedRect(QRectF(left, 2.5, right - left, self.height() - 5), 3, 3)
+        frame = QRectF(left, 2.5, max(right - left, 3.0), self.height() - 5)
+        painter.drawRoundedRect(frame, 3, 3)
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
         """Draw anew."""
@@ -168,12 +162,33 @@ class OverviewStrip(QWidget):
             self._drawn = None
             self.update()
 
+    # gestures
+
     def mousePressEvent(self, event: QMouseEvent) -> None:  # noqa: N802
-        """Go there."""
-        if event.button() is Qt.MouseButton.LeftButton:
-            self.frame_sought.emit(self._axis().frame_at(event.position().x()))
+        """Go there, or let the lanes show it."""
+        self._seek(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802
         """Go on while dragging."""
-        if event.buttons() & Qt.MouseButton.LeftButton:
-            self.frame_sought.emit(self._axis().frame_at(event.position().x()))
+        self._seek(event)
+
+    def _seek(self, event: QMouseEvent) -> None:
+        held, button = event.buttons(), Qt.MouseButton
+        with_ctrl = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
+        frame = self._axis().frame_at(event.position().x())
+        if held & button.MiddleButton or (held & button.LeftButton and with_ctrl):
+            self.window_sought.emit(frame)
+        elif held & button.LeftButton:
+            self.frame_sought.emit(frame)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:  # noqa: N802
+        """Show fewer frames in the lanes, or more."""
+        self.zoomed.emit(_ZOOM_PER_NOTCH ** (event.angleDelta().y() / _NOTCH))
+        event.accept()
+
+    def event(self, event: QEvent) -> bool:
+        """Tell what is under the mouse."""
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            QToolTip.showText(event.globalPos(), self.words_at(event.pos().x()), self)
+            return True
+        return super().event(event)

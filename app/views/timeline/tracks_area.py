@@ -2,43 +2,40 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import (
     QFontMetricsF,
     QHelpEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QPen,
     QPixmap,
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QScrollBar, QToolTip, QWidget
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from app.presenters.scenes import Lane, TimelineScene
 from app.views.labels import draw_message
 from app.views.theme import Theme, current_theme, scaled_font
+from app.views.timeline.area_drawing import draw_edit, draw_rows
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.controls import TimelineControls
 from app.views.timeline.gestures import Gestures
 from app.views.timeline.hover import words_at
 from app.views.timeline.lane_marks import mark_at
-from app.views.timeline.lanes import draw_lane, draw_reviewed
 from app.views.timeline.rows import Arrangement, LaneRows
 from app.views.timeline.ruler import (
     PLAYHEAD_HEIGHT,
     SMALL,
-    draw_cut,
     draw_playhead,
-    draw_range,
     draw_ruler,
     draw_tick_lines,
 )
+from app.views.timeline.scroll_bars import BAR_PX, LanesBar, TimeBar
 
 _PLAYHEAD_PX = 8.0  # to either side of its line
-_SCROLL_PX = 12
-_RIGHT_PX = _SCROLL_PX + 2
+_RIGHT_PX = BAR_PX + 2
 
 
 class TracksArea(QWidget):
@@ -67,9 +64,9 @@ class TracksArea(QWidget):
         self._drawn: QPixmap | None = None
         self._gestures = Gestures(self)
         self.lanes_drawn = 0
-        self.scroll_bar = QScrollBar(Qt.Orientation.Vertical, self)
+        self.scroll_bar = LanesBar(self)
         self.scroll_bar.valueChanged.connect(self._redraw)
-        self.time_bar = QScrollBar(Qt.Orientation.Horizontal, self)
+        self.time_bar = TimeBar(self)
         self.time_bar.valueChanged.connect(self._scroll_time)
         self.controls = TimelineControls(self)
         self._connect_controls()
@@ -192,6 +189,10 @@ class TracksArea(QWidget):
         """Later, or earlier, by a share of the frames shown."""
         self.set_axis(self._axis.moved(share * self._axis.frames))
 
+    def centre(self, frame: int) -> None:
+        """As many frames as now, around another one."""
+        self.set_axis(self._axis.around(frame, self._axis.frames))
+
     def scroll_lanes(self, lanes: float) -> None:
         """Further down by so many lanes, or up."""
         self.scroll_bar.setValue(round(self.scroll_bar.value() + lanes * self.lane_height))
@@ -250,31 +251,13 @@ class TracksArea(QWidget):
             self.update(QRectF(left, 0, 2 * _PLAYHEAD_PX, self.height()).toAlignedRect())
 
     def _lanes_rect(self) -> QRectF:
-        foot = _SCROLL_PX if self.time_bar.isVisibleTo(self) else 0
-        return QRectF(self.rect()).adjusted(0, self.ruler_height, 0, -foot)
+        return QRectF(self.rect()).adjusted(0, self.ruler_height, 0, -self.time_bar.room)
 
     def _fit_scroll_bars(self) -> None:
-        axis, ruler = self._axis, round(self.ruler_height)
-        self.controls.setGeometry(0, 0, round(axis.left), ruler)
-        # The room that the bar takes is said without asking it: its own signal would pan.
-        self.time_bar.blockSignals(True)
-        self.time_bar.setVisible(axis.frames < axis.frame_count)
-        self.time_bar.setRange(0, max(0, int(axis.frame_count - axis.frames)))
-        self.time_bar.setPageStep(max(1, int(axis.frames)))
-        self.time_bar.setSingleStep(max(1, int(axis.frames / 20)))
-        self.time_bar.setValue(int(axis.start))
-        self.time_bar.blockSignals(False)
-        foot = self.height() - _SCROLL_PX
-        self.time_bar.setGeometry(round(axis.left), foot, round(axis.width), _SCROLL_PX)
-        height, bar, whole = self._lanes_rect().height(), self.scroll_bar, self._lanes_height()
-        bar.setGeometry(QRect(self.width() - _SCROLL_PX, ruler, _SCROLL_PX, max(0, int(height))))
-        bar.setRange(0, max(0, round(whole - height)))
-        bar.setPageStep(max(1, round(height)))
-        bar.setSingleStep(round(self.lane_height))
-        bar.setVisible(whole > height)
-
-    def _lanes_height(self) -> float:
-        return len(self._rows) * self.lane_height
+        self.controls.setGeometry(0, 0, round(self._axis.left), round(self.ruler_height))
+        self.time_bar.fit(self._axis, self.height())
+        whole = len(self._rows) * self.lane_height
+        self.scroll_bar.fit(self._lanes_rect(), whole, self.lane_height)
 
     # drawing
 
@@ -291,20 +274,9 @@ class TracksArea(QWidget):
             painter.setClipRect(
                 QRectF(self._axis.left - 6, 0, self._axis.width + 12, area.bottom())
             )
-            self._draw_edit(painter, self._scene, area, theme)
+            draw_edit(painter, self._scene, self._axis, area, theme)
             draw_playhead(painter, self._axis.x_of(self._scene.frame + 0.5), area, theme)
         painter.end()
-
-    def _draw_edit(
-        self, painter: QPainter, scene: TimelineScene, area: QRectF, theme: Theme
-    ) -> None:
-        """The range that is set, or where a previewed edit begins and ends."""
-        first, end = scene.marked if scene.marked is not None else (0, None)
-        end_x = self._axis.x_of(end) if end is not None else None
-        if scene.cut is not None:
-            draw_cut(painter, self._axis.x_of(scene.cut), end_x, area, theme)
-        elif end_x is not None:
-            draw_range(painter, (self._axis.x_of(first), end_x), area, theme)
 
     def _draw_still(self, theme: Theme, ratio: float) -> QPixmap:
         picture = QPixmap(self.size() * ratio)
@@ -328,21 +300,10 @@ class TracksArea(QWidget):
         if not scene.lanes:
             draw_message(painter, area, scene.message, theme)
             return
-        painter.setClipRect(area)
-        if scene.reviewed:
-            draw_reviewed(painter, scene.reviewed, self._axis, area, theme)
+        placed = area, float(self.scroll_bar.value()), self.lane_height
+        self.lanes_drawn = draw_rows(painter, scene, self._rows, placed, self._axis, theme)
         if not len(self._rows):
             draw_message(painter, area, self.tr("No track is in the frames shown"), theme)
-        offset, height = self.scroll_bar.value(), self.lane_height
-        for at in range(*self._rows_in_sight()):
-            lane = self._rows.lane(at)
-            if lane is not None:
-                row = QRectF(0, area.top() + at * height - offset, self.width(), height)
-                draw_lane(painter, lane, row, self._axis, scene.tracked, theme)
-                self.lanes_drawn += 1
-        painter.setPen(QPen(theme.line, 1.0))
-        edge = round(self._axis.left) - 0.5
-        painter.drawLine(QPointF(edge, area.top()), QPointF(edge, area.bottom()))
 
     # gestures
 

@@ -42,6 +42,8 @@ class TimelineView(QFrame):
         self.area.menu_asked.connect(self.menu_asked)
         self.area.cut_moved.connect(self.cut_moved)
         self.overview.frame_sought.connect(self.frame_sought)
+        self.overview.window_sought.connect(self.area.centre)
+        self.overview.zoomed.connect(self.area.zoom)
         self._selected = 0
 
     def show_scene(self, scene: TimelineScene) -> None:

@@ -12,7 +12,7 @@ from PySide6.QtGui import QPixmap
 
 from app.views.timeline import TimelineView
 from app.views.timeline.axis import TimeAxis, ticks
-from app.views.timeline.overview import busiest
+from app.views.timeline.overview_picture import busiest
 from app.views.timeline.ruler import PLAYHEAD_HEIGHT
 
 LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
