@@ -57,9 +57,9 @@ def text_of(stretch: Stretch, ends: Ends) -> str:
 
 
 def _identity(stretch: Stretch, ends: Ends) -> str:
-    last = ends.frames[1]
-    stop = None if stretch.end >= last else stretch.end
-    where = scope_text(stretch.start, stop)
+    stops = [ends.table.frame_range(track)[1] for track in (stretch.track, stretch.other)]
+    to_the_end = stretch.end >= min(ends.frames[1], max(stops))
+    where = scope_text(stretch.start, None if to_the_end else stretch.end)
     if stretch.mutual:
         return f"{stretch.track} and {stretch.other} change over {where}"
     new = "" if stretch.other in ends.table else "new track "
