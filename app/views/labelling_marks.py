@@ -83,13 +83,24 @@ def draw_parts(
     ordered = sorted(parts, key=lambda one: one.chosen)
     for mark in ordered:
         _draw_part(painter, mark, viewport.rect(QRectF(*mark.box)))
-    metrics = QFontMetricsF(painter.font())
-    wanted = [
-        plate_rect(metrics, one.label, viewport.rect(QRectF(*one.box)).topRight() + QPointF(4, 14))
-        for one in ordered
-    ]
+    wanted = _beside_parts(QFontMetricsF(painter.font()), ordered, viewport, area)
     for mark, rect in zip(ordered, place_plates(wanted, area), strict=True):
         draw_plate(painter, rect, mark.label, QColor(*part_colour(mark.part)), mark.chosen)
+
+
+def _beside_parts(
+    metrics: QFontMetricsF, parts: Sequence[PartMark], viewport: Viewport, area: QRectF
+) -> list[QRectF]:
+    """Where plates hide nothing of the person: right of all rectangles, or left of them."""
+    rects = [viewport.rect(QRectF(*one.box)) for one in parts]
+    plates = [plate_rect(metrics, one.label, QPointF()) for one in parts]
+    right = max((rect.right() for rect in rects), default=0.0) + 6
+    left = min((rect.left() for rect in rects), default=0.0) - 6
+    widest = max((plate.width() for plate in plates), default=0.0)
+    for rect, plate in zip(rects, plates, strict=True):
+        fits = right + widest <= area.right()
+        plate.moveTopLeft(QPointF(right if fits else left - plate.width(), rect.top()))
+    return plates
 
 
 def part_colour(part: int) -> Colour:

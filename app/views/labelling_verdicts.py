@@ -71,6 +71,8 @@ class PartsGrid(QWidget):
         for column, (_, answer) in enumerate(_ANSWERS, start=2):
             button = QToolButton(self)
             button.setCheckable(True)
+            button.setProperty("segment", True)
+            button.setProperty("tight", True)
             button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
             button.clicked.connect(partial(self.said.emit, part, answer))
             grid.addWidget(button, part, column)
