@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from app.views.desk import Desk
 from app.views.runnable.on_desk import OnDesk
+from app.views.timeline.tracks_area import TracksArea
 
 
 def _toggle(name: str) -> OnDesk:
@@ -14,6 +16,10 @@ def _toggle(name: str) -> OnDesk:
         desk.set_pictured(replace(desk.pictured, **{name: not now}))
 
     return toggle
+
+
+def _on_lanes(act: Callable[[TracksArea], None]) -> OnDesk:
+    return lambda desk: act(desk.window_page.timeline.area)
 
 
 VIEWING: dict[str, OnDesk] = {
@@ -25,5 +31,14 @@ VIEWING: dict[str, OnDesk] = {
     "view.trails": _toggle("trails"),
     "view.foreground": _toggle("foreground"),
     "view.disparity": _toggle("disparity"),
+    "view.time_in": _on_lanes(lambda lanes: lanes.zoom(2.0)),
+    "view.time_out": _on_lanes(lambda lanes: lanes.zoom(0.5)),
+    "view.time_all": _on_lanes(TracksArea.show_all),
+    "view.time_selected": _on_lanes(TracksArea.show_selected),
+    "view.time_second": _on_lanes(TracksArea.show_second),
+    "view.time_earlier": _on_lanes(lambda lanes: lanes.pan(-0.5)),
+    "view.time_later": _on_lanes(lambda lanes: lanes.pan(0.5)),
+    "view.lanes_up": _on_lanes(lambda lanes: lanes.scroll_lanes(-8)),
+    "view.lanes_down": _on_lanes(lambda lanes: lanes.scroll_lanes(8)),
     "view.labels": _toggle("labels"),
 }

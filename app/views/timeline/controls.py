@@ -44,9 +44,9 @@ class TimelineControls(QWidget):
             self._button("zoom-out", self.tr("Zoom out"), "-", lambda: self.zoomed.emit(0.5)),
             self._button("zoom-in", self.tr("Zoom in"), "+", lambda: self.zoomed.emit(2.0)),
             self._button("fit-width", self.tr("Whole recording"), "0", self.fit_all.emit),
-            self._button("fit-track", self.tr("Selected track"), "9", self.fit_selected.emit),
+            self._button("fit-track", self.tr("Selected track"), "Ctrl+0", self.fit_selected.emit),
             self._button(
-                "playhead", self.tr("A second around the playhead"), "8", self.fit_second.emit
+                "playhead", self.tr("A second around the playhead"), "Alt+0", self.fit_second.emit
             ),
         ]
         self._row.addStretch(1)
