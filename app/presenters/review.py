@@ -32,12 +32,8 @@ _KINDS: Final = {
     "split": "Particles split",
     "part": "Part failed",
 }
-_FIXES: Final = {
-    "swap": "swap them",
-    "split": "split the track",
-    "merge": "merge them",
-    "delete": "delete from here on",
-}
+_FIXES: Final = frozenset({"swap", "split", "merge", "delete"})
+"""Edits that can be begun for a suspicion; others can only be looked at."""
 
 
 def kind_title(kind: str) -> str:
@@ -46,10 +42,9 @@ def kind_title(kind: str) -> str:
     return tr(known) if known else kind.replace("_", " ").capitalize()
 
 
-def fix_title(fix: str) -> str:
-    """What would put a suspicion right, in words; "" where it can only be looked at."""
-    known = _FIXES.get(fix)
-    return tr(known) if known else ""
+def is_fixable(suspicion: Suspicion) -> bool:
+    """Whether an edit is known that would put it right."""
+    return suspicion.fix in _FIXES
 
 
 class ReviewQueue:

@@ -65,8 +65,7 @@ class ReviewScene:
         left: how many are undecided, of all kinds.
         kinds: what there is; kind: the chosen one, "" for all.
         plays: a stretch is played as soon as it is jumped to.
-        can_decide: decisions can be kept now. fix: what "put it right" begins, "" for nothing.
-        doing: what goes on, "" at rest. title, text: said where there is nothing to list.
+        also: further reasons of the current one. doing: what goes on, "" at rest. title, text: said where there is nothing to list.
         meter: how the review gets on; meter_help: what its words mean.
     """
 
@@ -77,8 +76,7 @@ class ReviewScene:
     kind: str = ""
     order: Order = Order.WORTH
     plays: bool = False
-    can_decide: bool = False
-    fix: str = ""
+    also: str = ""
     doing: str = ""
     title: str = ""
     text: str = ""

@@ -97,7 +97,8 @@ class DifferencesPanel(Panel):
         combo.setAccessibleName(name)
         combo.setToolTip(name)
         combo.setFont(scaled_font(self.font(), 0.92))
-        combo.setMinimumContentsLength(8)
+        combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        combo.setMinimumContentsLength(6)
         return combo
 
     def _build_ticks(self) -> QHBoxLayout:

@@ -92,8 +92,10 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         names = ("tracks.swap", "tracks.split", "tracks.merge", "tracks.end_here", "tracks.draw")
         self.workspace.card.set_actions([self.menus.actions[name] for name in names])
-        decisions = ("review.right", "review.fix", "review.dismiss")
-        self.workspace.review.set_actions([self.menus.actions[name] for name in decisions])
+        said = {"right": tr("Right"), "fix": tr("Fix"), "dismiss": tr("Dismiss")}
+        self.workspace.review.set_actions(
+            [(self.menus.actions[f"review.{name}"], word) for name, word in said.items()]
+        )
 
     def _connect(self) -> None:
         self.menus.asked.connect(self.run_command)

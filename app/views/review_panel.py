@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
@@ -26,6 +27,8 @@ from app.views.review_list import ReviewDelegate, ReviewModel, row_height
 from app.views.theme import scaled_font
 
 _ROWS = 3  # seen at least
+_SIGNS = {"Backspace": "\u232b", "Return": "\u21b5"}
+"""Keys with a sign of their own, where there is little room."""
 
 
 class ReviewPanel(Panel):
@@ -53,9 +56,10 @@ class ReviewPanel(Panel):
         self._title.setWordWrap(True)
         self._text = quiet("", self, "faint")
         self._text.setWordWrap(True)
+        self._also = quiet("", self)
         self._doing = quiet("", self, "faint")
         self._meter = quiet("", self, "faint")
-        for label in (self._doing, self._meter):
+        for label in (self._also, self._doing, self._meter):
             label.setFont(scaled_font(self.font(), 0.88))
             label.setWordWrap(True)
         self._decisions = QHBoxLayout()
@@ -65,6 +69,7 @@ class ReviewPanel(Panel):
         body.setSpacing(6)
         body.addLayout(self._choices)
         body.addWidget(self._list, 1)
+        body.addWidget(self._also)
         body.addLayout(self._decisions)
         for words in (self._title, self._text, self._doing, self._meter):
             body.addWidget(words)
@@ -104,32 +109,33 @@ class ReviewPanel(Panel):
         self._orders.addItem(self.tr("by time"), Order.TIME.value)
         self._orders.activated.connect(lambda at: self.order_chosen.emit(self._orders.itemData(at)))
         self._choices.addWidget(self._kinds, 1)
-        self._choices.addWidget(self._orders)
+        self._choices.addWidget(self._orders, 1)
 
     def _combo(self, name: str) -> QComboBox:
         combo = QComboBox(self)
         combo.setAccessibleName(name)
         combo.setToolTip(name)
         combo.setFont(scaled_font(self.font(), 0.92))
-        combo.setMinimumContentsLength(8)
+        combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        combo.setMinimumContentsLength(6)
         combo.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         return combo
 
-    def set_actions(self, actions: Sequence[QAction]) -> None:
-        """Offer the window's own commands on the current suspicion as buttons with their keys."""
-        for action in actions:
+    def set_actions(self, actions: Sequence[tuple[QAction, str]]) -> None:
+        """Offer the window's own commands on the current suspicion, each with a short word."""
+        for action, word in actions:
             tool = QToolButton(self)
-            tool.setText(_with_key(action))
-            tool.setToolTip(action.toolTip())
             tool.setAccessibleName(action.text())
             tool.setProperty("tight", True)
             tool.setProperty("outlined", True)
             tool.setFocusPolicy(Qt.FocusPolicy.NoFocus)
             tool.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             tool.clicked.connect(action.trigger)
-            action.changed.connect(lambda tool=tool, action=action: _follow(tool, action))
+            follow = partial(_follow, tool, action, word)
+            action.changed.connect(follow)
+            follow()
             self._tools.append(tool)
-            self._decisions.addWidget(tool)
+            self._decisions.addWidget(tool, 1)
             tool.setVisible(bool(self._scene.items))
 
     def show_scene(self, scene: ReviewScene) -> None:
@@ -145,6 +151,7 @@ class ReviewPanel(Panel):
         self._orders.setCurrentIndex(self._orders.findData(scene.order.value))
         for widget in (self._list, self._kinds, self._orders, *self._tools):
             widget.setVisible(listed)
+        self._say(self._also, scene.also if listed else "")
         self._say(self._title, "" if listed else scene.title)
         self._say(self._text, "" if listed else scene.text)
         self._say(self._doing, scene.doing)
@@ -178,12 +185,9 @@ class ReviewPanel(Panel):
         combo.setCurrentIndex(max(0, combo.findData(scene.kind)))
 
 
-def _with_key(action: QAction) -> str:
-    keys = action.shortcut().toString()
-    return f"{action.iconText()}  {native_keys(keys)}" if keys else action.iconText()
-
-
-def _follow(tool: QToolButton, action: QAction) -> None:
+def _follow(tool: QToolButton, action: QAction, word: str) -> None:
+    """Show the action's key behind the word, and whether and why it can be done."""
+    key = native_keys(action.shortcut().toString())
+    tool.setText(f"{word}  {_SIGNS.get(key, key)}".rstrip())
     tool.setEnabled(action.isEnabled())
     tool.setToolTip(action.toolTip())
-    tool.setText(_with_key(action))

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document import Document
 from app.presenters.edits import EditKind
-from app.presenters.review import ReviewQueue, fix_title, settled, verdict_on
+from app.presenters.review import ReviewQueue, is_fixable, settled, verdict_on
 from app.presenters.review_scene import Order, ReviewScene
 from app.presenters.watching import Watching
 from app.presenters.words import tr
@@ -201,7 +201,7 @@ class Reviewing(QObject):
     def fix(self) -> None:
         """Begin the edit that would put the current suspicion right; Enter does it."""
         current = self.queue.current
-        if current is None or not fix_title(current.fix):
+        if current is None or not is_fixable(current):
             return
         self._playback.pause()
         self._select(current.tracks)
@@ -256,7 +256,7 @@ class Reviewing(QObject):
         return {
             "suspicions": bool(self.queue.items),
             "suspicion": current is not None,
-            "fixable": current is not None and bool(fix_title(current.fix)),
+            "fixable": current is not None and is_fixable(current),
             "watched": self.watching.stretch[1] > 0,
         }
 
@@ -277,8 +277,7 @@ class Reviewing(QObject):
             kind=self.queue.kind,
             order=self.queue.order,
             plays=self.plays,
-            can_decide=current is not None,
-            fix=fix_title(current.fix) if current is not None else "",
+            also="; ".join(current.others) if current is not None else "",
             doing=self._search.doing,
             title=title,
             text=text,
