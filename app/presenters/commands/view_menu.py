@@ -39,7 +39,7 @@ COMMANDS: Final = (
         "view.time_second",
         "View",
         "Timeline: a second around the playhead",
-        ("Shift+Z",),
+        ("Alt+0",),
         recording,
     ),
     Command("view.time_earlier", "View", "Timeline: earlier", ("Alt+Left",), recording),
