@@ -11,23 +11,21 @@ from PySide6.QtCore import QObject, QUrl, Signal
 
 from app.presenters import opening
 from app.presenters.demonstration import Demonstration
-from app.presenters.exporting import exported_tracks
 from app.presenters.first_page import first_page
-from app.presenters.opening import Opened, Report
+from app.presenters.opening import Opened
 from app.presenters.scenes import WelcomeScene
 from app.presenters.words import tr
 from app.views.desk import Desk
+from app.views.exporting import Exporting, beside
 from app.views.keeping import Keeping
 from app.views.leaving import Leaving, Then
 from app.views.questions import choose_file, choose_new_file
 from app.views.remembered import Remembered
-from app.views.score_dialog import ScoreDialog
 from app.views.track_dialog import TrackDialog
 from app.views.whereabouts import Whereabouts
 from app.views.work import Work
 from tracking.errors import SessionError, TrackwrightError
-from tracking.formats import write_mot
-from tracking.recording import OpenOptions, Recording
+from tracking.recording import OpenOptions
 from tracking.session import RecordingMissing, Session, generations
 
 if TYPE_CHECKING:
@@ -60,6 +58,8 @@ class Files(QObject):
         self._greeting = ""
         self._leaving = Leaving(self, window)
         self.desk: Desk | None = None
+        self.exporting = Exporting(window, work, self)
+        self.exporting.said.connect(self.said)
         self.keeping = Keeping(window, work, self)
         self.keeping.changed.connect(self.changed)
 
@@ -242,7 +242,7 @@ class Files(QObject):
         """Ask for a place and save there."""
         self._window.workspace.take_typed()
         if self.desk is not None:
-            start = self._save_at or _beside(self.desk.document.recording, "session.h5")
+            start = self._save_at or beside(self.desk.document.recording, "session.h5")
             chosen = partial(self.save_to, then=then)
             choose_new_file(self._window, tr("Save session"), start, _SESSIONS, chosen)
 
@@ -271,41 +271,6 @@ class Files(QObject):
         title = tr("Saving {name}", name=path.name)
         abandon = partial(session.abandon_save, pending)
         self._work.run(title, lambda _: pending.write(), saved, abandon, cancellable=False)
-
-    def export_mot(self) -> None:
-        """Ask for a place and write the tracks as MOT text."""
-        session = self.session
-        if session is not None and self.desk is not None:
-            start = _beside(self.desk.document.recording, "tracks.txt")
-            choose_new_file(
-                self._window, tr("Export MOT text"), start, "MOT (*.txt)", self.export_mot_to
-            )
-
-    def export_mot_to(self, path: Path) -> None:
-        """Write the tracks as MOT text."""
-        session = self.session
-        if session is None:
-            return
-
-        def work(report: Report) -> None:
-            rows = exported_tracks(session)
-            report(1, 2)  # the last moment to cancel: what is written is whole
-            write_mot(path, rows)
-
-        title, told = tr("Exporting {name}", name=path.name), tr("Exported: {path}", path=path)
-        self._work.run(title, work, lambda _: self.said.emit(told))
-
-    def score(self) -> None:
-        """Compare with the truth beside the recording and show the figures."""
-        session, desk = self.session, self.desk
-        if session is None or desk is None:
-            return
-        recording = desk.document.recording
-        self._work.run(
-            tr("Scoring"),
-            partial(opening.score_against_truth, session, recording),
-            lambda figures: ScoreDialog(figures, recording.name, self._window).open(),
-        )
 
     # leaving
 
@@ -357,9 +322,3 @@ class Files(QObject):
     def welcome_scene(self) -> WelcomeScene:
         """The first page: what was opened before, and what a crash left behind."""
         return first_page(self._remembered.recent)
-
-
-def _beside(recording: Recording, name: str) -> Path:
-    """Where a file of that name is proposed: in the recording's folder."""
-    place = recording.path
-    return (place if place.is_dir() else place.parent) / name

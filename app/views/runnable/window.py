@@ -22,7 +22,8 @@ def of_the_window(window: MainWindow) -> dict[str, Callable[[], None]]:
         "file.demo": files.open_demo,
         "file.save": files.save,
         "file.save_as": files.save_as,
-        "file.export_mot": files.export_mot,
+        "file.export_mot": files.exporting.ask_mot,
+        "file.export_log": files.exporting.ask_log,
         "file.close": files.close_recording,
         "file.quit": window.files.quit,
         "edit.commands": lambda: _open_palette(window),
@@ -35,7 +36,7 @@ def of_the_window(window: MainWindow) -> dict[str, Callable[[], None]]:
         "tracks.rename": work_space.card.edit_name,
         "tracks.attributes": work_space.card.edit_attributes,
         "tracks.notes": work_space.card.edit_notes,
-        "review.score": files.score,
+        "review.score": files.exporting.score,
         "help.keys": lambda: ShortcutsDialog(window.command_items(), window).open(),
         "help.about": lambda: window.notice.say(
             tr("trackwright: people tracked in recorded stereo footage, corrected and scored.")
