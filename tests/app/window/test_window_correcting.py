@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMessageBox, QPlainTextEdit
 
 from app.presenters import opening
 from app.presenters.exporting import exported_tracks
-from app.views import files
+from app.views import exporting
 from app.views.attributes import AttributesTable
 from app.views.score_dialog import ScoreDialog
 from tracking.formats import read_mot
@@ -322,13 +322,13 @@ def test_saving_cannot_be_cancelled_half_way(window, desk, qtbot, tmp_path):
 
 def test_an_export_that_was_cancelled_writes_nothing(window, desk, qtbot, tmp_path, monkeypatch):
     cancelled, rows = threading.Event(), exported_tracks(window.files.session)
-    monkeypatch.setattr(files, "exported_tracks", lambda _: cancelled.wait(5) and rows)
-    window.files.export_mot_to(tmp_path / "tracks.txt")
+    monkeypatch.setattr(exporting, "exported_tracks", lambda _: cancelled.wait(5) and rows)
+    window.files.exporting.mot_to(tmp_path / "tracks.txt")
     window.work.cancel()
     cancelled.set()
     qtbot.waitUntil(lambda: not window.work.busy)
     assert not (tmp_path / "tracks.txt").exists()
-    window.files.export_mot_to(tmp_path / "tracks.txt")
+    window.files.exporting.mot_to(tmp_path / "tracks.txt")
     qtbot.waitUntil(lambda: not window.work.busy)
     assert (tmp_path / "tracks.txt").is_file()
 
@@ -336,12 +336,12 @@ def test_an_export_that_was_cancelled_writes_nothing(window, desk, qtbot, tmp_pa
 def test_scoring_shows_its_figures_unless_it_is_cancelled(window, desk, qtbot, monkeypatch):
     cancelled = threading.Event()
     monkeypatch.setattr(opening, "read_mot", lambda path: cancelled.wait(5) and read_mot(path))
-    window.files.score()
+    window.files.exporting.score()
     window.work.cancel()
     cancelled.set()
     qtbot.waitUntil(lambda: not window.work.busy)
     assert window.findChild(ScoreDialog) is None
-    window.files.score()
+    window.files.exporting.score()
     qtbot.waitUntil(lambda: window.findChild(ScoreDialog) is not None)
     window.findChild(ScoreDialog).close()
 
