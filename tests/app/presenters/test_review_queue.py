@@ -1,0 +1,123 @@
+import pytest
+from two_people import table as two_people
+
+from app.presenters.review import ReviewQueue, is_fixable, kind_title, settled, verdict_on
+from app.presenters.review_scene import Order
+from app.presenters.scenes import MarkKind
+from tracking.editing import apply_change, plan_mark_reviewed, plan_swap
+from tracking.review import Suspicion
+from tracking.review.wording import KINDS
+from tracking.tracks import Labels
+
+FPS = 10.0
+
+
+def _suspicion(kind, tracks, frame, worth, fix="swap"):
+    text = f"{kind} of {tracks}"
+    return Suspicion(kind, tracks, frame, frame - 5, frame + 5, 0.5, worth, text, fix)
+
+
+CROSSING = _suspicion("crossing", (4, 7), 50, 30.0)
+JUMP = _suspicion("jump", (4,), 20, 20.0, "split")
+MARGIN = _suspicion("margin", (7,), 80, 10.0, "look")
+
+
+@pytest.fixture
+def queue():
+    queue = ReviewQueue(FPS)
+    queue.take((CROSSING, JUMP, MARGIN), Labels())
+    return queue
+
+
+def _listed(queue):
+    return [item.key for item in queue.items]
+
+
+def _walked(queue, *steps):
+    return [queue.walk(step).key for step in steps]
+
+
+def test_the_most_worth_looking_at_stands_first_and_time_can_be_asked_for(queue):
+    assert _listed(queue) == [CROSSING.key, JUMP.key, MARGIN.key]
+    queue.sort(Order.TIME)
+    assert _listed(queue) == [JUMP.key, CROSSING.key, MARGIN.key]
+
+
+def test_the_walk_begins_at_the_first_and_goes_around(queue):
+    assert _walked(queue, 1, 1, 1, 1) == [CROSSING.key, JUMP.key, MARGIN.key, CROSSING.key]
+    assert queue.walk(-1) == MARGIN
+
+
+def test_the_walk_back_begins_at_the_last(queue):
+    assert queue.walk(-1) == MARGIN
+
+
+def test_after_a_decision_the_next_one_is_what_took_its_place(queue):
+    queue.walk(1)
+    change = verdict_on(CROSSING, "right", Labels())
+    labels = apply_change(two_people(), Labels(), change)
+    queue.take_labels(labels)
+    assert queue.current is None
+    assert _listed(queue) == [JUMP.key, MARGIN.key]
+    assert queue.walk(1) == JUMP
+
+
+def test_the_one_looked_at_stays_so_when_all_are_found_anew(queue):
+    queue.walk(1)
+    queue.take((MARGIN, _suspicion("jump", (7,), 33, 99.0), CROSSING), Labels())
+    assert queue.current == CROSSING
+    assert queue.place == 1
+
+
+def test_one_kind_alone_can_be_listed_and_all_come_back_when_it_is_done(queue):
+    queue.narrow("jump")
+    assert _listed(queue) == [JUMP.key]
+    assert [(one.kind, one.count) for one in queue.kinds()] == [
+        ("margin", 1),
+        ("jump", 1),
+        ("crossing", 1),
+    ]
+    labels = apply_change(two_people(), Labels(), verdict_on(JUMP, "dismissed", Labels()))
+    queue.take_labels(labels)
+    assert queue.kind == ""
+    assert _listed(queue) == [CROSSING.key, MARGIN.key]
+
+
+def test_what_was_reviewed_is_not_listed(queue):
+    labels = apply_change(two_people(), Labels(), plan_mark_reviewed(Labels(), 7, 70, 90))
+    queue.take_labels(labels)
+    assert MARGIN.key not in _listed(queue)
+    assert len(queue.open) == 2
+
+
+def test_rows_say_who_and_when_with_their_names(queue):
+    queue.take_names({7: "red coat"})
+    item = queue.items[0]
+    assert [person.label for person in item.people] == ["4", "7 red coat"]
+    assert item.when == "00:05.00"
+    assert item.why == CROSSING.text
+
+
+def test_everybody_a_suspicion_is_about_gets_a_mark_on_their_lane(queue):
+    marks = {(mark.track, mark.frame) for mark in queue.marks()}
+    assert marks == {(4, 50), (7, 50), (4, 20), (7, 80)}
+    assert {mark.kind for mark in queue.marks()} == {MarkKind.SUSPICION}
+
+
+def test_a_fix_and_its_verdict_are_one_edit():
+    table, labels = two_people(), Labels()
+    swap = plan_swap(table, 4, 7, 50)
+    change = settled(swap, CROSSING, labels)
+    after = apply_change(table, labels, change)
+    assert after.verdicts[CROSSING.key].decision == "fixed"
+    before = apply_change(table, after, change.inverse)
+    assert before == labels
+
+
+def test_only_what_has_an_edit_can_be_fixed():
+    assert [is_fixable(one) for one in (CROSSING, JUMP, MARGIN)] == [True, True, False]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_has_words_of_its_own(kind):
+    assert kind_title(kind) != kind.capitalize()

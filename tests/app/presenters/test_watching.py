@@ -1,0 +1,52 @@
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.presenters.watching import Watching
+
+FPS = 10.0
+
+
+@pytest.fixture
+def watching():
+    return Watching(1000, FPS)
+
+
+def _see(watching, *frames):
+    for frame in frames:
+        watching.saw(frame)
+
+
+def test_playing_on_makes_one_stretch(watching):
+    _see(watching, *range(100, 131))
+    assert watching.stretch == (100, 131)
+
+
+def test_frames_left_out_by_fast_playing_belong_to_it(watching):
+    _see(watching, 100, 108, 116)
+    assert watching.stretch == (100, 117)
+
+
+def test_a_jump_begins_another_stretch(watching):
+    _see(watching, *range(100, 131), 500, 501)
+    assert watching.stretch == (500, 502)
+
+
+def test_one_frame_alone_was_not_watched(watching):
+    _see(watching, 100, 500)
+    assert watching.stretch == (0, 0)
+    assert watching.minutes == 0.0
+
+
+def test_what_was_seen_twice_counts_once(watching):
+    _see(watching, *range(600), *range(599, -1, -1))
+    assert watching.minutes == pytest.approx(1.0)
+    assert watching.stretch == (0, 600)
+
+
+@given(st.lists(st.integers(0, 999), min_size=1, max_size=60))
+def test_the_stretch_holds_the_frame_that_is_shown(frames):
+    watching = Watching(1000, FPS)
+    _see(watching, *frames)
+    start, end = watching.stretch
+    assert (start, end) == (0, 0) or start <= frames[-1] < end
