@@ -12,8 +12,8 @@ from tracking.pipeline import track
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.scoring import BoxMatch, ScoringTable, score
 from tracking.synthesis import render_recording
-from tracking.trackers import TRACKERS, best_tracker, parse_settings, tracker_named
-from tracking.tracks import Run
+from tracking.trackers import TRACKERS, Resume, best_tracker, parse_settings, tracker_named
+from tracking.tracks import Run, TrackTable
 
 FAST = parse_settings(TRACKERS["stereo-direction"], {"particles": "100"})
 
@@ -189,3 +189,50 @@ def test_two_cameras_without_calibration_are_refused(rendered: Path, tmp_path: P
         pytest.raises(CalibrationError, match="has no calibration"),
     ):
         track(bare)
+
+
+@pytest.fixture(scope="module")
+def resume(recording: Recording, whole: Run) -> Resume:
+    return Resume.of(TrackTable(whole.tracks, highest_track=40), 70, recording.fps)
+
+
+@pytest.fixture(scope="module")
+def again(recording: Recording, resume: Resume) -> Run:
+    with track(recording, settings=FAST, resume=resume) as tracking:
+        assert [step.frame for step in tracking] == list(range(70, recording.frame_count))
+        return tracking.run()
+
+
+def test_tracking_again_without_corrections_finds_the_same_people(whole: Run, again: Run):
+    late = whole.tracks["frame"] >= 70
+    before = ScoringTable.from_columns({n: c[late] for n, c in whole.tracks.items()})
+    result = score(before, ScoringTable.from_columns(again.tracks), BoxMatch(0.5))
+    assert result.identity.idf1 > 0.97
+    known = set(whole.tracks["track"][whole.tracks["frame"] == 69].tolist())
+    assert known <= set(again.tracks["track"].tolist())
+    assert (again.frames, again.known_tracks, whole.known_tracks) == ((70, 120), 40, 0)
+
+
+def test_tracking_again_with_the_same_seed_is_the_same_to_the_byte(
+    recording: Recording, resume: Resume, again: Run
+):
+    with track(recording, settings=FAST, resume=resume) as tracking:
+        list(tracking)
+        assert arrays(tracking.run()) == arrays(again)
+
+
+def test_tracking_again_leaves_no_jump_where_it_begins(whole: Run, again: Run):
+    for person in np.unique(again.tracks["track"][again.tracks["frame"] == 70]):
+        ends = []
+        for run, frame in ((whole, 69), (again, 70)):
+            row = (run.tracks["frame"] == frame) & (run.tracks["track"] == person)
+            ends.append(np.hypot(run.tracks["x"][row], run.tracks["y"][row]))
+        assert len(ends[0]) == len(ends[1]) == 1
+        assert abs(ends[0] - ends[1]) < 0.2
+
+
+def test_a_range_that_does_not_begin_where_to_go_on_is_refused(
+    recording: Recording, resume: Resume
+):
+    with pytest.raises(SettingsError, match="do not begin at frame 70, where to go on"):
+        track(recording, frames=(60, 90), resume=resume)

@@ -189,3 +189,24 @@ def test_a_person_seen_once_stays():
     found = smoothed(run_of(once), VIEW, FPS)
     assert found.tracks["x"] == pytest.approx(once["x"])
     assert found.tracks["vx"] == pytest.approx(once["vx"])
+
+
+def test_a_path_begins_at_the_rows_given_and_leaves_them_out():
+    """The run's own first places are off; without what came before it would begin there."""
+    whole = walk()
+    given = {name: column[:50] for name, column in whole.items()}
+    late = {name: column[50:].copy() for name, column in whole.items()}
+    truth = late["x"].copy()
+    late["x"][:4] += 0.1
+    run = replace(run_of(late), frames=(50, FRAMES))
+    alone, tied = smoothed(run, VIEW, FPS), smoothed(run, VIEW, FPS, given)
+    assert tied.tracks["frame"].tolist() == list(range(50, FRAMES))
+    assert abs(tied.tracks["x"][0] - truth[0]) < 0.5 * abs(alone.tracks["x"][0] - truth[0])
+
+
+def test_somebody_hidden_where_the_run_begins_walks_on_from_the_rows_given():
+    whole = astray(walk(), slice(50, 70))
+    given = {name: column[:50] for name, column in walk().items()}
+    late = {name: column[50:] for name, column in whole.items()}
+    tied = smoothed(replace(run_of(late), frames=(50, FRAMES)), VIEW, FPS, given)
+    np.testing.assert_allclose(tied.tracks["x"], walk()["x"][50:], atol=0.02)

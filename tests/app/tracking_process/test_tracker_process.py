@@ -20,6 +20,8 @@ from app.tracking_process.messages import (
 from tracking.errors import CalibrationError, RecordingError, TrackwrightError
 from tracking.pipeline import run_of_steps, track
 from tracking.recording import OpenOptions, open_recording
+from tracking.trackers import Resume
+from tracking.tracks import TrackTable
 
 TRACKER = "stereo-direction"
 FRAMES = (30, 42)
@@ -177,3 +179,32 @@ def _lives(pid):
         return False
     state = Path(f"/proc/{pid}/stat")
     return not (state.exists() and state.read_text().rsplit(")", 1)[1].split()[0] == "Z")
+
+
+def test_a_child_goes_on_from_corrected_tracks_as_this_process_does(tiny_recording, tiny_run):
+    resume = Resume.of(TrackTable(tiny_run.tracks), 30, 8.0)
+    assert len(resume.rows["frame"]) > 0
+    with open_recording(tiny_recording) as recording:
+        with track(recording, TRACKER, None, 7, FRAMES, resume) as tracking:
+            list(tracking)
+            here = tracking.run()
+        request = TrackingRequest.of(recording, TRACKER, None, 7, FRAMES, resume)
+        steps = [step for batch in TrackerProcess(request).batches() for step in batch]
+        there = run_of_steps(steps, TRACKER, request.settings, 7, 30, recording, resume)
+        _assert_same_runs(there, here)
+        assert here.known_tracks == there.known_tracks == int(tiny_run.tracks["track"].max())
+
+
+def test_what_to_go_on_from_is_the_same_after_its_way_through_a_line(request_, tiny_run):
+    resume = Resume.of(TrackTable(tiny_run.tracks), 30, 8.0)
+    resume.rows["vx"][0] = np.nan
+    back = TrackingRequest.from_line(replace(request_, resume=resume).as_line()).resume
+    assert (back.frame, back.looks, back.highest_track, back.fps) == (
+        resume.frame,
+        resume.looks,
+        resume.highest_track,
+        resume.fps,
+    )
+    for name, column in resume.rows.items():
+        assert back.rows[name].dtype == column.dtype
+        assert back.rows[name].tobytes() == column.tobytes()
