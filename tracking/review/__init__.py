@@ -1,5 +1,6 @@
 """Where to look: places where tracks are likely wrong, ranked by what looking is worth."""
 
+from tracking.review.measures import Mistake, ReviewMeasures, ReviewMeter, review_measures
 from tracking.review.queue import open_suspicions, ranked
 from tracking.review.searching import find_suspicions
 from tracking.review.suspicion import Suspicion, SuspicionKey
@@ -7,9 +8,13 @@ from tracking.review.wording import KINDS
 
 __all__ = [
     "KINDS",
+    "Mistake",
+    "ReviewMeasures",
+    "ReviewMeter",
     "Suspicion",
     "SuspicionKey",
     "find_suspicions",
     "open_suspicions",
     "ranked",
+    "review_measures",
 ]

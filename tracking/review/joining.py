@@ -79,7 +79,8 @@ def joined_places(reasons: Reasons, near: int) -> Places:
     """Join what is at most `near` frames apart and about the same people.
 
     Reasons about the same two people come together first, led by the weightiest. What speaks for
-    one of them alone then joins every pair it suits in time; what suits none stays on its own.
+    one of them alone then joins the weightiest pair it suits in time, which explains it; what
+    suits none stays on its own.
     """
     order = np.lexsort((reasons.frame, reasons.pair))
     two, one = order[reasons.second[order] > 0], order[reasons.second[order] == 0]
@@ -97,10 +98,20 @@ def joined_places(reasons: Reasons, near: int) -> Places:
     place, row = _near(reasons, alone, reasons.first, (left, reasons.first), near)
     links.append((place + len(pairs), row))
     leader = np.concatenate((pairs, alone))
-    place, row = (np.concatenate(parts) for parts in zip(*links, strict=True))
+    place, row = _each_once(
+        reasons, leader, *(np.concatenate(parts) for parts in zip(*links, strict=True))
+    )
     strength = np.zeros((len(leader), len(reasons.kinds)))
     np.maximum.at(strength, (place, reasons.kind[row]), reasons.strength[row])
     return Places(leader, place, row, strength)
+
+
+def _each_once(reasons: Reasons, leader: Rows, place: Rows, reason: Rows) -> tuple[Rows, Rows]:
+    """The links, of reasons about one track only the one to the weightiest place."""
+    order = np.lexsort((-reasons.weight[leader][place], reason))
+    first = np.diff(reason[order], prepend=-1) != 0
+    kept = order[first | (reasons.second[reason[order]] > 0)]
+    return place[kept], reason[kept]
 
 
 def _leaders(reasons: Reasons, rows: Rows, near: int) -> Rows:

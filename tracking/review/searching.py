@@ -8,12 +8,13 @@ import numpy as np
 
 from tracking.geometry import View
 from tracking.review.costs import costs
-from tracking.review.evidence import Evidence, Rows, gathered
+from tracking.review.evidence import Rows, gathered
 from tracking.review.joining import Places, Reasons, joined_places, stacked
-from tracking.review.likelihood import WEIGHTS, likelihoods
+from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
 from tracking.review.material import Material
 from tracking.review.queue import ranked
 from tracking.review.reasons import REASONS
+from tracking.review.stretches import stretches
 from tracking.review.suspicion import Suspicion
 from tracking.review.wording import fix, sentence
 from tracking.tracks import Labels, Run, TrackTable
@@ -25,12 +26,6 @@ JOINED_S = 0.75
 """Reasons about the same people so near in time are one suspicion."""
 _LEAST = 0.02
 """Less likely suspicions are not mentioned."""
-_LEAST_WEIGHT = 0.05
-"""So that among reasons that tell nothing the stronger one still leads."""
-_AROUND_S = 0.25
-"""Shown before and after the moments themselves."""
-_OF_LEADER = 0.3
-"""Share of the leader's weight from which on a reason's moment is shown as well."""
 
 
 def find_suspicions(
@@ -40,6 +35,8 @@ def find_suspicions(
     labels: Labels | None = None,
     view: View | None = None,
     progress: Progress | None = None,
+    *,
+    size: tuple[int, int] | None = None,
 ) -> tuple[Suspicion, ...]:
     """Places where the tracks are likely wrong, the most worth looking at first.
 
@@ -51,8 +48,9 @@ def find_suspicions(
             what needs them is not looked for.
         fps: frames a second.
         labels: whose occluders explain why tracks end; None for none.
-        view: the camera, whose borders do so too; None where it is not known.
+        view: the camera, whose picture's borders do so too; None where it is not known.
         progress: told how far it is; what it raises ends the search.
+        size: of the picture in px, where there is no view.
     """
     tell = progress or _untold
     total = len(REASONS) + 3
@@ -61,13 +59,14 @@ def find_suspicions(
         return ()
     evidence = gathered(table, run, fps)
     tell(1, total)
-    material = Material.of(evidence, view, labels.occluders if labels else ())
+    picture = view.camera.size if view else size
+    material = Material.of(evidence, picture, labels.occluders if labels else ())
     found = []
     for number, look in enumerate(REASONS.values()):
         tell(2 + number, total)
         found.append(look(material))
     tell(total - 1, total)
-    reasons = stacked(found, [max(WEIGHTS[each.kind], _LEAST_WEIGHT) for each in found])
+    reasons = stacked(found, [max(WEIGHTS[each.kind], LEAST_WEIGHT) for each in found])
     suspicions = _suspicions(material, reasons)
     tell(total, total)
     return ranked(suspicions)
@@ -80,8 +79,8 @@ def _untold(done: int, total: int) -> None:
 def _suspicions(material: Material, reasons: Reasons) -> list[Suspicion]:
     evidence = material.evidence
     places = joined_places(reasons, evidence.frames_of(JOINED_S))
-    likely = likelihoods(reasons.kinds, places.strength)
     leader = places.leader
+    likely = likelihoods(reasons.kinds, places.strength, reasons.second[leader] > 0)
     first, second, frame = reasons.first[leader], reasons.second[leader], reasons.frame[leader]
     cost = costs(material, first, second, frame)
     start, end = stretches(reasons, places, evidence)
@@ -92,18 +91,6 @@ def _suspicions(material: Material, reasons: Reasons) -> list[Suspicion]:
         _suspicion(reasons, int(leader[place]), spoken[place], evidence.fps, *numbers)
         for place, *numbers in zip(told.tolist(), *figures, strict=True)
     ]
-
-
-def stretches(reasons: Reasons, places: Places, evidence: Evidence) -> tuple[Rows, Rows]:
-    """(k,), (k,) half-open: from just before to just after the moments of the weighty reasons."""
-    leader = reasons.weight[places.leader][places.place]
-    weighty = reasons.weight[places.reason] >= _OF_LEADER * leader
-    place, frame = places.place[weighty], reasons.frame[places.reason[weighty]]
-    start, end = reasons.frame[places.leader].copy(), reasons.frame[places.leader].copy()
-    np.minimum.at(start, place, frame)
-    np.maximum.at(end, place, frame)
-    around = evidence.frames_of(_AROUND_S)
-    return np.maximum(start - around, 0), np.minimum(end + around + 1, evidence.stop)
 
 
 def _spoken(reasons: Reasons, places: Places) -> list[Rows]:

@@ -1,0 +1,154 @@
+"""How good a review is: against known mistakes, and as it goes without any."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.review.suspicion import Suspicion
+from tracking.tracks import Labels, TrackTable
+
+Floats = NDArray[np.float64]
+
+
+class Mistake(Protocol):
+    """A known mistake, e.g. a `tracking.scoring.IdentityError`."""
+
+    @property
+    def frame(self) -> int:
+        """When it happened."""
+
+    @property
+    def tracks(self) -> tuple[int, ...]:
+        """The tracks that are wrong from there on."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ReviewMeasures:
+    """What a reviewer finds who watches the stretches of suspicions one after the other.
+
+    Attributes:
+        errors: how many mistakes there are. minutes: length of the footage.
+        footage: (k,) share of the footage's frames watched after each suspicion: the union of the
+            stretches so far; who watches them sees everybody in them.
+        people: (k,) share of the tracks' rows watched: of each suspicion those of its own tracks.
+        found: (k,) mistakes found by then: their moment lies in a stretch watched, and they name
+            one of the tracks that the stretch is about.
+    """
+
+    errors: int
+    minutes: float
+    footage: Floats
+    people: Floats
+    found: NDArray[np.int64]
+
+    def found_within(self, footage: float) -> int:
+        """Mistakes found with at most this share of the footage, in order, up to where it ends."""
+        done = int(np.searchsorted(self.footage, footage + 1e-12, "right"))
+        return int(self.found[done - 1]) if done else 0
+
+    def recall(self, footage: float) -> float:
+        """The share of the mistakes found with this share of the footage; NaN without mistakes."""
+        return self.found_within(footage) / self.errors if self.errors else float("nan")
+
+    def footage_for(self, recall: float) -> float:
+        """The share of the footage that this share of the mistakes takes; NaN if never reached."""
+        enough = np.flatnonzero(self.found >= recall * self.errors - 1e-9)
+        if not self.errors or not len(enough):
+            return float("nan")
+        return float(self.footage[enough[0]])
+
+    def people_for(self, recall: float) -> float:
+        """The same as a share of the tracks' rows."""
+        enough = np.flatnonzero(self.found >= recall * self.errors - 1e-9)
+        return float(self.people[enough[0]]) if self.errors and len(enough) else float("nan")
+
+    def found_per_minute(self, footage: float) -> float:
+        """Mistakes found for each minute watched of this share of the footage."""
+        done = int(np.searchsorted(self.footage, footage + 1e-12, "right"))
+        watched = float(self.footage[done - 1]) * self.minutes if done else 0.0
+        return self.found_within(footage) / watched if watched else float("nan")
+
+
+def review_measures(
+    suspicions: Sequence[Suspicion],
+    errors: Iterable[Mistake],
+    table: TrackTable,
+    frames: int,
+    fps: float,
+) -> ReviewMeasures:
+    """Walk suspicions in the order given and count what is found.
+
+    Args:
+        errors: known mistakes, e.g. of `tracking.scoring.identity_errors`.
+        table: the tracks the suspicions are about. frames: length of the footage; fps: its rate.
+    """
+    missing = list(errors)
+    total, found = len(missing), 0
+    seen = np.zeros(max(frames, 1), np.bool_)
+    rows: dict[int, NDArray[np.bool_]] = {}
+    footage, people, counts = [], [], []
+    watched_rows = 0
+    for one in suspicions:
+        seen[one.start : one.end] = True
+        watched_rows += sum(_newly(table, rows, track, one.start, one.end) for track in one.tracks)
+        left = [error for error in missing if not _shows(one, error)]
+        found += len(missing) - len(left)
+        missing = left
+        footage.append(float(np.count_nonzero(seen)) / len(seen))
+        people.append(watched_rows / max(len(table), 1))
+        counts.append(found)
+    return ReviewMeasures(
+        total, frames / fps / 60.0, np.array(footage), np.array(people), np.array(counts, np.int64)
+    )
+
+
+def _shows(suspicion: Suspicion, error: Mistake) -> bool:
+    """Whether watching the suspicion's stretch shows the mistake."""
+    inside = suspicion.start <= error.frame < suspicion.end
+    return inside and not set(suspicion.tracks).isdisjoint(error.tracks)
+
+
+def _newly(
+    table: TrackTable, rows: dict[int, NDArray[np.bool_]], track: int, start: int, end: int
+) -> int:
+    """How many of a track's rows are watched for the first time."""
+    frames = table.frames_of_track(track)
+    watched = rows.setdefault(track, np.zeros(len(frames), np.bool_))
+    low, high = np.searchsorted(frames, (start, end))
+    new = int(np.count_nonzero(~watched[low:high]))
+    watched[low:high] = True
+    return new
+
+
+@dataclass(frozen=True, slots=True)
+class ReviewMeter:
+    """How a review goes on, without known mistakes.
+
+    Attributes:
+        minutes: of footage watched. decided: suspicions with a verdict. fixed: those put right.
+    """
+
+    minutes: float
+    decided: int
+    fixed: int
+
+    @classmethod
+    def of(cls, labels: Labels, minutes: float) -> ReviewMeter:
+        """From the verdicts, and the minutes of footage that were watched for them."""
+        decisions = [verdict.decision for verdict in labels.verdicts.values()]
+        return cls(minutes, len(decisions), decisions.count("fixed"))
+
+    @property
+    def decided_per_minute(self) -> float:
+        """Suspicions decided for each minute watched; NaN before anything was watched."""
+        return self.decided / self.minutes if self.minutes > 0 else float("nan")
+
+    @property
+    def fixed_per_minute(self) -> float:
+        """Mistakes found and put right for each minute watched; NaN likewise."""
+        return self.fixed / self.minutes if self.minutes > 0 else float("nan")
