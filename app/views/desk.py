@@ -30,12 +30,13 @@ from tracking.tracks import Run
 class Desk(QObject):
     """Holds the document, the playback and the tracker at work of one open recording.
 
-    Signals: `changed()`, commands may be enabled or disabled by now; `progressed()`, the tracker
+    Signals: `drawn()`, another instant is shown; `changed()`, commands may be enabled or disabled by now; `progressed()`, the tracker
     at work is further; `failed(error)`; `said(text)`; `tracked(run)`, it came to its end with a
     `Run`; `noted(lines)`, what the user should be told of it.
     """
 
     changed = Signal()
+    drawn = Signal()
     progressed = Signal()
     failed = Signal(object)
     said = Signal(str)
@@ -333,6 +334,7 @@ class Desk(QObject):
             view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
         view.overhead.show_scene(document.overhead.scene(instant))
         self.labelling.draw(self.eyes == "both", self.pictured.labels)
+        self.drawn.emit()
 
     def draw_playhead(self) -> None:
         """Draw the timeline and the transport line."""

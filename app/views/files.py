@@ -15,6 +15,7 @@ from app.presenters.first_page import first_page
 from app.presenters.opening import Opened
 from app.presenters.scenes import WelcomeScene
 from app.presenters.words import tr
+from app.views.compare import Beside
 from app.views.desk import Desk
 from app.views.exporting import Exporting, beside
 from app.views.keeping import Keeping
@@ -60,6 +61,8 @@ class Files(QObject):
         self.desk: Desk | None = None
         self.exporting = Exporting(window, work, self)
         self.exporting.said.connect(self.said)
+        self.beside = Beside(window, work, self)
+        self.beside.connect_panel()
         self.keeping = Keeping(window, work, self)
         self.keeping.changed.connect(self.changed)
 
@@ -155,6 +158,7 @@ class Files(QObject):
         self._opening = path = opened.path
         self.desk = desk = Desk(opened.document, self._window.workspace, self)
         desk.changed.connect(self.changed)
+        desk.drawn.connect(self.beside.draw)
         desk.progressed.connect(self.progressed)
         desk.failed.connect(self.failed)
         desk.said.connect(self.said)
@@ -295,6 +299,7 @@ class Files(QObject):
         if self.desk is not None:
             desk, self.desk = self.desk, None
             self.keeping.drop()
+            self.beside.close()
             if desk.document.recording.is_stereo:  # one camera leaves nothing to choose
                 self._remembered.set_text("eyes", desk.eyes)
             self._whereabouts.end()

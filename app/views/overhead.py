@@ -7,9 +7,11 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF, QRadialGradient
 from PySide6.QtWidgets import QWidget
 
+from app.presenters.agreement_scene import OtherPlace
 from app.presenters.labelling_scene import FloorLabels
 from app.presenters.scenes import FloorPerson, OverheadScene
 from app.views.canvas import Canvas
+from app.views.compare_marks import draw_other_places
 from app.views.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
 from app.views.labelling_marks import draw_outlines
 from app.views.labels import draw_message, draw_plate, place_plates, plate_rect
@@ -49,6 +51,7 @@ class OverheadView(Canvas):
         super().__init__(upward=True, parent=parent)
         self._scene: OverheadScene | None = None
         self._labels = FloorLabels()
+        self._others: tuple[OtherPlace, ...] = ()
         self._held: FloorPerson | None = None
         self._held_off = QPointF()
         self._dragged = False
@@ -71,6 +74,12 @@ class OverheadView(Canvas):
         """Draw counting lines and regions."""
         if labels is not self._labels:
             self._labels = labels
+            self.update()
+
+    def show_others(self, others: tuple[OtherPlace, ...]) -> None:
+        """Draw another session's people, thin and dashed."""
+        if others or self._others:
+            self._others = others
             self.update()
 
     def content(self) -> QRectF:
@@ -161,6 +170,7 @@ class OverheadView(Canvas):
         painter.drawPixmap(0, 0, self._floor(scene, theme))
         painter.setFont(scaled_font(self.font(), 0.92))
         draw_outlines(painter, self._labels.outlines, self.viewport, area, theme)
+        draw_other_places(painter, self._others, self.viewport, theme)
         self._draw_trails(painter, scene, theme)
         self._draw_particles(painter, scene, theme)
         for person in scene.ghosts:

@@ -8,10 +8,12 @@ from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
+from app.presenters.agreement_scene import OtherMark
 from app.presenters.labelling_scene import PictureLabels
 from app.presenters.scenes import Eye, PersonMark, PictureScene
 from app.views.box_handles import Grip, cursor_of, draw_handles, handle_at
 from app.views.canvas import Canvas
+from app.views.compare_marks import draw_other_boxes
 from app.views.labelling_marks import draw_outlines, draw_parts
 from app.views.labels import draw_message, draw_note, plate_rect
 from app.views.legend import draw_legend
@@ -45,6 +47,7 @@ class PictureView(Canvas):
         super().__init__(upward=False, parent=parent)
         self._scene = PictureScene(eye, 0, None)
         self._labels = PictureLabels()
+        self._others: tuple[OtherMark, ...] = ()
         self._image = QImage()
         self._overlay = QImage()
         self._eye_name = ""
@@ -71,6 +74,12 @@ class PictureView(Canvas):
         """Draw what people drew and said at this instant."""
         self._labels = labels
         self.update()
+
+    def show_others(self, others: tuple[OtherMark, ...]) -> None:
+        """Draw another session's people, thin and dashed."""
+        if others or self._others:
+            self._others = others
+            self.update()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Follow the language."""
@@ -184,6 +193,7 @@ class PictureView(Canvas):
         draw_outlines(painter, self._labels.outlines, self.viewport, shown, theme)
         draw_preview(painter, self._scene.preview, self.viewport)
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
+        draw_other_boxes(painter, self._others, self.viewport, theme)
         draw_people(painter, self._scene.people, self.viewport, shown)
         draw_parts(painter, self._labels.parts, self.viewport, shown)
         movable = self._movable()

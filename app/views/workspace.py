@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from app.presenters.differences_scene import DifferencesScene
 from app.presenters.scenes import Eye
 from app.views.differences_panel import DifferencesPanel
+from app.views.compare_panel import ComparePanel
 from app.views.edit_panel import EditPanel
 from app.views.eye_switch import EyeSwitch
 from app.views.history_panel import HistoryPanel
@@ -47,6 +48,7 @@ class Workspace(QWidget):
         self.history = HistoryPanel(self)
         self.preview = EditPanel(self)
         self.labelling = LabellingPanel(self)
+        self.compare = ComparePanel(self)
         self.differences = DifferencesPanel(self)
         self.transport = TransportBar(self)
         self.timeline = TimelineView(self)
@@ -81,6 +83,7 @@ class Workspace(QWidget):
         beside.setSpacing(0)
         beside.addWidget(self.preview)
         beside.addWidget(self.labelling)
+        beside.addWidget(self.compare)
         beside.addWidget(panels, 1)
         beside.addWidget(self.differences, 1)
         top = self._split(

@@ -15,6 +15,7 @@ COMMANDS: Final = (
     Command("file.save_as", "File", "Save as...", ("Ctrl+Shift+S",), session),
     Command("file.export_mot", "File", "Export MOT text...", ("Ctrl+E",), session, icon="export"),
     Command("file.export_log", "File", "Export the log of edits...", (), session),
+    Command("file.compare", "File", "Compare with another session...", (), session),
     Command("file.close", "File", "Close recording", ("Ctrl+W",), recording, separated=True),
     Command("file.quit", "File", "Quit", ("Ctrl+Q",)),
 )
