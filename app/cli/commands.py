@@ -240,6 +240,23 @@ def compare(
 
 
 @program.command()
+def review(
+    session: Annotated[Path, typer.Argument(help="A session.")],
+    order: Annotated[
+        Literal["worth", "time"], typer.Option(help="Most worth looking at first, or by time.")
+    ] = "worth",
+    most: Annotated[
+        int | None, typer.Option(min=1, help="How many at most.", show_default="all")
+    ] = None,
+    json: options.Json = False,
+) -> None:
+    """List where a session's tracks are likely wrong, and why."""
+    from app.cli.review import run_review
+
+    run_review(session, order, most, as_json=json)
+
+
+@program.command()
 def export(
     session: Annotated[Path, typer.Argument(help="A session.")],
     out: Annotated[Path, typer.Option("--out", "-o", help="The file to make.")],

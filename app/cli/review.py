@@ -15,14 +15,26 @@ from tracking.session import Session
 def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> None:
     """Print the suspicions that nobody has decided yet."""
     with closing(Session.open(path)) as session, progress("looking through the tracks") as told:
-        fps = session.recording.fps
-        run = session.runs[session.adopted] if session.adopted is not None else None
-        view = session.recording.view()
-        found = find_suspicions(session.tracks, run, fps, session.labels, view, told)
-        left = open_suspicions(found, session.labels, fps)
+        fps, labels = session.recording.fps, session.labels
+        adopted = session.adopted_run
+        found = find_suspicions(
+            session.tracks,
+            None if adopted is None else session.runs[adopted],
+            fps,
+            labels,
+            progress=told,
+            size=session.recording.size,
+        )
+    left = open_suspicions(found, labels, fps)
     shown = ranked(left, order)[:most]
     if as_json:
-        print_json({"found": len(found), "open": len(left), "suspicions": list(map(_entry, shown))})
+        entries = [_entry(one, fps) for one in shown]
+        print_json({"found": len(found), "open": len(left), "suspicions": entries})
         return
     for one in shown:
-        print(f"{one.frame:>8}  {one.likelihood:4.0%}  {one.cost:>7.0f}  {one.text} -> {one.fix}")
+        print(f"{one.frame:>8}  {one.likelihood:4.0%}  {one.cost:>6.0f}  {one.text} ({one.fix})")
+
+
+def _entry(suspicion: Suspicion, fps: float) -> dict[str, Any]:
+    """A suspicion by the names of its fields, with its second and what it is worth."""
+    return {**asdict(suspicion), "time_s": suspicion.frame / fps, "worth": suspicion.worth}

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.geometry import View
 from tracking.review.appearance import Looks
 from tracking.review.evidence import Evidence, Flags, Floats, Rows
 from tracking.review.neighbours import Neighbours, neighbours
@@ -40,8 +39,10 @@ class Material:
     occluders: tuple[Occluder, ...]
 
     @classmethod
-    def of(cls, evidence: Evidence, view: View | None, occluders: tuple[Occluder, ...]) -> Material:
-        """Work it out."""
+    def of(
+        cls, evidence: Evidence, size: tuple[int, int] | None, occluders: tuple[Occluder, ...]
+    ) -> Material:
+        """Work it out; size: of the picture in px, None where it is not known."""
         near = neighbours(evidence, REACH_M)
         ends = np.flatnonzero(~evidence.goes_on)
         first = np.concatenate(([0], ends + 1)).astype(np.int64)[: len(ends) + 1]
@@ -52,7 +53,7 @@ class Material:
             Looks.of(evidence, near.nearest_m),
             first if len(evidence) else first[:0],
             last if len(evidence) else last[:0],
-            view.camera.size if view else _reached(evidence),
+            size or _reached(evidence),
             occluders,
         )
 
