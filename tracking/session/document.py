@@ -11,18 +11,18 @@ from typing import TYPE_CHECKING
 from tracking.editing import Change, Entry, History, plan_undo_alone, with_parts_carried
 from tracking.errors import OutputError, SessionError
 from tracking.session.edited import Edited
-from tracking.session.finding import find_recording
 from tracking.session.image import Snapshot, Stamps, empty_snapshot
 from tracking.session.journal import Act
 from tracking.session.known import KnownRecordings
 from tracking.session.pending import PendingSave
 from tracking.session.reading import read_session
 from tracking.session.recovery import recover
-from tracking.session.reference import Footage, RecordingReference, refer_to, relative
+from tracking.session.reference import Footage, RecordingReference, refer_to
 from tracking.session.runs import Runs
 from tracking.session.saving import file_state, real_path
 from tracking.session.stamping import author_named, made_up, now, software
 from tracking.session.store import Store, has_waiting_journal
+from tracking.session.whereabouts import Whereabouts
 from tracking.tracks import Labels, Run, TrackTable
 
 if TYPE_CHECKING:
@@ -39,13 +39,12 @@ class Session:
     def __init__(self, snapshot: Snapshot, path: Path | None, author: str) -> None:
         """Use `create` or `open`."""
         self._stamps = snapshot.stamps
-        self._recording = snapshot.recording
+        self._whereabouts = Whereabouts(snapshot.recording)
         self._edited = Edited(snapshot.tracks, snapshot.labels, snapshot.history())
         self._adopted = snapshot.adopted
         self._runs = Runs(snapshot.runs)
         self._path = path
         self._author = author
-        self._place: Path | None = None
         self._store: Store | None = None
         self._pending: PendingSave | None = None
         self._notes: list[str] = []
@@ -78,7 +77,7 @@ class Session:
         session = cls(empty, None, author_named(author))
         for run in runs:
             session.add_run(run)
-        session._place = recording.folder
+        session._whereabouts.place = recording.folder
         if path is not None:
             session.save(path)
         return session
@@ -124,7 +123,7 @@ class Session:
     @property
     def recording(self) -> RecordingReference:
         """The recording it is about."""
-        return self._recording
+        return self._whereabouts.reference
 
     @property
     def tracks(self) -> TrackTable:
@@ -323,7 +322,7 @@ class Session:
         )
         snapshot = Snapshot(
             stamps=stamps,
-            recording=self._recording_seen_from(target.parent),
+            recording=self._whereabouts.seen_from(target.parent, self._path),
             runs=self._runs.held(),
             tracks=self.tracks.snapshot(),
             adopted=self._adopted,
@@ -344,7 +343,7 @@ class Session:
             pending.store.set_journal_aside()  # of the session that was there before
         left = None if own else self._store
         self._store, self._path = pending.store, pending.path
-        self._stamps, self._recording = stamps, pending.snapshot.recording
+        self._stamps, self._whereabouts.reference = stamps, pending.snapshot.recording
         self._runs.stored_in(pending.path, len(pending.snapshot.runs))
         self._saved, self._pending = pending.content, None
         try:
@@ -378,21 +377,8 @@ class Session:
         Raises RecordingMissing, which says where it was and how to name its place.
         """
         folder = Path() if self._path is None else self._path.parent
-        before, last = self._recording, self._place
-        if last is None and known is not None:
-            last = known.find(before)
-        found = find_recording(before, folder, search, last, allow_outside=allow_outside)
-        self._place = found.recording.folder
-        self._recording = before.found_as(found.recording, folder)
-        self._notes += [note for note in found.notes if note not in self._notes]
-        if known is not None:
-            known.remember(before, found.place)
-            known.remember(self._recording, self._place)
-        return found.recording
-
-    def _recording_seen_from(self, folder: Path) -> RecordingReference:
-        place = self._place
-        if place is None and self._path is not None:
-            place = self._path.parent / self._recording.path
-        path = self._recording.path if place is None else relative(place, folder)
-        return replace(self._recording, path=path)
+        recording, notes = self._whereabouts.open(
+            folder, search, known, allow_outside=allow_outside
+        )
+        self._notes += [note for note in notes if note not in self._notes]
+        return recording
