@@ -29,10 +29,7 @@ class Beside(QObject):
         self._window = window
         self._work = work
         self._shown: AgreementPresenter | None = None
-
-    def connect_panel(self) -> None:
-        """Take the gestures of the workspace's panel."""
-        panel = self._window.workspace.compare
+        panel = window.workspace.compare
         panel.stretch_sought.connect(self._go)
         panel.again_asked.connect(self._again)
         panel.left.connect(self.close)

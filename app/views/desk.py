@@ -78,10 +78,10 @@ class Desk(QObject):
             part.failed.connect(self.failed)
             part.said.connect(self.said)
         self.overlaying.changed.connect(self.draw_instant)
-        for part in (self.labelling, self.walk):
-            part.changed.connect(self.draw)
-            part.failed.connect(self.failed)
-            part.said.connect(self.said)
+        for one in (self.labelling, self.walk):
+            one.changed.connect(self.draw)
+            one.failed.connect(self.failed)
+            one.said.connect(self.said)
         self.overlaying.failed.connect(self.failed)
         self.live.tracked.connect(self._take_live)
         self.live.finished.connect(self._end_live)

@@ -62,7 +62,6 @@ class Files(QObject):
         self.exporting = Exporting(window, work, self)
         self.exporting.said.connect(self.said)
         self.beside = Beside(window, work, self)
-        self.beside.connect_panel()
         self.keeping = Keeping(window, work, self)
         self.keeping.changed.connect(self.changed)
 
