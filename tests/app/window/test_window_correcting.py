@@ -7,6 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox, QPlainTextEdit
 
 from app.presenters import opening
+from app.presenters.edits import Way
 from app.presenters.exporting import exported_tracks
 from app.views import exporting
 from app.views.attributes import AttributesTable
@@ -277,9 +278,9 @@ def test_a_merge_is_done_by_typing_the_others_id(window, desk, press):
     QTest.keyClicks(window.focusWidget(), str(b))
     press(Key.Key_Return)
     assert desk.document.flow.other == b
-    assert desk.document.flow.keep == "first"
+    assert desk.document.flow.way is Way.KEEP_FIRST
     press(Key.Key_R)
-    assert desk.document.flow.keep == "second"
+    assert desk.document.flow.way is Way.KEEP_SECOND
     press(Key.Key_Return)
     assert b not in _ids(desk)
     assert a in _ids(desk)

@@ -1,0 +1,220 @@
+"""Every edit of tracks done in the real window with the keyboard alone."""
+
+import pytest
+from correcting_desk import CROWDED, CTRL, SHIFT, Hands, opened_desk
+from PySide6.QtCore import Qt
+
+from app.presenters.edits import EditKind, Scope
+from tracking.tracks import Source
+
+Key = Qt.Key
+ALT = Qt.KeyboardModifier.AltModifier
+
+
+@pytest.fixture
+def hands(window, qtbot, tiny_session) -> Hands:
+    hands = Hands(window, opened_desk(window, qtbot, tiny_session), qtbot)
+    hands.press(Key.Key_Tab)
+    return hands
+
+
+@pytest.fixture
+def track(hands) -> int:
+    return hands.desk.document.selection.track
+
+
+def test_a_range_is_set_by_brackets_and_deleted(hands, track):
+    hands.press(Key.Key_BracketLeft)
+    hands.go(64)
+    hands.press(Key.Key_BracketRight)
+    assert hands.desk.document.correcting.marked == (60, 65)
+    hands.press(Key.Key_Delete, ALT)
+    assert "frames 60 to 64" in hands.desk.document.planned.scene.title
+    hands.press(Key.Key_Return)
+    gone = set(hands.frames(track)) & set(range(59, 66))
+    assert gone == {59, 65}
+
+
+def test_the_end_of_a_range_moves_with_ctrl_and_arrows(hands, track):
+    before = hands.frames(track)
+    hands.press(Key.Key_Delete, ALT)
+    stop = hands.desk.document.flow.end
+    hands.press(Key.Key_Left, CTRL)
+    hands.press(Key.Key_Left, CTRL)
+    assert hands.desk.document.flow.end == stop - 2
+    hands.press(Key.Key_Return)
+    assert hands.frames(track) == [f for f in before if not CROWDED <= f < stop - 2]
+
+
+@pytest.mark.parametrize(("modifiers", "left"), [(SHIFT, "others"), (CTRL, "nothing")])
+def test_this_frame_or_the_whole_track_is_deleted(hands, track, modifiers, left):
+    before = hands.frames(track)
+    hands.press(Key.Key_Delete, modifiers)
+    hands.press(Key.Key_Return)
+    kept = [frame for frame in before if frame != CROWDED] if left == "others" else []
+    assert hands.frames(track) == kept
+
+
+def test_a_track_is_given_to_a_new_id_that_is_typed(hands, track):
+    before = hands.frames(track)
+    hands.press(Key.Key_A)
+    hands.type("42")
+    hands.press(Key.Key_Return)
+    assert hands.desk.document.planned.scene.ready
+    hands.press(Key.Key_Return)
+    assert hands.frames(42) == [frame for frame in before if frame >= CROWDED]
+    assert hands.frames(track) == [frame for frame in before if frame < CROWDED]
+
+
+def test_a_box_is_moved_and_resized_by_arrows_until_enter(hands, track):
+    before = hands.row(track, CROWDED)
+    hands.press(Key.Key_V)
+    hands.press(Key.Key_Right)
+    hands.press(Key.Key_Down, SHIFT)
+    hands.press(Key.Key_Up, CTRL)
+    assert hands.row(track, CROWDED) == before  # nothing is done before Enter
+    seen = hands.desk.document.instant(CROWDED).tracks.of_frame(CROWDED)
+    at = seen["track"].tolist().index(track)
+    assert seen["left"][at] == before["left"] + 1
+    hands.press(Key.Key_Return)
+    after = hands.row(track, CROWDED)
+    assert (after["left"], after["top"]) == (before["left"] + 1, before["top"] + 10)
+    assert (after["width"], after["height"]) == (before["width"], before["height"] - 1)
+    assert after["source"] == Source.PERSON
+    hands.press(Key.Key_Z, CTRL)
+    assert hands.row(track, CROWDED) == before
+
+
+def test_a_person_is_moved_on_the_floor_by_arrows(hands, track):
+    before = hands.row(track, CROWDED)
+    hands.press(Key.Key_V, SHIFT)
+    hands.press(Key.Key_Right, SHIFT)
+    hands.press(Key.Key_Up)
+    hands.press(Key.Key_Return)
+    after = hands.row(track, CROWDED)
+    assert after["x"] == pytest.approx(before["x"] + 0.5)
+    assert after["y"] == pytest.approx(before["y"] + 0.05)
+    assert after["left"] > before["left"]
+
+
+def test_escape_leaves_a_moved_box_where_it_was(hands, track):
+    before = hands.row(track, CROWDED)
+    hands.press(Key.Key_V)
+    hands.press(Key.Key_Right, SHIFT)
+    hands.press(Key.Key_Escape)
+    assert hands.row(track, CROWDED) == before
+    assert not hands.desk.document.session.dirty
+
+
+def test_keyframes_are_made_and_the_frames_between_them_interpolated(hands, track):
+    hands.press(Key.Key_V)
+    hands.press(Key.Key_Return)
+    hands.go(70)
+    hands.press(Key.Key_W, SHIFT)
+    hands.press(Key.Key_Return)
+    hands.go(65)
+    hands.press(Key.Key_I)
+    hands.press(Key.Key_C)  # straight in the picture
+    hands.press(Key.Key_Return)
+    first, middle, last = (hands.row(track, frame) for frame in (60, 65, 70))
+    assert [row["source"] for row in (first, middle, last)] == [1, 2, 1]
+    assert middle["left"] == pytest.approx((first["left"] + last["left"]) / 2)
+    lane = next(one for one in hands.desk.document.timeline(65, 65).lanes if one.track == track)
+    assert lane.keyframes.tolist() == [60, 70]
+    hands.go(70)
+    hands.press(Key.Key_W, CTRL | SHIFT)
+    hands.press(Key.Key_Return)
+    assert hands.row(track, 70).get("source") != Source.PERSON
+
+
+def test_a_gap_is_filled(hands, track):
+    hands.press(Key.Key_Delete, SHIFT)
+    hands.press(Key.Key_Return)
+    assert CROWDED not in hands.frames(track)
+    hands.press(Key.Key_I, SHIFT)
+    hands.press(Key.Key_Return)
+    assert hands.row(track, CROWDED)["source"] == Source.INTERPOLATED
+
+
+def test_occluded_and_visible_are_marked_over_a_scope(hands, track):
+    before, after = (hands.row(track, frame)["visibility"] for frame in (59, 68))
+    hands.press(Key.Key_H)
+    hands.press(Key.Key_R)
+    assert hands.desk.document.flow.scope is Scope.RANGE
+    hands.press(Key.Key_Return)
+    marked = [hands.row(track, frame)["visibility"] for frame in (59, 60, 67, 68)]
+    assert marked == [before, 0, 0, after]
+    hands.press(Key.Key_H, SHIFT)
+    hands.press(Key.Key_Return)
+    assert [hands.row(track, frame)["visibility"] for frame in (60, 61)] == [1, 0]
+
+
+def test_a_new_person_is_drawn_and_selected_and_their_next_box_joins_the_first(hands):
+    count = len(hands.people())
+    hands.press(Key.Key_Insert)
+    hands.press(Key.Key_Right, SHIFT)
+    hands.press(Key.Key_Return)
+    new = hands.desk.document.selection.track
+    assert len(hands.people()) == count + 1
+    assert hands.frames(new) == [CROWDED]
+    hands.go(CROWDED + 5)
+    hands.press(Key.Key_W)
+    hands.press(Key.Key_Right, SHIFT)
+    hands.press(Key.Key_Return)
+    assert hands.frames(new) == list(range(CROWDED, CROWDED + 6))
+    assert hands.row(new, CROWDED + 2)["source"] == Source.INTERPOLATED
+
+
+def test_several_are_marked_as_reviewed_at_once(hands, track):
+    other = next(one for one in hands.people() if one != track)
+    hands.desk.editing.add(other)
+    hands.press(Key.Key_Y)
+    hands.press(Key.Key_Return)
+    reviewed = hands.desk.document.session.labels
+    assert reviewed.is_reviewed(track, CROWDED)
+    assert reviewed.is_reviewed(other, CROWDED)
+
+
+def test_the_nearest_person_is_the_first_that_tab_gives_a_swap(hands, track):
+    nearest = hands.desk.document.correcting
+    hands.press(Key.Key_X)
+    others = nearest.flow.others
+    assert set(others) == set(hands.people()) - {track}
+    hands.press(Key.Key_Tab)
+    assert nearest.flow.other == others[0]
+    hands.press(Key.Key_Tab)
+    assert nearest.flow.other == others[1]
+
+
+def test_the_frames_found_for_a_swap_are_stepped_through(hands, track):
+    hands.press(Key.Key_X)
+    hands.press(Key.Key_Tab)
+    flow = hands.desk.document.flow
+    frames = [cut.frame for cut in flow.cuts]
+    assert flow.cut == frames[0]
+    hands.press(Key.Key_Down)
+    assert hands.desk.document.flow.cut == frames[1 % len(frames)]
+    hands.press(Key.Key_Up)
+    assert hands.desk.document.flow.cut == frames[0]
+    assert hands.desk.playback.clock.frame == frames[0]
+
+
+def test_after_enter_the_keyboard_is_where_it_was_and_the_next_edit_one_key_away(hands, track):
+    where = hands.window.focusWidget()
+    for _ in range(2):
+        hands.press(Key.Key_X)
+        hands.press(Key.Key_Tab)
+        hands.press(Key.Key_Return)
+        assert hands.window.focusWidget() is where
+    assert len(hands.desk.document.session.history) == 2
+    hands.press(Key.Key_S)
+    assert hands.desk.document.flow.kind is EditKind.SPLIT
+
+
+@pytest.mark.parametrize(("modifiers", "field"), [(SHIFT, "attributes"), (CTRL, "notes")])
+def test_attributes_and_notes_are_reached_by_keys(hands, track, modifiers, field):
+    hands.press(Key.Key_F2, modifiers)
+    hands.type("limps")
+    hands.press(Key.Key_Return if field == "attributes" else Key.Key_Escape)
+    label = hands.desk.document.label(track)
+    assert label.notes == "limps" if field == "notes" else "limps" in label.attributes
