@@ -26,12 +26,16 @@ from tracking.synthesis.rig import Rig
 from tracking.tracks import CORRECTED_COLUMNS, SIGNAL_COLUMNS, Columns, TrackTable
 
 REPORTED_SEEDS = tuple(range(3201, 3211))
-KINDS = ("close", "smoothed", "hidden", "both hidden", "predicted", "same way", "turning round")
+KINDS = (
+    "close", "smoothed", "hidden", "both hidden", "predicted", "same way", "turning round",
+    "brushing", "brushing, hidden",
+)  # fmt: skip
 WITHIN = 2
 _SCENES = ("lobby", "plaza", "square", "uniforms", "corridor", "outdoor")
 _SECONDS, _FPS, _PEOPLE = 40.0, 20.0, 10
 _MEETING_M = 1.2
 _MARGIN = 25
+_BODIES_M = 0.3
 _EACH = 3
 """So many swaps of a kind from one scene at most."""
 _SPREAD = np.array([16.0, 8.0, 12.0] * 2)
@@ -121,15 +125,17 @@ def case(meeting: Meeting, kind: str, frame: int, random: np.random.Generator) -
     """The meeting as a tracker sees it, with a swap."""
     count = meeting.places.shape[1]
     places = meeting.places + _place_noise(meeting.places, random)
+    if kind.startswith("brushing"):
+        places = _brought_together(places, frame)
     changed = np.arange(count) >= frame
     tracks = np.where(changed[None, :, None], places[::-1], places)
-    if kind == "smoothed":
+    if kind in ("smoothed", "brushing"):
         tracks = gaussian_filter1d(tracks, 2.0, axis=1, mode="nearest")
     seen = np.ones((2, count), np.bool_)
-    if kind in ("hidden", "both hidden", "predicted"):
+    if "hidden" in kind or kind == "predicted":
         hidden = slice(max(frame - int(random.integers(4, 26)), 2), frame)
         seen[int(random.integers(0, 2)), hidden] = False
-        if kind == "both hidden":
+        if kind in ("both hidden", "brushing, hidden"):
             seen[:, hidden] = False
     noticed = np.where(changed[None, :, None], *_looks(meeting, random))
     noticed[~seen] = np.nan
@@ -139,6 +145,13 @@ def case(meeting: Meeting, kind: str, frame: int, random: np.random.Generator) -
         frame,
         int(np.clip(frame + random.integers(-40, 80), 0, count - 1)),
     )
+
+
+def _brought_together(places: Floats, frame: int) -> Floats:
+    """The two closer to each other all the way, as near as bodies can come in the given frame."""
+    middle, half = places.mean(axis=0), (places[0] - places[1]) / 2
+    share = min(1.0, _BODIES_M / 2 / max(float(np.linalg.norm(half[frame])), 1e-6))
+    return np.stack([middle + half * share, middle - half * share])
 
 
 def _place_noise(places: Floats, random: np.random.Generator) -> Floats:

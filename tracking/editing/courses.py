@@ -56,11 +56,16 @@ class Courses:
     in_metres: bool
 
 
-def courses_of(table: TrackTable, a: int, b: int) -> Courses:
-    """The ways of two tracks; what was only predicted is left out where something was measured."""
-    rows = [_telling(table.of_track(track)) for track in (a, b)]
+def courses_of(
+    table: TrackTable, a: int, b: int, start: int = 0, end: int | None = None
+) -> Courses:
+    """The ways of two tracks in a half-open range of frames.
+
+    What was only predicted is left out where something was measured.
+    """
+    rows = [_telling(table.of_track(track, start, end)) for track in (a, b)]
     on_floor = [places_of(part) for part in rows]
-    in_metres = all(np.isfinite(places).all(axis=1).mean() > 0.5 for places in on_floor)
+    in_metres = all(_mostly_known(places) for places in on_floor)
     places = on_floor if in_metres else _in_picture(rows)
     ways = [_course(part["frame"], where) for part, where in zip(rows, places, strict=True)]
     return Courses(ways[0], ways[1], in_metres)
@@ -145,6 +150,10 @@ def _telling(rows: Columns) -> Columns:
     if np.count_nonzero(measured) < 2:
         return rows
     return {name: column[measured] for name, column in rows.items()}
+
+
+def _mostly_known(places: Floats) -> bool:
+    return bool(2 * np.count_nonzero(np.isfinite(places).all(axis=1)) >= len(places))
 
 
 def _in_picture(rows: list[Columns]) -> list[Floats]:

@@ -20,6 +20,8 @@ _PEAK_FRAMES = 10
 """Two proposals are at least so far apart."""
 _MOST_FRAMES = 50_000
 """Of longer meetings only the closest frames are judged."""
+_AROUND_FRAMES, _MET_M = 4000, 2.0
+"""So far around the frame looked at is looked first; farther where they did not meet there."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +30,7 @@ class SwapFrame:
 
     Attributes:
         frame: the first one in which they should bear each other's name.
-        likelihood: 0 to 1, of all frames of the two.
+        likelihood: 0 to 1, that it was here or within two frames, if they changed over at all.
         text: why, in words.
     """
 
@@ -41,7 +43,7 @@ def propose_swap_frame(
     table: TrackTable, a: int, b: int, near: int | None = None, signals: Columns | None = None
 ) -> int:
     """The first frame in which a and b should change names: see `propose_swap_frames`."""
-    return propose_swap_frames(table, a, b, near, signals, 1)[0].frame
+    return propose_swap_frames(table, a, b, near, signals)[0].frame
 
 
 def propose_swap_frames(
@@ -66,8 +68,7 @@ def propose_swap_frames(
         most: so many at most, each a good number of frames from the others.
 
     Returns:
-        With likelihoods that sum to 1 over all frames: people who stand together and look alike
-        give several low ones.
+        People who stand together and look alike give several of low likelihood.
 
     Raises:
         EditError: unknown or equal tracks.
@@ -75,8 +76,7 @@ def propose_swap_frames(
     check_known(table, a, b)
     if a == b:
         raise EditError(f"track {a} cannot change over with itself; choose two different tracks")
-    courses = courses_of(table, a, b)
-    frames = _cuts(courses)
+    courses, frames = _meeting(table, a, b, near)
     if not len(frames):
         later = max(table.frame_range(a)[0], table.frame_range(b)[0])
         return (SwapFrame(later, 1.0, "they never stand in one frame; the later one begins here"),)
@@ -88,7 +88,7 @@ def propose_swap_frames(
         score = score - _NEAR_WEIGHT * np.minimum(np.abs(frames - near) / _NEAR_FRAMES, 2.0)
     share = np.exp(score - score.max())
     share /= share.sum()
-    return tuple(
+    proposals = (
         SwapFrame(
             int(frames[at]),
             _around(frames, share, at),
@@ -96,11 +96,27 @@ def propose_swap_frames(
         )
         for at in _peaks(frames, score, most)
     )
+    return tuple(sorted(proposals, key=lambda proposal: -proposal.likelihood))
+
+
+def _meeting(table: TrackTable, a: int, b: int, near: int | None) -> tuple[Courses, Frames]:
+    """Where both went, and the frames that may be cuts: around the frame looked at or all."""
+    if near is not None:
+        around = (max(near - _AROUND_FRAMES, 0), near + _AROUND_FRAMES)
+        courses = courses_of(table, a, b, *around)
+        frames = _cuts(courses)
+        if len(frames) and _apart(courses, frames).min() < _MET_M:
+            return courses, frames
+    courses = courses_of(table, a, b)
+    return courses, _cuts(courses)
 
 
 def _cuts(courses: Courses) -> Frames:
     """The frames of their time together in which one of the two stands."""
-    frames = np.union1d(courses.a.frames, courses.b.frames)
+    if not (len(courses.a.frames) and len(courses.b.frames)):
+        return courses.a.frames[:0]
+    frames = np.sort(np.concatenate([courses.a.frames, courses.b.frames]), kind="stable")
+    frames = frames[np.diff(frames, prepend=-1) > 0]
     start = max(courses.a.frames[0], courses.b.frames[0])
     end = min(courses.a.frames[-1], courses.b.frames[-1])
     frames = frames[(frames >= start) & (frames <= end)]

@@ -12,20 +12,21 @@ from tracking.tracks import SIGNAL_COLUMNS, Columns, Run, TrackTable, empty
 _TOLD_BY = ("left", "top", "width", "height")
 
 
-def signals_of(table: TrackTable, run: Run, tracks: Iterable[int]) -> Columns:
-    """`SIGNAL_COLUMNS` of some tracks' rows, one track after the other, each by frame.
+def signals_of(
+    table: TrackTable, run: Run, tracks: Iterable[int], start: int = 0, end: int | None = None
+) -> Columns:
+    """`SIGNAL_COLUMNS` of some tracks' rows in a half-open range of frames, track after track.
 
     A row that came from the run is found there by frame and box, whatever id it bears by now;
     rows that a person moved and those of another run have none.
     """
     parts: list[Columns] = [empty(SIGNAL_COLUMNS)]
     if len(run.signals.get("frame", ())):
-        parts += [_of_track(table, run, track) for track in tracks]
+        parts += [_noticed(run, table.of_track(track, start, end), track) for track in tracks]
     return {name: np.concatenate([part[name] for part in parts]) for name in SIGNAL_COLUMNS}
 
 
-def _of_track(table: TrackTable, run: Run, track: int) -> Columns:
-    rows = table.of_track(track)
+def _noticed(run: Run, rows: Columns, track: int) -> Columns:
     found = _places_in_run(rows, run.tracks)
     signals = {name: run.signals[name][found[found >= 0]] for name in SIGNAL_COLUMNS}
     return {**signals, "track": np.full(len(signals["frame"]), track, np.int32)}
