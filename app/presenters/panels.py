@@ -83,7 +83,8 @@ class EditMarks:
     def of(self, history: History) -> dict[int, tuple[TimelineMark, ...]]:
         """For each track the marks of the edits in force that touched it, by frame."""
         for entry in history:
-            in_force = not entry.undone
+            taken_back = entry.undone or history.taken_back_by(entry.id)
+            in_force = not taken_back and not entry.undoes
             if self._in_force.get(entry.id, False) != in_force:
                 self._in_force[entry.id] = in_force
                 self._put(entry, in_force)

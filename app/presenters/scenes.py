@@ -219,7 +219,8 @@ class TimelineScene:
         cut: a frame with an edit being previewed, or None.
         marked: the half-open range of frames the user has set, or that an edit goes over.
         message: said where there are no lanes.
-        marks: those of all lanes, by frame. reviewed: half-open ranges looked at for all tracks.
+        suspicions: those of all lanes, in any order; the very same tuple while they are the same.
+        reviewed: half-open ranges looked at for all tracks.
     """
 
     frame_count: int
@@ -232,7 +233,7 @@ class TimelineScene:
     cut: int | None = None
     marked: tuple[int, int] | None = None
     message: str = ""
-    marks: tuple[TimelineMark, ...] = ()
+    suspicions: tuple[TimelineMark, ...] = ()
     reviewed: tuple[tuple[int, int], ...] = ()
 
 

@@ -22,9 +22,9 @@ _MOST_PEOPLE = np.iinfo(np.uint16).max
 class TimelinePresenter:
     """Makes timeline scenes of one recording.
 
-    `lanes`, `activity`, `marks` and `reviewed` of the scene stay the same objects until what they
-    show changes, so that a view repaints the playhead alone while playing; of a thousand lanes an
-    edit makes only those anew that it touched.
+    `lanes`, `activity`, `suspicions` and `reviewed` of the scene stay the same objects until what
+    they show changes, so that a view repaints the playhead alone while playing; of a thousand lanes
+    an edit makes only those anew that it touched.
     """
 
     def __init__(self, frame_count: int, fps: float) -> None:
@@ -34,7 +34,7 @@ class TimelinePresenter:
         self._keyframes: dict[int, NDArray[np.int64]] = {}
         self._edits: Marks = {}
         self._suspicions: Marks = {}
-        self._marks: tuple[TimelineMark, ...] = ()
+        self._all_suspicions: tuple[TimelineMark, ...] = ()
         self._reviewed_of: dict[int, tuple[tuple[int, int], ...]] = {}
         self._reviewed: tuple[ReviewedRange, ...] = ()
         self._names: Mapping[int, str] = {}
@@ -86,7 +86,8 @@ class TimelinePresenter:
             by_track.setdefault(mark.track, []).append(mark)
         before = self._suspicions
         self._suspicions = {track: tuple(marks) for track, marks in by_track.items()}
-        self._remark(before, self._suspicions)
+        self._all_suspicions = tuple(suspicions)
+        self._stale |= _differing(before, self._suspicions)
 
     def take_reviewed(self, reviewed: tuple[ReviewedRange, ...]) -> None:
         """Shade what a person has looked at."""
@@ -130,21 +131,13 @@ class TimelinePresenter:
             cut=cut,
             marked=marked,
             message=message,
-            marks=self._marks,
+            suspicions=self._all_suspicions,
             reviewed=self._reviewed_of.get(0, ()),
         )
 
     def _take_edits(self, marks: Marks) -> None:
         before, self._edits = self._edits, dict(marks)
-        self._remark(before, self._edits)
-
-    def _remark(self, before: Marks, after: Marks) -> None:
-        """Make the lanes anew whose marks are other ones."""
-        differing = _differing(before, after)
-        if differing:
-            self._stale |= differing
-            kinds = (self._edits, self._suspicions)
-            self._marks = tuple(one for kind in kinds for own in kind.values() for one in own)
+        self._stale |= _differing(before, self._edits)
 
     def _count(self, gone: NDArray[np.int32], come: NDArray[np.int32]) -> None:
         """Count the people anew in the frames between the first and the last that changed."""

@@ -73,9 +73,8 @@ def draw_marks(
     reach = max(3.0, _REACH * row.height())
     for kind, draw in _DRAWN.items():
         if kind in frames:
-            at = np.array(frames[kind], np.float64)
-            for x in _places(at, axis):
-                draw(painter, QPointF(x, row.center().y()), reach, theme)
+            places = _places(np.array(frames[kind], np.float64), axis)
+            draw(painter, [QPointF(x, row.center().y()) for x in places], reach, theme)
 
 
 def mark_at(marks: Iterable[TimelineMark], x: float, axis: TimeAxis) -> TimelineMark | None:
@@ -94,33 +93,36 @@ def _places(frames: NDArray[np.floating], axis: TimeAxis) -> list[float]:
     return places
 
 
-def _draw_diamond(painter: QPainter, at: QPointF, reach: float, theme: Theme) -> None:
-    corners = [QPointF(0, -reach), QPointF(reach, 0), QPointF(0, reach), QPointF(-reach, 0)]
+def _draw_diamonds(painter: QPainter, at: list[QPointF], reach: float, theme: Theme) -> None:
+    shape = QPolygonF(
+        [QPointF(0, -reach), QPointF(reach, 0), QPointF(0, reach), QPointF(-reach, 0)]
+    )
     painter.setPen(QPen(theme.sunken, 1.2))
     painter.setBrush(theme.text)
-    painter.drawPolygon(QPolygonF([at + corner for corner in corners]))
+    for place in at:
+        painter.drawPolygon(shape.translated(place))
 
 
-def _draw_cross(painter: QPainter, at: QPointF, reach: float, theme: Theme) -> None:
-    lines = [
-        QLineF(at + QPointF(-reach, -reach), at + QPointF(reach, reach)),
-        QLineF(at + QPointF(-reach, reach), at + QPointF(reach, -reach)),
-    ]
+def _draw_crosses(painter: QPainter, at: list[QPointF], reach: float, theme: Theme) -> None:
+    one, other = QPointF(reach, reach), QPointF(reach, -reach)
+    lines = [QLineF(place - arm, place + arm) for place in at for arm in (one, other)]
     for colour, width in ((theme.sunken, 5.0), (theme.text, 2.2)):
         painter.setPen(QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
         painter.drawLines(lines)
 
 
-def _draw_triangle(painter: QPainter, at: QPointF, reach: float, theme: Theme) -> None:
-    up = QPointF(at.x(), at.y() - reach)
-    corners = [QPointF(-1.1 * reach, -reach), QPointF(1.1 * reach, -reach), QPointF(0, 0.9 * reach)]
+def _draw_triangles(painter: QPainter, at: list[QPointF], reach: float, theme: Theme) -> None:
+    """They hang from the lane's upper edge."""
+    top, side = -2.0 * reach, 1.1 * reach
+    shape = QPolygonF([QPointF(-side, top), QPointF(side, top), QPointF(0, -0.1 * reach)])
     painter.setPen(QPen(theme.sunken, 1.2))
     painter.setBrush(theme.warning)
-    painter.drawPolygon(QPolygonF([up + corner for corner in corners]))
+    for place in at:
+        painter.drawPolygon(shape.translated(place))
 
 
-_DRAWN: dict[MarkKind, Callable[[QPainter, QPointF, float, Theme], None]] = {
-    MarkKind.EDIT: _draw_diamond,
-    MarkKind.SWAP: _draw_cross,
-    MarkKind.SUSPICION: _draw_triangle,
+_DRAWN: dict[MarkKind, Callable[[QPainter, list[QPointF], float, Theme], None]] = {
+    MarkKind.EDIT: _draw_diamonds,
+    MarkKind.SWAP: _draw_crosses,
+    MarkKind.SUSPICION: _draw_triangles,
 }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QHelpEvent,
@@ -41,15 +43,18 @@ class OverviewStrip(QWidget):
         self._scene: TimelineScene | None = None
         self._shown: TimeAxis | None = None
         self._drawn: QPixmap | None = None
+        self._suspicions: NDArray[np.int64] = np.zeros(0, np.int64)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(self.tr("Overview of the whole recording"))
 
     def show_scene(self, scene: TimelineScene) -> None:
         """Draw another instant; what stays only where it is another one."""
         before, self._scene = self._scene, scene
+        if before is None or before.suspicions is not scene.suspicions:
+            self._suspicions = np.array([mark.frame for mark in scene.suspicions], np.int64)
         if before is None or (
             before.activity is not scene.activity
-            or before.marks is not scene.marks
+            or before.suspicions is not scene.suspicions
             or before.reviewed is not scene.reviewed
             or (before.tracked, before.frame_count) != (scene.tracked, scene.frame_count)
         ):
@@ -123,7 +128,7 @@ class OverviewStrip(QWidget):
         ground = QRectF(axis.left, 4, axis.width, self.height() - 8)
         painter.fillRect(ground, theme.sunken)
         if self._scene is not None:
-            draw_overview(painter, self._scene, axis, ground, theme)
+            draw_overview(painter, self._scene, self._suspicions, axis, ground, theme)
         painter.end()
         return picture
 

@@ -7,17 +7,22 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from app.presenters.scenes import MarkKind, TimelineMark, TimelineScene
+from app.presenters.scenes import TimelineScene
 from app.views.theme import Theme, faded
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.lanes import draw_reviewed
+from app.views.timeline.strips import draw_strip
 
 _TRACKED_PX, _SUSPICION_PX = 3, 6
-_TICK_PX = 2.0
 
 
 def draw_overview(
-    painter: QPainter, scene: TimelineScene, axis: TimeAxis, ground: QRectF, theme: Theme
+    painter: QPainter,
+    scene: TimelineScene,
+    suspicions: NDArray[np.int64],
+    axis: TimeAxis,
+    ground: QRectF,
+    theme: Theme,
 ) -> None:
     """How busy it is, what was reviewed, where to look, and below what was tracked."""
     if scene.reviewed:
@@ -26,7 +31,7 @@ def draw_overview(
     foot = QRectF(ground.left(), ground.bottom() - _TRACKED_PX, ground.width(), _TRACKED_PX)
     draw_band(painter, scene.tracked, axis, foot, theme.accent)
     top = QRectF(ground.left(), ground.top() + 3, ground.width(), _SUSPICION_PX)
-    _draw_suspicions(painter, scene.marks, axis, top, theme)
+    _draw_suspicions(painter, suspicions, axis, top, theme)
 
 
 def draw_band(
@@ -60,11 +65,12 @@ def _draw_activity(painter: QPainter, scene: TimelineScene, ground: QRectF, them
 
 
 def _draw_suspicions(
-    painter: QPainter, marks: tuple[TimelineMark, ...], axis: TimeAxis, band: QRectF, theme: Theme
+    painter: QPainter, frames: NDArray[np.int64], axis: TimeAxis, band: QRectF, theme: Theme
 ) -> None:
-    """A tick each; those that would cover one another as one."""
-    frames = np.array([one.frame for one in marks if one.kind is MarkKind.SUSPICION], np.float64)
-    places = np.unique(((frames + 0.5) * axis.px_per_frame) // _TICK_PX) * _TICK_PX
-    ticks = [QRectF(axis.left + x, band.top(), _TICK_PX, band.height()) for x in places.tolist()]
-    for tick in ticks:
-        painter.fillRect(tick, theme.warning)
+    """A tick each, of two columns so that a single one is seen."""
+    columns = max(2, int(axis.width))
+    at = (frames + 0.5) * columns / max(axis.frame_count, 1)
+    inside = at[(at >= 0) & (at < columns - 1)].astype(np.int64)
+    inked = np.zeros(columns)
+    inked[inside] = inked[inside + 1] = 1.0
+    draw_strip(painter, inked, theme.warning, band)

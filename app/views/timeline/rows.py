@@ -59,7 +59,11 @@ class LaneRows:
         if arrangement.order is LaneOrder.NUMBER:
             shown = np.argsort([lane.track for lane in self._lanes], kind="stable")
         if arrangement.in_view_only:
-            shown = shown[[self._is_in_view(int(at), axis) for at in shown]]
+            overlaps = self._lives[:, 0] < axis.start + axis.frames
+            overlaps &= self._lives[:, 1] > axis.start
+            overlaps |= [lane.selected for lane in self._lanes]  # never taken out of sight
+            shown = shown[overlaps[shown]]
+            shown = shown[[self._is_in_view(self._lanes[at], axis) for at in shown]]
         self._shown = shown
 
     def lane(self, row: int) -> Lane | None:
@@ -76,13 +80,9 @@ class LaneRows:
         lives = self._lives[self._shown]
         return np.flatnonzero((lives[:, 0] <= frame) & (frame < lives[:, 1]))
 
-    def _is_in_view(self, at: int, axis: TimeAxis) -> bool:
-        """Whether it has rows there, or is selected: that one is never taken out of sight."""
-        lane, (first, end) = self._lanes[at], self._lives[at]
-        if lane.selected:
-            return True
-        overlaps = first < axis.start + axis.frames and end > axis.start
-        return bool(overlaps and len(spans_in_view(lane.spans, axis)))
+    @staticmethod
+    def _is_in_view(lane: Lane, axis: TimeAxis) -> bool:
+        return lane.selected or len(spans_in_view(lane.spans, axis)) > 0
 
 
 def _life(lane: Lane) -> tuple[int, int]:
