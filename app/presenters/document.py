@@ -31,7 +31,7 @@ from app.presenters.words import tr
 from tracking.editing import Change
 from tracking.errors import EditError
 from tracking.recording import Recording
-from tracking.session import Session
+from tracking.session import Session, author_named
 from tracking.trackers import StepResult
 from tracking.tracks import Labels, ReviewedRange, Run, TrackLabel, TrackTable
 
@@ -50,6 +50,7 @@ class Document:
         self.recording = recording
         self.session = session
         self.selection = Selection()
+        self._author = ""
         self._footing = Footing.of(recording)
         self.correcting = Correcting(self.selection, self._footing, self._ground)
         self.pictures = PicturePresenter(recording)
@@ -101,9 +102,16 @@ class Document:
         self._live.extend(results)
         self._timeline.take(self._tracks, {})
 
+    def sign(self, author: str) -> None:
+        """Log edits made from now on under a name; "": under that of the account."""
+        self._author = author
+        if self.session is not None:
+            self.session.author = author_named(author or None)
+
     def take_session(self, session: Session) -> None:
         """Show a session from now on."""
         self.session = session
+        self.sign(self._author)
         self._live, self._live_shown = LiveTracks(), False
         self._marks, self._history = EditMarks(), HistoryList()
         self._retake()

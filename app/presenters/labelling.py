@@ -106,7 +106,8 @@ class LabellingPresenter:
     def picture(self, eye: Eye, frame: int) -> PictureLabels:
         """Everything drawn and said, in one eye."""
         outlines = self._drawn.picture(eye, self.labels, self._picked)
-        return PictureLabels(self._part_marks(eye, frame), outlines)
+        labelling = self.choice.tool is not None
+        return PictureLabels(self._part_marks(eye, frame), outlines, labelling)
 
     def floor(self) -> FloorLabels:
         """What was drawn on the floor."""

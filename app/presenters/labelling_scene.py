@@ -73,10 +73,11 @@ class Outline:
 
 @dataclass(frozen=True, slots=True)
 class PictureLabels:
-    """What was drawn and said, in one eye."""
+    """What was drawn and said, in one eye; `labelling`: the boxes of people give way to parts."""
 
     parts: tuple[PartMark, ...] = ()
     outlines: tuple[Outline, ...] = ()
+    labelling: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from app.presenters.first_page import first_page
 from app.presenters.opening import Opened
 from app.presenters.scenes import WelcomeScene
 from app.presenters.words import tr
+from app.views.author import Author
 from app.views.compare import Beside
 from app.views.desk import Desk
 from app.views.exporting import Exporting, beside
@@ -59,6 +60,7 @@ class Files(QObject):
         self._greeting = ""
         self._leaving = Leaving(self, window)
         self.desk: Desk | None = None
+        self.author = Author(window, remembered, self)
         self.exporting = Exporting(window, work, self)
         self.exporting.said.connect(self.said)
         self.beside = Beside(window, work, self)
@@ -156,6 +158,7 @@ class Files(QObject):
         self.close()
         self._opening = path = opened.path
         self.desk = desk = Desk(opened.document, self._window.workspace, self)
+        self.author.sign()
         desk.changed.connect(self.changed)
         desk.drawn.connect(self.beside.draw)
         desk.progressed.connect(self.progressed)

@@ -197,7 +197,7 @@ class PictureView(Canvas):
         draw_people(painter, self._scene.people, self.viewport, shown)
         draw_parts(painter, self._labels.parts, self.viewport, shown)
         movable = self._movable()
-        if movable is not None:
+        if movable is not None and not self._labels.labelling:
             rect = self.viewport.rect(QRectF(*movable.box))
             draw_handles(painter, rect, QColor(*movable.colour))
         if self._scene.drawing and self._hover is not None:

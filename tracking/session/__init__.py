@@ -8,6 +8,7 @@ from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import Runs
 from tracking.session.saving import generations
+from tracking.session.stamping import author_named
 
 __all__ = [
     "KnownRecordings",
@@ -17,6 +18,7 @@ __all__ = [
     "Runs",
     "Session",
     "SourceFingerprint",
+    "author_named",
     "describe",
     "generations",
 ]

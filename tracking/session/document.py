@@ -33,7 +33,8 @@ class Session:
     """One recording's tracks as trackers found them and as people put them right.
 
     Used from one thread; only `PendingSave.write` may run on another. With a path, every edit is
-    in the journal on disk before `apply` returns.
+    in the journal on disk before `apply` returns. Edits are logged under `author`, which may be
+    set to another name at any time.
     """
 
     def __init__(self, snapshot: Snapshot, path: Path | None, author: str) -> None:
@@ -44,7 +45,7 @@ class Session:
         self._adopted = snapshot.adopted
         self._runs = Runs(snapshot.runs)
         self._path = path
-        self._author = author
+        self.author = author
         self._store: Store | None = None
         self._pending: PendingSave | None = None
         self._notes: list[str] = []
@@ -189,7 +190,7 @@ class Session:
         (nothing is changed then), SessionError for a session open for reading only.
         """
         change = with_parts_carried(change, self.labels)
-        entry = self.history.draft(change, now(), self._author)
+        entry = self.history.draft(change, now(), self.author)
         return self._do("apply", entry, change)
 
     def undo(self) -> Entry:
@@ -208,7 +209,7 @@ class Session:
         Raises EditError that names the later edit which stands on it, and as `apply`.
         """
         change = plan_undo_alone(self.history, self.labels, number)
-        entry = self.history.draft(change, now(), self._author, undoes=number)
+        entry = self.history.draft(change, now(), self.author, undoes=number)
         return self._do("apply", entry, change)
 
     def add_run(self, run: Run, *, adopt: bool = True) -> int:

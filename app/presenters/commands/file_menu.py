@@ -16,6 +16,7 @@ COMMANDS: Final = (
     Command("file.export_mot", "File", "Export MOT text...", ("Ctrl+E",), session, icon="export"),
     Command("file.export_log", "File", "Export the log of edits...", (), session),
     Command("file.compare", "File", "Compare with another session...", (), session),
+    Command("file.author", "File", "Your name in the history...", (), separated=True),
     Command("file.close", "File", "Close recording", ("Ctrl+W",), recording, separated=True),
     Command("file.quit", "File", "Quit", ("Ctrl+Q",)),
 )
