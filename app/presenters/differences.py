@@ -277,7 +277,16 @@ class Comparison:
             takeable=sum(not one.protected for one in found),
             can_drop=self._can_drop,
             doing=doing,
-            text="" if found or doing else tr("Nothing differs."),
+            text="" if found or doing else self._same_words(),
+        )
+
+    def _same_words(self) -> str:
+        """What is said where nothing differs."""
+        if self.base is not None:
+            return tr("The two runs say the same over the frames of both.")
+        return tr(
+            "Nothing differs: the run says what the corrected tracks say, and where a person "
+            "corrected something, it goes on from there."
         )
 
     @property

@@ -10,8 +10,7 @@ from app.presenters.review_scene import Order, ReviewItem, ReviewKind, ReviewPer
 from app.presenters.scenes import MarkKind, TimelineMark
 from app.presenters.words import time_text, tr
 from tracking.editing import Change, plan_verdict, with_verdict
-from tracking.review import Suspicion, SuspicionKey
-from tracking.review.queue import open_suspicions, ranked
+from tracking.review import Suspicion, SuspicionKey, open_suspicions, ranked
 from tracking.tracks import Labels, Verdict
 
 _KINDS: Final = {

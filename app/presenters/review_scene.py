@@ -65,8 +65,9 @@ class ReviewScene:
         left: how many are undecided, of all kinds.
         kinds: what there is; kind: the chosen one, "" for all.
         plays: a stretch is played as soon as it is jumped to.
-        also: further reasons of the current one. doing: what goes on, "" at rest. title, text: said where there is nothing to list.
-        meter: how the review gets on; meter_help: what its words mean.
+        also: further reasons of the current one. doing: what goes on, "" at rest.
+        title, text: said where there is nothing to list.
+        meter: how the review gets on.
     """
 
     items: tuple[ReviewItem, ...] = ()
@@ -81,4 +82,3 @@ class ReviewScene:
     title: str = ""
     text: str = ""
     meter: str = ""
-    meter_help: str = ""

@@ -69,6 +69,7 @@ class Comparing(QObject):
             return
         self.close()
         self._document.correcting.leave()
+        self._searched = ()
         self._comparison = Comparison(session, run, base, self._document.recording.fps)
         self._document.comparison = self._comparison
         self.refresh()

@@ -65,6 +65,7 @@ class DifferencesPanel(Panel):
             body.addWidget(label)
         body.addLayout(self._build_ticks())
         body.addLayout(self._build_ends())
+        body.addStretch(0)
         self.layout_body(body)
         self.hide()
 
@@ -104,6 +105,7 @@ class DifferencesPanel(Panel):
     def _build_ticks(self) -> QHBoxLayout:
         line = QHBoxLayout()
         self._ticks = quiet("", self)
+        self._tick_line: list[QWidget] = [self._ticks]
         line.addWidget(self._ticks, 1)
         for text, name, on in (
             (self.tr("Tick all"), self.tr("Tick all that are listed"), True),
@@ -116,6 +118,7 @@ class DifferencesPanel(Panel):
             button.clicked.connect(lambda _=False, on=on: self.all_ticked.emit(on))
             line.addWidget(button)
             line.addSpacing(8)
+            self._tick_line.append(button)
         return line
 
     def _build_ends(self) -> QVBoxLayout:
@@ -154,7 +157,9 @@ class DifferencesPanel(Panel):
         self._orders.setCurrentIndex(self._orders.findData(scene.order.value))
         self._legend.set_words(scene.dashed.short, scene.solid.short)
         self._count.setText(str(len(scene.items)) if scene.items else "")
-        self._list.setVisible(bool(scene.items))
+        listed = bool(scene.items)
+        for widget in (self._legend, self._list, self._people, self._orders, *self._tick_line):
+            widget.setVisible(listed)
         for label, text in ((self._text, scene.text), (self._doing, scene.doing)):
             label.setText(text)
             label.setVisible(bool(text))
@@ -165,7 +170,8 @@ class DifferencesPanel(Panel):
         take = self.tr("Take {0} from {1}")
         self._take_dashed.setText(take.format(scene.ticked, scene.dashed.short))
         self._take_solid.setText(take.format(scene.ticked, scene.solid.short))
-        self._take_solid.setVisible(scene.solid.can_give)
+        self._take_dashed.setVisible(bool(scene.items))
+        self._take_solid.setVisible(bool(scene.items) and scene.solid.can_give)
         for button in (self._take_dashed, self._take_solid):
             button.setEnabled(scene.ticked > 0 and not scene.doing)
         self._drop.setVisible(scene.can_drop)

@@ -27,6 +27,7 @@ from app.views.review_list import ReviewDelegate, ReviewModel, row_height
 from app.views.theme import scaled_font
 
 _ROWS = 3  # seen at least
+_UNLIMITED = 2**24 - 1
 _SIGNS = {"Backspace": "\u232b", "Return": "\u21b5"}
 """Keys with a sign of their own, where there is little room."""
 
@@ -156,10 +157,8 @@ class ReviewPanel(Panel):
         self._say(self._text, "" if listed else scene.text)
         self._say(self._doing, scene.doing)
         self._say(self._meter, scene.meter)
-        self._meter.setToolTip(scene.meter_help)
         # Without a list it gives the room to the panels below.
-        wanted = QSizePolicy.Policy.Preferred if listed else QSizePolicy.Policy.Maximum
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, wanted)
+        self.setMaximumHeight(_UNLIMITED if listed else self._rows.totalMinimumSize().height())
 
     def _say(self, label: QLabel, text: str) -> None:
         label.setText(text)

@@ -8,13 +8,14 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.background import Job, Progress
+from app.presenters.review_meter import measured, measures_text
 from app.presenters.words import tr
-from tracking.review import Suspicion
-from tracking.review.searching import find_suspicions
+from tracking.recording import Recording
+from tracking.review import find_suspicions
 from tracking.tracks import Labels, Run, TrackTable
 
-Subject = Callable[[], tuple[TrackTable, Run | None, Labels]]
-"""A copy of the tracks to look through, the run they come from, the labels."""
+Subject = tuple[TrackTable, Run | None, Labels]
+"""The tracks to look through, the run they come from, the labels."""
 
 _QUIET_MS = 700
 
@@ -22,23 +23,35 @@ _QUIET_MS = 700
 class ReviewSearch(QObject):
     """Finds suspicions in the background; asked for again meanwhile, it begins anew.
 
-    Signals: `found(suspicions)`, a tuple; `changed()`, `doing` is another; `failed(error)`.
+    Signals: `found(suspicions)`, a tuple; `changed()`, `doing` or `measures` is another;
+    `failed(error)`.
+
+    Attributes:
+        doing: what goes on, in words; "" at rest.
+        measures: how good what was found is against the truth, in words; "" without a truth.
     """
 
     found = Signal(object)
     changed = Signal()
     failed = Signal(object)
 
-    def __init__(self, subject: Subject, fps: float, view: Any, parent: QObject) -> None:
-        """`subject` is asked when a search begins; `view` is the camera over its floor, or None."""
+    def __init__(
+        self, subject: Callable[[], Subject], recording: Recording, parent: QObject
+    ) -> None:
+        """`subject` is asked when a search begins, for a copy that nobody changes."""
         super().__init__(parent)
-        self.doing = ""
+        self.doing = self.measures = ""
         self._subject = subject
-        self._fps, self._view = fps, view
+        self._recording = recording
         self._job: Job | None = None
         self._again = False
         self._waiting = QTimer(self, singleShot=True, interval=_QUIET_MS)
         self._waiting.timeout.connect(self._begin)
+
+    @property
+    def busy(self) -> bool:
+        """Whether it looks, or is about to."""
+        return self._job is not None or self._waiting.isActive()
 
     def look(self, at_once: bool = False) -> None:
         """Look through the tracks as they are by then, once nothing was asked for a moment."""
@@ -57,31 +70,46 @@ class ReviewSearch(QObject):
             job.cancel()
             job.wait()
             job.deleteLater()
-        self._tell("")
+        self._tell("", "")
 
     def _begin(self) -> None:
         if self._job is not None:
             return  # it begins when the one at work has let go
         self._again = False
         table, run, labels = self._subject()
-        fps, view = self._fps, self._view
+        recording = self._recording
 
-        def work(progress: Progress) -> tuple[Suspicion, ...]:
-            return find_suspicions(table, run, fps, labels, view, progress)
+        def find(progress: Progress) -> object:
+            view, size = recording.view, recording.size
+            return find_suspicions(table, run, recording.fps, labels, view, progress, size=size)
 
+        self._tell(tr("Looking for what may be wrong..."), self.measures)
+        self._start(find, lambda found: self._take(found, table))
+
+    def _start(self, work: Callable[[Progress], object], done: Callable[[Any], None]) -> None:
         job = Job("suspicions", work, self)
         job.progressed.connect(self._show)
-        job.done.connect(lambda found: self._end(lambda: self.found.emit(found)))
+        job.done.connect(lambda result: self._end(lambda: done(result)))
         job.failed.connect(lambda error: self._end(lambda: self.failed.emit(error)))
         job.cancelled.connect(lambda: self._end(lambda: None))
         self._job = job
-        self._tell(tr("Looking for what may be wrong..."))
         job.start()
+
+    def _take(self, found: Any, table: TrackTable) -> None:
+        """Tell what was found; then, where there is a truth, measure how good that is."""
+        self.found.emit(found)
+        recording = self._recording
+        if recording.truth_path is not None:
+            self._start(
+                lambda _: measures_text(measured(found, table, recording)),
+                lambda text: self._tell("", text),
+            )
 
     def _show(self, done: int, total: int) -> None:
         if total > 0 and self._job is not None:
             share = 100 * done // total
-            self._tell(tr("Looking for what may be wrong... {share} %", share=share))
+            words = tr("Looking for what may be wrong... {share} %", share=share)
+            self._tell(words, self.measures)
 
     def _end(self, tell: Callable[[], None]) -> None:
         if self._job is not None:
@@ -91,10 +119,10 @@ class ReviewSearch(QObject):
             if not self._waiting.isActive():
                 self._begin()
             return
-        self._tell("")
+        self._tell("", self.measures)
         tell()
 
-    def _tell(self, doing: str) -> None:
-        if doing != self.doing:
-            self.doing = doing
+    def _tell(self, doing: str, measures: str) -> None:
+        if (doing, measures) != (self.doing, self.measures):
+            self.doing, self.measures = doing, measures
             self.changed.emit()

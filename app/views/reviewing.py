@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.document import Document
 from app.presenters.edits import EditKind
 from app.presenters.review import ReviewQueue, is_fixable, settled, verdict_on
+from app.presenters.review_meter import MeterWords
 from app.presenters.review_scene import Order, ReviewScene
 from app.presenters.watching import Watching
 from app.presenters.words import tr
@@ -48,9 +49,10 @@ class Reviewing(QObject):
         self.plays = False
         self._document, self._playback, self._editing = document, playback, editing
         self._panel = panel
-        self._search = ReviewSearch(self._subject, recording.fps, recording.view, self)
+        self._search = ReviewSearch(self._subject, recording, self)
         self._looked_at: tuple[object, ...] = ()
         self._labels: Labels | None = None
+        self._meter: MeterWords | None = None
         self._marked: tuple[Suspicion, ...] | None = None
         self._play_until: int | None = None
         self._fixing: Suspicion | None = None
@@ -82,6 +84,7 @@ class Reviewing(QObject):
         session = self._document.session
         if session is None or self._document.is_live:
             self._search.stop()
+            self._play_until = None
             self._looked_at, self._labels = (), None
             self.queue.take((), Labels())
         else:
@@ -89,6 +92,8 @@ class Reviewing(QObject):
             if now != self._looked_at:
                 first = not self._looked_at or self._looked_at[0] is not session
                 self._looked_at, self._problem = now, ""
+                if first:
+                    self._meter = MeterWords(session.labels, session.history)
                 self._search.look(at_once=first)
             if session.labels is not self._labels:
                 self._labels = session.labels
@@ -281,12 +286,22 @@ class Reviewing(QObject):
             doing=self._search.doing,
             title=title,
             text=text,
+            meter=self._meter_text(),
         )
+
+    def _meter_text(self) -> str:
+        session = self._document.session
+        if session is None or self._meter is None or self._document.is_live:
+            return ""
+        done = self._meter.text(session.labels, session.history, self.watching.minutes)
+        return "\n".join(line for line in (done, self._search.measures) if line)
 
     def _empty_words(self) -> tuple[str, str]:
         """What is said where nothing is listed."""
-        if self._document.session is None or self._document.is_live:
+        if self._document.session is None:
             return "", tr("What may be wrong is listed here once the recording is tracked.")
+        if self._document.is_live:
+            return "", tr("What may be wrong is looked for once the tracker is done.")
         if self._search.doing:
             return "", ""
         if self._problem:
