@@ -7,17 +7,19 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.evidence import Evidence, Flags, Floats, Rows
+from tracking.review.evidence import LOOKS, Evidence, Flags, Floats, Rows
 
 _WINDOW_S = 3.0
 """How far back, and ahead, looks are averaged."""
+EVERY_S = 0.1
+"""Looks are compared that often: they are means over seconds."""
 _GUARD_S = 0.1
 """Left out next to the moment itself."""
 _ALONE_M = 0.5
 """Nearer to somebody else, a region's colours may be both of theirs."""
 _LEAST_VISIBLE = 0.6
 _LEAST_ROWS = 3
-_NOISE = np.array([0.05, 9.0, 4.0, 4.0, 9.0, 4.0, 4.0])
+_NOISE = np.array([[0.05], [9.0], [4.0], [4.0], [9.0], [4.0], [4.0]])
 """Height in m and CIELAB of two bodies' halves: how much one person's windows differ, even where
 every row of them agrees: light and posture change from place to place."""
 _MOST = 9.0
@@ -29,11 +31,11 @@ class Looks:
     """Running sums of what is known of each row's looks, for means over any stretch of a track.
 
     Attributes:
-        count, total: (n + 1, 7) rows that count, and the sum of their values, up to each row.
+        count, total: (7, n + 1) rows that count, and the sum of their values, up to each row.
     """
 
     evidence: Evidence
-    count: Floats
+    count: NDArray[np.int32]
     total: Floats
 
     @classmethod
@@ -41,40 +43,62 @@ class Looks:
         """nearest_m: (n,) how far from each row the nearest other person is."""
         clean = ~evidence.predicted & (evidence.visibility >= _LEAST_VISIBLE)
         clean &= nearest_m > _ALONE_M
-        known = np.isfinite(evidence.looks) & clean[:, None]
-        nothing = np.zeros((1, evidence.looks.shape[1]))
-        value = np.where(known, evidence.looks, 0.0)
-        count = np.concatenate((nothing, np.cumsum(known, axis=0, dtype=np.float64)))
-        total = np.concatenate((nothing, np.cumsum(value, axis=0, dtype=np.float64)))
+        count = np.zeros((len(LOOKS), len(evidence) + 1), np.int32)
+        total = np.zeros((len(LOOKS), len(evidence) + 1))
+        for number, values in enumerate(evidence.looks):
+            known = np.isfinite(values) & clean
+            np.cumsum(known, out=count[number, 1:])
+            np.cumsum(np.where(known, values, np.float32(0)), out=total[number, 1:])
         return cls(evidence, count, total)
 
     def before(self, track: Rows, frame: Rows) -> Floats:
-        """(k, 7) mean looks of tracks in the seconds before frames; NaN where not known."""
+        """(7, k) mean looks of tracks in the seconds before frames; NaN where not known."""
         window, guard = (self.evidence.frames_of(s) for s in (_WINDOW_S, _GUARD_S))
         return self._mean(track, frame - guard - window, frame - guard)
 
     def after(self, track: Rows, frame: Rows) -> Floats:
-        """(k, 7) the same from the frames on."""
+        """(7, k) the same from the frames on."""
         window, guard = (self.evidence.frames_of(s) for s in (_WINDOW_S, _GUARD_S))
         return self._mean(track, frame + guard, frame + guard + window)
 
     def _mean(self, track: Rows, start: Rows, end: Rows) -> Floats:
         low = self.evidence.row_from(track, np.maximum(start, 0))
         high = self.evidence.row_from(track, np.maximum(end, 0))
-        count = self.count[high] - self.count[low]
-        mean = (self.total[high] - self.total[low]) / np.maximum(count, 1.0)
+        count = self.count[:, high] - self.count[:, low]
+        mean = (self.total[:, high] - self.total[:, low]) / np.maximum(count, 1)
         return np.where(count >= _LEAST_ROWS, mean, np.nan)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Sides:
+    """How tracks look on both sides of moments `EVERY_S` apart.
+
+    Attributes:
+        row: (k,) of the evidence. before, after: (7, k).
+    """
+
+    row: Rows
+    before: Floats
+    after: Floats
+
+    @classmethod
+    def of(cls, looks: Looks) -> Sides:
+        """At all such moments of all tracks."""
+        evidence = looks.evidence
+        row = np.flatnonzero(evidence.frame % evidence.frames_of(EVERY_S) == 0)
+        track, frame = evidence.track[row], evidence.frame[row]
+        return cls(row, looks.before(track, frame), looks.after(track, frame))
+
+
 def unlikeness(one: Floats, other: Floats) -> Floats:
-    """(k,) how unlike two looks (k, 7) are: the mean squared deviation in units of the usual one.
+    """(k,) how unlike two looks (7, k) are: the mean squared deviation in units of the usual one.
 
     About 1 for one person at two times; NaN where nothing is known of both.
     """
     squared = np.minimum(((one - other) / _NOISE) ** 2, _MOST)
     known = np.isfinite(squared)
-    total = np.where(known, squared, 0.0).sum(axis=1)
-    count = known.sum(axis=1)
+    total = np.where(known, squared, 0.0).sum(axis=0)
+    count = known.sum(axis=0)
     return np.where(count > 0, total / np.maximum(count, 1), np.nan)
 
 
@@ -96,8 +120,3 @@ def changed_over(looks: Looks, first: Rows, second: Rows, frame: Rows) -> Floats
     known: Flags = np.isfinite(votes)
     total = np.where(known, votes, 0.0).sum(axis=0)
     return np.where(known.any(axis=0), total, np.nan)
-
-
-def changed(looks: Looks, track: NDArray[np.int64], frame: NDArray[np.int64]) -> Floats:
-    """(k,) how unlike itself a track looks before and after a frame; NaN where not known."""
-    return unlikeness(looks.before(track, frame), looks.after(track, frame))

@@ -36,7 +36,7 @@ class Evidence:
             of a usual body; NaN where unknown.
         box: (n, 4) left, top, width, height in px. predicted: (n,). visibility: (n,) 0 to 1.
         source: (n,) see `tracking.tracks.Source`.
-        looks: (n, 7) height in m and the CIELAB of upper and lower body; NaN where not noticed.
+        looks: (7, n) height in m and the CIELAB of upper and lower body; NaN where not noticed.
         spread_m, split: (n,) of the particles; NaN where not noticed.
         margin: (n,) of the association; NaN where there was none or no other choice.
         failed: (n,) how many of the person's parts have failed.
@@ -106,7 +106,7 @@ def gathered(table: TrackTable, run: Run | None, fps: float) -> Evidence:
         predicted=columns["predicted"],
         visibility=np.nan_to_num(columns["visibility"].astype(np.float64), nan=1.0),
         source=columns["source"],
-        looks=np.stack([source.signal(name) for name in LOOKS], axis=1),
+        looks=np.stack([source.signal(name) for name in LOOKS]),
         spread_m=source.signal("spread_m"),
         split=source.signal("split"),
         margin=source.margin(),

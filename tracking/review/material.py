@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.review.appearance import Looks
+from tracking.review.appearance import Looks, Sides
 from tracking.review.evidence import Evidence, Flags, Floats, Rows
 from tracking.review.neighbours import Neighbours, neighbours
 from tracking.tracks import Occluder
@@ -25,6 +25,8 @@ class Material:
 
     Attributes:
         evidence: the rows. near: pairs within `REACH_M`. looks: over time.
+        nearest: (n,) the track nearest to each row in its frame; 0 where nobody is within reach.
+        sides: how tracks look before and after moments a tenth of a second apart.
         first, last: (t,) first and last row of each track.
         size: of the picture in px; of what the boxes reach where no camera is known.
         occluders: of the labels.
@@ -33,6 +35,8 @@ class Material:
     evidence: Evidence
     near: Neighbours
     looks: Looks
+    nearest: Rows
+    sides: Sides
     first: Rows
     last: Rows
     size: tuple[float, float]
@@ -47,10 +51,13 @@ class Material:
         ends = np.flatnonzero(~evidence.goes_on)
         first = np.concatenate(([0], ends + 1)).astype(np.int64)[: len(ends) + 1]
         last = np.concatenate((ends, [len(evidence) - 1])).astype(np.int64)
+        looks = Looks.of(evidence, near.nearest_m)
         return cls(
             evidence,
             near,
-            Looks.of(evidence, near.nearest_m),
+            looks,
+            _nearest(evidence, near),
+            Sides.of(looks),
             first if len(evidence) else first[:0],
             last if len(evidence) else last[:0],
             size or _reached(evidence),
@@ -79,16 +86,16 @@ class Material:
                 hidden |= _within(point, np.array(occluder.polygon))
         return hidden
 
-    def nearest(self, rows: Rows) -> Rows:
-        """(k,) the track nearest to each row in its frame; 0 where nobody is within reach."""
-        near = self.near
-        one = np.concatenate((near.first, near.second))
-        other = np.concatenate((near.second, near.first))
-        # Of what is written to one place several times the last stays: the nearest.
-        order = np.argsort(-np.tile(near.distance_m, 2), kind="stable")
-        tracks = np.zeros(len(self.evidence), np.int64)
-        tracks[one[order]] = self.evidence.track[other[order]]
-        return tracks[rows]
+
+def _nearest(evidence: Evidence, near: Neighbours) -> Rows:
+    """(n,) the track nearest to each row in its frame; 0 where nobody is within reach."""
+    one = np.concatenate((near.first, near.second))
+    other = np.concatenate((near.second, near.first))
+    # Of what is written to one place several times the last stays: the nearest.
+    order = np.argsort(-np.tile(near.distance_m, 2), kind="stable")
+    tracks = np.zeros(len(evidence), np.int64)
+    tracks[one[order]] = evidence.track[other[order]]
+    return tracks
 
 
 def _within(points: Floats, polygon: Floats) -> Flags:

@@ -8,15 +8,16 @@ import numpy as np
 
 from tracking.geometry import View
 from tracking.review.costs import costs
-from tracking.review.evidence import Rows, gathered
-from tracking.review.joining import Places, Reasons, joined_places, stacked
+from tracking.review.evidence import gathered
+from tracking.review.joining import Reasons, joined_places, stacked
 from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
 from tracking.review.material import Material
 from tracking.review.queue import ranked
 from tracking.review.reasons import REASONS
+from tracking.review.speaking import Speaker
 from tracking.review.stretches import stretches
 from tracking.review.suspicion import Suspicion
-from tracking.review.wording import fix, sentence
+from tracking.review.wording import fix
 from tracking.tracks import Labels, Run, TrackTable
 
 Progress = Callable[[int, int], None]
@@ -80,58 +81,39 @@ def _suspicions(material: Material, reasons: Reasons) -> list[Suspicion]:
     evidence = material.evidence
     places = joined_places(reasons, evidence.frames_of(JOINED_S))
     leader = places.leader
-    likely = likelihoods(reasons.kinds, places.strength, reasons.second[leader] > 0)
     first, second, frame = reasons.first[leader], reasons.second[leader], reasons.frame[leader]
-    cost = costs(material, first, second, frame)
+    likely = likelihoods(reasons.kinds, places.strength, second > 0)
     start, end = stretches(reasons, places, evidence)
-    spoken = _spoken(reasons, places)
+    cost = costs(material, first, second, frame)
     told = np.flatnonzero(likely >= _LEAST)
-    figures = (column[told].tolist() for column in (start, end, likely, cost))
+    figures = (column[told].tolist() for column in (leader, start, end, likely, cost))
+    speaker = Speaker.of(reasons, places, evidence.fps)
     return [
-        _suspicion(reasons, int(leader[place]), spoken[place], evidence.fps, *numbers)
+        _suspicion(speaker, place, *numbers)
         for place, *numbers in zip(told.tolist(), *figures, strict=True)
     ]
 
 
-def _spoken(reasons: Reasons, places: Places) -> list[Rows]:
-    """For each place its reasons, the weightiest first."""
-    order = np.lexsort((-reasons.weight[places.reason], places.place))
-    place, reason = places.place[order], places.reason[order]
-    cuts = np.searchsorted(place, np.arange(1, len(places.leader)))
-    return np.split(reason, cuts)
-
-
 def _suspicion(
-    reasons: Reasons,
+    speaker: Speaker,
+    place: int,
     leader: int,
-    rows: Rows,
-    fps: float,
     start: int,
     end: int,
     likelihood: float,
     cost: float,
 ) -> Suspicion:
-    first, second = int(reasons.first[leader]), int(reasons.second[leader])
-    kind = reasons.kinds[int(reasons.kind[leader])]
-    strongest: dict[int, int] = {}
-    for row in (leader, *rows.tolist()):
-        strongest.setdefault(int(reasons.kind[row]), row)
-    texts = tuple(_said(reasons, row, fps) for row in strongest.values())
+    kind, first, second, frame, _ = speaker.reasons[leader]
+    text, *others = speaker.said(place, leader)
     return Suspicion(
         kind=kind,
-        tracks=tuple(sorted({first, second} - {0})),
-        frame=int(reasons.frame[leader]),
+        tracks=(min(first, second), max(first, second)) if second else (first,),
+        frame=frame,
         start=start,
         end=end,
         likelihood=likelihood,
         cost=cost,
-        text=texts[0],
+        text=text,
         fix=fix(kind, second),
-        others=texts[1:],
+        others=tuple(others),
     )
-
-
-def _said(reasons: Reasons, row: int, fps: float) -> str:
-    kind = reasons.kinds[int(reasons.kind[row])]
-    first, second = int(reasons.first[row]), int(reasons.second[row])
-    return sentence(kind, first, second, float(reasons.figure[row]), reasons.frame[row] / fps)

@@ -5,11 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.review.appearance import unlikeness
-from tracking.review.evidence import Floats, Rows
+from tracking.review.evidence import Floats
 from tracking.review.found import Found, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
-_EVERY_S = 0.1
 _APART_S = 2.0
 _LOW, _HIGH = 1.0, 5.0
 """Mean squared deviation in units of what is usual for one person."""
@@ -18,31 +17,22 @@ _LOW_M, _HIGH_M = 0.12, 0.3
 
 def colour_changes(material: Material) -> Found:
     """Where the colours of a track's clothes change most, if they change."""
-    rows, before, after = _both_sides(material)
-    before[:, 0] = np.nan  # the height
+    before, after = material.sides.before.copy(), material.sides.after
+    before[0] = np.nan  # the height
     value = unlikeness(before, after)
-    return _greatest("colour", material, rows, value, ramp(value, _LOW, _HIGH))
+    return _greatest("colour", material, value, ramp(value, _LOW, _HIGH))
 
 
 def height_changes(material: Material) -> Found:
     """Where the measured height of a track changes most, if it changes."""
-    rows, before, after = _both_sides(material)
-    value = np.abs(before[:, 0] - after[:, 0])
-    return _greatest("height", material, rows, value, ramp(value, _LOW_M, _HIGH_M))
+    value = np.abs(material.sides.before[0] - material.sides.after[0])
+    return _greatest("height", material, value, ramp(value, _LOW_M, _HIGH_M))
 
 
-def _both_sides(material: Material) -> tuple[Rows, Floats, Floats]:
-    """Rows a tenth of a second apart, and how their tracks look before and after them."""
-    evidence = material.evidence
-    rows = np.flatnonzero(evidence.frame % evidence.frames_of(_EVERY_S) == 0)
-    track, frame = evidence.track[rows], evidence.frame[rows]
-    return rows, material.looks.before(track, frame), material.looks.after(track, frame)
-
-
-def _greatest(kind: str, material: Material, rows: Rows, value: Floats, strength: Floats) -> Found:
+def _greatest(kind: str, material: Material, value: Floats, strength: Floats) -> Found:
     evidence = material.evidence
     told = np.flatnonzero(strength > 0.0)
-    rows, value, strength = rows[told], value[told], strength[told]
+    rows, value, strength = material.sides.row[told], value[told], strength[told]
     apart = evidence.frames_of(_APART_S)
     best = peaks(evidence.track[rows], evidence.frame[rows], value, apart)
     rows = rows[best]

@@ -60,7 +60,7 @@ def beginnings(material: Material) -> Found:
 def _beside(kind: str, material: Material, rows: Rows) -> Found:
     """The rows' tracks, with whoever is near."""
     evidence = material.evidence
-    other, track, frame = material.nearest(rows), evidence.track[rows], evidence.frame[rows]
+    other, track, frame = material.nearest[rows], evidence.track[rows], evidence.frame[rows]
     distance_m = material.near.nearest_m[rows]
     strength = np.where(other > 0, 1.0, _ALONE)
     alone, near = np.flatnonzero(other == 0), np.flatnonzero(other > 0)

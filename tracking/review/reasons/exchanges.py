@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.appearance import changed_over
+from tracking.review.appearance import EVERY_S, changed_over
 from tracking.review.evidence import keys
 from tracking.review.found import Found, of_pairs, peaks, ramp
 from tracking.review.material import Material
 
 _APART_S = 1.5
+_FOR_NEAR = 0.3
 _LOW, _HIGH = 0.5, 6.0
 """How much better the looks agree changed over: from hardly to clearly."""
 
@@ -17,11 +18,12 @@ _LOW, _HIGH = 0.5, 6.0
 def exchanges(material: Material) -> Found:
     """Where two tracks' colours and heights agree best with their names changed over."""
     evidence, near = material.evidence, material.near
-    first, second = evidence.track[near.first], evidence.track[near.second]
-    frame = evidence.frame[near.first]
+    looked = np.flatnonzero(evidence.frame[near.first] % evidence.frames_of(EVERY_S) == 0)
+    first, second = evidence.track[near.first[looked]], evidence.track[near.second[looked]]
+    frame = evidence.frame[near.first[looked]]
     better = changed_over(material.looks, first, second, frame)
     # Of frames about as good the one in which they were nearest.
-    value = better - 0.3 * near.distance_m
+    value = better - _FOR_NEAR * near.distance_m[looked]
     told = np.flatnonzero(better > _LOW)
     pair = keys(first[told], second[told])
     best = told[peaks(pair, frame[told], value[told], evidence.frames_of(_APART_S))]

@@ -23,7 +23,7 @@ def small_margins(material: Material) -> Found:
     apart = evidence.frames_of(_APART_S)
     best = peaks(evidence.track[rows], evidence.frame[rows], -margin, apart)
     rows, margin = rows[best], np.maximum(margin[best], 0.0)
-    other = material.nearest(rows)
+    other = material.nearest[rows]
     track, frame = evidence.track[rows], evidence.frame[rows]
     strength = 0.01 + ramp(margin, _HIGH, _LOW)
     alone, near = np.flatnonzero(other == 0), np.flatnonzero(other > 0)

@@ -36,7 +36,7 @@ def long_predictions(material: Material) -> Found:
     seconds[evidence.track[again] != evidence.track[before]] = 0.0
     told = np.flatnonzero(seconds >= _LEAST_S)
     rows, seconds = again[told], seconds[told]
-    other = material.nearest(rows)
+    other = material.nearest[rows]
     track, frame = evidence.track[rows], evidence.frame[rows]
     strength = 0.1 + ramp(seconds, _LEAST_S, _LONG_S)
     alone, near = np.flatnonzero(other == 0), np.flatnonzero(other > 0)
