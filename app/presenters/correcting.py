@@ -145,10 +145,10 @@ class Correcting:
 
     def _with_other(self, flow: EditFlow, other: int) -> EditFlow:
         """The edit with its second person; for a swap with the frames where they changed over."""
-        on, cuts = self._ground(), ()
-        if flow.kind is EditKind.SWAP and on is not None and other != flow.track:
-            cuts = changed_over(on, flow.track, other, flow.cut)
-        return flow.with_other(other, cuts)
+        on = self._ground()
+        if flow.kind is not EditKind.SWAP or on is None or other == flow.track:
+            return flow.with_other(other)
+        return flow.with_other(other, changed_over(on, flow.track, other, flow.cut))
 
     # changing
 

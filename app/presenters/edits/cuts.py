@@ -2,25 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from app.presenters.edits.ground import Ground
-from tracking.editing import propose_swap_frame
+from tracking.editing import SwapFrame, propose_swap_frames
 from tracking.errors import EditError
 
-
-@dataclass(frozen=True, slots=True)
-class SwapFrame:
-    """A frame from which two people may bear each other's id."""
-
-    frame: int
-    likelihood: float
-    text: str
+_MOST = 4
+_LEAST_LIKELY = 0.01
 
 
 def changed_over(on: Ground, track: int, other: int, near: int) -> tuple[SwapFrame, ...]:
     """The likeliest first; nothing where the two cannot be compared: the plan says why."""
     try:
-        return (SwapFrame(propose_swap_frame(on.table, track, other, near), 1.0, "came closest"),)
+        found = propose_swap_frames(on.table, track, other, near, on.signals, _MOST)
     except EditError:
         return ()
+    return tuple(one for one in found if one is found[0] or one.likelihood >= _LEAST_LIKELY)

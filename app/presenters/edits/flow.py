@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from app.presenters.edits.cuts import SwapFrame
 from app.presenters.edits.footing import Box, Place
 from app.presenters.edits.kinds import OF_TWO, PLACING, SCOPES, WAYS, EditKind, Scope, Way
+from tracking.editing import SwapFrame
 
 Range = tuple[int, int]
 """A half-open range of frames."""

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.presenters.edits.flow import EditFlow, Fill, Option
 from app.presenters.edits.ground import Ground
@@ -14,7 +15,7 @@ from app.presenters.palette import colour_of_track
 from app.presenters.scenes import ChoiceRow, EditPreview, Proposal
 from app.presenters.words import counted, time_text, tr
 from tracking.editing import Change
-from tracking.tracks import TrackTable, next_track
+from tracking.tracks import Columns, TrackTable, next_track
 
 _TITLES: Final[Mapping[EditKind, str]] = {
     EditKind.SWAP: "Swap {a} with...",
@@ -35,6 +36,7 @@ _TITLES: Final[Mapping[EditKind, str]] = {
     EditKind.REVIEW: "Mark {a} as reviewed",
 }
 _MOST_NAMED = 4
+Places = NDArray[np.int64]
 
 
 def preview_scene(
@@ -181,11 +183,13 @@ def rows_changed(
     return come, gone, changed
 
 
-def _places(rows: Mapping[str, np.ndarray]) -> np.ndarray:
-    return (rows["track"].astype(np.int64) << 32) | rows["frame"]
+def _places(rows: Columns) -> Places:
+    """(n,) one number for each track and frame."""
+    places: Places = (rows["track"].astype(np.int64) << 32) | rows["frame"]
+    return places
 
 
-def _per_track(places: np.ndarray) -> dict[int, int]:
+def _per_track(places: Places) -> dict[int, int]:
     tracks, counts = np.unique(places >> 32, return_counts=True)
     return dict(zip(tracks.tolist(), counts.tolist(), strict=True))
 

@@ -1,10 +1,22 @@
 import pytest
 import two_people
 
-from app.presenters.edit_flow import EditFlow, EditKind, Scope
-from app.presenters.edit_preview import planned_edit, preview_trails, rows_changed
+from app.presenters.edits import (
+    EditFlow,
+    EditKind,
+    Footing,
+    Ground,
+    PreviewedTracks,
+    Scope,
+    planned_edit,
+    preview_trails,
+)
+from app.presenters.edits.cuts import changed_over
+from app.presenters.edits.planning import plan_of
+from app.presenters.edits.wording import rows_changed
+from app.presenters.session_tracks import SessionTracks
 from app.presenters.trails import floor_points
-from tracking.editing import apply_change, plan_delete
+from tracking.editing import SwapFrame, apply_change, plan_delete, plan_swap
 from tracking.errors import EditError
 from tracking.tracks import Labels
 
@@ -16,26 +28,44 @@ def table():
     return two_people.table()
 
 
+def _on(table) -> Ground:
+    return Ground(table, Labels(), Footing(None, two_people.FRAMES, FPS, (640, 480)))
+
+
 def _swap(table, frame=30) -> EditFlow:
-    return EditFlow.begin(EditKind.SWAP, 4, frame, FPS).with_other(7, table)
+    flow = EditFlow.begin(EditKind.SWAP, 4, frame, FPS)
+    return flow.with_other(7, (SwapFrame(50, 0.9, "they meet"), SwapFrame(61, 0.1, "7 is lost")))
+
+
+def _planned(flow, table, problem=""):
+    return planned_edit(flow, _on(table), problem)
 
 
 def test_a_swap_waits_for_the_other_person(table):
     flow = EditFlow.begin(EditKind.SWAP, 4, 30, FPS)
     assert flow.needs_other
     with pytest.raises(EditError, match="click on them"):
-        flow.plan(table, Labels())
-    assert not flow.with_other(7, table).needs_other
+        plan_of(flow, _on(table))
+    assert not flow.with_other(7).needs_other
 
 
 def test_a_person_cannot_be_the_other_one_of_their_own_swap(table):
-    assert EditFlow.begin(EditKind.SWAP, 4, 30, FPS).with_other(4, table).needs_other
+    assert EditFlow.begin(EditKind.SWAP, 4, 30, FPS).with_other(4).needs_other
 
 
-def test_the_swap_is_proposed_where_the_two_crossed(table):
-    flow = _swap(table)
+def test_a_swap_is_proposed_where_two_changed_over(table):
+    apply_change(table, Labels(), plan_swap(table, 4, 7, 50))
+    cuts = changed_over(_on(table), 4, 7, 30)
+    flow = EditFlow.begin(EditKind.SWAP, 4, 30, FPS).with_other(7, cuts)
     assert abs(flow.cut - 50) <= 3
     assert flow.proposed
+
+
+def test_the_frames_found_are_gone_through_and_round_again(table):
+    flow = _swap(table)
+    seen = [flow.at_cut(flow.cut_number + step) for step in (0, 1, 2, -1)]
+    assert [one.cut for one in seen] == [50, 61, 50, 61]
+    assert [one.end - one.cut for one in seen] == [20] * 4
 
 
 def test_moving_the_cut_takes_the_range_along_and_stays_in_the_recording(table):
@@ -55,21 +85,29 @@ def test_the_end_of_the_range_moves_but_never_before_the_cut(table):
 def test_the_scope_goes_round_and_says_where_the_edit_ends(table):
     flow = _swap(table)
     stops = []
-    for _ in range(4):
-        stops.append((flow.scope, flow.stop))
-        flow = flow.with_choice(flow.choice + 1)
+    for _ in range(5):
+        stops.append((flow.scope, flow.start, flow.stop))
+        flow = flow.with_choice(0, flow.chosen(0) + 1)
     cut = flow.cut
     assert stops == [
-        (Scope.ON, None),
-        (Scope.RANGE, cut + 20),
-        (Scope.FRAME, cut + 1),
-        (Scope.ON, None),
+        (Scope.ON, cut, None),
+        (Scope.RANGE, cut, cut + 20),
+        (Scope.FRAME, cut, cut + 1),
+        (Scope.WHOLE, 0, None),
+        (Scope.ON, cut, None),
     ]
+
+
+def test_a_range_the_user_has_set_is_the_one_that_is_meant():
+    flow = EditFlow.begin(EditKind.DELETE, 4, 30, FPS, marked=(12, 18))
+    assert (flow.cut, flow.stop) == (30, None)
+    ranged = flow.with_scope(Scope.RANGE)
+    assert (ranged.cut, ranged.stop) == (12, 18)
 
 
 def test_a_split_has_one_scope_and_ignores_others():
     flow = EditFlow.begin(EditKind.SPLIT, 4, 30, FPS)
-    assert flow.with_choice(2) == flow
+    assert flow.with_choice(0, 2) == flow
 
 
 @pytest.mark.parametrize(
@@ -80,26 +118,29 @@ def test_a_split_has_one_scope_and_ignores_others():
     ],
 )
 def test_an_edit_of_one_person_is_ready_at_once(table, kind, words):
-    planned = planned_edit(EditFlow.begin(kind, 4, 30, FPS), table, Labels(), FPS)
+    planned = _planned(EditFlow.begin(kind, 4, 30, FPS), table)
     assert planned.scene.ready
     assert planned.scene.title == words
 
 
 def test_a_preview_says_scope_frame_and_what_changes(table):
-    planned = planned_edit(_swap(table), table, Labels(), FPS)
+    planned = _planned(_swap(table), table)
     scene = planned.scene
-    assert scene.choice == 0
-    assert scene.choices == ("from here on", "this range", "this frame")
+    (row,) = scene.choices
+    assert (row.chosen, row.key) == (0, "R")
+    assert row.options == ("from here on", "this range", "this frame", "the whole track")
     assert scene.other == 7
     assert f"frame {scene.frame}" in scene.title.lower()
-    assert "came closest" in scene.details[0]
+    assert scene.cuts[0].chosen
+    assert scene.cuts[0].why in scene.details[0]
     assert "frames of 4" in scene.details[1]
-    assert scene.hint == "Left / Right move the frame, R changes how far"
+    assert scene.hint.startswith("Left / Right move the frame")
+    assert scene.hint.endswith("R changes how far")
 
 
 def test_a_preview_that_does_not_apply_says_why_and_is_not_ready(table):
     flow = EditFlow.begin(EditKind.SPLIT, 4, 0, FPS)
-    planned = planned_edit(flow, table, Labels(), FPS)
+    planned = _planned(flow, table)
     assert not planned.scene.ready
     assert planned.change is None
     assert "cannot be split at 0" in planned.scene.details[0]
@@ -107,12 +148,12 @@ def test_a_preview_that_does_not_apply_says_why_and_is_not_ready(table):
 
 def test_planning_does_not_touch_the_tracks(table):
     before = table.columns()["track"].tolist()
-    planned_edit(_swap(table), table, Labels(), FPS)
+    _planned(_swap(table), table)
     assert table.columns()["track"].tolist() == before
 
 
 def test_the_trails_after_a_swap_change_over_at_the_cut(table):
-    planned = planned_edit(_swap(table), table, Labels(), FPS)
+    planned = _planned(_swap(table), table)
     trails = preview_trails(planned, floor_points)
     assert [trail.after for trail in trails] == [False, False, True, True]
     was, now = trails[0].points, trails[2].points
@@ -122,37 +163,59 @@ def test_the_trails_after_a_swap_change_over_at_the_cut(table):
 
 
 def test_a_merge_counts_all_rows_of_the_second_person(table):
-    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7, table)
-    change = flow.plan(table, Labels())
-    assert sum(rows_changed(change, table).values()) == 90
+    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7)
+    change = plan_of(flow, _on(table))
+    new, gone, changed = rows_changed(change, table)
+    assert sum(gone.values()) + sum(changed.values()) == 90
+    assert not new
     assert not flow.has_cut
 
 
 def test_a_merge_asks_whom_to_keep_where_both_stand(table):
-    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7, table)
-    scene = planned_edit(flow, table, Labels(), FPS).scene
-    assert scene.choice_title == "Where both stand"
-    assert scene.choices == ("keep 4", "keep 7")
+    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7)
+    scene = _planned(flow, table).scene
+    row = scene.choices[0]
+    assert row.title == "Where both stand"
+    assert row.options == ("keep 4", "keep 7", "keep the surer")
     assert "4 is kept" in scene.title
-    other = planned_edit(flow.with_choice(1), table, Labels(), FPS).scene
+    other = _planned(flow.with_choice(0, 1), table).scene
     assert "7 is kept" in other.title
-    assert other.choice == 1
-    assert flow.with_choice(2) == flow
+    assert other.choices[0].chosen == 1
+    assert flow.with_choice(0, 3) == flow
 
 
-def test_a_merge_of_people_who_never_stand_together_has_nothing_to_choose(table):
-    apply_change(table, Labels(), plan_delete(table, 7, 30, None))
-    apply_change(table, Labels(), plan_delete(table, 4, 0, 30))
-    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7, table)
-    scene = planned_edit(flow, table, Labels(), FPS).scene
-    assert scene.ready
-    assert scene.choices == ()
-    assert "R changes" not in scene.hint
+def test_a_merge_can_fill_what_lies_between_the_two(table):
+    apply_change(table, Labels(), plan_delete(table, 7, 10, 60))
+    apply_change(table, Labels(), plan_delete(table, 4, 40, None))
+    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7)
+    left, filled = (plan_of(flow.with_choice(1, n), _on(table)) for n in (0, 1))
+    assert len(left.after.rows["frame"]) == 0
+    assert filled.after.rows["frame"].tolist() == list(range(40, 60))
+
+
+def test_the_rows_of_a_frame_are_previewed_as_applying_the_change_leaves_them(table):
+    change = plan_of(_swap(table).with_scope(Scope.RANGE), _on(table))
+    seen = PreviewedTracks(SessionTracks(table, None), change)
+    previewed = [seen.of_frame(frame) for frame in range(two_people.FRAMES)]
+    apply_change(table, Labels(), change)
+    for frame, rows in enumerate(previewed):
+        for name, column in table.of_frame(frame).items():
+            assert rows[name].tolist() == pytest.approx(column.tolist(), nan_ok=True)
+
+
+@pytest.mark.parametrize("start", [0, 40, 99])
+def test_deleted_rows_are_not_previewed_and_others_stay(table, start):
+    change = plan_of(EditFlow.begin(EditKind.DELETE, 4, start, FPS), _on(table))
+    seen = PreviewedTracks(SessionTracks(table, None), change)
+    for frame in (start - 1, start, 99):
+        here = table.of_frame(frame)["track"].tolist() if frame >= 0 else []
+        wanted = [track for track in here if track != 4 or frame < start]
+        assert seen.of_frame(frame)["track"].tolist() == wanted
 
 
 def test_a_problem_with_the_other_person_is_said_first(table):
     flow = EditFlow.begin(EditKind.SWAP, 4, 30, FPS)
-    scene = planned_edit(flow, table, Labels(), FPS, "There is no track 99").scene
+    scene = _planned(flow, table, "There is no track 99").scene
     assert scene.details[0] == "There is no track 99"
     assert scene.other == 0
     assert not scene.ready

@@ -3,7 +3,7 @@ import pytest
 import two_people
 
 from app.presenters.document import Document
-from app.presenters.edit_flow import EditKind
+from app.presenters.edits import EditKind
 from app.presenters.overhead import relative_weights
 from app.presenters.scenes import Eye
 from app.presenters.session_tracks import SessionTracks
@@ -30,7 +30,7 @@ def _scene(document, eye=Eye.LEFT, pictured=Pictured()):  # noqa: B008 - frozen
 
 def test_everybody_of_the_frame_is_marked_in_their_colour_and_the_selected_one_last(document):
     ids = document.tracks.of_frame(CROWDED)["track"].tolist()
-    document.pick(ids[0])
+    document.correcting.pick(ids[0])
     people = _scene(document).people
     assert sorted(mark.track for mark in people) == ids
     assert people[-1].track == ids[0]
@@ -54,9 +54,9 @@ def test_the_right_eye_has_the_same_people_shifted_by_their_disparity(document):
 
 def test_a_previewed_swap_is_seen_in_both_eyes_and_from_above(document):
     first, second = document.tracks.of_frame(CROWDED)["track"].tolist()[:2]
-    document.pick(first)
-    document.begin_edit(EditKind.SWAP, CROWDED)
-    document.pick(second)
+    document.correcting.pick(first)
+    document.correcting.begin(EditKind.SWAP, CROWDED)
+    document.correcting.pick(second)
     left, right = (_scene(document, eye).preview for eye in (Eye.LEFT, Eye.RIGHT))
     assert len(left) == len(right) == len(document.instant(CROWDED).preview) == 4
     for one, other in zip(left, right, strict=True):
@@ -129,7 +129,7 @@ def test_people_without_metres_are_left_out_of_the_floor_but_not_of_the_picture(
 def test_the_card_tells_of_the_selected_track(document):
     assert document.card() is None
     track = document.tracks.ids[0]
-    document.pick(track)
+    document.correcting.pick(track)
     card = document.card()
     rows = document.tracks.of_track(track)
     assert card.track == track

@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QMenu
 
-from app.presenters.scenes import EditPreview, HistoryItem, TrackCard
+from app.presenters.scenes import ChoiceRow, EditPreview, HistoryItem, Proposal, TrackCard
 from app.views.edit_panel import EditPanel
 from app.views.history_panel import HistoryPanel
 from app.views.notice import NoticeBar
@@ -21,9 +21,11 @@ SWAP = EditPreview(
     "Swap 4 and 7 from frame 834 on",
     ("91 frames change",),
     834,
-    "How far",
-    ("from here on", "this range", "this frame"),
+    end=850,
+    choices=(ChoiceRow(0, "How far", ("from here on", "this range", "this frame"), 0, "R"),),
     other=7,
+    others=(Proposal(7, "7", True, (40, 80, 220)), Proposal(9, "9", False, (220, 40, 40))),
+    cuts=(Proposal(0, "834", True, None, "they meet"), Proposal(1, "790", False, None, "near")),
 )
 
 
@@ -181,18 +183,27 @@ def press(bar, name: str, qtbot):
 
 
 def test_a_preview_tells_what_where_and_how_far(preview):
-    for part in (SWAP.title, "91 frames change", "frame 834", *SWAP.choices):
+    (row,) = SWAP.choices
+    for part in (SWAP.title, "91 frames change", "834", "849", "790", *row.options):
         assert part in words(preview)
 
 
 def test_a_preview_is_done_left_moved_and_widened(preview, qtbot, heard):
-    said = [heard(preview.confirmed), heard(preview.cancelled), heard(preview.cut_moved)]
+    signals = ("confirmed", "cancelled", "cut_moved", "end_moved", "other_typed", "cut_proposed")
+    said = [heard(getattr(preview, name)) for name in signals]
     choices = heard(preview.choice_made)
-    for name in ("Do the edit", "Leave the edit undone", "Cut a frame earlier"):
+    for name in (
+        "Do the edit",
+        "Leave the edit undone",
+        "From a frame earlier",
+        "to a frame later",
+        "9",
+        "Changed over at 790 near",
+        "this range",
+    ):
         press(preview, name, qtbot)
-    press(preview, "this range", qtbot)
-    assert said == [[()], [()], [-1]]
-    assert choices == [1]
+    assert said == [[()], [()], [-1], [1], [9], [1]]
+    assert choices == [(0, 1)]
 
 
 def test_while_the_other_person_is_to_be_picked_nothing_can_be_done_yet(preview):
@@ -200,8 +211,8 @@ def test_while_the_other_person_is_to_be_picked_nothing_can_be_done_yet(preview)
         EditPreview("Swap 4 with...", ("Pick the other person",), 834, other=0, ready=False)
     )
     assert "Pick the other person" in words(preview)
-    assert preview._confirm.isHidden()
-    assert preview._nudge.isHidden()
+    assert not preview._confirm.isEnabled()
+    assert preview._frames.isHidden()
 
 
 def test_without_a_preview_the_bar_is_hidden(preview):
@@ -236,7 +247,7 @@ def test_the_other_persons_id_can_be_typed(preview, qtbot, heard):
 
 def test_an_edit_without_a_cut_cannot_be_moved(preview):
     preview.show_scene(replace(SWAP, has_cut=False, other=None))
-    assert preview._nudge.isHidden()
+    assert preview._frames.isHidden()
     assert preview._other_line.isHidden()
     assert not preview._confirm.isHidden()
 

@@ -1,0 +1,47 @@
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import QPointF, QRectF
+
+from app.views.box_handles import INSIDE, Grip, handle_at, handles_of
+
+RECT = QRectF(100, 50, 80, 160)
+
+
+@pytest.mark.parametrize(
+    ("at", "handle"),
+    [
+        ((100, 50), (-1, -1)),
+        ((181, 209), (1, 1)),
+        ((140, 52), (0, -1)),
+        ((178, 130), (1, 0)),
+        ((140, 130), INSIDE),
+        ((300, 130), None),
+    ],
+)
+def test_the_nearest_handle_is_taken_else_the_inside(at, handle):
+    assert handle_at(RECT, QPointF(*at)) == handle
+
+
+def test_a_small_box_has_only_corners_so_that_it_can_still_be_moved():
+    small = QRectF(0, 0, 14, 30)
+    assert len(handles_of(small)) == 4
+    assert handle_at(small, small.center()) == INSIDE
+
+
+def test_dragging_a_corner_over_the_opposite_one_turns_the_box_round():
+    grip = Grip((1, 1), (10.0, 10.0, 20.0, 30.0), QPointF(30, 40))
+    assert grip.moved_to(QPointF(5, 0)) == (5.0, 0.0, 5.0, 10.0)
+
+
+@given(
+    st.tuples(st.sampled_from((-1, 0, 1)), st.sampled_from((-1, 0, 1))),
+    st.floats(-500, 500),
+    st.floats(-500, 500),
+)
+def test_a_dragged_box_never_has_a_negative_size_and_the_inside_keeps_it(handle, dx, dy):
+    box = (10.0, 20.0, 30.0, 60.0)
+    moved = Grip(handle, box, QPointF(0, 0)).moved_to(QPointF(dx, dy))
+    assert min(moved[2:]) >= 0
+    if handle == INSIDE:
+        assert moved == (10.0 + dx, 20.0 + dy, 30.0, 60.0)
