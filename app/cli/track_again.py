@@ -19,7 +19,7 @@ from tracking.editing import Change, Difference, differences, plan_take
 from tracking.errors import EditError, SessionError, SettingsError
 from tracking.pipeline import track
 from tracking.recording import OpenOptions, Recording
-from tracking.session import Session
+from tracking.session import RecordingMissing, Session
 from tracking.trackers import (
     TRACKERS,
     Resume,
@@ -96,7 +96,12 @@ def _opened(again: Again) -> Iterator[tuple[Session, Recording]]:
     if again.session.suffix.lower() != ".h5":
         raise SettingsError(f"{again.session} is no session; make one with track -o NAME.h5 first")
     options = OpenOptions(allow_outside=again.allow_outside)
-    with closing(open_path(again.session, again.recording, options)) as opened:
+    try:
+        opening = open_path(again.session, again.recording, options)
+    except RecordingMissing as missing:
+        named = str(missing).replace("(--recording PATH)", "(track RECORDING --again ...)")
+        raise RecordingMissing(named) from missing
+    with closing(opening) as opened:
         session = opened.document.session
         assert session is not None
         for note in session.notes:

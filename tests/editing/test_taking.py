@@ -130,7 +130,10 @@ def test_who_is_not_the_protected_person_of_that_id_is_somebody_new():
     again = [(1, 40, 100, 0.0), (2, 40, 100, 1.0), (3, 40, 100, 4.0), (4, 45, 100, 2.1)]
     after = taken(table, run_of(again, (40, 100), known=3), labels=labels)
     assert {lane for frame, lane in places(after, 3) if frame >= 50} == {2.0, 2.1}
-    assert {frame for frame, lane in places(after, 5) if lane == 4.0} == set(range(50, 100))
+    (stranger,) = {
+        int(rows["track"][rows["x"] == 4.0][0]) for rows in map(after.of_frame, range(50, 100))
+    }
+    assert stranger > 3
 
 
 def test_a_protected_row_says_who_somebody_is_from_there_on():
@@ -141,6 +144,15 @@ def test_a_protected_row_says_who_somebody_is_from_there_on():
     after = taken(table, run_of(swapped, (40, 100), known=2), labels=labels)
     assert {lane for frame, lane in places(after, 1) if frame >= 60} == {0.0, 0.05}
     assert {lane for frame, lane in places(after, 2) if frame >= 60} == {1.0, 1.05}
+
+
+def test_somebody_new_is_from_the_first_who_protected_rows_say():
+    table = table_of([(1, 0, 100, 0.0), (2, 30, 50, 1.0), (3, 50, 100, 1.0)])
+    labels = Labels(reviewed=(ReviewedRange(2, 40, 50), ReviewedRange(3, 50, 60)))
+    again = [(1, 20, 100, 0.0), (4, 28, 100, 1.1)]
+    after = taken(table, run_of(again, (20, 100), known=3), labels=labels)
+    assert after.frame_range(2) == (28, 50)
+    assert after.frame_range(3) == (50, 100)
 
 
 def test_deleted_people_do_not_come_back_under_another_id():

@@ -49,8 +49,8 @@ def named(
 
     Ids that the run went on with stay. Everybody else is whoever of the remaining tracks they
     stand on in most frames, each track given once; frames before the range and protected ones
-    tell more. Where somebody then stands on a protected row of another id, that row is right, and
-    from there on they are that person. Who is nobody known gets an id above the highest.
+    tell more. Where somebody stands on protected rows of another id, these are right, and from
+    there on they are that person. Who is nobody known gets an id above the highest.
 
     Args:
         corrected, found: rows of the table and of the run, from a little before the range on.
@@ -65,11 +65,14 @@ def named(
     sure = np.append(protection.covers(corrected["track"], corrected["frame"]), False)[mate]
     weight = np.where(sure | (found["frame"] < frames[0]), _SURE, 1.0)
     free = (theirs > 0) & ~kept[number] & ~np.isin(theirs, people[kept])
-    base = np.where(kept, people, 0).astype(np.int64)
     matched = _assigned(number[free], theirs[free], weight[free], len(people))
-    base = np.where(base > 0, base, matched)
+    told = _told(number, found["frame"], np.where(sure, theirs, 0))
+    # Whom the run did not go on with is from the first whoever they turn out to be.
+    first = told[np.unique(number[told], return_index=True)[1]]
+    matched[number[first]] = theirs[first]
+    base = np.where(kept, people, matched)
     base, top = _with_fresh(base, people, known_tracks, highest_track)
-    track, since = _asserted(number, found["frame"], base[number], np.where(sure, theirs, 0))
+    track, since = _asserted(number, found["frame"], base[number], theirs, told)
     track = _apart(track, since, number, found["frame"], top)
     fresh = np.setdiff1d(track, np.union1d(corrected["track"], people[kept]))
     return Naming(track.astype(np.int32), fresh)
@@ -115,24 +118,34 @@ def _with_fresh(
     return base, top + len(rest)
 
 
+def _told(number: Indices, frame: Integers, asserted: Indices) -> Indices:
+    """The rows that say who somebody is, by person and frame: on protected rows, several in a row.
+
+    Args:
+        number: (n,) the run's person of each row. asserted: (n,) the id of the protected row it
+            stands on, 0 for none.
+    """
+    rows = np.flatnonzero(asserted)
+    rows = rows[np.lexsort((frame[rows], number[rows]))]
+    begins = (np.diff(number[rows]) != 0) | (np.diff(asserted[rows]) != 0)
+    run = np.concatenate((np.zeros(min(len(rows), 1), np.int64), np.cumsum(begins)))
+    long = np.bincount(run, minlength=1)[run] >= _ASSERTED
+    return np.asarray(rows[long])
+
+
 def _asserted(
-    number: Indices, frame: Integers, base: Indices, asserted: Indices
+    number: Indices, frame: Integers, base: Indices, theirs: Indices, told: Indices
 ) -> tuple[Indices, Indices]:
     """The ids where protected rows have the last word, and the frame since when each holds.
 
     Args:
-        number: (n,) the run's person of each row. base: (n,) its id so far. asserted: (n,) the id
-            of the protected row it stands on, 0 for none.
+        number: (n,) the run's person of each row. base: (n,) its id so far. theirs: (n,) the id
+            of the corrected row it stands on. told: the rows of `_told`.
     """
     track, since = base.copy(), np.full(len(base), _NEVER)
-    if not asserted.any():
+    if not len(told):
         return track, since
     order = np.lexsort((frame, number))
-    told = order[asserted[order] > 0]
-    # Of the rows that stand on protected ones: as many in a row of one id as it takes.
-    begins = np.append(True, (np.diff(number[told]) != 0) | (np.diff(asserted[told]) != 0))
-    run = np.cumsum(begins[: len(told)]) - 1
-    told = told[np.bincount(run, minlength=1)[run] >= _ASSERTED]
     place = np.empty(len(order), np.int64)
     place[order] = np.arange(len(order))
     source = np.full(len(order), _NEVER)
@@ -140,7 +153,7 @@ def _asserted(
     source = np.maximum.accumulate(source)
     row = order[source]
     holds = (source >= 0) & (number[row] == number[order])
-    track[order[holds]] = asserted[row[holds]]
+    track[order[holds]] = theirs[row[holds]]
     since[order[holds]] = frame[row[holds]]
     return track, since
 
