@@ -13,10 +13,18 @@ import re
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import h5py
 import numpy as np
+
+if __name__ == "__main__":
+    # This program needs a few names of two packages: loading all of them would take seconds.
+    for name in ("session", "editing"):
+        bare = ModuleType(f"tracking.{name}")
+        bare.__path__ = [str(Path(__file__).parents[1] / name)]
+        sys.modules[bare.__name__] = bare
 
 from tracking.session.layout import (
     FORMAT,

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tracking.editing import TOUCHED_COLUMNS
+from tracking.editing.touch_index import TOUCHED_COLUMNS
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     CORRECTED_COLUMNS,
