@@ -17,26 +17,26 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-ONE, TWO = -3.87, -2.11
+ONE, TWO = -3.87, -2.05
 """Log odds of a place of one track and of one of two tracks, whatever speaks for it."""
 
 WEIGHTS: Mapping[str, float] = MappingProxyType(
     {
-        "exchange": 1.63,
-        "turn": 2.83,
-        "crossing": 0.46,
-        "shared": 0.36,
-        "lost": 7.25,
+        "exchange": 1.85,
+        "turn": 3.23,
+        "crossing": 0.25,
+        "shared": 0.37,
+        "lost": 7.2,
         "ended": 0.0,
-        "begun": 2.11,
-        "colour": 0.46,
+        "begun": 2.04,
+        "colour": 0.62,
         "height": 0.0,
         "jump": 1.15,
-        "predicted": 0.82,
-        "drift": 0.12,
-        "margin": 0.35,
-        "spread": 1.61,
-        "split": 1.48,
+        "predicted": 0.28,
+        "drift": 0.64,
+        "margin": 0.47,
+        "spread": 1.69,
+        "split": 1.46,
         "part": 1.0,  # not fitted: none of these trackers follows parts
     }
 )

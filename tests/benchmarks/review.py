@@ -1,0 +1,106 @@
+"""How much of the footage has to be watched: `python -m tests.benchmarks.review`.
+
+Renders and tracks scenes that nothing was chosen on, as they are and with tracks swapped on
+purpose, and walks the suspicions from the most to the least worth. `--fit` prints the table of
+likelihoods fitted on other scenes, `--match box` takes errors by boxes instead of floor distance.
+What is rendered and tracked stays in the temporary folder; the first time takes an hour.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+
+from tests.benchmarks.review_cases import REPORTED, TUNING, Case, cases
+from tests.benchmarks.review_fit import fit
+from tracking.review import ReviewMeasures, find_suspicions, review_measures
+from tracking.scoring import BoxMatch, FloorMatch
+
+FOOTAGE = 0.05
+RECALL = 0.95
+_AROUND_S = 0.25
+_COLUMNS = (
+    "scenes",
+    "results",
+    "errors",
+    "found in 5 % of the footage",
+    "a minute watched",
+    "footage for 95 %, median",
+    "person-time for 95 %, median",
+    "found by all suspicions",
+    "the errors' own moments",
+)
+
+
+def main() -> None:
+    """Print a Markdown table."""
+    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.review", description=__doc__)
+    parser.add_argument("--fit", action="store_true", help="fit the likelihoods anew")
+    parser.add_argument("--tuning", action="store_true", help="report on the scenes for fitting")
+    parser.add_argument("--match", choices=("floor", "box"), default="floor")
+    asked = parser.parse_args()
+    cv2.setNumThreads(1)
+    match = FloorMatch(0.5) if asked.match == "floor" else BoxMatch(0.5)
+    found = list(cases(TUNING if asked.fit or asked.tuning else REPORTED, match))
+    if asked.fit:
+        fit(found)
+        return
+    print("|", " | ".join(_COLUMNS), "|")
+    print("|", " | ".join("---" for _ in _COLUMNS), "|")
+    for calm in (True, False):
+        for swapped in (False, True):
+            group = [
+                case
+                for case in found
+                if case.errors and case.footage.is_calm == calm and bool(case.swaps) == swapped
+            ]
+            name = f"{'calm' if calm else 'crowded'}, {'swapped' if swapped else 'as tracked'}"
+            print(_row(name, group), flush=True)
+
+
+def _row(name: str, group: Sequence[Case]) -> str:
+    """A line of the table; figures of all results pooled, medians over results."""
+    measured = [_measured(case) for case in group]
+    errors = sum(each.errors for each in measured)
+    found = sum(each.found_within(FOOTAGE) for each in measured)
+    watched = sum(min(FOOTAGE, float(each.footage[-1])) * each.minutes for each in measured)
+    every = sum(int(each.found[-1]) for each in measured)
+    own = float(np.mean([_own_moments(case) for case in group]))
+    cells = (
+        f"{len(group)}",
+        f"{errors}",
+        f"{found / errors:.1%}",
+        f"{found / watched:.1f}",
+        _share([each.footage_for(RECALL) for each in measured]),
+        _share([each.people_for(RECALL) for each in measured]),
+        f"{every / errors:.1%}",
+        f"{own:.1%}",
+    )
+    return f"| {name} | {' | '.join(cells)} |"
+
+
+def _measured(case: Case) -> ReviewMeasures:
+    suspicions = find_suspicions(case.table, case.run, case.fps, view=case.view)
+    return review_measures(suspicions, case.errors, case.table, case.frames, case.fps)
+
+
+def _share(values: Sequence[float]) -> str:
+    """The median, results counted as infinite where the recall is never reached."""
+    middle = float(np.median(np.nan_to_num(values, nan=np.inf)))
+    return f"{middle:.1%}" if np.isfinite(middle) else "never"
+
+
+def _own_moments(case: Case) -> float:
+    """The share of the footage within a quarter of a second of errors: no queue takes less."""
+    around = round(_AROUND_S * case.fps)
+    seen = np.zeros(case.frames, bool)
+    for error in case.errors:
+        seen[max(0, error.frame - around) : error.frame + around + 1] = True
+    return float(seen.mean())
+
+
+if __name__ == "__main__":
+    main()
