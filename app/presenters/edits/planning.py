@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 
 from app.presenters.edits.flow import EditFlow, Fill
+from app.presenters.edits.footing import box_of
 from app.presenters.edits.ground import Ground
 from app.presenters.edits.kinds import EditKind, Scope, Way
 from app.presenters.words import tr
@@ -37,7 +38,7 @@ from tracking.editing import (
     with_parts_carried,
 )
 from tracking.errors import EditError
-from tracking.tracks import TrackTable
+from tracking.tracks import Source, TrackTable
 
 _KEEPS: Final[Mapping[Way, Keep]] = {
     Way.KEEP_FIRST: "first",
@@ -108,7 +109,9 @@ def _draw(flow: EditFlow, on: Ground) -> Change:
 
 
 def _move(flow: EditFlow, on: Ground) -> Change:
-    if flow.box is None:
+    row = on.table.of_track(flow.track, flow.cut, flow.cut + 1)
+    made = len(row["frame"]) and row["source"][0] == Source.PERSON
+    if flow.box is None or (made and box_of(row) == flow.box):
         raise EditError(tr("Move the box with the arrow keys, or drag it or its handles"))
     footing = on.footing
     return plan_move_box(

@@ -55,8 +55,7 @@ def planned_edit(flow: EditFlow, on: Ground, problem: str = "") -> PlannedEdit:
         lines = (problem, ask if flow.needs_other else str(why_not))
         return PlannedEdit(preview_scene(flow, tuple(filter(None, lines)), None, on))
     around = round(AROUND_S * on.footing.fps)
-    middle = flow.cut if flow.has_cut or flow.places else change.frame
-    window = max(0, middle - around), middle + around
+    window = max(0, flow.cut - around), flow.cut + around
     before = _rows_of(on, change, window)
     after = changed_rows(before, change, window)
     scene = preview_scene(flow, (problem,) if problem else (), change, on)

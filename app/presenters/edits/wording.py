@@ -203,6 +203,8 @@ def _hint(flow: EditFlow, ready: bool) -> str:
     keys = []
     if flow.places:
         keys.append(tr("Arrows move, with Shift ten times as far"))
+        if flow.drawing:
+            keys.insert(0, tr("Drag over the left picture to draw it"))
         if flow.kind is not EditKind.FLOOR:
             keys.append(tr("Ctrl+arrows resize"))
     if flow.has_cut:

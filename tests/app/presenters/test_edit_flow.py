@@ -219,3 +219,8 @@ def test_a_problem_with_the_other_person_is_said_first(table):
     assert scene.details[0] == "There is no track 99"
     assert scene.other == 0
     assert not scene.ready
+
+
+def test_two_who_are_never_near_the_users_frame_are_still_compared(table):
+    apply_change(table, Labels(), plan_swap(table, 4, 7, 50))
+    assert changed_over(_on(table), 4, 7, 9_000)[0].frame == pytest.approx(50, abs=3)
