@@ -1,0 +1,107 @@
+"""Another person's session beside the open one, in the real window."""
+
+import shutil
+from contextlib import closing
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from tracking.editing import plan_delete, plan_swap
+from tracking.recording import open_recording
+from tracking.session import Session
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def desk(window, qtbot, tiny_session):
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    return window.desk
+
+
+@pytest.fixture
+def anns(desk, tiny_session, tmp_path):
+    """A second person's session: two ids swapped from frame 60 on, one person gone at the end."""
+    path = tmp_path / "ann.h5"
+    shutil.copy(tiny_session, path)
+    with closing(Session.open(path)) as session:
+        a, b = session.tracks.of_frame(60)["track"].tolist()[:2]
+        session.apply(plan_swap(session.tracks, a, b, 60))
+        session.apply(plan_delete(session.tracks, a, 70, 75))
+        session.save()
+    return path, a, b
+
+
+@pytest.fixture
+def compared(window, anns, qtbot):
+    window.files.beside.compare_with(anns[0])
+    qtbot.waitUntil(lambda: window.workspace.compare.isVisible())
+    return window.workspace.compare
+
+
+def test_figures_and_stretches_are_listed_and_a_click_goes_there(
+    window, desk, compared, anns, qtbot
+):
+    _, a, b = anns
+    assert "kappa 0." in compared._figures.text()
+    frames = [(row.frame, row.track) for row in compared._model.rows]
+    assert (70, b) in frames  # whom Ann took out under the other id
+    row = frames.index((70, b))
+    index = compared._model.index(row)
+    compared._list.scrollTo(index)
+    point = compared._list.visualRect(index).center()
+    QTest.mouseClick(compared._list.viewport(), LEFT, pos=point)
+    assert desk.playback.clock.frame == 70
+    assert desk.document.selection.track == b
+    qtbot.waitUntil(lambda: desk.playback.number == 70)
+    there = {one.label for one in window.workspace.left._others}
+    own = {str(one.track) for one in window.workspace.left._scene.people}
+    assert own - there == {str(a)}
+    assert {one.label for one in window.workspace.overhead._others} == there
+
+
+def test_after_an_edit_it_can_be_compared_again(window, desk, compared, anns, qtbot):
+    _, a, b = anns
+    session = desk.document.session
+    assert compared._again.isHidden()
+    desk.document.apply(plan_swap(session.tracks, a, b, 60))
+    desk.draw()
+    assert not compared._again.isHidden()
+    compared._again.click()
+    qtbot.waitUntil(lambda: not window.work.busy)
+    assert [row.track for row in compared._model.rows] == [a]
+    assert compared._again.isHidden()
+
+
+def test_closing_takes_the_others_away(window, desk, compared, qtbot):
+    desk.playback.go(60)
+    qtbot.waitUntil(lambda: bool(window.workspace.left._others))
+    compared.left.emit()
+    assert compared.isHidden()
+    assert window.workspace.left._others == ()
+    assert window.workspace.overhead._others == ()
+
+
+def test_the_other_session_is_left_as_it_was_and_free_for_others(window, compared, anns):
+    with closing(Session.open(anns[0])) as again:
+        assert not again.read_only
+        assert len(again.history) == 2
+
+
+def test_the_open_session_itself_and_other_recordings_are_refused(
+    window, desk, qtbot, tiny_session, tiny_recording, tiny_run, tmp_path
+):
+    window.files.beside.compare_with(tiny_session)
+    qtbot.waitUntil(lambda: not window.work.busy)
+    assert "open session itself" in window.notice._text.text()
+    elsewhere = shutil.copytree(tiny_recording, tmp_path / "elsewhere")
+    video = elsewhere / "left.mp4"
+    video.write_bytes(video.read_bytes() + b"\0" * 64)
+    with open_recording(elsewhere) as footage:
+        Session.create(footage, [tiny_run], tmp_path / "elsewhere.h5").close()
+    window.files.beside.compare_with(tmp_path / "elsewhere.h5")
+    qtbot.waitUntil(lambda: not window.work.busy)
+    assert "of another recording" in window.notice._text.text()
+    assert window.workspace.compare.isHidden()

@@ -1,0 +1,139 @@
+"""The history walked and undone in the real window."""
+
+import time
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QInputDialog, QMenu
+
+from app.presenters.panels import HistoryList
+from tracking.editing import Change, History, LabelState, State
+from tracking.tracks import TrackLabel
+
+LEFT = Qt.MouseButton.LeftButton
+_CTRL_ALT = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+MANY = 20_000
+
+
+@pytest.fixture
+def desk(window, qtbot, tiny_session):
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    window.activateWindow()
+    qtbot.waitActive(window)
+    return window.desk
+
+
+@pytest.fixture
+def named(desk):
+    """Four edits: track a named twice, b once between, and b noted."""
+    a, b = desk.document.tracks.of_frame(60)["track"].tolist()[:2]
+    desk.editing.rename(a, "one")
+    desk.editing.rename(b, "two")
+    desk.editing.rename(a, "three")
+    desk.editing.write_notes(b, "late")
+    return a, b
+
+
+def _row(panel, edit: int):
+    index = panel._model.index(panel._model.row_of(edit))
+    return panel._list.visualRect(index).center()
+
+
+def _click(window, edit: int) -> None:
+    panel = window.workspace.history
+    panel._list.scrollTo(panel._model.index(panel._model.row_of(edit)))
+    QTest.mouseClick(panel._list.viewport(), LEFT, pos=_row(panel, edit))
+
+
+def test_a_click_goes_to_the_frame_and_selects_the_tracks(window, desk, named):
+    _click(window, 2)
+    entry = desk.document.session.history.entry(2)
+    assert desk.playback.clock.frame == entry.frame
+    assert desk.document.selection.track == named[1]
+
+
+def test_an_old_edit_is_undone_alone_by_its_key_or_the_reason_is_told(window, desk, named):
+    _click(window, 1)
+    panel = window.workspace.history
+    QTest.keyClick(panel._list, Qt.Key.Key_Z, _CTRL_ALT)
+    assert "edit 3" in window.notice._text.text()  # the later name stands on it
+    assert len(desk.document.session.history) == 4
+    _click(window, 3)
+    QTest.keyClick(panel._list, Qt.Key.Key_Z, _CTRL_ALT)
+    assert desk.document.label(named[0]).name == "one"
+    assert desk.document.label(named[1]).notes == "late"
+    assert panel._model.item(panel._model.row_of(3)).taken_by == 5
+
+
+def test_the_menu_says_why_an_edit_cannot_be_undone_alone(window, desk, named):
+    panel = window.workspace.history
+    panel._open_menu(_row(panel, 1))
+    menu = panel._list.findChildren(QMenu)[-1]
+    alone = next(one for one in menu.actions() if one.text().startswith("Undo this one alone"))
+    assert not alone.isEnabled()
+    assert "edit 3" in alone.toolTip()
+    menu.close()
+
+
+def test_undo_to_here_goes_back_and_forth(window, desk, named, qtbot):
+    desk.walk.go_back_to(1)
+    qtbot.waitUntil(lambda: desk.document.session.history.next_undo.id == 1)
+    assert desk.document.label(named[0]).name == "one"
+    desk.walk.go_back_to(4)
+    qtbot.waitUntil(lambda: desk.document.session.history.next_undo.id == 4)
+    assert desk.document.label(named[0]).name == "three"
+
+
+def test_the_list_is_narrowed_down_and_what_is_undone_stays_in_it(window, desk, named):
+    desk.editing.undo()
+    panel = window.workspace.history
+    assert [panel._model.item(row).undone for row in range(4)] == [True, False, False, False]
+    panel._text.setText("three")
+    assert [panel._model.item(row).edit for row in range(panel._model.rowCount())] == [3]
+    panel._text.clear()
+    panel._by.setCurrentIndex(panel._by.findText("Kind: notes"))
+    assert [panel._model.item(row).edit for row in range(panel._model.rowCount())] == [4]
+
+
+def test_edits_are_logged_under_the_name_that_was_set_and_it_is_remembered(
+    window, desk, named, remembered
+):
+    window.run_command("file.author")
+    dialog = window.findChild(QInputDialog, "author")
+    dialog.setTextValue("  Ann  B. ")
+    dialog.accept()
+    desk.editing.rename(named[0], "five")
+    assert desk.document.session.history.next_undo.author == "Ann B."
+    assert remembered.text("author") == "Ann B."
+    first = next(iter(desk.document.session.history))
+    assert first.author != "Ann B."
+
+
+def test_the_log_is_exported_from_the_menu(window, desk, named, qtbot, tmp_path):
+    window.files.exporting.log_to(tmp_path / "log.csv")
+    qtbot.waitUntil(lambda: not window.work.busy)
+    lines = (tmp_path / "log.csv").read_text("utf-8").splitlines()
+    assert len(lines) == 5
+    assert lines[0].startswith("edit,time,author,kind,text")
+
+
+def test_twenty_thousand_edits_are_listed_and_one_more_is_told_quickly(window, desk):
+    state = State(labels=LabelState({1: TrackLabel("one")}))
+    change = Change("rename", "Name 1", 7, state, state)
+    made = History().draft(change, "2024-05-01T10:00:00.000Z", "mika")
+    history = History(
+        replace(made, id=number + 1, text=f"Name {number % 99} edit {number}")
+        for number in range(MANY)
+    )
+    listed, panel = HistoryList(), window.workspace.history
+    panel.show_scene(listed.of(history))
+    assert panel._model.rowCount() == MANY
+    history.mark_undone()
+    begin = time.perf_counter()
+    panel.show_scene(listed.of(history))
+    assert time.perf_counter() - begin < 0.2  # on a busy machine; 0.03 s on a quiet one
+    panel._text.setText("98")
+    assert 0 < panel._model.rowCount() < MANY / 50
