@@ -23,8 +23,16 @@ from tracking.editing import (
     standing_box,
 )
 from tracking.editing.change import Change
-from tracking.editing.standing import body_boxes, boxes_of, places_of
+from tracking.editing.standing import (
+    body_boxes,
+    body_heights,
+    body_positions,
+    boxes_of,
+    places_of,
+)
 from tracking.errors import EditError
+from tracking.synthesis import SCENES
+from tracking.synthesis.rig import Rig
 from tracking.tracks import Labels, Source, TrackTable
 
 BOX = (100.0, 50.0, 40.0, 120.0)
@@ -230,6 +238,17 @@ def test_a_box_over_the_horizon_has_no_place_and_is_no_deletion() -> None:
     row = table.of_track(1, 5, 6)
     assert row["top"].tolist() == [-500.0]
     assert np.isnan(places_of(row)).all()
+
+
+@pytest.mark.parametrize("scene", ["lobby", "plaza", "ceiling"])
+def test_where_bodies_stand_is_told_by_their_boxes_from_every_height(scene: str) -> None:
+    view = Rig.of_scene(SCENES[scene], (640, 480)).view
+    near = np.array([[0.5, 1.0], [-1.0, 0.3], [0.2, -0.4], [0.0, 0.8]])
+    places = near if scene == "ceiling" else near + np.array((0.0, 4.0))
+    heights = np.array([1.5, 1.7, 1.9, 1.75])
+    boxes = body_boxes(view, places, heights)
+    assert body_heights(view, places, boxes) == pytest.approx(heights, abs=0.01)
+    assert body_positions(view, boxes, heights) == pytest.approx(places, abs=0.03)
 
 
 def test_the_place_of_a_drawn_box_is_told_by_the_view() -> None:

@@ -23,7 +23,9 @@ USUAL_HEIGHT_M = 1.75
 _BODY_WIDTH_M = 0.5
 _HEIGHTS_M = (0.5, 2.3)
 _STEP_M = 0.02
-_HEIGHT_ROUNDS, _PLACE_ROUNDS = 3, 6
+_HEIGHT_ROUNDS, _PLACE_ROUNDS = 3, 9
+_STEEP_DEG = 60.0
+"""Tilted more, a camera sees people from above."""
 
 
 def boxes_of(rows: Columns) -> Floats:
@@ -82,14 +84,15 @@ def body_positions(
 ) -> Floats:
     """(n, 2) m: the floor places from which bodies stand on the boxes' lower edge, at its middle.
 
+    Seen from above the lower edge may be a head's; the middle of the box takes its part there.
     off_px: (n, 2) how far the boxes' foot stands off the bodies'; None: not at all.
     NaN where no floor is seen below the box, as above the horizon.
     """
-    wanted = _foot(boxes) - (0.0 if off_px is None else off_px)
+    wanted = _foot(view, boxes) - (0.0 if off_px is None else off_px)
     aim = wanted
     places = view.floor_from_pixel(aim)
     for _ in range(_PLACE_ROUNDS):
-        aim = aim + wanted - _foot(body_boxes(view, places, heights_m))
+        aim = aim + wanted - _foot(view, body_boxes(view, places, heights_m))
         places = view.floor_from_pixel(aim)
     return places
 
@@ -109,7 +112,7 @@ def followed_position(
     """
     old_boxes, boxes, places = old_box[None], box[None], old_place[None]
     heights = body_heights(view, places, old_boxes)
-    off = _foot(old_boxes) - _foot(body_boxes(view, places, heights))
+    off = _foot(view, old_boxes) - _foot(view, body_boxes(view, places, heights))
     off_px = np.nan_to_num(off / old_boxes[:, 2:] * boxes[:, 2:])
     x, y = body_positions(view, boxes, heights, off_px)[0].tolist()
     return x, y
@@ -120,6 +123,7 @@ def _edges(boxes: Floats) -> Floats:
     return np.concatenate([boxes[:, :2], boxes[:, :2] + boxes[:, 2:]], axis=1)
 
 
-def _foot(boxes: Floats) -> Floats:
-    """(n, 2) the middle of the lower edges."""
-    return boxes[:, :2] + boxes[:, 2:] * (0.5, 1.0)
+def _foot(view: View, boxes: Floats) -> Floats:
+    """(n, 2) where boxes show their person's feet: the middle of the lower edge, or higher."""
+    steep = (view.ground.tilt_deg - _STEEP_DEG) / (90.0 - _STEEP_DEG)
+    return np.asarray(boxes[:, :2] + boxes[:, 2:] * (0.5, 1.0 - 0.5 * max(steep, 0.0)))
