@@ -1,0 +1,249 @@
+"""The review queue walked, decided and put right with keys in the real window."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from app.presenters import opening
+from app.presenters.edits import EditKind
+from app.presenters.review_scene import Order
+from app.views.review_panel import ReviewPanel
+from tracking.editing import plan_rename
+from tracking.recording import open_recording
+from tracking.session import Session
+
+Key = Qt.Key
+_CTRL, _SHIFT, _ALT = (
+    Qt.KeyboardModifier.ControlModifier,
+    Qt.KeyboardModifier.ShiftModifier,
+    Qt.KeyboardModifier.AltModifier,
+)
+SWAPPED_AT = 66
+
+
+@pytest.fixture
+def swapped_session(tiny_recording, tiny_run, tmp_path):
+    """A session in which two people who both stand there have each other's id from a frame on."""
+    here = tiny_run.tracks["frame"] == SWAPPED_AT
+    one, other = tiny_run.tracks["track"][here][:2].tolist()
+    tracks, signals = (
+        _swapped(columns, one, other) for columns in (tiny_run.tracks, tiny_run.signals)
+    )
+    path = tmp_path / "swapped.h5"
+    with open_recording(tiny_recording) as recording:
+        run = replace(tiny_run, tracks=tracks, signals=signals)
+        session = Session.create(recording, [run], path)
+        opening.remember_place(session, recording)
+        session.close()
+    return path, {one, other}
+
+
+def _swapped(columns, one, other):
+    late, ids = columns["frame"] >= SWAPPED_AT, columns["track"].copy()
+    ids[late & (columns["track"] == one)] = other
+    ids[late & (columns["track"] == other)] = one
+    order = np.lexsort((ids, columns["frame"]))
+    return {name: column[order] for name, column in {**columns, "track": ids}.items()}
+
+
+@pytest.fixture
+def desk(window, qtbot, swapped_session):
+    window.files.open_path(swapped_session[0])
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    window.activateWindow()
+    qtbot.waitActive(window)
+    qtbot.waitUntil(lambda: bool(window.desk.reviewing.queue.items), timeout=10_000)
+    qtbot.waitUntil(lambda: window.menus.actions["review.next"].isEnabled())
+    return window.desk
+
+
+@pytest.fixture
+def press(window, desk, qtbot):
+    def press(key, modifiers=Qt.KeyboardModifier.NoModifier) -> None:
+        qtbot.wait(1)  # commands are enabled before the next event
+        QTest.keyClick(window.focusWidget() or window, key, modifiers)
+        qtbot.wait(1)
+
+    return press
+
+
+@pytest.fixture
+def to_the_swap(desk, press, swapped_session):
+    """Walk until the swap is looked at."""
+
+    def walk():
+        for _ in desk.reviewing.queue.items:
+            press(Key.Key_N)
+            current = desk.reviewing.queue.current
+            there = current.start <= SWAPPED_AT < current.end
+            if there and current.fix == "swap" and set(current.tracks) == swapped_session[1]:
+                return current
+        raise AssertionError("the swap is not among the suspicions")
+
+    return walk
+
+
+def _verdicts(desk):
+    return {one.key: one.decision for one in desk.document.session.labels.verdicts.values()}
+
+
+def test_opening_a_session_fills_the_queue_and_marks_the_timeline(desk, window):
+    panel = window.workspace.review
+    assert panel._left.text() == f"{len(desk.reviewing.queue.open)} left"
+    scene = desk.document.timeline(0, desk.playback.number)
+    marked = {(mark.frame, mark.track) for lane in scene.lanes for mark in lane.marks}
+    assert marked == {
+        (one.frame, track) for one in desk.reviewing.queue.open for track in one.tracks
+    }
+
+
+def test_n_goes_just_before_the_suspicion_and_selects_its_people(desk, to_the_swap):
+    current = to_the_swap()
+    assert desk.playback.clock.frame == current.start
+    assert set(desk.document.selection.all) == set(current.tracks)
+    assert abs(current.frame - SWAPPED_AT) <= 4
+
+
+def test_p_goes_back_to_the_one_before(desk, press):
+    press(Key.Key_N)
+    first = desk.reviewing.queue.current
+    press(Key.Key_N)
+    press(Key.Key_P)
+    assert desk.reviewing.queue.current == first
+
+
+def test_z_says_that_it_is_right_and_goes_on_to_the_next(desk, press):
+    press(Key.Key_N)
+    first, left = desk.reviewing.queue.current, len(desk.reviewing.queue.open)
+    press(Key.Key_Z)
+    assert _verdicts(desk)[first.key] == "right"
+    assert len(desk.reviewing.queue.open) < left
+    assert desk.reviewing.queue.current != first
+    assert desk.document.session.history.next_undo.kind == "verdict"
+
+
+def test_a_decision_can_be_undone_and_is_asked_for_again(desk, press):
+    press(Key.Key_N)
+    first, left = desk.reviewing.queue.current, len(desk.reviewing.queue.open)
+    press(Key.Key_Backspace)
+    assert _verdicts(desk)[first.key] == "dismissed"
+    press(Key.Key_Z, _CTRL)
+    assert _verdicts(desk) == {}
+    assert len(desk.reviewing.queue.open) == left
+
+
+def test_e_and_enter_put_a_swap_right_and_remember_it_in_one_edit(desk, press, to_the_swap, qtbot):
+    current = to_the_swap()
+    press(Key.Key_E)
+    flow = desk.document.flow
+    assert flow.kind is EditKind.SWAP
+    assert {flow.track, flow.other} == set(current.tracks)
+    assert abs(flow.cut - SWAPPED_AT) <= 2
+    press(Key.Key_Return)
+    assert _verdicts(desk)[current.key] == "fixed"
+    assert len(desk.document.session.history) == 1
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    assert current.key not in {one.key for one in desk.reviewing.queue.open}
+    press(Key.Key_Z, _CTRL)
+    assert _verdicts(desk) == {}
+
+
+def test_an_edit_that_is_left_settles_nothing(desk, press, to_the_swap):
+    current = to_the_swap()
+    press(Key.Key_E)
+    press(Key.Key_Escape)
+    press(Key.Key_S)  # another edit, of one of them alone
+    press(Key.Key_Return)
+    assert len(desk.document.session.history) <= 1
+    assert current.key not in _verdicts(desk)
+
+
+def test_each_stretch_is_played_to_its_end_where_that_is_wanted(desk, window, press, qtbot):
+    window.run_command("review.plays")
+    desk.playback.set_speed(4.0)
+    press(Key.Key_N)
+    current = desk.reviewing.queue.current
+    assert desk.playback.clock.playing
+    qtbot.waitUntil(lambda: not desk.playback.clock.playing, timeout=10_000)
+    end = min(current.end, desk.playback.clock.frame_count)
+    assert end - 1 <= desk.playback.clock.frame < end + 4
+
+
+def test_what_was_watched_is_marked_as_reviewed_for_everybody_and_unmarked(
+    desk, window, press, qtbot
+):
+    for frame in range(30, 36):
+        desk.playback.go(frame)
+        qtbot.waitUntil(lambda frame=frame: desk.playback.number == frame)
+    press(Key.Key_Z, _ALT)
+    (seen,) = desk.document.session.labels.reviewed
+    assert (seen.track, seen.start, seen.end) == (0, 30, 36)
+    window.run_command("review.unmark")
+    assert desk.document.session.labels.reviewed == ()
+
+
+def test_what_was_watched_is_marked_for_who_is_selected(desk, press, qtbot):
+    track = desk.document.tracks.of_frame(30)["track"].tolist()[0]
+    desk.document.selection.choose(track)
+    for frame in range(30, 36):
+        desk.playback.go(frame)
+        qtbot.waitUntil(lambda frame=frame: desk.playback.number == frame)
+    desk.changed.emit()
+    press(Key.Key_Z, _SHIFT)
+    assert [seen.track for seen in desk.document.session.labels.reviewed] == [track]
+
+
+def test_labels_alone_make_no_new_search(desk, qtbot):
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    session = desk.document.session
+    track = session.tracks.track_ids[0]
+    desk.document.apply(plan_rename(session.tracks, session.labels, track, "red coat"))
+    desk.draw()
+    assert not desk.reviewing._search.busy
+    titles = {who.label for item in desk.reviewing.queue.items for who in item.people}
+    assert f"{track} red coat" in titles
+
+
+def test_after_an_edit_suspicions_are_looked_for_again(desk, window, qtbot):
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    found = []
+    desk.reviewing._search.found.connect(found.append)
+    session = desk.document.session
+    desk.document.selection.choose(session.tracks.of_frame(50)["track"].tolist()[0])
+    desk.playback.go(50)
+    desk.editing.begin(EditKind.SPLIT)
+    desk.editing.confirm()
+    assert desk.reviewing._search.busy
+    qtbot.waitUntil(lambda: bool(found), timeout=10_000)
+
+
+def test_the_meter_tells_what_was_done_and_how_good_the_queue_is(desk, press, window, qtbot):
+    press(Key.Key_N)
+    press(Key.Key_Z)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    said = window.workspace.review._meter.text()
+    assert "1 decided" in said
+    assert "Against the truth" in said
+    assert "identity errors in" in said
+
+
+def test_the_list_can_be_narrowed_sorted_and_clicked(desk, window, qtbot):
+    panel: ReviewPanel = window.workspace.review
+    panel.order_chosen.emit(Order.TIME.value)
+    frames = [item.frame for item in desk.reviewing.queue.items]
+    assert frames == sorted(frames)
+    kind = desk.reviewing.queue.kinds()[0]
+    panel.kind_chosen.emit(kind.kind)
+    assert len(desk.reviewing.queue.items) == kind.count
+    item = desk.reviewing.queue.items[0]
+    at = panel._list.visualRect(panel._model.index(0)).center()
+    qtbot.mouseClick(panel._list.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    assert desk.reviewing.queue.current.key == item.key
+
+
+def test_the_queue_is_empty_again_once_the_recording_is_closed(desk, window):
+    window.files.close_without_asking()
+    assert window.workspace.review._model.rowCount() == 0
