@@ -9,13 +9,13 @@ import pytest
 from made_up_sessions import make_session
 
 from tracking.session import Session, reading
-from tracking.session.inspection import inspect
+from tracking.session.inspection import verdict_on
 
 
 @pytest.fixture(autouse=True)
 def look_over(monkeypatch: pytest.MonkeyPatch) -> None:
     """Look files over in this process: the same check, without waiting for another Python."""
-    monkeypatch.setattr(reading, "check_file", lambda path: inspect(path))
+    monkeypatch.setattr(reading, "verdicts_on", lambda paths: [verdict_on(path) for path in paths])
 
 
 @pytest.fixture

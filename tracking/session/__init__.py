@@ -4,6 +4,7 @@ from tracking.session.document import Session
 from tracking.session.errors import RecordingMissing
 from tracking.session.info import describe
 from tracking.session.known import KnownRecordings
+from tracking.session.older import Generation, list_generations
 from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import Runs
@@ -11,6 +12,7 @@ from tracking.session.saving import generations
 from tracking.session.stamping import author_named
 
 __all__ = [
+    "Generation",
     "KnownRecordings",
     "PendingSave",
     "RecordingMissing",
@@ -21,4 +23,5 @@ __all__ = [
     "author_named",
     "describe",
     "generations",
+    "list_generations",
 ]

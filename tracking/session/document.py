@@ -8,51 +8,33 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tracking.editing import Change, Entry, History, plan_undo_alone, with_parts_carried
+from tracking.editing import Change, Entry, plan_undo_alone, with_parts_carried
 from tracking.errors import OutputError, SessionError
-from tracking.session.edited import Edited
+from tracking.session.held import Held
 from tracking.session.image import Snapshot, Stamps, empty_snapshot
 from tracking.session.journal import Act
 from tracking.session.known import KnownRecordings
+from tracking.session.older import read_generation, standing_in
 from tracking.session.pending import PendingSave
 from tracking.session.reading import read_session
 from tracking.session.recovery import recover
-from tracking.session.reference import Footage, RecordingReference, refer_to
-from tracking.session.runs import Runs
-from tracking.session.saving import file_state, real_path
+from tracking.session.reference import Footage, refer_to
+from tracking.session.saving import UNLIMITED, file_state, generations, real_path
 from tracking.session.stamping import author_named, made_up, now, software
 from tracking.session.store import Store, has_waiting_journal
-from tracking.session.whereabouts import Whereabouts
-from tracking.tracks import Labels, Run, TrackTable
+from tracking.tracks import Run, TrackTable
 
 if TYPE_CHECKING:
     from tracking.recording import Recording
 
 
-class Session:
+class Session(Held):
     """One recording's tracks as trackers found them and as people put them right.
 
     Used from one thread; only `PendingSave.write` may run on another. With a path, every edit is
     in the journal on disk before `apply` returns. Edits are logged under `author`, which may be
     set to another name at any time.
     """
-
-    def __init__(self, snapshot: Snapshot, path: Path | None, author: str) -> None:
-        """Use `create` or `open`."""
-        self._stamps = snapshot.stamps
-        self._whereabouts = Whereabouts(snapshot.recording)
-        self._edited = Edited(snapshot.tracks, snapshot.labels, snapshot.history())
-        self._adopted = snapshot.adopted
-        self._runs = Runs(snapshot.runs)
-        self._path = path
-        self.author = author
-        self._store: Store | None = None
-        self._pending: PendingSave | None = None
-        self._notes: list[str] = []
-        self._recovered = 0
-        # What changed is counted; saved says which count the file holds, base which one the
-        # journal builds on.
-        self._content = self._saved = self._base = 0
 
     # Making and opening
 
@@ -113,73 +95,6 @@ class Session:
         if self._store is not None:
             self._store.release(keep_journal=self.dirty and not discard)
             self._store = None
-
-    # What it holds
-
-    @property
-    def path(self) -> Path | None:
-        """The file; None where it was never saved."""
-        return self._path
-
-    @property
-    def recording(self) -> RecordingReference:
-        """The recording it is about."""
-        return self._whereabouts.reference
-
-    @property
-    def tracks(self) -> TrackTable:
-        """The corrected table; it changes in place, and only by `apply`, `undo` and `redo`."""
-        return self._edited.tracks
-
-    @property
-    def labels(self) -> Labels:
-        """What people said; a frozen value, another one after each edit that touches it."""
-        return self._edited.labels
-
-    @property
-    def runs(self) -> Runs:
-        """What trackers found, by number; never changed by edits."""
-        return self._runs
-
-    @property
-    def adopted_run(self) -> int | None:
-        """The run the corrected table began as."""
-        return self._adopted
-
-    @property
-    def history(self) -> History:
-        """The log of edits."""
-        return self._edited.history
-
-    @property
-    def created(self) -> str:
-        """When it was made: UTC, ISO 8601."""
-        return self._stamps.created
-
-    @property
-    def modified(self) -> str:
-        """When it was saved last: UTC, ISO 8601."""
-        return self._stamps.modified
-
-    @property
-    def dirty(self) -> bool:
-        """Whether the session file misses something (the journal misses no edit)."""
-        return self._content != self._saved
-
-    @property
-    def read_only(self) -> bool:
-        """Whether it cannot be saved under its name; `notes` says why."""
-        return self._path is not None and self._store is None
-
-    @property
-    def recovered(self) -> int:
-        """How many steps made after the last save were taken from the journal on opening."""
-        return self._recovered
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What the user should be told of opening, a line each."""
-        return tuple(self._notes)
 
     # Changing
 
@@ -288,7 +203,9 @@ class Session:
         Raises OutputError, with the old file byte for byte as it was, where that fails;
         SessionError where another program has the file or no path was ever named.
         """
-        pending = self.begin_save(path)
+        return self._write(self.begin_save(path))
+
+    def _write(self, pending: PendingSave) -> Path:
         try:
             pending.write()
             return self.finish_save(pending)
@@ -311,18 +228,8 @@ class Session:
         if own:
             self._refuse_read_only()
         store = self._store if own and self._store is not None else Store.claim(target)
-        journal = store.journal() if own and store.has_journal else None
-        origin = journal.origin if journal is not None else None
-        stamps = replace(
-            self._stamps,
-            save=made_up(),
-            previous_save=origin[1] if origin else self._stamps.save if own else "",
-            included=journal.last if journal is not None else 0,
-            modified=now(),
-            software=software(),
-        )
         snapshot = Snapshot(
-            stamps=stamps,
+            stamps=self._next_stamps(self._stamps, store if own else None),
             recording=self._whereabouts.seen_from(target.parent, self._path),
             runs=self._runs.held(),
             tracks=self.tracks.snapshot(),
@@ -334,12 +241,25 @@ class Session:
         self._pending = PendingSave(snapshot, target, self._content, store)
         return self._pending
 
+    def _next_stamps(self, stamps: Stamps, store: Store | None) -> Stamps:
+        """Of the next save, which takes in the journal of store; None: it goes elsewhere."""
+        journal = store.journal() if store is not None and store.has_journal else None
+        origin = journal.origin if journal is not None else None
+        return replace(
+            stamps,
+            session=self._stamps.session,
+            save=made_up(),
+            previous_save=origin[1] if origin else self._stamps.save if store is not None else "",
+            included=journal.last if journal is not None else 0,
+            modified=now(),
+            software=software(),
+        )
+
     def finish_save(self, pending: PendingSave) -> Path:
         """The last step, after `write`: from now on the journal builds on the new file."""
         stamps, own = pending.snapshot.stamps, pending.store is self._store
-        if own and pending.store.has_journal:
-            with contextlib.suppress(OutputError):  # it stays longer; the file says what it holds
-                pending.store.journal().start_over(stamps.session, stamps.save, stamps.included)
+        if own:
+            self._trim_journal(pending)
         elif pending.store.has_journal:
             pending.store.set_journal_aside()  # of the session that was there before
         left = None if own else self._store
@@ -356,11 +276,48 @@ class Session:
                 left.release(keep_journal=self.dirty)
         return pending.path
 
+    def _trim_journal(self, pending: PendingSave) -> None:
+        """Let the journal build on the file that was just written."""
+        stamps = pending.snapshot.stamps
+        if pending.store.has_journal:
+            with contextlib.suppress(OutputError):  # it stays longer; the file says what it holds
+                pending.store.journal().start_over(stamps.session, stamps.save, stamps.included)
+
     def abandon_save(self, pending: PendingSave) -> None:
         """Instead of `finish_save`, where `write` failed or was not called."""
         self._pending = None
         if pending.store is not self._store:
             pending.store.release(keep_journal=True)
+
+    # Older generations
+
+    def restore(self, number: int) -> Session:
+        """Have an older generation back; gives that session, and this one is closed.
+
+        Nothing is lost: what this session is now, with the edits that are not saved yet, is the
+        newest generation then, and no generation is dropped before the next save.
+        Raises SessionError where there is no such generation, it cannot be read, or this session
+        is open for reading only; OutputError, with everything as it was, where saving fails.
+        """
+        self._refuse_read_only()
+        path, store = self._path, self._store
+        if path is None or store is None:
+            raise SessionError("the session was never saved; there is nothing older to restore")
+        file, older = read_generation(path, number)
+        known = file_state(file)
+        if self.dirty:
+            self._write(replace(self.begin_save(), most=UNLIMITED))
+        file = next(kept for kept in generations(path) if file_state(kept) == known)
+        stamps = self._next_stamps(older.stamps, store)
+        recording = self._whereabouts.reference
+        snapshot = replace(standing_in(older, file), stamps=stamps, recording=recording)
+        pending = PendingSave(snapshot, path, 0, store, UNLIMITED)
+        pending.write()
+        restored = Session(standing_in(snapshot, path), path, self.author)
+        restored._whereabouts.place = self._whereabouts.place
+        restored._store, self._store = store, None
+        restored._trim_journal(pending)
+        return restored
 
     # The recording
 

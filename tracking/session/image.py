@@ -108,6 +108,7 @@ def write_image(snapshot: Snapshot, image: ImageFile) -> None:
                 _write_run(packer, runs.create_group(str(number)), run)
         columns = snapshot.tracks.in_order()
         tracks = packer.table(file, "tracks", CORRECTED_COLUMNS, columns)
+        tracks.attrs["count"] = len(snapshot.tracks.track_ids)
         tracks.attrs["highest_track"] = snapshot.tracks.highest_track
         tracks.attrs["run"] = -1 if snapshot.adopted is None else snapshot.adopted
         _write_labels(packer, file, snapshot.labels)

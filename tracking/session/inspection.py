@@ -1,8 +1,8 @@
-"""Look a session file over before its data is touched: `python inspection.py FILE`.
+"""Look session files over before their data is touched: `python inspection.py FILE...`.
 
 A file from elsewhere can be made to crash the HDF5 library, to name other files, or to fill the
 memory. So this runs as a program of its own, with limits, and reads no column of numbers. It
-prints one line of JSON: {"version": [major, minor]} or {"refused": why}.
+prints one line of JSON a file: {"version": [major, minor]} or {"refused": why}.
 """
 
 from __future__ import annotations
@@ -225,15 +225,21 @@ def _limit() -> None:
 
 
 def main() -> None:
-    """Print the verdict on the file named on the command line."""
+    """Print the verdict on each file named on the command line, as soon as it is found."""
     _limit()
+    for name in sys.argv[1:]:
+        print(json.dumps(verdict_on(Path(name))), flush=True)
+
+
+def verdict_on(path: Path) -> dict[str, Any]:
+    """{"version": [major, minor]}, or {"refused": why} in words that follow the file's name."""
     try:
-        print(json.dumps({"version": inspect(Path(sys.argv[1]))}))
+        return {"version": inspect(path)}
     except Refused as why:
-        print(json.dumps({"refused": str(why)}))
+        return {"refused": f" {why}"}
     except Exception as why:  # whatever the library says of a damaged file
         reason = " ".join(str(why).split())
-        print(json.dumps({"refused": f"is damaged or cut short ({reason})"}))
+        return {"refused": f" is damaged or cut short ({reason})"}
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from tracking.session.image import Snapshot, write_image
-from tracking.session.saving import replace_verified
+from tracking.session.saving import GENERATIONS, replace_verified
 from tracking.session.store import Store
 
 
@@ -20,6 +20,7 @@ class PendingSave:
         snapshot, path: what to write and where to.
         content: the session's count of changes that the snapshot holds.
         store: the right to write there.
+        most: how many older generations are kept.
         written: done when the new file is in its place; holds the error where that failed.
     """
 
@@ -27,6 +28,7 @@ class PendingSave:
     path: Path
     content: int
     store: Store
+    most: int = GENERATIONS
     written: Future[None] = field(default_factory=Future)
 
     def write(self) -> None:
@@ -35,7 +37,7 @@ class PendingSave:
         Raises OutputError, with the old file whole, where that fails.
         """
         try:
-            replace_verified(self.path, partial(write_image, self.snapshot))
+            replace_verified(self.path, partial(write_image, self.snapshot), self.most)
         except BaseException as why:
             self.written.set_exception(why)
             raise

@@ -6,8 +6,10 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import h5py
 
@@ -45,9 +47,38 @@ def check_file(path: Path) -> tuple[int, int]:
         raise SessionError(f"{path}: this is a folder; name a session file")
     if not path.is_file():
         raise SessionError(f"{path}: there is no such session; check the path")
+    verdict = verdicts_on([path])[0]
+    if "refused" in verdict:
+        raise SessionError(f"{path}{verdict['refused']}{_older_copy(path)}")
+    major, minor = verdict["version"]
+    return int(major), int(minor)
+
+
+def check_files(paths: Sequence[Path]) -> list[str]:
+    """Why each of the files is not safe to read; "" where it is. One other program for all."""
+    verdicts = verdicts_on(paths)
+    return [
+        f"{path}{verdict['refused']}" if "refused" in verdict else ""
+        for path, verdict in zip(paths, verdicts, strict=True)
+    ]
+
+
+def verdicts_on(paths: Sequence[Path]) -> list[dict[str, Any]]:
+    """What the other program says of each file; one that it does not survive is damaged."""
+    verdicts: list[dict[str, Any]] = []
+    while len(verdicts) < len(paths):
+        verdicts += _looked_over(paths[len(verdicts) :])
+        if len(verdicts) < len(paths):
+            verdicts.append({"refused": ": the session file is damaged: it cannot be read safely"})
+    return verdicts
+
+
+def _looked_over(paths: Sequence[Path]) -> list[dict[str, Any]]:
+    """The verdicts on the first of the files, up to where the other program ended."""
+    command = [sys.executable, "-P", inspection.__file__, *(str(path.resolve()) for path in paths)]
     try:
         done = subprocess.run(
-            [sys.executable, "-P", inspection.__file__, str(path.resolve())],
+            command,
             env={**os.environ, "PYTHONPATH": _search_path(), "OPENBLAS_NUM_THREADS": "1"},
             stdin=subprocess.DEVNULL,
             capture_output=True,
@@ -55,15 +86,16 @@ def check_file(path: Path) -> tuple[int, int]:
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
             check=False,
         )
-        verdict = json.loads(done.stdout)
-    except (subprocess.TimeoutExpired, ValueError):
-        raise SessionError(
-            f"{path}: the session file is damaged: it cannot be read safely{_older_copy(path)}"
-        ) from None
-    if "refused" in verdict:
-        raise SessionError(f"{path} {verdict['refused']}{_older_copy(path)}")
-    major, minor = verdict["version"]
-    return int(major), int(minor)
+        said = done.stdout
+    except subprocess.TimeoutExpired as why:
+        said = why.stdout or b""
+    verdicts = []
+    for line in said.splitlines():
+        try:
+            verdicts.append(json.loads(line))
+        except ValueError:  # it ended within the line
+            break
+    return verdicts
 
 
 def _older_copy(path: Path) -> str:

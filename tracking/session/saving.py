@@ -6,6 +6,7 @@ import contextlib
 import errno
 import filecmp
 import os
+import re
 import shutil
 import sys
 import time
@@ -17,6 +18,8 @@ from tracking.errors import OutputError
 from tracking.session.image_file import ImageFile
 
 GENERATIONS = 5
+UNLIMITED = 999_999
+"""Generations kept while one of them is restored: none is dropped then."""
 _TRIES, _PAUSE_S = 20, 0.1
 
 
@@ -41,15 +44,18 @@ def companions(path: Path) -> Path:
 
 def generations(path: Path) -> tuple[Path, ...]:
     """The older generations of a session that are kept, the newest first."""
-    kept = (_generation(path, age) for age in range(1, GENERATIONS + 1))
+    kept = (_generation(path, age) for age in _ages(path))
     return tuple(file for file in kept if file.is_file())
 
 
-def replace_verified(path: Path, write: Callable[[ImageFile], None]) -> None:
+def replace_verified(
+    path: Path, write: Callable[[ImageFile], None], most: int = GENERATIONS
+) -> None:
     """Put what `write` writes in the session's place; the file that was there becomes a generation.
 
     At every moment a whole file stands under the name: the old one until the new one is on the
-    disk and read back equal. Raises OutputError, with the old file untouched.
+    disk and read back equal. Of the older ones the newest are kept, so many at most.
+    Raises OutputError, with the old file untouched.
     """
     folder = companions(path)
     beside = folder / f"saving-{uuid.uuid4().hex}.h5"
@@ -63,6 +69,7 @@ def replace_verified(path: Path, write: Callable[[ImageFile], None]) -> None:
                 shutil.copymode(path, beside)
             _keep_generation(path)
             _replace(beside, path)
+            _drop_oldest(path, most)
         finally:
             with contextlib.suppress(OSError):
                 beside.unlink(missing_ok=True)
@@ -109,16 +116,17 @@ def _replace(new: Path, path: Path) -> None:
 
 
 def _keep_generation(path: Path) -> None:
-    """Give the present file a second name, as the newest generation; drop the oldest.
+    """Give the present file a second name, as the newest generation; the others grow older.
 
     A save that failed later on may have kept it already: saving again and again on a disk that
     refuses must not push the older ones out.
     """
     if not path.exists() or _is_kept(path):
         return
-    for age in range(GENERATIONS - 1, 0, -1):
-        if _generation(path, age).exists():
-            _generation(path, age).replace(_generation(path, age + 1))
+    ages = _ages(path)
+    in_a_row = [age for place, age in enumerate(ages, 1) if age == place]
+    for age in reversed(in_a_row):
+        _generation(path, age).replace(_generation(path, age + 1))
     newest = _generation(path, 1)
     try:
         os.link(path, newest)
@@ -131,12 +139,28 @@ def _keep_generation(path: Path) -> None:
             unfinished.unlink(missing_ok=True)
 
 
+def _drop_oldest(path: Path, most: int) -> None:
+    for age in _ages(path)[most:]:
+        with contextlib.suppress(OSError):  # it goes with the next save
+            _generation(path, age).unlink()
+
+
 def _is_kept(path: Path) -> bool:
     """Whether the newest generation is the present file."""
     newest = _generation(path, 1)
     if not newest.exists():
         return False
     return newest.samefile(path) or filecmp.cmp(newest, path, shallow=False)
+
+
+def _ages(path: Path) -> list[int]:
+    """The ages of the generations that are kept, ascending from 1."""
+    names = re.compile(rf"{re.escape(path.stem)}\.([1-9]\d{{0,5}}){re.escape(path.suffix)}")
+    try:
+        found = [names.fullmatch(file.name) for file in companions(path).iterdir()]
+    except OSError:  # nothing was ever kept, or may be looked at
+        return []
+    return sorted(int(match[1]) for match in found if match)
 
 
 def _generation(path: Path, age: int) -> Path:

@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 import getpass
+import os
 import uuid
 from datetime import UTC, datetime
 from importlib import metadata
+
+AUTHOR_VARIABLE = "TRACKWRIGHT_AUTHOR"
+"""The environment variable that names the author of edits."""
+LONGEST_AUTHOR = 100
 
 
 def now() -> str:
@@ -24,9 +29,14 @@ def software() -> str:
 
 
 def author_named(named: str | None) -> str:
-    """The author of edits as the caller says, else the account's name; "" where it has none."""
-    if named is not None:
-        return named
+    """The author of edits: as the caller says, else as the environment does, else the account.
+
+    "" where none has a name. A name is one line of at most `LONGEST_AUTHOR` characters.
+    """
+    said = named if named is not None else os.environ.get(AUTHOR_VARIABLE, "").strip() or None
+    if said is not None:
+        line = " ".join(said.replace("\0", " ").split())[:LONGEST_AUTHOR]
+        return line.encode("utf-8", "replace").decode("utf-8")
     try:
         return getpass.getuser()
     except (OSError, KeyError, ImportError):

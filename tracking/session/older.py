@@ -1,0 +1,99 @@
+"""Older generations of a session: what was saved before, listed and had back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from tracking.errors import SessionError
+from tracking.session import reading
+from tracking.session.hdf5 import opened, text_attribute
+from tracking.session.image import Snapshot
+from tracking.session.runs import StoredRun
+from tracking.session.saving import generations
+
+
+@dataclass(frozen=True, slots=True)
+class Generation:
+    """A session as it was saved before.
+
+    Attributes:
+        number: 1 is the one saved last before the present file.
+        path, size_bytes: the file.
+        saved: when; UTC, ISO 8601; "" where the file cannot be read.
+        edits, undone_edits: how many of each the log has, as `trackwright info` counts them.
+        tracks: how many corrected tracks.
+        problem: why the file cannot be read; "" where it can.
+    """
+
+    number: int
+    path: Path
+    size_bytes: int
+    saved: str = ""
+    edits: int = 0
+    undone_edits: int = 0
+    tracks: int = 0
+    problem: str = ""
+
+
+def list_generations(path: Path) -> tuple[Generation, ...]:
+    """The older generations that are kept beside a session, the newest first.
+
+    No table is read; one that is damaged is listed with its problem.
+    """
+    files = generations(path)
+    problems = reading.check_files(files)
+    return tuple(
+        _described(number, file, problem)
+        for number, (file, problem) in enumerate(zip(files, problems, strict=True), 1)
+    )
+
+
+def read_generation(path: Path, number: int) -> tuple[Path, Snapshot]:
+    """The file of an older generation and what it says.
+
+    Raises SessionError where there is none of that number, where it cannot be read, and where a
+    newer program made it.
+    """
+    files = generations(path)
+    if not 1 <= number <= len(files):
+        kept = f"there are {len(files)}, 1 is the newest" if files else "none is kept yet"
+        raise SessionError(f"{path} has no older generation {number} ({kept})")
+    snapshot = reading.read_session(files[number - 1])
+    if snapshot.newer:
+        raise SessionError(
+            f"{files[number - 1]} was made by a newer trackwright; update to restore it"
+        )
+    return files[number - 1], snapshot
+
+
+def standing_in(snapshot: Snapshot, file: Path) -> Snapshot:
+    """The snapshot with its runs still in a file, wherever that was renamed to."""
+    runs = tuple(StoredRun(file, number) for number in range(len(snapshot.runs)))
+    return replace(snapshot, runs=runs)
+
+
+def _described(number: int, file: Path, problem: str) -> Generation:
+    size = file.stat().st_size if file.exists() else 0
+    if problem:
+        return Generation(number, file, size, problem=problem)
+    try:
+        with opened(file) as held:
+            undone = held["edits/undone"][()]
+            return Generation(
+                *(number, file, size, text_attribute(held, "modified")),
+                edits=int(np.count_nonzero(~undone)),
+                undone_edits=int(np.count_nonzero(undone)),
+                tracks=_tracks(held["tracks"]),
+            )
+    except SessionError as why:
+        return Generation(number, file, size, problem=str(why))
+
+
+def _tracks(group: h5py.Group) -> int:
+    """How many tracks; format 1.0 does not say, so they are counted."""
+    said = group.attrs.get("count")
+    return len(np.unique(group["track"][()])) if said is None else int(said)
