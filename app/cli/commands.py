@@ -243,7 +243,8 @@ def compare(
 def review(
     session: Annotated[Path, typer.Argument(help="A session.")],
     order: Annotated[
-        Literal["worth", "time"], typer.Option(help="Most worth looking at first, or by time.")
+        Literal["worth", "likelihood", "time"],
+        typer.Option(help="Worth is likelihood times what would be wrong."),
     ] = "worth",
     most: Annotated[
         int | None, typer.Option(min=1, help="How many at most.", show_default="all")

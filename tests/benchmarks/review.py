@@ -16,7 +16,7 @@ import numpy as np
 
 from tests.benchmarks.review_cases import REPORTED, TUNING, Case, cases
 from tests.benchmarks.review_fit import fit
-from tracking.review import ReviewMeasures, find_suspicions, review_measures
+from tracking.review import ReviewMeasures, find_suspicions, ranked, review_measures
 from tracking.scoring import BoxMatch, FloorMatch
 
 FOOTAGE = 0.05
@@ -41,6 +41,7 @@ def main() -> None:
     parser.add_argument("--fit", action="store_true", help="fit the likelihoods anew")
     parser.add_argument("--tuning", action="store_true", help="report on the scenes for fitting")
     parser.add_argument("--match", choices=("floor", "box"), default="floor")
+    parser.add_argument("--order", choices=("worth", "likelihood"), default="worth")
     asked = parser.parse_args()
     cv2.setNumThreads(1)
     match = FloorMatch(0.5) if asked.match == "floor" else BoxMatch(0.5)
@@ -58,12 +59,12 @@ def main() -> None:
                 if case.errors and case.footage.is_calm == calm and bool(case.swaps) == swapped
             ]
             name = f"{'calm' if calm else 'crowded'}, {'swapped' if swapped else 'as tracked'}"
-            print(_row(name, group), flush=True)
+            print(_row(name, group, asked.order), flush=True)
 
 
-def _row(name: str, group: Sequence[Case]) -> str:
+def _row(name: str, group: Sequence[Case], order: str) -> str:
     """A line of the table; figures of all results pooled, medians over results."""
-    measured = [_measured(case) for case in group]
+    measured = [_measured(case, order) for case in group]
     errors = sum(each.errors for each in measured)
     found = sum(each.found_within(FOOTAGE) for each in measured)
     watched = sum(min(FOOTAGE, float(each.footage[-1])) * each.minutes for each in measured)
@@ -82,8 +83,9 @@ def _row(name: str, group: Sequence[Case]) -> str:
     return f"| {name} | {' | '.join(cells)} |"
 
 
-def _measured(case: Case) -> ReviewMeasures:
-    suspicions = find_suspicions(case.table, case.run, case.fps, view=case.view)
+def _measured(case: Case, order: str) -> ReviewMeasures:
+    found = find_suspicions(case.table, case.run, case.fps, view=case.view)
+    suspicions = ranked(found, order)
     return review_measures(suspicions, case.errors, case.table, case.frames, case.fps)
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 
 from tests.benchmarks.review_cases import Case
+from tracking.review.crowding import crowding
 from tracking.review.evidence import gathered
 from tracking.review.found import Found
 from tracking.review.joining import Places, Reasons, joined_places, stacked
@@ -35,7 +36,7 @@ def fit(cases: Sequence[Case]) -> None:
     for _ in range(_ROUNDS):
         strength, mistaken = _examples(looked, weights)
         fitted = _logistic(strength, mistaken)
-        weights = fitted[2:]
+        weights = fitted[3:]
     _print(fitted)
     strength, mistaken = _examples(looked, weights)
     _print_calibration(1.0 / (1.0 + np.exp(-(fitted[0] + strength @ fitted[1:]))), mistaken)
@@ -50,13 +51,14 @@ def _looked(case: Case) -> tuple[Material, list[Found]]:
 def _examples(
     looked: Sequence[tuple[Case, Material, list[Found]]], weights: Floats
 ) -> tuple[Floats, Floats]:
-    """(k, 1 + kinds) whether a place is about two tracks, and strengths; (k,) 1 for mistakes."""
+    """(k, 2 + kinds) two tracks or one, crowding, and strengths; (k,) 1 for mistakes."""
     strengths, mistaken = [], []
     for case, material, found in looked:
         reasons = stacked(found, np.maximum(weights, LEAST_WEIGHT).tolist())
         places = joined_places(reasons, material.evidence.frames_of(JOINED_S))
         two = reasons.second[places.leader] > 0
-        strengths.append(np.column_stack((two, places.strength)))
+        crowd = crowding(material, reasons.frame[places.leader])
+        strengths.append(np.column_stack((two, crowd, places.strength)))
         mistaken.append(_mistaken(case, reasons, places, material))
     return np.concatenate(strengths), np.concatenate(mistaken).astype(float)
 
@@ -75,7 +77,7 @@ def _mistaken(
 
 
 def _logistic(strength: Floats, mistaken: Floats) -> Floats:
-    """(2 + kinds,) intercept, and weights that are not below 0."""
+    """(3 + kinds,) intercept, and weights that are not below 0."""
 
     def loss(theta: Floats) -> tuple[float, Floats]:
         odds = theta[0] + strength @ theta[1:]
@@ -92,7 +94,8 @@ def _logistic(strength: Floats, mistaken: Floats) -> Floats:
 
 def _print(fitted: Floats) -> None:
     print(f"ONE, TWO = {fitted[0]:.2f}, {fitted[0] + fitted[1]:.2f}")
-    for kind, weight in zip(REASONS, fitted[2:], strict=True):
+    print(f"CROWD = {fitted[2]:.2f}")
+    for kind, weight in zip(REASONS, fitted[3:], strict=True):
         print(f'"{kind}": {weight:.2f},')
 
 

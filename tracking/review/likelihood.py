@@ -1,7 +1,7 @@
 """How likely a mistake is, from the reasons that speak for it.
 
-A logistic model: log odds of the place, plus a weight for each reason times its strength. It was
-fitted to rendered scenes tracked with both stereo trackers, with their own mistakes and with
+A logistic model: log odds of the place and of the crowd, plus a weight for each reason times its
+strength. It was fitted to rendered scenes tracked with both stereo trackers, with their own mistakes and with
 tracks swapped at random where they pass each other: `python -m tests.benchmarks.review --fit`
 renders them, fits the table anew and prints it beside how often places of each likelihood were
 mistakes. A weight of 0 means that the reason tells nothing beyond what the others told.
@@ -17,26 +17,28 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-ONE, TWO = -3.87, -2.05
+ONE, TWO = -4.46, -2.94
 """Log odds of a place of one track and of one of two tracks, whatever speaks for it."""
+CROWD = 1.42
+"""Log odds that being crowded adds."""
 
 WEIGHTS: Mapping[str, float] = MappingProxyType(
     {
-        "exchange": 1.85,
-        "turn": 3.23,
-        "crossing": 0.25,
-        "shared": 0.37,
-        "lost": 7.2,
+        "exchange": 2.18,
+        "turn": 3.88,
+        "crossing": 0.0,
+        "shared": 0.19,
+        "lost": 7.84,
         "ended": 0.0,
-        "begun": 2.04,
-        "colour": 0.62,
+        "begun": 2.42,
+        "colour": 0.68,
         "height": 0.0,
-        "jump": 1.15,
-        "predicted": 0.28,
-        "drift": 0.64,
-        "margin": 0.47,
-        "spread": 1.69,
-        "split": 1.46,
+        "jump": 0.85,
+        "predicted": 0.58,
+        "drift": 0.0,
+        "margin": 0.37,
+        "spread": 1.25,
+        "split": 1.31,
         "part": 1.0,  # not fitted: none of these trackers follows parts
     }
 )
@@ -46,13 +48,15 @@ LEAST_WEIGHT = 0.05
 """So that among reasons that tell nothing the stronger one still leads."""
 
 
-def likelihoods(kinds: Sequence[str], strength: Floats, two: NDArray[np.bool_]) -> Floats:
+def likelihoods(
+    kinds: Sequence[str], strength: Floats, two: NDArray[np.bool_], crowd: Floats
+) -> Floats:
     """(k,) 0 to 1.
 
     Args:
         kinds: of the columns of strength. strength: (k, kinds) of the strongest reason of a kind.
-        two: (k,) whether a place is about two tracks.
+        two: (k,) whether a place is about two tracks. crowd: (k,) see `crowding`.
     """
     weights = np.array([WEIGHTS[kind] for kind in kinds])
-    odds = np.where(two, TWO, ONE) + strength @ weights
+    odds = np.where(two, TWO, ONE) + CROWD * crowd + strength @ weights
     return np.asarray(1.0 / (1.0 + np.exp(-odds)))

@@ -14,9 +14,11 @@ SAME_S = 1.0
 
 
 def ranked(suspicions: Iterable[Suspicion], by: str = "worth") -> tuple[Suspicion, ...]:
-    """In order: by "worth", likelihood times cost and the greatest first; or by "time"."""
+    """In order: by "worth", the greatest first; by "likelihood", likewise; or by "time"."""
     if by == "time":
         return tuple(sorted(suspicions, key=lambda one: (one.frame, one.tracks, one.kind)))
+    if by == "likelihood":
+        return tuple(sorted(suspicions, key=lambda one: (-one.likelihood, one.frame, one.tracks)))
     return tuple(sorted(suspicions, key=lambda one: (-one.worth, one.frame, one.tracks, one.kind)))
 
 

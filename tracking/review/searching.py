@@ -8,6 +8,7 @@ import numpy as np
 
 from tracking.geometry import View
 from tracking.review.costs import costs
+from tracking.review.crowding import crowding
 from tracking.review.evidence import gathered
 from tracking.review.joining import Reasons, joined_places, stacked
 from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
@@ -25,7 +26,7 @@ Progress = Callable[[int, int], None]
 
 JOINED_S = 0.75
 """Reasons about the same people so near in time are one suspicion."""
-_LEAST = 0.02
+_LEAST = 0.01
 """Less likely suspicions are not mentioned."""
 
 
@@ -82,7 +83,7 @@ def _suspicions(material: Material, reasons: Reasons) -> list[Suspicion]:
     places = joined_places(reasons, evidence.frames_of(JOINED_S))
     leader = places.leader
     first, second, frame = reasons.first[leader], reasons.second[leader], reasons.frame[leader]
-    likely = likelihoods(reasons.kinds, places.strength, second > 0)
+    likely = likelihoods(reasons.kinds, places.strength, second > 0, crowding(material, frame))
     start, end = stretches(reasons, places, evidence)
     cost = costs(material, first, second, frame)
     told = np.flatnonzero(likely >= _LEAST)
