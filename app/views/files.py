@@ -19,6 +19,7 @@ from app.views.author import Author
 from app.views.compare import Beside
 from app.views.desk import Desk
 from app.views.exporting import Exporting, beside
+from app.views.generations import OlderStates
 from app.views.keeping import Keeping
 from app.views.leaving import Leaving, Then
 from app.views.questions import choose_file, choose_new_file
@@ -63,6 +64,9 @@ class Files(QObject):
         self.author = Author(window, remembered, self)
         self.exporting = Exporting(window, work, self)
         self.exporting.said.connect(self.said)
+        self.older = OlderStates(window, work, self)
+        self.older.said.connect(self.said)
+        self.older.changed.connect(self.changed)
         self.beside = Beside(window, work, self)
         self.keeping = Keeping(window, work, self)
         self.keeping.changed.connect(self.changed)
@@ -302,6 +306,7 @@ class Files(QObject):
             desk, self.desk = self.desk, None
             self.keeping.drop()
             self.beside.close()
+            self.older.close()
             if desk.document.recording.is_stereo:  # one camera leaves nothing to choose
                 self._remembered.set_text("eyes", desk.eyes)
             self._whereabouts.end()

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QPushButton,
+    QSizePolicy,
     QSpinBox,
     QVBoxLayout,
     QWidget,
@@ -20,6 +21,7 @@ from app.views.icons import IconButton
 from app.views.parts import quiet
 
 _ROWS = 4
+_FRAME_LETTERS = 13
 _LARGEST_FRAME = 2**31 - 2
 
 
@@ -135,11 +137,16 @@ class RangesList(QWidget):
             (self._last, self.tr("Last frame")),
         ):
             box.setRange(0, _LARGEST_FRAME)
+            box.setMaximumWidth(_FRAME_LETTERS * self.fontMetrics().averageCharWidth())
             box.setAccessibleName(name)
         line.addWidget(self._first)
         line.addWidget(quiet(self.tr("to"), self))
         line.addWidget(self._last)
         line.addStretch(1)
+        self._unmark = IconButton("remove", self.tr("Take the mark away"), parent=self)
+        self._unmark.setEnabled(False)
+        self._unmark.clicked.connect(self._take_away)
+        line.addWidget(self._unmark)
         return line
 
     def _build_buttons(self) -> QHBoxLayout:
@@ -147,12 +154,10 @@ class RangesList(QWidget):
         self._one, self._all = QPushButton(self), QPushButton(self.tr("Mark everybody"), self)
         self._one.clicked.connect(lambda: self._mark(False))
         self._all.clicked.connect(lambda: self._mark(True))
-        self._unmark = IconButton("remove", self.tr("Take the mark away"), parent=self)
-        self._unmark.setEnabled(False)
-        self._unmark.clicked.connect(self._take_away)
-        for button in (self._one, self._all, self._unmark):
-            line.addWidget(button)
-        line.addStretch(1)
+        for button in (self._one, self._all):
+            # However long a name is, the panel keeps its width.
+            button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            line.addWidget(button, 1)
         return line
 
     def show_scene(self, scene: LabellingScene) -> None:
@@ -168,8 +173,9 @@ class RangesList(QWidget):
             self._first.setValue(scene.proposed[0])
             self._last.setValue(scene.proposed[1])
         self._one.setEnabled(bool(scene.selected))
-        who = scene.selected or self.tr("the selected person")
+        who = scene.selected or self.tr("selected")
         self._one.setText(self.tr("Mark {0}").format(who))
+        self._one.setToolTip(self._one.text())
 
     def _mark(self, everybody: bool) -> None:
         self.marked.emit(everybody, self._first.value(), self._last.value() + 1)

@@ -25,9 +25,7 @@ COMMANDS: Final = (
         lambda now: editable(now) or ("" if now.can_redo else tr("nothing to redo")),
         icon="redo",
     ),
-    Command(
-        "edit.undo_alone", "Edit", "Undo the chosen edit alone", ("Ctrl+Alt+Z",), editable
-    ),
+    Command("edit.undo_alone", "Edit", "Undo the chosen edit alone", ("Ctrl+Alt+Z",), editable),
     Command(
         "edit.commands", "Edit", "Search commands...", ("Ctrl+K",), separated=True, icon="search"
     ),

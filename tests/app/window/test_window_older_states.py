@@ -1,0 +1,85 @@
+"""Older states of a session listed, looked at and restored in the real window."""
+
+import pytest
+from PySide6.QtWidgets import QPlainTextEdit, QTableWidget
+
+from app.views.generations_dialog import GenerationsDialog
+from tracking.editing import plan_delete
+
+
+@pytest.fixture
+def desk(window, qtbot, tiny_session):
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    return window.desk
+
+
+@pytest.fixture
+def saved_twice(window, desk, qtbot):
+    """Saved with one edit, then with another one; a third waits in the journal."""
+    a, b = desk.document.tracks.ids[:2]
+    for edit in (lambda: desk.editing.rename(a, "one"), lambda: _delete(desk, b)):
+        edit()
+        window.files.save()
+        qtbot.waitUntil(lambda: not window.work.busy and not window.files.unsaved)
+    desk.editing.rename(a, "not saved")
+    return a, b
+
+
+def _delete(desk, track: int) -> None:
+    desk.document.apply(plan_delete(desk.document.session.tracks, track))
+    desk.draw()
+
+
+@pytest.fixture
+def dialog(window, saved_twice, qtbot):
+    window.run_command("file.restore")
+    qtbot.waitUntil(lambda: window.findChild(GenerationsDialog, "generations") is not None)
+    return window.findChild(GenerationsDialog, "generations")
+
+
+def _differences(dialog) -> str:
+    return dialog.findChild(QPlainTextEdit).toPlainText()
+
+
+def test_older_states_are_listed_with_what_would_be_other_than_now(dialog, saved_twice, qtbot):
+    table = dialog.findChild(QTableWidget)
+    edits = [table.item(row, 1).text() for row in range(table.rowCount())]
+    assert edits == ["1 edit", "0 edits"]
+    qtbot.waitUntil(lambda: "Without" in _differences(dialog))
+    told = _differences(dialog)
+    a, b = saved_twice
+    assert "Without 2 edits of now:" in told
+    assert f"Delete track {b}" in told
+    assert f'Name {a} "not saved"' in told
+    assert f"With the tracks {b}" in told
+    dialog.reject()
+
+
+def test_an_older_state_is_restored_and_what_was_there_can_be_had_back(
+    window, desk, dialog, saved_twice, qtbot
+):
+    a, b = saved_twice
+    qtbot.waitUntil(lambda: dialog._restore.isEnabled())
+    dialog._restore.click()
+    qtbot.waitUntil(lambda: not window.work.busy)
+    session = desk.document.session
+    assert b in session.tracks
+    assert desk.document.label(a).name == "one"
+    assert len(window.workspace.history._items) == 1
+    assert window.workspace.isEnabled()
+    desk.editing.rename(a, "again")  # it can be worked on
+    qtbot.waitUntil(lambda: not window.work.busy)
+    window.files.older.restore(1)
+    qtbot.waitUntil(lambda: not window.work.busy)
+    names = [one.name for one in desk.document.session.labels.tracks.values()]
+    assert names == ["not saved"]
+    assert b not in desk.document.session.tracks
+
+
+def test_a_session_saved_once_has_no_older_state(window, desk, qtbot):
+    said: list[str] = []
+    window.files.said.connect(said.append)
+    window.run_command("file.restore")
+    qtbot.waitUntil(lambda: bool(said))
+    assert "No older state" in said[0]
