@@ -176,19 +176,6 @@ class Editing(QObject):
         self._document.correcting.leave()
         return self._do(self._document.redo, tr("Done again: {text}"))
 
-    def go_to_edit(self, edit: int) -> None:
-        """Undo or redo until this edit is the last one in force."""
-        session = self._document.session
-        if session is None:
-            return
-        undone = {entry.id: entry.undone for entry in session.history}.get(edit, False)
-        while undone and (entry := session.history.next_redo) and entry.id <= edit:
-            if not self.redo():
-                return
-        while not undone and (entry := session.history.next_undo) and entry.id > edit:
-            if not self.undo():
-                return
-
     # labels
 
     def rename(self, track: int, name: str) -> None:

@@ -190,9 +190,9 @@ def test_the_history_goes_back_and_forth_to_any_edit(desk):
     track = _ids(desk)[0]
     for name in ("one", "two", "three"):
         desk.editing.rename(track, name)
-    desk.editing.go_to_edit(1)
+    desk.walk.go_back_to(1)
     assert desk.document.label(track).name == "one"
-    desk.editing.go_to_edit(3)
+    desk.walk.go_back_to(3)
     assert desk.document.label(track).name == "three"
 
 

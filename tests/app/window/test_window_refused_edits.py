@@ -26,7 +26,7 @@ def test_going_to_an_edit_ends_at_the_first_that_cannot_be_taken_back(desk, monk
 
     monkeypatch.setattr(desk.document.session, "undo", refuse)
     desk.failed.connect(lambda error: told.append(str(error)) or _fuse(told))
-    desk.editing.go_to_edit(1)
+    desk.walk.go_back_to(1)
     assert told == ["no space left on the disk"]
 
 
