@@ -25,7 +25,15 @@ from tracking.editing import (
     protected_stretches,
 )
 from tracking.errors import EditError
-from tracking.tracks import LARGEST_NUMBER, Labels, ReviewedRange, Run, TrackLabel, TrackTable
+from tracking.tracks import (
+    LARGEST_NUMBER,
+    Columns,
+    Labels,
+    ReviewedRange,
+    Run,
+    TrackLabel,
+    TrackTable,
+)
 
 TWO = [(1, 0, 100, 0.0), (2, 0, 100, 1.0)]
 WALKS = st.lists(
@@ -296,6 +304,32 @@ def test_nobody_stands_where_somebody_protected_does(
     crowded = doubles(table)
     apply_change(table, labels, change)
     assert doubles(table) <= crowded
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.data(), WALKS, WALKS, st.sampled_from((0, 5)))
+def test_nobody_whom_both_sides_see_is_lost(
+    data: st.DataObject,
+    drawn: list[tuple[int, int, int, int]],
+    others: list[tuple[int, int, int, int]],
+    known: int,
+):
+    table, labels, history = corrected(data, walks_of(drawn))
+    run = run_of(walks_of(others), (0, 40), known)
+    tracks = data.draw(st.none() | st.sets(st.integers(1, 8)))
+    seen_by_both = spots(table.columns()) & spots(run.tracks)
+    try:
+        change = plan_take(table, labels, history, run, None, tracks, fps=FPS)
+    except EditError:
+        return
+    apply_change(table, labels, change)
+    assert seen_by_both <= spots(table.columns())
+
+
+def spots(rows: Columns) -> set[tuple[int, float, float]]:
+    """Where somebody stands in which frame."""
+    places = (rows["x"].round(2).tolist(), rows["y"].round(2).tolist())
+    return set(zip(rows["frame"].tolist(), *places, strict=True))
 
 
 def doubles(table: TrackTable) -> int:

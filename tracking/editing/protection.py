@@ -186,8 +186,10 @@ def _emptied(absent: Columns, table: TrackTable) -> Stretches:
 
 def _drawn(table: TrackTable) -> Stretches:
     """Where people drew, moved or interpolated rows."""
-    rows = table.by_track(("track", "frame", "source"))
-    mine = rows["source"] != Source.TRACKER
+    mine = table.by_track(("source",))["source"] != Source.TRACKER
+    if not mine.any():
+        return no_stretches()
+    rows = table.by_track(("track", "frame"))
     return stretches_of(rows["track"][mine], rows["frame"][mine])
 
 
