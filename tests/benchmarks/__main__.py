@@ -8,7 +8,7 @@ import os
 from importlib import import_module
 from typing import Any
 
-GROUPS = ("pipeline", "filter", "scoring", "session", "window")
+GROUPS = ("pipeline", "filter", "scoring", "session", "timeline", "window")
 
 
 def main() -> None:

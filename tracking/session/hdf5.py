@@ -8,11 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import h5py
-import numpy as np
-from numpy.typing import NDArray
 
 from tracking.errors import SessionError
 from tracking.session.layout import TEXT, Types
+from tracking.session.unpacking import read_numbers
 
 _FAILURES = (
     *(OSError, KeyError, ValueError, TypeError),
@@ -35,7 +34,7 @@ def opened(path: Path) -> Iterator[h5py.File]:
 def read_columns(group: h5py.Group, types: Types) -> dict[str, Any]:
     """All columns of a table, numbers as arrays, text as lists."""
     return {
-        name: read_text(group[name]) if dtype == TEXT else _read_numbers(group[name], dtype)
+        name: read_text(group[name]) if dtype == TEXT else read_numbers(group[name], dtype)
         for name, dtype in types.items()
     }
 
@@ -51,10 +50,3 @@ def text_attribute(node: h5py.Group, name: str) -> str:
     if not isinstance(value, str):
         raise ValueError(f"attribute {name} of {node.name} is not text")
     return value
-
-
-def _read_numbers(dataset: h5py.Dataset, dtype: np.dtype[Any]) -> NDArray[Any]:
-    values = np.empty(dataset.shape, dtype)
-    if values.size:
-        dataset.read_direct(values)
-    return values
