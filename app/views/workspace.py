@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 
 from app.presenters.differences_scene import DifferencesScene
 from app.presenters.scenes import Eye
-from app.views.differences_panel import DifferencesPanel
 from app.views.compare_panel import ComparePanel
+from app.views.differences_panel import DifferencesPanel
 from app.views.edit_panel import EditPanel
 from app.views.eye_switch import EyeSwitch
 from app.views.history_panel import HistoryPanel
