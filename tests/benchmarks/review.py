@@ -28,8 +28,8 @@ _COLUMNS = (
     "errors",
     "found in 5 % of the footage",
     "a minute watched",
-    "footage for 95 %, median",
-    "person-time for 95 %, median",
+    "footage for 95 %",
+    "person-time watched then",
     "found by all suspicions",
     "the errors' own moments",
 )
@@ -75,8 +75,7 @@ def _row(name: str, group: Sequence[Case], order: str) -> str:
         f"{errors}",
         f"{found / errors:.1%}",
         f"{found / watched:.1f}",
-        _share([each.footage_for(RECALL) for each in measured]),
-        _share([each.people_for(RECALL) for each in measured]),
+        *_enough(measured, errors),
         f"{every / errors:.1%}",
         f"{own:.1%}",
     )
@@ -89,10 +88,13 @@ def _measured(case: Case, order: str) -> ReviewMeasures:
     return review_measures(suspicions, case.errors, case.table, case.frames, case.fps)
 
 
-def _share(values: Sequence[float]) -> str:
-    """The median, results counted as infinite where the recall is never reached."""
-    middle = float(np.median(np.nan_to_num(values, nan=np.inf)))
-    return f"{middle:.1%}" if np.isfinite(middle) else "never"
+def _enough(measured: Sequence[ReviewMeasures], errors: int) -> tuple[str, str]:
+    """The least share of every result's footage that shows enough of all errors; people's too."""
+    for footage in np.arange(1, 101) / 100:
+        if sum(each.found_within(footage) for each in measured) >= RECALL * errors:
+            people = [each.people_within(footage) for each in measured]
+            return f"{footage:.0%}", f"{np.mean(people):.1%}"
+    return "never", "-"
 
 
 def _own_moments(case: Case) -> float:

@@ -69,7 +69,6 @@ TUNING = (
 REPORTED = (
     *_footage(90, _FEW, range(3301, 3307)),
     Footage("lobby", 180, 30, 3321),
-    Footage("pillars", 180, 30, 3323),
     Footage("uniforms", 180, 24, 3325),
     *_footage(30, _USUAL, (3311, 3312, 3333, 3314, 3315, 3316)),
 )

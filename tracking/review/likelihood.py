@@ -1,10 +1,11 @@
 """How likely a mistake is, from the reasons that speak for it.
 
 A logistic model: log odds of the place and of the crowd, plus a weight for each reason times its
-strength. It was fitted to rendered scenes tracked with both stereo trackers, with their own mistakes and with
-tracks swapped at random where they pass each other: `python -m tests.benchmarks.review --fit`
-renders them, fits the table anew and prints it beside how often places of each likelihood were
-mistakes. A weight of 0 means that the reason tells nothing beyond what the others told.
+strength. It was fitted to rendered scenes tracked with both stereo trackers, with their own
+mistakes and with tracks swapped at random where they pass each other:
+`python -m tests.benchmarks.review --fit` renders them, fits the table anew and prints it beside
+how often places of each likelihood were mistakes. A weight of 0 means that the reason tells
+nothing beyond what the others told.
 """
 
 from __future__ import annotations

@@ -62,10 +62,10 @@ class ReviewMeasures:
             return float("nan")
         return float(self.footage[enough[0]])
 
-    def people_for(self, recall: float) -> float:
-        """The same as a share of the tracks' rows."""
-        enough = np.flatnonzero(self.found >= recall * self.errors - 1e-9)
-        return float(self.people[enough[0]]) if self.errors and len(enough) else float("nan")
+    def people_within(self, footage: float) -> float:
+        """The share of the tracks' rows watched by then."""
+        done = int(np.searchsorted(self.footage, footage + 1e-12, "right"))
+        return float(self.people[done - 1]) if done else 0.0
 
     def found_per_minute(self, footage: float) -> float:
         """Mistakes found for each minute watched of this share of the footage."""
