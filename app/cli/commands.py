@@ -275,6 +275,35 @@ def export(
 
 
 @program.command()
+def log(
+    session: Annotated[Path, typer.Argument(help="A session.")],
+    csv: Annotated[Path | None, typer.Option(help="Write it to this file as CSV.")] = None,
+    json: options.Json = False,
+) -> None:
+    """Print what people did to a session, oldest first; with --json all rows and labels of it."""
+    from app.cli.log import run_log
+
+    run_log(session, csv, as_json=json)
+
+
+@program.command()
+def restore(
+    session: Annotated[Path, typer.Argument(help="A session.")],
+    generation: Annotated[
+        int, typer.Option(min=1, help="Which older one: 1 is the one saved last before this.")
+    ] = 1,
+    only_list: Annotated[
+        bool, typer.Option("--list", help="Only list the ones that are kept.")
+    ] = False,
+    json: options.Json = False,
+) -> None:
+    """Put an older generation in a session's place; what it is now is kept as the newest one."""
+    from app.cli.restore import run_restore
+
+    run_restore(session, generation, only_list=only_list, as_json=json)
+
+
+@program.command()
 def bench(
     only: Annotated[str | None, typer.Option(help="One group of them.")] = None,
     json: options.Json = False,

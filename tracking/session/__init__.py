@@ -1,6 +1,7 @@
 """The document, its HDF5 file, and what keeps both whole."""
 
 from tracking.session.document import Session
+from tracking.session.edit_log import log_as_json, write_log_csv, write_log_json
 from tracking.session.errors import RecordingMissing
 from tracking.session.info import describe
 from tracking.session.known import KnownRecordings
@@ -10,6 +11,7 @@ from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import Runs
 from tracking.session.saving import generations
 from tracking.session.stamping import author_named
+from tracking.session.waiting import read_history
 
 __all__ = [
     "Generation",
@@ -24,4 +26,8 @@ __all__ = [
     "describe",
     "generations",
     "list_generations",
+    "log_as_json",
+    "read_history",
+    "write_log_csv",
+    "write_log_json",
 ]

@@ -6,6 +6,7 @@ import shutil
 import tempfile
 from pathlib import Path
 
+from tracking.editing import History
 from tracking.errors import EditError, OutputError, SessionError
 from tracking.session.edited import Edited
 from tracking.session.image import Stamps
@@ -34,6 +35,15 @@ def read_with_waiting(path: Path) -> tuple[Edited, int] | None:
     except (EditError, SessionError, OutputError, OSError):
         pass  # opening the session tells of what does not fit, and keeps it aside
     return (edited, made) if made else None
+
+
+def read_history(path: Path) -> History:
+    """The log of edits as the session would open now, whoever has it open.
+
+    Raises SessionError where the session cannot be read.
+    """
+    waiting = read_with_waiting(path)
+    return read_session(path).history() if waiting is None else waiting[0].history
 
 
 def _steps(path: Path, stamps: Stamps) -> list[Step]:

@@ -1,0 +1,67 @@
+"""`restore`: an older generation of a session, listed or had back."""
+
+from __future__ import annotations
+
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+from app.cli.output import print_json
+from tracking.errors import SessionError
+from tracking.recording.wording import counted
+from tracking.session import Generation, Session, list_generations
+
+
+def run_restore(path: Path, number: int, *, only_list: bool, as_json: bool) -> None:
+    """List the generations that are kept, or put one in the session's place.
+
+    What the session is now, with edits that were never saved, becomes the newest generation.
+    Raises SessionError where there is none of that number, or another program has the session.
+    """
+    if only_list:
+        _print(path, as_json=as_json)
+        return
+    with closing(Session.open(path)) as session:
+        if session.read_only:
+            raise SessionError(f"{path} cannot be restored: {session.notes[0]}")
+        with closing(session.restore(number)) as restored:
+            edits = sum(not entry.undone for entry in restored.history)
+    if as_json:
+        print_json({"restored": number, "session": str(path), "edits": edits})
+    else:
+        print(path)
+
+
+def _print(path: Path, *, as_json: bool) -> None:
+    if not path.is_file():
+        raise SessionError(f"{path}: there is no such session; check the path")
+    kept = list_generations(path)
+    if as_json:
+        print_json([_facts(generation) for generation in kept])
+        return
+    for generation in kept:
+        print(_line(generation))
+    if not kept:
+        print("no older generation is kept yet; every save keeps the one before it")
+
+
+def _facts(generation: Generation) -> dict[str, Any]:
+    return {
+        "generation": generation.number,
+        "saved": generation.saved or None,
+        "size_bytes": generation.size_bytes,
+        "edits": generation.edits,
+        "undone_edits": generation.undone_edits,
+        "tracks": generation.tracks,
+        "path": str(generation.path),
+        "problem": generation.problem or None,
+    }
+
+
+def _line(generation: Generation) -> str:
+    if generation.problem:
+        return f"{generation.number}  {generation.problem}"
+    when = generation.saved[:19].replace("T", " ")
+    size = f"{generation.size_bytes / 2**20:.1f} MiB"
+    held = f"{counted(generation.edits, 'edit')}, {counted(generation.tracks, 'track')}"
+    return f"{generation.number}  saved {when} UTC  {held}  {size}"

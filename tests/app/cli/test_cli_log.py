@@ -1,0 +1,87 @@
+"""`log` and `restore`."""
+
+from __future__ import annotations
+
+import json
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+from command_line import Trackwright
+
+from tracking.editing import plan_rename, plan_swap
+from tracking.session import Session
+
+
+@pytest.fixture
+def edited(session: Path) -> Path:
+    """Saved after each of two edits; a third waits in the journal."""
+    with closing(Session.open(session, author="ada")) as opened:
+        a, b = opened.tracks.track_ids[:2]
+        frame = opened.tracks.frame_range(a)[0]
+        opened.apply(plan_swap(opened.tracks, a, b, frame))
+        opened.save()
+        opened.apply(plan_rename(opened.tracks, opened.labels, a, "red\x1bcoat"))
+        opened.save()
+        opened.undo_alone(1)
+    return session
+
+
+def test_log_prints_a_line_an_edit(trackwright: Trackwright, edited: Path) -> None:
+    status, printed, _ = trackwright("log", edited)
+    lines = printed.splitlines()
+    assert (status, len(lines)) == (0, 3)
+    assert "ada" in lines[0]
+    assert "Swap" in lines[0]
+    assert lines[0].endswith("(taken back by 3)")
+    assert "red coat" in lines[1]
+    assert "Undo edit 1 alone" in lines[2]
+
+
+def test_log_prints_one_json_document(trackwright: Trackwright, edited: Path) -> None:
+    log = json.loads(trackwright("log", edited, "--json")[1])
+    assert [entry["kind"] for entry in log] == ["swap", "rename", "undo"]
+    assert log[1]["after"]["labels"]
+
+
+def test_log_writes_csv(trackwright: Trackwright, edited: Path, tmp_path: Path) -> None:
+    out = tmp_path / "log.csv"
+    status, printed, _ = trackwright("log", edited, "--csv", out, "--json")
+    assert (status, json.loads(printed)) == (0, {"written": str(out), "edits": 3})
+    assert len(out.read_text(encoding="utf-8").splitlines()) == 4
+
+
+def test_log_does_not_write_over_a_session(trackwright: Trackwright, edited: Path) -> None:
+    before = edited.read_bytes()
+    status, _, said = trackwright("log", edited, "--csv", edited)
+    assert (status, len(said.splitlines())) == (1, 1)
+    assert edited.read_bytes() == before
+
+
+def test_restore_lists_what_is_kept(trackwright: Trackwright, edited: Path) -> None:
+    listed = json.loads(trackwright("restore", edited, "--list", "--json")[1])
+    assert [(kept["generation"], kept["edits"]) for kept in listed] == [(1, 1), (2, 0)]
+    printed = trackwright("restore", edited, "--list")[1]
+    assert printed.splitlines()[0].startswith("1  saved 20")
+    assert "1 edits" not in printed
+
+
+def test_restore_puts_an_older_one_in_place(trackwright: Trackwright, edited: Path) -> None:
+    status, printed, _ = trackwright("restore", edited, "--generation", "2", "--json")
+    assert (status, json.loads(printed)["edits"]) == (0, 0)
+    with closing(Session.open(edited)) as session:
+        assert len(session.history) == 0
+        assert [kept.edits for kept in session.generations()] == [3, 2, 1, 0]
+
+
+def test_restore_tells_what_is_wrong(
+    trackwright: Trackwright, edited: Path, tmp_path: Path
+) -> None:
+    with closing(Session.open(edited)):
+        status, _, said = trackwright("restore", edited)
+        assert (status, len(said.splitlines())) == (1, 1)
+        assert "open in process" in said
+    status, _, said = trackwright("restore", edited, "--generation", "9")
+    assert (status, "no older generation 9" in said) == (1, True)
+    status, _, said = trackwright("restore", tmp_path / "none.h5", "--list")
+    assert (status, "no such session" in said) == (1, True)
