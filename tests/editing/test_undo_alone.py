@@ -138,7 +138,7 @@ def own_edits(history: History) -> set[int]:
     return {entry.id for entry in history if history.taken_back_by(entry.id)}
 
 
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=120, deadline=None)
 @given(st.data())
 def test_without_one_edit_the_rest_is_what_it_would_have_been(data: st.DataObject) -> None:
     places = data.draw(PLACES)

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.change import Change, State
+from tracking.editing.label_state import LabelState
 from tracking.tracks import PART_NAMES, PartLabel, TrackLabel
 
 Boxes = NDArray[np.int64]
@@ -30,9 +31,15 @@ _APART = np.int64(1) << 33
 def touched(change: Change) -> Boxes:
     """(k, 4) the boxes a change touches: sorted, none overlapping another."""
     before, after = change.before, change.after
-    boxes = [*_stretches(before), *_stretches(after), *_rows(before, after)]
-    labels = [*_track_labels(before, after), *_other_labels(before, after)]
-    return _united(np.concatenate([*boxes, np.array(labels, np.int64).reshape(-1, 4)]))
+    boxes: list[Boxes] = []
+    if len(before.stretches):
+        boxes += [*_stretches(before), *_stretches(after)]
+    if len(before.rows["frame"]) or len(after.rows["frame"]):
+        boxes += _rows(before, after)
+    labels = [*_track_labels(before, after), *_other_labels(before.labels, after.labels)]
+    if labels or not boxes:
+        boxes.append(np.array(labels, np.int64).reshape(-1, 4))
+    return _united(np.concatenate(boxes))
 
 
 def meeting(boxes: Boxes, kinds: Boxes, of: Boxes, start: Boxes, end: Boxes) -> NDArray[np.bool_]:
@@ -57,12 +64,17 @@ def meeting(boxes: Boxes, kinds: Boxes, of: Boxes, start: Boxes, end: Boxes) -> 
 def _stretches(state: State) -> Iterator[Boxes]:
     """Who stands there, and whose the part labels are."""
     for kind in (ROWS, *_PARTS):
-        yield np.column_stack([np.full(len(state.stretches), kind), state.stretches])
+        boxes = np.empty((len(state.stretches), 4), np.int64)
+        boxes[:, 0], boxes[:, 1:] = kind, state.stretches
+        yield boxes
 
 
 def _rows(before: State, after: State) -> Iterator[Boxes]:
     """Rows that leave, come or change; a part label may stand on one that comes."""
     old, new = _cells(before), _cells(after)
+    if np.array_equal(old, new):
+        yield _boxes_of(ROWS, old)
+        return
     yield _boxes_of(ROWS, np.union1d(old, new))
     coming = np.setdiff1d(new, old, assume_unique=True)
     for kind in _PARTS:
@@ -104,8 +116,9 @@ def differing_fields(old: TrackLabel, new: TrackLabel) -> Iterator[str]:
             yield f"attribute {key}"
 
 
-def _other_labels(before: State, after: State) -> Iterator[tuple[int, int, int, int]]:
-    old, new = before.labels, after.labels
+def _other_labels(old: LabelState, new: LabelState) -> Iterator[tuple[int, int, int, int]]:
+    if old == new:
+        return
     for kind, drawn in (
         (_OCCLUDER, {*old.occluders} ^ {*new.occluders}),
         (_LINE, {*old.lines} ^ {*new.lines}),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import subprocess
@@ -13,7 +14,7 @@ from typing import Any
 
 import h5py
 
-from tracking.editing import TOUCHED_COLUMNS, Entry, History, TouchIndex
+from tracking.editing import TOUCHED_COLUMNS, Entry, History, TouchIndex, touched
 from tracking.errors import EditError, SessionError
 from tracking.session import inspection
 from tracking.session.hdf5 import opened, read_columns, text_attribute
@@ -23,7 +24,7 @@ from tracking.session.layout import EDIT_COLUMNS, SOURCE_COLUMNS, VERSION
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.session.saving import generations
-from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, TrackTable, empty
+from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, TrackTable
 
 _MOST_FPS, _WIDEST = 1e6, 1 << 20
 
@@ -118,8 +119,8 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
             highest_track=int(tracks.attrs["highest_track"]),
         )
         labels, edits = read_labels(file), read_edits(file)
-        touched = _read_touched(file["edits"])
-        History(edits, TouchIndex.from_columns(touched, len(edits)))
+        boxes = _read_touched(file["edits"], edits)
+        History(edits, TouchIndex.from_columns(boxes, len(edits)))
     except EditError as why:
         raise SessionError(f"{path}: the session file is damaged: {why}") from why
     adopted = int(tracks.attrs["run"])
@@ -133,7 +134,7 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
         adopted=None if adopted < 0 else adopted,
         labels=labels,
         edits=edits,
-        touched=touched,
+        touched=boxes,
     )
 
 
@@ -151,11 +152,15 @@ def read_edits(file: h5py.File) -> tuple[Entry, ...]:
     return tuple(Entry(**dict(zip(types, row, strict=True))) for row in rows)
 
 
-def _read_touched(edits: h5py.Group) -> Columns:
-    """What the edits touch; nothing is known of those in a file of format 1.0."""
-    if "touched" not in edits:
-        return empty(TOUCHED_COLUMNS)
-    return read_columns(edits["touched"], TOUCHED_COLUMNS)
+def _read_touched(group: h5py.Group, edits: Sequence[Entry]) -> Columns:
+    """What the edits touch; files of format 1.0 do not say, so it is worked out."""
+    if "touched" in group:
+        return read_columns(group["touched"], TOUCHED_COLUMNS)
+    index = TouchIndex()
+    for entry in edits:
+        with contextlib.suppress(EditError):  # a damaged line is told when it is asked for
+            index.add(entry.id, touched(entry.change))
+    return index.columns
 
 
 def read_recording(group: h5py.Group) -> RecordingReference:
