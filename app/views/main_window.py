@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QKeySequence
@@ -177,6 +177,7 @@ class MainWindow(QMainWindow):
 
     def _situation(self) -> Situation:
         situation = Situation() if self.desk is None else self.desk.situation
+        situation = replace(situation, unkept=self.files.keeping.holds)
         return situation.while_busy() if self.work.busy else situation
 
     def _checked(self) -> frozenset[str]:
@@ -184,6 +185,8 @@ class MainWindow(QMainWindow):
         if self.desk is not None:
             pictured = self.desk.pictured
             on.add(f"view.{self.desk.eyes}")
+            if self.desk.reviewing.plays:
+                on.add("review.plays")
             on |= {f"view.{name}" for name, is_on in asdict(pictured).items() if is_on}
         return frozenset(on)
 

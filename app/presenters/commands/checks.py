@@ -18,6 +18,11 @@ def session(now: Situation) -> str:
     return tr("wait until the work in progress is done") if now.busy else ""
 
 
+def savable(now: Situation) -> str:
+    """A session must be there, or what a tracker found that could not be kept on disk."""
+    return "" if now.unkept and not now.busy else session(now)
+
+
 def read_only() -> str:
     """What is said where the session cannot be saved under its name."""
     return tr("the session is read only here: save it under another name first")

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import editable, recording, session
+from app.presenters.commands.checks import editable, recording, savable, session
 from app.presenters.commands.command import Command
 
 COMMANDS: Final = (
     Command("file.open", "File", "Open...", ("Ctrl+O",), icon="open"),
     Command("file.open_folder", "File", "Open folder...", ("Ctrl+Shift+O",)),
     Command("file.demo", "File", "Try the demo", icon="demo"),
-    Command("file.save", "File", "Save", ("Ctrl+S",), session, separated=True, icon="save"),
-    Command("file.save_as", "File", "Save as...", ("Ctrl+Shift+S",), session),
+    Command("file.save", "File", "Save", ("Ctrl+S",), savable, separated=True, icon="save"),
+    Command("file.save_as", "File", "Save as...", ("Ctrl+Shift+S",), savable),
     Command("file.restore", "File", "Restore an older state...", (), editable),
     Command("file.export_mot", "File", "Export MOT text...", ("Ctrl+E",), session, icon="export"),
     Command("file.export_log", "File", "Export the log of edits...", (), session),

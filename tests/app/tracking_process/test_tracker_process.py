@@ -13,8 +13,10 @@ from app.tracking_process import TrackerProcess, TrackingRequest
 from app.tracking_process.messages import (
     TrackerBug,
     packed_error,
+    packed_notes,
     packed_steps,
     unpacked_error,
+    unpacked_notes,
     unpacked_steps,
 )
 from tracking.errors import CalibrationError, RecordingError, TrackwrightError
@@ -213,3 +215,25 @@ def test_what_to_go_on_from_is_the_same_after_its_way_through_a_line(request_, r
     for name, column in resume.rows.items():
         assert back.rows[name].dtype == column.dtype
         assert back.rows[name].tobytes() == column.tobytes()
+
+
+def test_notes_are_the_same_on_the_other_side():
+    notes = ("Lobby: no distance for what moves: are the eyes swapped?", "\u00fc")
+    assert unpacked_notes(packed_notes(notes)) == notes
+
+
+def test_what_there_is_to_tell_of_a_tracking_is_known_at_its_end(tiny_recording):
+    with open_recording(tiny_recording) as recording:
+        ground = recording.ground
+    eyes = OpenOptions(
+        left=tiny_recording / "right.mp4",
+        right=tiny_recording / "left.mp4",
+        calibration=(tiny_recording / "calibration.yaml",),
+        height_m=ground.height_m,
+        tilt_deg=ground.tilt_deg,
+    )
+    with open_recording(tiny_recording, eyes) as swapped:
+        process = TrackerProcess(TrackingRequest.of(swapped, TRACKER, None, 7, None))
+        for _ in process.batches():
+            assert process.notes == ()
+    assert "are the eyes swapped?" in process.notes[0]

@@ -163,6 +163,7 @@ def test_an_edit_that_is_left_settles_nothing(desk, press, to_the_swap):
 
 def test_each_stretch_is_played_to_its_end_where_that_is_wanted(desk, window, press, qtbot):
     window.run_command("review.plays")
+    qtbot.waitUntil(lambda: window.menus.actions["review.plays"].isChecked())
     desk.playback.set_speed(4.0)
     press(Key.Key_N)
     current = desk.reviewing.queue.current

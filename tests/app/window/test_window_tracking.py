@@ -126,3 +126,9 @@ def test_a_word_is_seen_beside_the_progress_of_the_tracker(opened, qtbot):
     qtbot.waitUntil(lambda: opened.progress.x() > room)
     opened.statusBar().clearMessage()
     qtbot.waitUntil(lambda: opened.progress.width() == wide)
+
+
+def test_what_there_is_to_tell_of_a_tracking_is_shown_when_it_ends(opened, tiny_run):
+    opened.desk.live.notes = ("Lobby: are the eyes swapped?",)
+    opened.desk.live.finished.emit(tiny_run)
+    assert "are the eyes swapped?" in opened.notice.text

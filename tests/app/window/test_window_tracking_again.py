@@ -1,0 +1,221 @@
+"""Tracking again from a frame, what would change, and the runs there are by then."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from app.presenters import opening
+from app.presenters.runs import CORRECTED
+from app.views.runs_dialog import RunsDialog
+from app.views.track_dialog import TrackDialog
+from tracking.editing import plan_mark_reviewed
+from tracking.recording import open_recording
+from tracking.session import Session
+
+AGAIN_AT = 50
+SHIFTED = (58, 72)
+
+
+@pytest.fixture(scope="session")
+def shifted_run(tiny_run):
+    """The run with somebody a metre beside where he is for a while, and nobody there late."""
+    tracks = {name: column.copy() for name, column in tiny_run.tracks.items()}
+    track = tracks["track"][tracks["frame"] == SHIFTED[0]].tolist()[0]
+    moved = (tracks["track"] == track) & (tracks["frame"] >= SHIFTED[0])
+    moved &= tracks["frame"] < SHIFTED[1]
+    tracks["x"][moved] += 1.0
+    tracks["left"][moved] += 40.0
+    return replace(tiny_run, tracks=tracks, signals={}), track
+
+
+@pytest.fixture
+def shifted_session(tiny_recording, shifted_run, tmp_path):
+    path = tmp_path / "shifted.h5"
+    with open_recording(tiny_recording) as recording:
+        session = Session.create(recording, [shifted_run[0]], path)
+        opening.remember_place(session, recording)
+        session.close()
+    return path
+
+
+@pytest.fixture
+def desk(window, qtbot, shifted_session):
+    window.files.open_path(shifted_session)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    window.desk.playback.go(AGAIN_AT)
+    return window.desk
+
+
+@pytest.fixture
+def compared(desk, tiny_run, qtbot):
+    """The right run beside the tracks that are shifted."""
+    desk.document.session.add_run(tiny_run, adopt=False)
+    desk.comparing.open(1)
+    _wait_compared(desk, qtbot)
+    return desk
+
+
+def _wait_compared(desk, qtbot):
+    qtbot.waitUntil(lambda: desk.comparing.shown, timeout=30_000)
+    qtbot.waitUntil(lambda: desk.document.comparison.current is not None, timeout=30_000)
+
+
+def _items(desk):
+    return desk.document.comparison.scene().items
+
+
+def _place(desk, track, frame):
+    return float(desk.document.session.tracks.of_track(track, frame, frame + 1)["x"][0])
+
+
+def test_tracking_again_goes_on_from_the_playhead_with_the_run_that_was_corrected(
+    window, desk, qtbot, shifted_run
+):
+    session, track = desk.document.session, shifted_run[1]
+    before = session.tracks.columns()["x"].copy()
+    desk.document.apply(plan_mark_reviewed(session.labels, track, SHIFTED[0], SHIFTED[0] + 3))
+    window.run_command("review.again")
+    dialog = window.findChild(TrackDialog)
+    tracker, _, seed, frames = dialog.answer()
+    assert (tracker, seed, frames) == (session.runs[0].tracker, session.runs[0].seed, (50, 80))
+    dialog.accept()
+    assert desk.document.is_live
+    assert len(desk.document.tracks.of_frame(AGAIN_AT - 1)["track"]) >= 1  # still shown before it
+    _wait_compared(desk, qtbot)
+    run = session.runs[1]
+    assert run.frames == (50, 80)
+    assert run.known_tracks == session.tracks.highest_track
+    assert np.array_equal(session.tracks.columns()["x"], before, equal_nan=True)
+    locked = [item for item in _items(desk) if item.locked]
+    assert any(person.track == track for item in locked for person in item.people)
+    assert all(item.ticked for item in _items(desk) if not item.locked)
+
+
+def test_taking_what_is_ticked_is_one_edit_that_undo_takes_back(compared, window, shifted_run):
+    desk, track = compared, shifted_run[1]
+    wrong = _place(desk, track, 65)
+    desk.document.comparison.tick_listed(True)
+    window.workspace.differences.taken.emit(1)
+    assert _place(desk, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
+    assert len(desk.document.session.history) == 1
+    desk.editing.undo()
+    assert _place(desk, track, 65) == wrong
+
+
+def test_a_click_on_a_box_ticks_and_a_click_beside_it_goes_there(compared, window, qtbot):
+    desk, panel = compared, window.workspace.differences
+    row = panel._list.visualRect(panel._model.index(0))
+    left = Qt.MouseButton.LeftButton
+    assert not _items(desk)[0].ticked
+    qtbot.mouseClick(panel._list.viewport(), left, pos=QPoint(row.left() + 12, row.center().y()))
+    assert _items(desk)[0].ticked
+    assert panel._take_dashed.isEnabled()
+    desk.playback.go(0)
+    qtbot.mouseClick(panel._list.viewport(), left, pos=row.center())
+    assert _items(desk)[0].ticked
+    current = desk.document.comparison.current
+    assert 0 < desk.playback.clock.frame <= current.start
+
+
+def test_the_keyboard_ticks_too(compared, window, qtbot):
+    panel = window.workspace.differences
+    panel._list.setFocus()
+    QTest.keyClick(panel._list, Qt.Key.Key_Space)
+    assert _items(compared)[0].ticked
+    assert not compared.playback.clock.playing
+
+
+def test_both_versions_are_shown_in_the_pictures_and_on_the_floor(compared, shifted_run):
+    desk = compared
+    instant = desk.document.instant(65)
+    assert {trail.after for trail in instant.preview} == {True, False}
+    assert {trail.after for trail in instant.picture_preview} == {True, False}
+    assert shifted_run[1] in instant.replaced["track"].tolist()
+    desk.comparing.close()
+    assert desk.document.instant(65).preview == ()
+
+
+def test_n_walks_what_differs_while_it_is_compared(compared, window):
+    first = compared.document.comparison.current
+    window.run_command("review.next")
+    following = compared.document.comparison.current
+    assert following != first or len(_items(compared)) == 1
+
+
+def test_nothing_ticked_is_told(compared, window):
+    errors = []
+    compared.failed.connect(errors.append)
+    compared.comparing._take(1)
+    assert "Nothing is ticked" in str(errors[0])
+    assert len(compared.document.session.history) == 0
+
+
+def test_closing_takes_nothing_and_keeps_the_run(compared, window):
+    window.workspace.differences.closed.emit()
+    assert not window.workspace.differences.isVisible()
+    assert window.workspace.review.isVisible()
+    assert len(compared.document.session.runs) == 2
+    assert len(compared.document.session.history) == 0
+
+
+def test_a_run_can_be_dropped(compared, window):
+    window.workspace.differences.dropped.emit()
+    assert len(compared.document.session.runs) == 1
+    assert not compared.comparing.shown
+
+
+def test_an_edit_meanwhile_is_compared_anew(compared, qtbot, shifted_run):
+    desk = compared
+    session = desk.document.session
+    change = plan_mark_reviewed(session.labels, 0, *SHIFTED)
+    desk.document.apply(change)
+    desk.draw()
+    qtbot.waitUntil(lambda: any(item.locked for item in _items(desk)), timeout=10_000)
+
+
+def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tiny_run):
+    desk.document.session.add_run(replace(tiny_run, seed=7), adopt=False)
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    table = dialog._table
+    assert [row.number for row in dialog._scene.rows] == [CORRECTED, 0, 1]
+    assert table.item(1, 0).text() == "run 0, corrected from"
+    assert table.item(2, 2).text() == "seed 7"
+    qtbot.waitUntil(lambda: bool(table.item(2, 6).text()), timeout=20_000)
+    assert float(table.item(2, 6).text()) >= float(table.item(1, 6).text())
+    dialog.choose(0, 1)
+    dialog._compare.click()
+    qtbot.waitUntil(lambda: bool(_items(desk)), timeout=10_000)
+    assert (desk.document.comparison.base, desk.document.comparison.run) == (0, 1)
+
+
+def test_the_better_stretch_is_taken_from_either_of_two_runs(
+    window, desk, qtbot, tiny_run, shifted_run
+):
+    track = shifted_run[1]
+    wrong = _place(desk, track, 65)
+    desk.document.session.add_run(tiny_run, adopt=False)
+    desk.comparing.open(1, 0)
+    qtbot.waitUntil(lambda: bool(_items(desk)), timeout=10_000)
+    panel = window.workspace.differences
+    assert not panel._take_solid.isHidden()
+    panel.all_ticked.emit(True)
+    panel.taken.emit(1)
+    assert _place(desk, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
+    panel.taken.emit(0)
+    assert _place(desk, track, 65) == pytest.approx(wrong, abs=1e-5)
+
+
+def test_the_last_run_is_dropped_from_the_list_but_not_the_one_that_was_corrected(
+    window, desk, tiny_run
+):
+    desk.document.session.add_run(tiny_run, adopt=False)
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    dialog._drop.click()
+    assert len(desk.document.session.runs) == 1
+    assert dialog._drop.isHidden()
+    dialog.reject()
