@@ -49,10 +49,11 @@ class Comparing(QObject):
     def _connect(self) -> None:
         panel = self._workspace.differences
         panel.chosen.connect(self._choose)
-        panel.ticked.connect(lambda number, on: self._with(lambda one: one.tick([number], on)))
-        panel.all_ticked.connect(lambda on: self._with(lambda one: one.tick_listed(on)))
-        panel.person_chosen.connect(lambda track: self._with(lambda one: one.narrow(track)))
-        panel.order_chosen.connect(lambda order: self._with(lambda one: one.sort(Sorted(order))))
+        # The panel outlives this object: a function of its own would be kept by it for ever.
+        panel.ticked.connect(self._tick)
+        panel.all_ticked.connect(self._tick_all)
+        panel.person_chosen.connect(self._narrow)
+        panel.order_chosen.connect(self._sort)
         panel.taken.connect(self._take)
         panel.dropped.connect(self.drop)
         panel.closed.connect(self.close)
@@ -176,6 +177,18 @@ class Comparing(QObject):
             self._playback.pause()
             self._playback.go(max(0, one.start - before))
         self._editing.changed.emit()
+
+    def _tick(self, number: int, on: bool) -> None:
+        self._with(lambda one: one.tick([number], on))
+
+    def _tick_all(self, on: bool) -> None:
+        self._with(lambda one: one.tick_listed(on))
+
+    def _narrow(self, track: int) -> None:
+        self._with(lambda one: one.narrow(track))
+
+    def _sort(self, order: str) -> None:
+        self._with(lambda one: one.sort(Sorted(order)))
 
     def _with(self, step: Callable[[Comparison], object]) -> None:
         if self._comparison is not None:

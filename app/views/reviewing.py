@@ -67,7 +67,7 @@ class Reviewing(QObject):
         self._playback.moved.connect(self._stop_at_the_end)
         self._panel.item_chosen.connect(self.go_to)
         self._panel.kind_chosen.connect(self.narrow)
-        self._panel.order_chosen.connect(lambda order: self.sort(Order(order)))
+        self._panel.order_chosen.connect(self._sort_by)
         self._panel.playing_chosen.connect(self.set_plays)
 
     def close(self) -> None:
@@ -136,6 +136,10 @@ class Reviewing(QObject):
         """List one kind alone; "" for all."""
         self.queue.narrow(kind)
         self._show()
+
+    def _sort_by(self, order: str) -> None:
+        """The panel's choice; connected as a method, as the panel outlives this object."""
+        self.sort(Order(order))
 
     def sort(self, order: Order) -> None:
         """List in another order."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from app.presenters.labelling_scene import Tool
-from app.views.desk import Desk
 from app.views.runnable.on_desk import OnDesk
 
 

@@ -18,8 +18,8 @@ def window_on_a_laptop(window, qtbot, tiny_session):
 
 def test_five_edits_of_the_history_are_in_sight(window_on_a_laptop):
     rows = window_on_a_laptop.workspace.history._list
-    assert rows.viewport().height() >= 5 * rows.visualItemRect(rows.item(0)).height()
-    fifth = rows.visualItemRect(rows.item(4)).bottomLeft()
+    assert rows.viewport().height() >= 5 * rows.visualRect(rows.model().index(0, 0)).height()
+    fifth = rows.visualRect(rows.model().index(4, 0)).bottomLeft()
     place = rows.viewport().mapTo(window_on_a_laptop, fifth)
     line = window_on_a_laptop.workspace.transport
     assert place.y() <= line.mapTo(window_on_a_laptop, line.rect().topLeft()).y()
