@@ -11,15 +11,15 @@ from PySide6.QtCore import QObject, Signal
 
 from app.presenters import opening
 from app.presenters.exporting import exported_tracks
-from app.presenters.exporting_log import write_log
 from app.presenters.opening import Report
 from app.presenters.words import tr
 from app.views.questions import choose_new_file
 from app.views.score_dialog import ScoreDialog
 from app.views.work import Work
+from tracking.editing import History
 from tracking.formats import write_mot
 from tracking.recording import Recording
-from tracking.session import Session
+from tracking.session import Session, write_log_csv, write_log_json
 
 if TYPE_CHECKING:
     from app.views.main_window import MainWindow
@@ -69,8 +69,9 @@ class Exporting(QObject):
         """Write the log of edits: as JSON where the name ends so, else as CSV."""
         session = self._session
         if session is not None:
-            entries = session.history.entries
-            self._write(path, lambda _: write_log(entries, path))
+            entries = session.history.entries  # what is edited meanwhile is not in it
+            write = write_log_json if path.suffix.lower() == ".json" else write_log_csv
+            self._write(path, lambda report: write(History(entries), path, report))
 
     def score(self) -> None:
         """Compare with the truth beside the recording and show the figures."""

@@ -1,5 +1,6 @@
 """The history walked and undone in the real window."""
 
+import json
 import time
 from dataclasses import replace
 
@@ -112,12 +113,15 @@ def test_edits_are_logged_under_the_name_that_was_set_and_it_is_remembered(
     assert first.author != "Ann B."
 
 
-def test_the_log_is_exported_from_the_menu(window, desk, named, qtbot, tmp_path):
-    window.files.exporting.log_to(tmp_path / "log.csv")
-    qtbot.waitUntil(lambda: not window.work.busy)
+def test_the_log_is_exported_as_csv_or_json(window, desk, named, qtbot, tmp_path):
+    for name in ("log.csv", "log.json"):
+        window.files.exporting.log_to(tmp_path / name)
+        qtbot.waitUntil(lambda: not window.work.busy)
     lines = (tmp_path / "log.csv").read_text("utf-8").splitlines()
     assert len(lines) == 5
-    assert lines[0].startswith("edit,time,author,kind,text")
+    assert 'Name 1 ""one""' in lines[1]
+    log = json.loads((tmp_path / "log.json").read_text("utf-8"))
+    assert [edit["text"] for edit in log][0] == 'Name 1 "one"'
 
 
 def test_twenty_thousand_edits_are_listed_and_one_more_is_told_quickly(window, desk):
