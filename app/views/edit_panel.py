@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QApplication,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -172,11 +171,14 @@ class EditPanel(QFrame):
             buttons.show_scene(shown.get(row))
 
     def _ask(self, asking: bool) -> None:
-        """Take the keyboard for the id when it begins to be asked for, give it back after."""
+        """Take the keyboard for the id when it begins to be asked for, give it back after.
+
+        The window knows who has it also while a menu lies over it.
+        """
         if asking and not self._asking:
-            self._had_keyboard = QApplication.focusWidget()
+            self._had_keyboard = self.window().focusWidget()
             self._other.setFocus(Qt.FocusReason.OtherFocusReason)
-        elif not asking and self._other.hasFocus():
+        elif not asking and self.window().focusWidget() is self._other:
             if self._had_keyboard is not None and self._had_keyboard.isVisible():
                 self._had_keyboard.setFocus(Qt.FocusReason.OtherFocusReason)
             else:

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.tracks.columns import Columns
+from tracking.tracks.columns import (
+    ASSOCIATION_COLUMNS,
+    PART_COLUMNS,
+    SIGNAL_COLUMNS,
+    Columns,
+    empty,
+)
 
 
 class ParticleColumn(Protocol):
@@ -75,9 +82,9 @@ class Run:
     tracks: Columns
     detections: Columns
     particles: Particles
-    associations: Columns = field(default_factory=dict)
-    parts: Columns = field(default_factory=dict)
-    signals: Columns = field(default_factory=dict)
+    associations: Columns = field(default_factory=partial(empty, ASSOCIATION_COLUMNS))
+    parts: Columns = field(default_factory=partial(empty, PART_COLUMNS))
+    signals: Columns = field(default_factory=partial(empty, SIGNAL_COLUMNS))
     software: str = ""
     detector: str = ""
     known_tracks: int = 0
