@@ -18,6 +18,7 @@ from tracking.tracks import (
     Run,
     Source,
     TrackTable,
+    between,
     empty,
 )
 
@@ -144,5 +145,5 @@ def _grouped(track: NDArray[np.int32], values: NDArray[np.int64]) -> dict[int, N
 
 def _of_frame(columns: Columns, frame: int) -> Columns:
     """The rows of one frame; they stand by frame."""
-    low, high = np.searchsorted(columns["frame"], (frame, frame + 1))
-    return {name: column[low:high] for name, column in columns.items()}
+    inside = between(columns["frame"], frame, frame + 1)
+    return {name: column[inside] for name, column in columns.items()}
