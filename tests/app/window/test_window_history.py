@@ -121,7 +121,7 @@ def test_the_log_is_exported_as_csv_or_json(window, desk, named, qtbot, tmp_path
     assert len(lines) == 5
     assert 'Name 1 ""one""' in lines[1]
     log = json.loads((tmp_path / "log.json").read_text("utf-8"))
-    assert [edit["text"] for edit in log][0] == 'Name 1 "one"'
+    assert log[0]["text"] == 'Name 1 "one"'
 
 
 def test_twenty_thousand_edits_are_listed_and_one_more_is_told_quickly(window, desk):
