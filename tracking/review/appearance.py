@@ -22,7 +22,7 @@ _LEAST_ROWS = 3
 _NOISE = np.array([[0.05], [9.0], [4.0], [4.0], [9.0], [4.0], [4.0]])
 """Height in m and CIELAB of two bodies' halves: how much one person's windows differ, even where
 every row of them agrees: light and posture change from place to place."""
-_MOST = 9.0
+MOST = 9.0
 """Squared deviation of one number beyond which it says no more: outliers must not decide alone."""
 
 
@@ -90,12 +90,13 @@ class Sides:
         return cls(row, looks.before(track, frame), looks.after(track, frame))
 
 
-def unlikeness(one: Floats, other: Floats) -> Floats:
+def unlikeness(one: Floats, other: Floats, most: float = MOST) -> Floats:
     """(k,) how unlike two looks (7, k) are: the mean squared deviation in units of the usual one.
 
-    About 1 for one person at two times; NaN where nothing is known of both.
+    About 1 for one person at two times; NaN where nothing is known of both. Deviations above
+    `most` count as that: with all of them it tells best when looks changed, capped best whether.
     """
-    squared = np.minimum(((one - other) / _NOISE) ** 2, _MOST)
+    squared = np.minimum(((one - other) / _NOISE) ** 2, most)
     known = np.isfinite(squared)
     total = np.where(known, squared, 0.0).sum(axis=0)
     count = known.sum(axis=0)

@@ -18,28 +18,28 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-ONE, TWO = -4.46, -2.94
+ONE, TWO = -4.48, -2.97
 """Log odds of a place of one track and of one of two tracks, whatever speaks for it."""
-CROWD = 1.42
+CROWD = 1.45
 """Log odds that being crowded adds."""
 
 WEIGHTS: Mapping[str, float] = MappingProxyType(
     {
-        "exchange": 2.18,
-        "turn": 3.88,
-        "crossing": 0.0,
-        "shared": 0.19,
-        "lost": 7.84,
+        "exchange": 2.12,
+        "turn": 3.91,
+        "crossing": 0.07,
+        "shared": 0.18,
+        "lost": 7.87,
         "ended": 0.0,
         "begun": 2.42,
-        "colour": 0.68,
+        "colour": 0.92,
         "height": 0.0,
-        "jump": 0.85,
-        "predicted": 0.58,
+        "jump": 0.83,
+        "predicted": 0.55,
         "drift": 0.0,
-        "margin": 0.37,
-        "spread": 1.25,
-        "split": 1.31,
+        "margin": 0.41,
+        "spread": 1.24,
+        "split": 1.3,
         "part": 1.0,  # not fitted: none of these trackers follows parts
     }
 )

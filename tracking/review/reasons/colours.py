@@ -9,7 +9,7 @@ from tracking.review.evidence import Floats
 from tracking.review.found import Found, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
-_APART_S = 2.0
+_APART_S = 3.0
 _LOW, _HIGH = 1.0, 5.0
 """Mean squared deviation in units of what is usual for one person."""
 _LOW_M, _HIGH_M = 0.12, 0.3
@@ -19,8 +19,8 @@ def colour_changes(material: Material) -> Found:
     """Where the colours of a track's clothes change most, if they change."""
     before, after = material.sides.before.copy(), material.sides.after
     before[0] = np.nan  # the height
-    value = unlikeness(before, after)
-    return _greatest("colour", material, value, ramp(value, _LOW, _HIGH))
+    value = unlikeness(before, after, np.inf)
+    return _greatest("colour", material, value, ramp(unlikeness(before, after), _LOW, _HIGH))
 
 
 def height_changes(material: Material) -> Found:

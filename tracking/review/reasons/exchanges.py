@@ -22,10 +22,10 @@ def exchanges(material: Material) -> Found:
     first, second = evidence.track[near.first[looked]], evidence.track[near.second[looked]]
     frame = evidence.frame[near.first[looked]]
     better = changed_over(material.looks, first, second, frame)
-    # Of frames about as good the one in which they were nearest.
-    value = better - _FOR_NEAR * near.distance_m[looked]
     told = np.flatnonzero(better > _LOW)
-    pair = keys(first[told], second[told])
-    best = told[peaks(pair, frame[told], value[told], evidence.frames_of(_APART_S))]
+    first, second, frame, better = first[told], second[told], frame[told], better[told]
+    # Of frames about as good the one in which they were nearest.
+    value = better - _FOR_NEAR * near.distance_m[looked[told]]
+    best = peaks(keys(first, second), frame, value, evidence.frames_of(_APART_S))
     strength = ramp(better[best], _LOW, _HIGH)
     return of_pairs("exchange", first[best], second[best], frame[best], strength, better[best])

@@ -1,0 +1,71 @@
+"""`review` lists where a session's tracks are likely wrong."""
+
+from __future__ import annotations
+
+import json
+from contextlib import closing
+from pathlib import Path
+
+from command_line import Trackwright
+
+from tracking.editing import plan_mark_reviewed, plan_swap
+from tracking.session import Session
+
+
+def swapped(session: Path) -> int:
+    """Swap two people who stand in one frame; gives the frame."""
+    with closing(Session.open(session)) as opened:
+        table = opened.tracks
+        one, other, frame = next(
+            (a, b, frame)
+            for a in table.track_ids
+            for b in table.track_ids
+            if a < b
+            for start, end in [
+                (
+                    max(table.frame_range(a)[0], table.frame_range(b)[0]),
+                    min(table.frame_range(a)[1], table.frame_range(b)[1]),
+                )
+            ]
+            if end - start > 30
+            for frame in [(start + end) // 2]
+        )
+        opened.apply(plan_swap(table, one, other, frame))
+        opened.save()
+    return frame
+
+
+def test_a_swap_is_found(trackwright: Trackwright, session: Path) -> None:
+    frame = swapped(session)
+    status, printed, _ = trackwright("review", session, "--json")
+    told = json.loads(printed)
+    assert status == 0
+    assert told["found"] == told["open"] == len(told["suspicions"])
+    assert any(
+        one["start"] <= frame < one["end"] and one["likelihood"] > 0.05
+        for one in told["suspicions"]
+    )
+    first = told["suspicions"][0]
+    assert {"kind", "tracks", "frame", "time_s", "likelihood", "cost", "text", "fix"} <= set(first)
+
+
+def test_lines_are_as_many_as_asked_for(trackwright: Trackwright, session: Path) -> None:
+    swapped(session)
+    status, printed, _ = trackwright("review", session, "--order", "time", "--most", "1")
+    assert status == 0
+    assert len(printed.splitlines()) == 1
+
+
+def test_reviewed_footage_is_listed_no_more(trackwright: Trackwright, session: Path) -> None:
+    with closing(Session.open(session)) as opened:
+        end = opened.recording.frame_count
+        opened.apply(plan_mark_reviewed(opened.labels, 0, 0, end))
+        opened.save()
+    told = json.loads(trackwright("review", session, "--json")[1])
+    assert told["open"] == 0
+
+
+def test_what_is_no_session_is_told(trackwright: Trackwright, tmp_path: Path) -> None:
+    status, printed, said = trackwright("review", tmp_path / "none.h5")
+    assert (status, printed) == (1, "")
+    assert "there is no such session" in said
