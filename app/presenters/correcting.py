@@ -23,6 +23,7 @@ from app.presenters.edits import (
     planned_edit,
 )
 from app.presenters.edits.cuts import changed_over
+from app.presenters.edits.gap_places import gap_near, next_filled
 from app.presenters.edits.nearness import nearest_first
 from app.presenters.selection import Selection
 from app.presenters.words import tr
@@ -37,6 +38,7 @@ class Correcting:
 
     Attributes:
         flow: as it stands; None: no edit is on its way. planned: what it would do.
+        begun_at: the frame the user was at when the edit was begun; None: no edit is on its way.
         marked: the half-open range of frames the user has set for edits over a range.
     """
 
@@ -46,6 +48,7 @@ class Correcting:
         """`ground` gives what edits are planned on; None while nothing can be corrected."""
         self.flow: EditFlow | None = None
         self.planned: PlannedEdit | None = None
+        self.begun_at: int | None = None
         self.marked: Range | None = None
         self._selection = selection
         self._footing = footing
@@ -72,6 +75,8 @@ class Correcting:
         on = self._ground()
         if on is None or not (self._selection or kind is EditKind.DRAW):
             return
+        if self.flow is None:
+            self.begun_at = frame
         everybody = self._selection.all or (0,)
         if kind is EditKind.MERGE:
             everybody = everybody[::-1]  # all into the one that was picked first
@@ -89,6 +94,14 @@ class Correcting:
         flow = replace(flow, others=nearest_first(on.table, flow.track, frame)[:_MOST_OTHERS])
         second = other or (everybody[1] if kind is EditKind.SWAP and len(everybody) == 2 else 0)
         self.change(self._with_other(flow, second) if second else _with_proposal(flow, on))
+        self._go_to_gap(0)
+
+    def _go_to_gap(self, step: int) -> None:
+        """Put the frame looked at into one of the gaps that would be filled."""
+        flow, planned = self.flow, self.planned
+        of_gaps = flow is not None and flow.kind is EditKind.FILL_ALL
+        if flow is not None and of_gaps and planned is not None and planned.change is not None:
+            self.change(replace(flow, cut=next_filled(planned.change, flow.cut, step)))
 
     def begin_drawing(self, frame: int, new: bool = False) -> None:
         """W: draw a box, of who is selected or of somebody new; one that is there is replaced."""
@@ -168,6 +181,8 @@ class Correcting:
             self.pick_next([], step)
         elif flow.cuts:
             self.change(flow.at_cut(flow.cut_number + step))
+        else:
+            self._go_to_gap(step)
 
     def put_box(self, box: Box, frame: int) -> None:
         """The selected person's box is drawn or dragged; the edit begins where it has not yet."""
@@ -220,7 +235,7 @@ class Correcting:
 
     def leave(self) -> None:
         """Leave the edit; everything stays as it is."""
-        self.flow = self.planned = None
+        self.flow = self.planned = self.begun_at = None
 
     def confirm(self) -> Change | None:
         """The change that waits, which is to be done now; None where it is not ready."""
@@ -231,7 +246,10 @@ class Correcting:
 
 
 def _with_proposal(flow: EditFlow, on: Ground) -> EditFlow:
-    """The edit with the box or the place it begins with."""
+    """The edit with the box, the place or the gap it begins with."""
+    if flow.kind is EditKind.FILL:
+        gap = gap_near(on.table, flow.track, flow.cut)
+        return flow if gap is None else replace(flow, cut=gap)
     if not flow.places:
         return flow
     box, place = begun_box(flow, on), begun_place(flow, on)

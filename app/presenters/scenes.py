@@ -351,7 +351,8 @@ class CommandItem:
     """A command as menus, the palette and the list of shortcuts show it.
 
     Attributes:
-        command: id, e.g. "edit.swap". menu: "File", "Edit", ...; title: e.g. "Swap with...".
+        command: id, e.g. "edit.swap". title: e.g. "Swap with...".
+        menu: where it stands, e.g. "File", "Correct > Delete".
         keys: in Qt's portable text, e.g. "Ctrl+Shift+Z"; the first is shown.
         why_not: said where it is not enabled.
     """

@@ -18,7 +18,7 @@ from app.views.command_list import ITEM, CommandDelegate, row_height
 from app.views.parts import quiet
 from app.views.theme import scaled_font
 
-_MOST_SHOWN = 60
+_MOST_FOUND = 60
 _ROWS = 10
 
 
@@ -46,11 +46,11 @@ def match_score(typed: str, text: str) -> float | None:
 def best_commands(typed: str, items: tuple[CommandItem, ...]) -> list[CommandItem]:
     """The commands that match, best first; all in their own order where nothing is typed."""
     if not typed.strip():
-        return list(items[:_MOST_SHOWN])
+        return list(items)
     scored = [(match_score(typed, f"{item.title} {item.menu}"), item) for item in items]
     found = [(score, item) for score, item in scored if score is not None]
     found.sort(key=lambda pair: (-pair[0], not pair[1].enabled))
-    return [item for _, item in found[:_MOST_SHOWN]]
+    return [item for _, item in found[:_MOST_FOUND]]
 
 
 class CommandPalette(QFrame):

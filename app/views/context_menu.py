@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, QPoint
 from PySide6.QtWidgets import QMenu
@@ -12,29 +12,19 @@ from app.presenters.words import tr
 if TYPE_CHECKING:
     from app.views.main_window import MainWindow
 
-_LINE = ""
-_OF_PERSON = (
+Offered = str | tuple[str, str]
+"""A command, a line, or a submenu of a menu."""
+_LINE: Final = ""
+_OF_PERSON: Final[tuple[Offered, ...]] = (
     "tracks.swap",
     "tracks.split",
     "tracks.merge",
     "tracks.reassign",
     _LINE,
-    "tracks.end_here",
-    "tracks.delete_range",
-    "tracks.delete_frame",
-    "tracks.delete_track",
-    _LINE,
-    "tracks.draw",
-    "tracks.move_box",
-    "tracks.move_floor",
-    "tracks.keyframe",
-    "tracks.no_keyframe",
-    "tracks.interpolate",
-    "tracks.fill_gap",
-    _LINE,
-    "tracks.occluded",
-    "tracks.visible",
-    "tracks.reviewed",
+    ("Correct", "Delete"),
+    ("Correct", "Draw and move"),
+    ("Correct", "Keyframes and gaps"),
+    ("Correct", "Mark as"),
     _LINE,
     "tracks.rename",
     "tracks.attributes",
@@ -43,7 +33,7 @@ _OF_PERSON = (
     "tracks.to_start",
     "tracks.to_end",
 )
-_OF_NOBODY = (
+_OF_NOBODY: Final[tuple[Offered, ...]] = (
     "tracks.new",
     _LINE,
     "tracks.range_start",
@@ -53,7 +43,13 @@ _OF_NOBODY = (
     "edit.undo",
     "edit.redo",
 )
-_OF_EDIT = ("tracks.confirm", "tracks.scope", "tracks.way", _LINE, "tracks.none")
+_OF_EDIT: Final[tuple[Offered, ...]] = (
+    "tracks.confirm",
+    "tracks.scope",
+    "tracks.way",
+    _LINE,
+    "tracks.none",
+)
 
 
 class ContextMenu(QObject):
@@ -79,14 +75,16 @@ class ContextMenu(QObject):
         self._window.bring_up_to_date()
         self._fill(_OF_EDIT if waiting else names).popup(at)
 
-    def _fill(self, names: tuple[str, ...]) -> QMenu:
-        menu = QMenu(self._window)
+    def _fill(self, offered: tuple[Offered, ...]) -> QMenu:
+        menu, menus = QMenu(self._window), self._window.menus
         menu.setAccessibleName(tr("What can be done here"))
-        for name in names:
-            if name == _LINE:
+        for one in offered:
+            if isinstance(one, tuple):
+                menu.addMenu(menus.menus[one])
+            elif one == _LINE:
                 menu.addSeparator()
             else:
-                menu.addAction(self._window.menus.actions[name])
+                menu.addAction(menus.actions[one])
         menu.aboutToHide.connect(menu.deleteLater)
         menu.destroyed.connect(self._forget)
         self.menu = menu

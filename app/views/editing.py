@@ -52,7 +52,7 @@ class Editing(QObject):
         self._playback.pause()
         begin(self._playback.clock.frame)
         flow = self._document.flow
-        if flow is not None and flow.has_cut and flow.cut != self._playback.clock.frame:
+        if flow is not None and flow.leads and flow.cut != self._playback.clock.frame:
             self._playback.go(flow.cut)
         self.changed.emit()
 
@@ -85,7 +85,7 @@ class Editing(QObject):
         before = self._document.flow
         pick()
         flow = self._document.flow
-        if flow is not None and flow is not before and flow.has_cut:
+        if flow is not None and flow is not before and flow.leads:
             self._playback.go(flow.cut)
         self.changed.emit()
 
@@ -157,9 +157,13 @@ class Editing(QObject):
         return document.confirm_edit()
 
     def leave(self) -> None:
-        """Esc: leave the edit, or let the selected person go."""
-        if self._document.flow is not None:
-            self._document.correcting.leave()
+        """Esc: leave the edit and go back to where it was begun, or let the selected person go."""
+        correcting = self._document.correcting
+        begun_at = correcting.begun_at
+        if correcting.flow is not None:
+            correcting.leave()
+            if begun_at is not None and begun_at != self._playback.clock.frame:
+                self._playback.go(begun_at)
         else:
             self._document.selection.choose(0)
         self.changed.emit()

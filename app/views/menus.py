@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QLineEdit,
     QMainWindow,
+    QMenu,
     QPlainTextEdit,
     QTextEdit,
 )
@@ -26,7 +27,11 @@ _TYPING = (QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox, QComboBox)
 
 
 class Menus(QObject):
-    """The menu bar of a window; `asked(name)` says which command the user wants."""
+    """The menu bar of a window; `asked(name)` says which command the user wants.
+
+    Attributes:
+        actions: by the name of their command. menus: by menu and submenu, "" for the menu itself.
+    """
 
     asked = Signal(str)
 
@@ -34,12 +39,11 @@ class Menus(QObject):
         super().__init__(window)
         self.actions: dict[str, QAction] = {}
         self._filling = False
-        menus = {name: window.menuBar().addMenu("&" + tr(name)) for name in MENUS}
+        self.menus = {(name, ""): window.menuBar().addMenu("&" + tr(name)) for name in MENUS}
         for command in COMMANDS:
-            if command.separated:
-                menus[command.menu].addSeparator()
+            menu = self._menu_of(command)
             action = self._action(command, window)
-            menus[command.menu].addAction(action)
+            menu.addAction(action)
             self.actions[command.name] = action
         self.draw_icons()
 
@@ -65,6 +69,16 @@ class Menus(QObject):
         for command in COMMANDS:
             if command.icon:
                 self.actions[command.name].setIcon(icon(command.icon))
+
+    def _menu_of(self, command: Command) -> QMenu:
+        """The menu or submenu the command stands in, with the line above it where it has one."""
+        outer, place = self.menus[command.menu, ""], (command.menu, command.submenu)
+        begins = place not in self.menus
+        if command.separated:
+            (outer if begins else self.menus[place]).addSeparator()
+        if begins:
+            self.menus[place] = outer.addMenu(tr(command.submenu))
+        return self.menus[place]
 
     def _action(self, command: Command, window: QMainWindow) -> QAction:
         action = QAction(tr(command.title), window)

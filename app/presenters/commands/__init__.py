@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from app.presenters.commands import (
+    correct_menu,
     edit_menu,
     file_menu,
     help_menu,
@@ -20,13 +21,24 @@ from app.presenters.words import tr
 
 __all__ = ["COMMANDS", "MENUS", "Command", "Situation", "command_items"]
 
-MENUS: Final = ("File", "Edit", "View", "Playback", "Tracks", "Labels", "Review", "Help")
+MENUS: Final = (
+    "File",
+    "Edit",
+    "View",
+    "Playback",
+    "Tracks",
+    "Correct",
+    "Labels",
+    "Review",
+    "Help",
+)
 COMMANDS: Final[tuple[Command, ...]] = (
     *file_menu.COMMANDS,
     *edit_menu.COMMANDS,
     *view_menu.COMMANDS,
     *playback_menu.COMMANDS,
     *tracks_menu.COMMANDS,
+    *correct_menu.COMMANDS,
     *labels_menu.COMMANDS,
     *review_menu.COMMANDS,
     *help_menu.COMMANDS,
@@ -42,10 +54,16 @@ def _item(command: Command, now: Situation, checked: frozenset[str]) -> CommandI
     why_not = command.check(now)
     return CommandItem(
         command=command.name,
-        menu=tr(command.menu),
+        menu=_standing(command),
         title=tr(command.title),
         keys=command.keys,
         enabled=not why_not,
         why_not=why_not,
         checked=command.name in checked if command.checkable else None,
     )
+
+
+def _standing(command: Command) -> str:
+    """The menu it stands in, e.g. "Correct", "Correct > Delete"."""
+    menu = tr(command.menu)
+    return f"{menu} \u203a {tr(command.submenu)}" if command.submenu else menu

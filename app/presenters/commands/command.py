@@ -62,10 +62,11 @@ class Command:
     """One command.
 
     Attributes:
-        name: e.g. "edit.swap". menu: one of `MENUS`, or "" for keys only.
+        name: e.g. "edit.swap". menu: one of `MENUS`. submenu: a menu inside it; "" for none.
         title: English, translated when shown. keys: default keys, in Qt's portable text.
         check: why it cannot be done now.
-        checkable: it is on or off. separated: a line stands above it in its menu.
+        checkable: it is on or off.
+        separated: a line stands above it, or above the submenu that begins with it.
         icon: of the drawings that ship with the program; "" for none.
     """
 
@@ -77,3 +78,4 @@ class Command:
     checkable: bool = False
     separated: bool = False
     icon: str = ""
+    submenu: str = ""

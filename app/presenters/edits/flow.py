@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 
 from app.presenters.edits.footing import Box, Place
-from app.presenters.edits.kinds import OF_TWO, PLACING, SCOPES, WAYS, EditKind, Scope, Way
+from app.presenters.edits.kinds import OF_TWO, PLACING, SCOPES, WAYS, EditKind, Longest, Scope, Way
 from tracking.editing import SwapFrame
 
 Range = tuple[int, int]
@@ -20,7 +20,7 @@ class Fill(Enum):
     FILL = "fill between them"
 
 
-Option = Scope | Way | Fill
+Option = Scope | Way | Fill | Longest
 """One of the things that can be chosen between."""
 
 
@@ -32,7 +32,7 @@ class EditFlow:
         kind: what. track: the selected person; 0: one who is still to be drawn.
         cut: the first frame that changes. end: half-open, used by `Scope.RANGE` alone.
         also: others who are selected too. other: the second person, or the other id; 0: not yet.
-        scope: how far. way, fill: how.
+        scope: how far. way, fill: how. longest: of the gaps that are filled.
         proposed: the cut is one of `cuts`, found from how the two walked and looked.
         cuts: where the two may have changed over, the likeliest first.
         others: ids of people who may be meant, the nearest first.
@@ -51,6 +51,7 @@ class EditFlow:
     scope: Scope = Scope.ON
     way: Way = Way.FLOOR
     fill: Fill = Fill.LEAVE
+    longest: Longest = Longest.SECOND
     proposed: bool = False
     cuts: tuple[SwapFrame, ...] = ()
     others: tuple[int, ...] = ()
@@ -116,6 +117,11 @@ class EditFlow:
         return self.scope is Scope.RANGE
 
     @property
+    def leads(self) -> bool:
+        """Whether the playhead goes to the cut when that is put elsewhere."""
+        return self.has_cut or self.kind is EditKind.FILL_ALL
+
+    @property
     def start(self) -> int:
         """The first frame the edit may touch."""
         return 0 if self.scope is Scope.WHOLE else self.cut
@@ -177,6 +183,8 @@ class EditFlow:
         ways = _ways(self.kind, self.has_floor)
         if self.kind is EditKind.MERGE:
             return ways, tuple(Fill)
+        if self.kind is EditKind.FILL_ALL:
+            return tuple(Longest), ways
         if self.kind is EditKind.DRAW and not self.track:
             return (Scope.FRAME,), ()
         return SCOPES[self.kind], ways
@@ -184,7 +192,7 @@ class EditFlow:
     def chosen(self, row: int) -> int:
         """Which of the choices of a row is in force."""
         options = self.choices[row]
-        now: tuple[Option, ...] = (self.scope, self.way, self.fill)
+        now: tuple[Option, ...] = (self.scope, self.way, self.fill, self.longest)
         return next((n for n, option in enumerate(options) if option in now), 0)
 
     def with_choice(self, row: int, number: int) -> EditFlow:
@@ -195,6 +203,8 @@ class EditFlow:
         option = options[number % len(options)]
         if isinstance(option, Scope):
             return self.with_scope(option)
+        if isinstance(option, Longest):
+            return replace(self, longest=option)
         return replace(self, way=option) if isinstance(option, Way) else replace(self, fill=option)
 
 

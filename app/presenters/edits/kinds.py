@@ -20,6 +20,7 @@ class EditKind(Enum):
     FLOOR = "floor"
     INTERPOLATE = "interpolate"
     FILL = "fill"
+    FILL_ALL = "fill all"
     KEYFRAME = "keyframe"
     NO_KEYFRAME = "no keyframe"
     THIN = "thin"
@@ -38,6 +39,21 @@ class Scope(Enum):
     BETWEEN = "between the keyframes"
     GAP = "this gap"
     JOINED = "this frame and the gap beside it"
+
+
+class Longest(Enum):
+    """The longest gaps that are filled."""
+
+    SHORT = 0.5
+    SECOND = 1.0
+    SECONDS = 3.0
+    LONG = 10.0
+    ANY = float("inf")
+
+    @property
+    def seconds(self) -> float:
+        """How long they may be."""
+        return float(self.value)
 
 
 class Way(Enum):
@@ -65,6 +81,7 @@ SCOPES: Final[Mapping[EditKind, tuple[Scope, ...]]] = {
     EditKind.FLOOR: (Scope.FRAME,),
     EditKind.INTERPOLATE: (Scope.BETWEEN, Scope.RANGE),
     EditKind.FILL: (Scope.GAP,),
+    EditKind.FILL_ALL: (Scope.WHOLE,),
     EditKind.KEYFRAME: (Scope.FRAME,),
     EditKind.NO_KEYFRAME: (Scope.FRAME,),
     EditKind.THIN: (Scope.RANGE, Scope.ON, Scope.WHOLE),
@@ -78,6 +95,7 @@ WAYS: Final[Mapping[EditKind, tuple[Way, ...]]] = {
     EditKind.MERGE: (Way.KEEP_FIRST, Way.KEEP_SECOND, Way.KEEP_SURER),
     EditKind.INTERPOLATE: _PATHS,
     EditKind.FILL: _PATHS,
+    EditKind.FILL_ALL: _PATHS,
 }
 """The ways of each kind that has several; a way along the floor needs to know where it is."""
 
@@ -90,6 +108,7 @@ PLACING: Final = (EditKind.DRAW, EditKind.MOVE, EditKind.FLOOR)
 OF_SEVERAL: Final = (
     EditKind.MERGE,
     EditKind.DELETE,
+    EditKind.FILL_ALL,
     EditKind.OCCLUDE,
     EditKind.SHOW,
     EditKind.REVIEW,

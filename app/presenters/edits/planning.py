@@ -9,6 +9,7 @@ import numpy as np
 
 from app.presenters.edits.flow import EditFlow, Fill
 from app.presenters.edits.footing import box_of
+from app.presenters.edits.gap_places import gap_near
 from app.presenters.edits.ground import Ground
 from app.presenters.edits.kinds import EditKind, Scope, Way
 from app.presenters.words import tr
@@ -16,7 +17,6 @@ from tracking.editing import (
     Change,
     How,
     Keep,
-    gaps_of,
     keyframes_of,
     plan_add_keyframe,
     plan_delete,
@@ -25,6 +25,7 @@ from tracking.editing import (
     plan_drag,
     plan_draw_box,
     plan_fill_gap,
+    plan_fill_gaps,
     plan_interpolate,
     plan_mark_occluded,
     plan_mark_reviewed,
@@ -55,7 +56,7 @@ def plan_of(flow: EditFlow, on: Ground) -> Change:
         EditError: the edit does not apply to the tracks as they are.
     """
     if flow.needs_other:
-        raise EditError(f"{flow.kind.value}: the other person is not picked yet, click on them")
+        raise EditError(tr("The other person is not picked yet: click on them"))
     return with_parts_carried(_PLANNERS[flow.kind](flow, on), on.labels)
 
 
@@ -142,8 +143,20 @@ def _interpolate(flow: EditFlow, on: Ground) -> Change:
 
 def _fill(flow: EditFlow, on: Ground) -> Change:
     frame, footing = gap_near(on.table, flow.track, flow.cut), on.footing
+    if frame is None:
+        said = tr("Track {track} has no gap between its first and last frame", track=flow.track)
+        raise EditError(said)
     how = _HOWS[flow.way]
     return plan_fill_gap(on.table, flow.track, frame, how, view=footing.view, fps=footing.fps)
+
+
+def _fill_all(flow: EditFlow, on: Ground) -> Change:
+    footing, seconds = on.footing, flow.longest.seconds
+    longest = round(seconds * footing.fps) if np.isfinite(seconds) else footing.frame_count
+    how = _HOWS[flow.way]
+    return plan_fill_gaps(
+        on.table, flow.everybody, longest, how, view=footing.view, fps=footing.fps
+    )
 
 
 def _keyframe(flow: EditFlow, on: Ground) -> Change:
@@ -190,6 +203,7 @@ _PLANNERS: Final[Mapping[EditKind, Callable[[EditFlow, Ground], Change]]] = {
     EditKind.FLOOR: _drag,
     EditKind.INTERPOLATE: _interpolate,
     EditKind.FILL: _fill,
+    EditKind.FILL_ALL: _fill_all,
     EditKind.KEYFRAME: _keyframe,
     EditKind.NO_KEYFRAME: _no_keyframe,
     EditKind.THIN: _thin,
@@ -221,19 +235,3 @@ def stretch_between_keyframes(table: TrackTable, track: int, frame: int) -> tupl
             )
         )
     return int(keys[after - 1]), int(keys[after]) + 1
-
-
-def gap_near(table: TrackTable, track: int, frame: int) -> int:
-    """A frame of the gap that a frame lies in, else of the next gap, else of the last one.
-
-    Raises:
-        EditError: the track has no gap.
-    """
-    gaps = gaps_of(table, track)
-    if not gaps:
-        raise EditError(
-            tr("Track {track} has no gap between its first and last frame", track=track)
-        )
-    return next(
-        (max(start, min(frame, end - 1)) for start, end in gaps if frame < end), gaps[-1][0]
-    )

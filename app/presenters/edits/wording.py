@@ -3,38 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.edits.flow import EditFlow, Fill, Option
+from app.presenters.edits.flow import EditFlow
 from app.presenters.edits.ground import Ground
-from app.presenters.edits.kinds import EditKind, Scope, Way
+from app.presenters.edits.kinds import EditKind
+from app.presenters.edits.naming import option_name, question, title_of
 from app.presenters.palette import colour_of_track
 from app.presenters.scenes import ChoiceRow, EditPreview, Proposal
 from app.presenters.words import counted, time_text, tr
 from tracking.editing import Change
 from tracking.tracks import Columns, TrackTable, next_track
 
-_TITLES: Final[Mapping[EditKind, str]] = {
-    EditKind.SWAP: "Swap {a} with...",
-    EditKind.SPLIT: "Split {a}",
-    EditKind.MERGE: "Merge into {a}...",
-    EditKind.REASSIGN: "Give {a} to...",
-    EditKind.DELETE: "Delete {a}",
-    EditKind.DRAW: "Draw a box of {a}",
-    EditKind.MOVE: "Move the box of {a}",
-    EditKind.FLOOR: "Move {a} on the floor",
-    EditKind.INTERPOLATE: "Interpolate {a}",
-    EditKind.FILL: "Fill a gap of {a}",
-    EditKind.KEYFRAME: "Make a keyframe of {a}",
-    EditKind.NO_KEYFRAME: "Take a keyframe of {a} out",
-    EditKind.THIN: "Make keyframes of {a}",
-    EditKind.OCCLUDE: "Mark {a} as occluded",
-    EditKind.SHOW: "Mark {a} as visible",
-    EditKind.REVIEW: "Mark {a} as reviewed",
-}
 _MOST_NAMED = 4
 Places = NDArray[np.int64]
 
@@ -65,7 +47,8 @@ def _title(flow: EditFlow) -> str:
         return tr("Draw a new person")
     named = ", ".join(str(track) for track in flow.everybody[:_MOST_NAMED])
     rest = len(flow.everybody) - _MOST_NAMED
-    return tr(_TITLES[flow.kind], a=tr("{a} and {n} more", a=named, n=rest) if rest > 0 else named)
+    who = tr("{a} and {n} more", a=named, n=rest) if rest > 0 else named
+    return title_of(flow.kind).format(a=who)
 
 
 # what can be chosen
@@ -76,31 +59,8 @@ def _choice_row(flow: EditFlow, row: int) -> ChoiceRow | None:
     options = flow.choices[row]
     if len(options) < 2:
         return None
-    names = tuple(_option_name(option, flow) for option in options)
-    return ChoiceRow(row, _question(options[0]), names, flow.chosen(row), "RC"[row])
-
-
-def _question(option: Option) -> str:
-    if isinstance(option, Scope):
-        return tr("How far")
-    if isinstance(option, Fill):
-        return tr("Where neither stands")
-    of_merge = option in (Way.KEEP_FIRST, Way.KEEP_SECOND, Way.KEEP_SURER)
-    return tr("Where both stand") if of_merge else tr("How they walk there")
-
-
-def _option_name(option: Option, flow: EditFlow) -> str:
-    others = flow.also or (flow.other,)
-    second = str(others[0]) if len(others) == 1 and others[0] else tr("the other")
-    names: dict[Option, str] = {
-        Way.KEEP_FIRST: tr("keep {track}", track=flow.track),
-        Way.KEEP_SECOND: tr("keep {track}", track=second),
-        Way.KEEP_SURER: tr("keep the surer"),
-        Way.LINEAR: tr("straight in the picture"),
-        Way.FLOOR: tr("evenly along the floor"),
-        Scope.JOINED: tr("and the gap beside it"),
-    }
-    return names.get(option, tr(str(option.value)))
+    names = tuple(option_name(option, flow) for option in options)
+    return ChoiceRow(row, question(options[0]), names, flow.chosen(row), "RC"[row])
 
 
 def _others(flow: EditFlow, on: Ground) -> tuple[Proposal, ...]:
@@ -150,11 +110,11 @@ def _counts(change: Change, table: TrackTable) -> list[str]:
     """How many frames of whom are new, go, and become others."""
     new, gone, changed = rows_changed(change, table)
     said = (
-        (new, "Adds {what}"),
-        (changed, "Changes {what}"),
-        (gone, "Takes out {what}"),
+        (new, tr("Adds {what}")),
+        (changed, tr("Changes {what}")),
+        (gone, tr("Takes out {what}")),
     )
-    return [tr(text, what=_frames_of(counts)) for counts, text in said if counts]
+    return [text.format(what=_frames_of(counts)) for counts, text in said if counts]
 
 
 def _frames_of(counts: Mapping[int, int]) -> str:
@@ -213,6 +173,8 @@ def _hint(flow: EditFlow, ready: bool) -> str:
         keys.append(tr("Ctrl+Left / Right move the end"))
     if len(flow.cuts) > 1:
         keys.append(tr("Up / Down: other frames found"))
+    if flow.kind is EditKind.FILL_ALL:
+        keys.append(tr("Up / Down go through the gaps"))
     titles = (tr("R changes whom to keep"), tr("C fills the gap"))
     for row, of_merge in enumerate(titles):
         if len(flow.choices[row]) > 1:

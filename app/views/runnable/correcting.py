@@ -59,6 +59,7 @@ CORRECTING: dict[str, OnDesk] = {
     "tracks.no_keyframe": _begin(EditKind.NO_KEYFRAME),
     "tracks.interpolate": _begin(EditKind.INTERPOLATE),
     "tracks.fill_gap": _begin(EditKind.FILL),
+    "tracks.fill_gaps": _begin(EditKind.FILL_ALL),
     "tracks.thin": _begin(EditKind.THIN),
     "tracks.occluded": _begin(EditKind.OCCLUDE),
     "tracks.visible": _begin(EditKind.SHOW),

@@ -21,8 +21,8 @@ class Gestures:
     """What the mouse does to one area of lanes.
 
     The left button seeks and picks, with Shift it picks one more; the middle one, or the left one
-    with Ctrl, drags the lanes along, the right one asks for a menu. The wheel zooms; over the names
-    or with Shift it scrolls the lanes, with Ctrl it pans.
+    with Ctrl, drags the lanes along. The wheel zooms; over the names or with Shift it scrolls the
+    lanes, with Ctrl it pans.
     """
 
     def __init__(self, area: TracksArea) -> None:
@@ -58,10 +58,6 @@ class Gestures:
         if button is Qt.MouseButton.MiddleButton or (left and with_ctrl):
             self._doing = "pan"
             area.setCursor(Qt.CursorShape.ClosedHandCursor)
-        elif button is Qt.MouseButton.RightButton:
-            lane = area.lane_at(at)
-            if lane is not None:
-                area.menu_asked.emit(lane.track, event.globalPosition().toPoint())
         elif left and self._is_on_cut(at):
             self._doing = "cut"
         elif left:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import (
+    QContextMenuEvent,
     QFontMetricsF,
     QHelpEvent,
     QMouseEvent,
@@ -44,7 +45,8 @@ class TracksArea(QWidget):
     Signals:
         frame_sought(int): a click or drag on ruler or lanes.
         track_picked(int): a click on a lane, 0 below the last. track_added(int): with Shift.
-        menu_asked(int, QPoint): a right click on a lane; where on the screen.
+        menu_asked(int, QPoint): a right click on a lane (0: below the last), or the menu key (-1:
+            on who is selected); where on the screen.
         cut_moved(int): the cut of a preview was dragged to a frame.
         axis_changed(object): zoomed or panned; the new :class:`TimeAxis`.
     """
@@ -335,6 +337,14 @@ class TracksArea(QWidget):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:  # noqa: ARG002, N802
         """Done."""
         self._gestures.release()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:  # noqa: N802
+        """Ask for what can be done to the lane's track, or by key to who is selected."""
+        by_key = event.reason() is QContextMenuEvent.Reason.Keyboard
+        lane = self.lane_at(QPointF(event.pos()))
+        track = -1 if by_key else lane.track if lane is not None else 0
+        self.menu_asked.emit(track, event.globalPos())
+        event.accept()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:  # noqa: N802
         """Zoom to what is there."""

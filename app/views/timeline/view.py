@@ -16,7 +16,7 @@ class TimelineView(QFrame):
     Signals:
         frame_sought(int): a click or drag on ruler, lanes or overview.
         track_picked(int): a click on a lane, 0 beside all. track_added(int): with Shift.
-        menu_asked(int, QPoint): a right click on a lane.
+        menu_asked(int, QPoint): a right click on a lane, or the menu key.
         cut_moved(int): the cut of a previewed edit was dragged to a frame.
     """
 

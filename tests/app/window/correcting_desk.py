@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtGui import QAction, QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from pytestqt.qtbot import QtBot
@@ -33,6 +33,15 @@ def opened_desk(window: MainWindow, qtbot: QtBot, path: Path, frame: int = CROWD
     desk.playback.go(frame)
     qtbot.waitUntil(lambda: desk.playback.number == frame)
     return desk
+
+
+def offered(menu: QMenu) -> list[QAction]:
+    """The actions of a menu and of the menus in it."""
+    found: list[QAction] = []
+    for action in menu.actions():
+        inner = action.menu()
+        found += offered(inner) if isinstance(inner, QMenu) else [action]
+    return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,20 +83,17 @@ class Hands:
             self.qtbot.wait(1)
 
     def choose_in_menu(
-        self, widget: QWidget, at: QPointF, command: str, by_press: bool = False
+        self, widget: QWidget, at: QPointF, command: str, by_key: bool = False
     ) -> None:
-        """Open the menu of a right click and choose a command in it."""
-        place = at.toPoint()
-        reason = QContextMenuEvent.Reason.Mouse
+        """Open the menu of a right click, or of the menu key, and choose a command in it."""
+        place, reasons = at.toPoint(), QContextMenuEvent.Reason
+        reason = reasons.Keyboard if by_key else reasons.Mouse
         asked = QContextMenuEvent(reason, place, widget.mapToGlobal(place))
-        if by_press:
-            QTest.mouseClick(widget, Qt.MouseButton.RightButton, NO_KEY, place)
-        else:
-            QApplication.sendEvent(widget, asked)
+        QApplication.sendEvent(widget, asked)
         menu = self.window.context_menu.menu
         assert isinstance(menu, QMenu)
         action = self.window.menus.actions[command]
-        assert action in menu.actions()
+        assert action in offered(menu)
         menu.close()
         action.trigger()
         self.qtbot.wait(1)

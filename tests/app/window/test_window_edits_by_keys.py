@@ -5,6 +5,7 @@ from correcting_desk import CROWDED, CTRL, SHIFT, Hands, opened_desk
 from PySide6.QtCore import Qt
 
 from app.presenters.edits import EditKind, Scope
+from app.presenters.edits.kinds import Longest
 from tracking.tracks import Source
 
 Key = Qt.Key
@@ -134,6 +135,36 @@ def test_a_gap_is_filled(hands, track):
     hands.press(Key.Key_I, SHIFT)
     hands.press(Key.Key_Return)
     assert hands.row(track, CROWDED)["source"] == Source.INTERPOLATED
+
+
+def test_all_short_gaps_of_several_are_filled_at_once_and_gone_through_first(hands, track):
+    other = next(one for one in hands.people() if one != track)
+    for person, frame in ((track, 50), (other, 56)):
+        hands.desk.editing.pick(person)
+        hands.go(frame)
+        hands.press(Key.Key_Delete, SHIFT)
+        hands.press(Key.Key_Return)
+    hands.desk.editing.add(track)
+    hands.go(CROWDED)
+    hands.press(Key.Key_I, CTRL)
+    assert hands.desk.playback.clock.frame == 56  # the nearest
+    hands.press(Key.Key_Up)
+    assert hands.desk.playback.clock.frame == 50
+    hands.press(Key.Key_R)
+    assert hands.desk.document.flow.longest is Longest.SECONDS
+    hands.press(Key.Key_Return)
+    filled = [hands.row(track, 50)["source"], hands.row(other, 56)["source"]]
+    assert filled == [Source.INTERPOLATED] * 2
+
+
+def test_escape_goes_back_to_where_the_edit_was_begun(hands, track):
+    for press in ((Key.Key_X, Key.Key_Tab, Key.Key_Right), (Key.Key_S, Key.Key_Left, Key.Key_Left)):
+        for key in press:
+            hands.press(key)
+        assert hands.desk.playback.clock.frame != CROWDED
+        hands.press(Key.Key_Escape)
+        assert hands.desk.document.flow is None
+        assert hands.desk.playback.clock.frame == CROWDED
 
 
 def test_occluded_and_visible_are_marked_over_a_scope(hands, track):

@@ -53,7 +53,7 @@ def test_the_menu_of_every_view_is_about_who_was_clicked(hands, someone, where):
         hands.choose_in_menu(view.overhead, hands.place_on(someone), "tracks.end_here")
     elif where == "timeline":
         lane = hands.lane_of(someone)
-        hands.choose_in_menu(view.timeline.area, lane, "tracks.end_here", by_press=True)
+        hands.choose_in_menu(view.timeline.area, lane, "tracks.end_here")
     else:
         hands.desk.set_eyes("both")
         hands.qtbot.wait(5)
@@ -64,6 +64,14 @@ def test_the_menu_of_every_view_is_about_who_was_clicked(hands, someone, where):
         hands.choose_in_menu(view.right, middle, "tracks.end_here")
     _apply(hands)
     assert max(hands.frames(someone)) == CROWDED - 1
+
+
+def test_the_menu_key_over_the_timeline_is_about_who_is_selected(hands, someone):
+    hands.desk.editing.pick(someone)
+    area = hands.window.workspace.timeline.area
+    nobodys = QPointF(30, area.height() - 4)
+    hands.choose_in_menu(area, nobodys, "tracks.delete_track", by_key=True)
+    assert hands.desk.document.flow.everybody == (someone,)
 
 
 def test_a_new_id_is_given_by_its_chip_over_a_range_chosen_by_its_button(hands, someone):

@@ -67,9 +67,26 @@ def test_every_control_of_a_dialog_has_a_name(opened, command):
 def test_every_command_stands_in_its_menu_with_its_key(window):
     menus = {menu.title().replace("&", ""): menu for menu in _menus(window)}
     for command in COMMANDS:
-        action = window.menus.actions[command.name]
-        assert action in menus[command.menu].actions()
+        action, menu = window.menus.actions[command.name], menus[command.menu]
+        if command.submenu:
+            inner = [one.menu() for one in menu.actions() if one.menu() is not None]
+            menu = next(one for one in inner if one.title() == command.submenu)
+        assert action in menu.actions()
         assert [keys.toString() for keys in action.shortcuts()] == list(command.keys)
+
+
+def test_no_menu_is_longer_than_can_be_read_at_a_glance(window):
+    menus = _menus(window)
+    inner = [one.menu() for menu in menus for one in menu.actions() if one.menu() is not None]
+    assert len(inner) >= 5
+    for menu in menus + inner:
+        entries = [action for action in menu.actions() if not action.isSeparator()]
+        assert 2 <= len(entries) <= 16, menu.title()
+
+
+def test_no_two_menus_open_with_the_same_letter(window):
+    letters = [menu.title()[menu.title().index("&") + 1].lower() for menu in _menus(window)]
+    assert len(letters) == len(set(letters))
 
 
 def test_no_key_has_two_commands():
