@@ -8,7 +8,9 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QMenu
 
+from app.presenters.review_scene import ReviewScene
 from app.presenters.scenes import ChoiceRow, EditPreview, HistoryItem, Proposal, TrackCard
+from app.views.differences_panel import DifferencesPanel
 from app.views.edit_panel import EditPanel
 from app.views.history_panel import HistoryPanel
 from app.views.notice import NoticeBar
@@ -220,13 +222,18 @@ def test_without_a_preview_the_bar_is_hidden(preview):
     assert preview.isHidden()
 
 
-def test_the_review_queue_is_honest_about_being_empty(qtbot, dark):
+def test_the_review_queue_says_why_it_is_empty(qtbot, dark):
     panel = ReviewPanel()
     qtbot.addWidget(panel)
-    assert "not looked for" in words(panel)
+    panel.show_scene(ReviewScene(title="Nothing left to look at", text="All is decided."))
+    assert "Nothing left to look at" in words(panel)
+    assert "All is decided." in words(panel)
+    assert panel._list.isHidden()
 
 
-@pytest.mark.parametrize("kind", [TrackPanel, HistoryPanel, EditPanel, ReviewPanel])
+@pytest.mark.parametrize(
+    "kind", [TrackPanel, HistoryPanel, EditPanel, ReviewPanel, DifferencesPanel]
+)
 def test_every_control_has_a_name_for_screen_readers(qtbot, dark, kind):
     widget = kind()
     qtbot.addWidget(widget)
