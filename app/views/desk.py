@@ -31,9 +31,8 @@ class Desk(QObject):
     """Holds the document, the playback and the tracker at work of one open recording.
 
     Signals: `drawn()`, another instant is shown; `changed()`, commands may be enabled or disabled
-    by now; `progressed()`, the tracker
-    at work is further; `failed(error)`; `said(text)`; `tracked(run)`, it came to its end with a
-    `Run`; `noted(lines)`, what the user should be told of it.
+    by now; `progressed()`, the tracker at work is further; `failed(error)`; `said(text)`;
+    `tracked(run)`, it came to its end with a `Run`; `noted(lines)`, what the user should be told.
     """
 
     changed = Signal()
