@@ -24,6 +24,7 @@ from app.views.icons import IconButton
 from app.views.parts import EmptyState, Panel, quiet
 
 _ROWS = 5  # seen at least
+_LAID_AT_ONCE = 300
 _UNDO_ALONE_KEYS = "Ctrl+Alt+Z"
 
 
@@ -79,6 +80,8 @@ class HistoryPanel(Panel):
         view.setAccessibleName(self.tr("Edits, newest first"))
         view.setProperty("rows", True)
         view.setUniformItemSizes(True)
+        view.setLayoutMode(QListView.LayoutMode.Batched)  # all of a long log at once: 50 ms an edit
+        view.setBatchSize(_LAID_AT_ONCE)
         view.setMouseTracking(True)
         view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         view.setItemDelegate(EditDelegate(view))
