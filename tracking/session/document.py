@@ -16,7 +16,7 @@ from tracking.session.journal import Act
 from tracking.session.known import KnownRecordings
 from tracking.session.older import read_generation, standing_in
 from tracking.session.pending import PendingSave
-from tracking.session.reading import read_session
+from tracking.session.reading import read_session, saved_as
 from tracking.session.recovery import recover
 from tracking.session.reference import Footage, refer_to
 from tracking.session.saving import UNLIMITED, file_state, generations, real_path
@@ -152,18 +152,30 @@ class Session(Held):
 
     def _do(self, act: Act, entry: Entry, change: Change) -> Entry:
         self._refuse_read_only()
-        if self._store is not None and self._saved < self._base:
-            self._put_base_on_disk()
+        if self._store is not None:
+            self._make_sure(self._store)
+            if self._saved < self._base:
+                self._put_base_on_disk()
         logged = self._edited.do(act, entry, change, self._keep)
         self._content += 1
         return logged
+
+    def _make_sure(self, store: Store) -> None:
+        """See to it that the session's folder is there, and is the one this session knows."""
+        if not store.make_sure(self._is_own_file):
+            self._saved, self._base = -1, self._content  # what no journal holds goes into the file
+
+    def _is_own_file(self) -> bool:
+        """Whether the file under the session's name is what this session saved last."""
+        path, stamps = self._path, self._stamps
+        return path is not None and saved_as(path) == (stamps.session, stamps.save)
 
     def _put_base_on_disk(self) -> None:
         """See to it that the file holds the run that is edited: the journal builds on it."""
         pending = self._pending
         if pending is None:
             self.save()
-        elif pending.store is self._store and pending.content >= self._base:
+        elif pending.store is self._store and pending.content >= self._base > self._saved >= 0:
             pending.written.result()
         else:
             raise SessionError(f"{self._path} is being saved; edit again when that is done")
@@ -172,10 +184,14 @@ class Session(Held):
         """Put a step into the journal; a session that was never saved has none."""
         if self._store is None:
             return
-        journal = self._store.journal()
-        if journal.origin is None:
-            journal.start_over(self._stamps.session, self._stamps.save)
-        journal.append(act, entry)
+        try:
+            journal = self._store.journal()
+            if journal.origin is None:
+                journal.start_over(self._stamps.session, self._stamps.save)
+            journal.append(act, entry)
+        except OutputError:
+            self._store.doubt()
+            raise
 
     def _recover(self, store: Store) -> None:
         found = recover(self._edited, store, self._stamps)
@@ -227,6 +243,8 @@ class Session(Held):
         own = self._path is not None and target.resolve() == self._path.resolve()
         if own:
             self._refuse_read_only()
+            if self._store is not None:
+                self._make_sure(self._store)
         store = self._store if own and self._store is not None else Store.claim(target)
         snapshot = Snapshot(
             stamps=self._next_stamps(self._stamps, store if own else None),

@@ -26,6 +26,10 @@ def opened(path: Path) -> Iterator[h5py.File]:
     try:
         with h5py.File(path, "r", locking=False) as file:
             yield file
+    except FileNotFoundError as why:
+        raise SessionError(
+            f"{path} is out of reach: it was moved or its disk has gone; connect it again"
+        ) from why
     except _FAILURES as why:
         reason = " ".join(str(why).split())
         raise SessionError(f"{path}: the session file is damaged or cut short ({reason})") from why

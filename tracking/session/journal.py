@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import sqlite3
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,6 +12,7 @@ from typing import Literal
 
 from tracking.editing import Entry
 from tracking.errors import OutputError, SessionError
+from tracking.session.lock import identity
 
 Act = Literal["apply", "undo", "redo"]
 _TABLES = """
@@ -54,7 +56,10 @@ class Journal:
             if "undoes" not in [row[1] for row in self._base.execute("PRAGMA table_info(steps)")]:
                 self._base.execute(_UNDOES)
             last = self._base.execute("SELECT max(number) FROM steps").fetchone()[0]
+            origin = self._base.execute("SELECT session, save FROM origin").fetchone()
+            self._file = identity(path)
         self._last = int(last or 0)
+        self._origin = None if origin is None else (str(origin[0]), str(origin[1]))
 
     @property
     def last(self) -> int:
@@ -64,9 +69,24 @@ class Journal:
     @property
     def origin(self) -> tuple[str, str] | None:
         """The session and the save it builds on; None for a new journal."""
-        with _telling(self._path, "read"):
-            row = self._base.execute("SELECT session, save FROM origin").fetchone()
-        return None if row is None else (str(row[0]), str(row[1]))
+        return self._origin
+
+    @property
+    def is_in_place(self) -> bool:
+        """Whether the file it writes to still is the one at its path."""
+        return identity(self._path) == self._file
+
+    def continues(self, other: Journal) -> bool:
+        """Whether this is the other one's file opened anew, with all steps it said it wrote.
+
+        A further step, of which the other said that it failed, is taken out.
+        """
+        if self._origin != other._origin or not other._last <= self._last <= other._last + 1:
+            return False
+        with _telling(self._path, "written"):
+            self._base.execute("DELETE FROM steps WHERE number > ?", (other._last,))
+        self._last = other._last
+        return True
 
     def steps(self) -> Iterator[Step]:
         """All steps in order. Raises SessionError where a line is not what it should be."""
@@ -104,11 +124,12 @@ class Journal:
                 self._base.execute("DELETE FROM origin")
                 self._base.execute("INSERT INTO origin VALUES (?, ?)", (session, save))
             self._base.execute("PRAGMA wal_checkpoint(TRUNCATE)")
-        self._last = max(0, self._last - included)
+        self._last, self._origin = max(0, self._last - included), (session, save)
 
     def close(self) -> None:
         """Let go of the file."""
-        self._base.close()
+        with contextlib.suppress(sqlite3.Error):  # its disk may be gone; what it holds, it holds
+            self._base.close()
 
 
 @contextmanager

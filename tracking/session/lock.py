@@ -10,6 +10,15 @@ import sys
 from pathlib import Path
 
 
+def identity(file: Path | int) -> tuple[int, int] | None:
+    """Which file it is, by its path or handle, whatever it is called; None where there is none."""
+    try:
+        state = os.fstat(file) if isinstance(file, int) else file.stat()
+    except OSError:
+        return None
+    return state.st_dev, state.st_ino
+
+
 class SessionLock:
     """A lock file held by the operating system, so that a program that dies leaves none behind.
 
@@ -46,6 +55,11 @@ class SessionLock:
             os.write(handle, b" " + holder.encode())
         return True
 
+    @property
+    def is_in_place(self) -> bool:
+        """Whether the file that is locked still is the one at its path."""
+        return self._handle is not None and identity(self._path) == identity(self._handle)
+
     def holder(self) -> str:
         """Who holds the lock, in words."""
         try:
@@ -56,15 +70,22 @@ class SessionLock:
         except (OSError, ValueError, LookupError, TypeError, OverflowError, RecursionError):
             return "another program"
 
+    def let_go(self) -> None:
+        """Give the lock back where its file is another's by now, or out of reach."""
+        if self._handle is not None:
+            with contextlib.suppress(OSError):
+                os.close(self._handle)
+            self._handle = None
+
     def release(self) -> None:
         """Give the lock back and take its file away."""
         if self._handle is None:
             return
-        if sys.platform != "win32":  # there, an open file cannot be deleted
+        own = self.is_in_place
+        if own and sys.platform != "win32":  # there, an open file cannot be deleted
             self._path.unlink(missing_ok=True)
-        os.close(self._handle)
-        self._handle = None
-        if sys.platform == "win32":
+        self.let_go()
+        if own and sys.platform == "win32":
             self._path.unlink(missing_ok=True)
 
 

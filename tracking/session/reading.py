@@ -39,6 +39,13 @@ def read_session(path: Path) -> Snapshot:
         return replace(_READERS[version[0]](file, path), newer=version > VERSION)
 
 
+def saved_as(path: Path) -> tuple[str, str]:
+    """Which session a file is, and which of its saves: see `Stamps`. Raises SessionError."""
+    check_file(path)
+    with opened(path) as file:
+        return text_attribute(file, "session"), text_attribute(file, "save")
+
+
 def check_file(path: Path) -> tuple[int, int]:
     """Have the file looked over by a program of its own; gives its format version.
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Callable
 from pathlib import Path
 
-from tracking.errors import SessionError
+from tracking.errors import OutputError, SessionError
 from tracking.session.journal import Journal
 from tracking.session.lock import SessionLock
 from tracking.session.saving import clear_leftovers, companions, sync_folder, telling_where
@@ -18,9 +19,11 @@ class Store:
 
     def __init__(self, path: Path, lock: SessionLock) -> None:
         """Use `claim`."""
+        self._path = path
         self._folder = companions(path)
         self._lock = lock
         self._journal: Journal | None = None
+        self._doubted = False
 
     @classmethod
     def claim(cls, path: Path) -> Store:
@@ -29,18 +32,65 @@ class Store:
         Raises SessionError where another program has it, OutputError where the folder cannot be
         written to.
         """
-        folder = companions(path)
         with telling_where(path, "its folder cannot be written to"):
-            if not folder.exists():
-                folder.mkdir(exist_ok=True)
-                sync_folder(path.parent)  # what is journalled in it must not vanish with it
-            lock = SessionLock(folder / "lock")
-            if not lock.acquire():
-                raise SessionError(
-                    f"{path}: the session is open in {lock.holder()}; close it there first"
-                )
+            lock = _locked(path)
             clear_leftovers(path)
         return cls(path, lock)
+
+    def make_sure(self, is_own: Callable[[], bool]) -> bool:
+        """See to it that lock and journal are the ones at their paths: quick while they are.
+
+        A folder that was away and is back, as a network disk may be, is taken up again where
+        is_own says that the session file in it is the one this program knows.
+        False: the journal that came back misses steps; they must be put on disk otherwise.
+        Raises OutputError where the folder is away, SessionError where another program has the
+        session or has changed it.
+        """
+        if self._is_in_place():
+            return True
+        if not self._path.is_file():
+            raise OutputError(
+                f"{self._path} is out of reach: its folder has vanished; nothing was changed: "
+                "connect it again and go on"
+            )
+        if not self._lock.is_in_place:
+            self._lock_again(is_own)
+        return self._journal_again()
+
+    def doubt(self) -> None:
+        """Have the journal opened anew before it is written to again: its disk refused."""
+        self._doubted = True
+
+    def _is_in_place(self) -> bool:
+        journal = self._journal
+        written = journal is None or (journal.is_in_place and not self._doubted)
+        return written and self._lock.is_in_place
+
+    def _lock_again(self, is_own: Callable[[], bool]) -> None:
+        with telling_where(self._path, "its folder cannot be written to"):
+            lock = _locked(self._path)
+        if not is_own():
+            lock.release()
+            raise SessionError(
+                f"{self._path} was changed by another program while it was out of reach; "
+                "save under another name"
+            )
+        self._lock.let_go()
+        self._lock = lock
+
+    def _journal_again(self) -> bool:
+        written = self._journal
+        if written is None:
+            return True
+        written.close()
+        journal = Journal(self._folder / JOURNAL)
+        self._doubted = False
+        if journal.continues(written):
+            self._journal = journal
+            return True
+        journal.close()
+        self.set_journal_aside()
+        return False
 
     @property
     def has_journal(self) -> bool:
@@ -79,6 +129,18 @@ class Store:
         if self._journal is not None:
             self._journal.close()
             self._journal = None
+
+
+def _locked(path: Path) -> SessionLock:
+    """The session's lock, taken; the folder it lies in is made where there is none."""
+    folder = companions(path)
+    if not folder.exists():
+        folder.mkdir(exist_ok=True)
+        sync_folder(path.parent)  # what is journalled in it must not vanish with it
+    lock = SessionLock(folder / "lock")
+    if not lock.acquire():
+        raise SessionError(f"{path}: the session is open in {lock.holder()}; close it there first")
+    return lock
 
 
 def has_waiting_journal(path: Path) -> bool:
