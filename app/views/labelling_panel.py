@@ -86,4 +86,4 @@ class LabellingPanel(QFrame):
         for other in (self.parts, self.drawn, self.ranges):
             fits = QSizePolicy.Policy.Preferred if other is page else QSizePolicy.Policy.Ignored
             other.setSizePolicy(QSizePolicy.Policy.Preferred, fits)
-        self._pages.adjustSize()
+        self._pages.updateGeometry()
