@@ -124,8 +124,10 @@ class DifferencesPanel(Panel):
     def _build_ends(self) -> QVBoxLayout:
         self._take_dashed = QPushButton(self)
         self._take_dashed.setProperty("primary", True)
+        self._take_dashed.setAccessibleName(self.tr("Take what is ticked from the dashed version"))
         self._take_dashed.clicked.connect(lambda: self.taken.emit(1))
         self._take_solid = QPushButton(self)
+        self._take_solid.setAccessibleName(self.tr("Take what is ticked from the solid version"))
         self._take_solid.clicked.connect(lambda: self.taken.emit(0))
         self._drop = QPushButton(self.tr("Drop this run"), self)
         self._drop.setToolTip(self.tr("Forget the run; without this it is kept among the runs"))

@@ -14,6 +14,7 @@ from app.views.track_dialog import TrackDialog
 from tracking.editing import plan_mark_reviewed
 from tracking.recording import open_recording
 from tracking.session import Session
+from tracking.tracks import SIGNAL_COLUMNS, empty
 
 AGAIN_AT = 50
 SHIFTED = (58, 72)
@@ -28,7 +29,7 @@ def shifted_run(tiny_run):
     moved &= tracks["frame"] < SHIFTED[1]
     tracks["x"][moved] += 1.0
     tracks["left"][moved] += 40.0
-    return replace(tiny_run, tracks=tracks, signals={}), track
+    return replace(tiny_run, tracks=tracks, signals=empty(SIGNAL_COLUMNS)), track
 
 
 @pytest.fixture
