@@ -15,6 +15,7 @@ from tracking.editing import (
     Change,
     Entry,
     History,
+    TouchIndex,
     apply_change,
     plan_delete,
     plan_draw_box,
@@ -265,6 +266,14 @@ def test_reviewed_ranges_apart_are_undone_each_alone(desk: Desk) -> None:
     assert desk.history.why_not_alone(1) == ""
     desk.do(plan_mark_reviewed(desk.labels, 0, 10, 20))
     assert "edit 3" in desk.history.why_not_alone(1)
+
+
+def test_a_range_beyond_all_frames_is_no_trouble(desk: Desk) -> None:
+    desk.do(plan_swap(desk.table, 1, 2, 10, 10**12))
+    columns = desk.history.touches
+    again = History(desk.history.entries, TouchIndex.from_columns(columns, 1))
+    assert again.why_not_alone(1) == ""
+    assert columns["end"].max() <= 2**31
 
 
 def test_an_edit_that_is_not_there_is_said(desk: Desk) -> None:

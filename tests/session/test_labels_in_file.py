@@ -187,7 +187,6 @@ def set_column(name: str, values: list[object]) -> Callable[[h5py.File], None]:
         (set_column("labels/verdicts/tracks", ["[[1]]"]), "damaged"),
         (set_column("labels/reviewed/end", [0, 0]), "range is empty"),
         (set_column("edits/undoes", [0, 0, 0, 0, 7, 0, 0]), "undoes a later one"),
-        (lambda file: file["edits/touched/edit"].__setitem__(0, 99), "no list of tracks"),
         (lambda file: file.__delitem__("labels/parts/left"), "no column left in labels/parts"),
         (lambda file: file.__delitem__("labels/lines/x1"), "no column x1 in labels/lines"),
     ],
@@ -202,6 +201,24 @@ def test_labels_that_nobody_gave_are_refused(
         Session.open(copy)
     assert str(copy) in str(told.value)
     assert "\n" not in str(told.value)
+
+
+@pytest.mark.parametrize(
+    ("column", "value"), [("edit", 99), ("kind", 10), ("of", -1), ("start", 2**40), ("end", -1)]
+)
+def test_what_edits_touch_is_worked_out_where_the_file_says_nonsense(
+    copy: Path, column: str, value: int
+) -> None:
+    session = Session.open(copy)
+    told, why = session.history.touches, session.history.why_not_alone(1)
+    session.close()
+    with h5py.File(copy, "a") as file:
+        file[f"edits/touched/{column}"][1] = value
+    again = Session.open(copy)
+    for name, numbers in again.history.touches.items():
+        assert numbers.tolist() == told[name].tolist()
+    assert again.history.why_not_alone(1) == why
+    again.close()
 
 
 def looked_over(path: Path) -> tuple[int, int]:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from tracking.editing.change import Change, State
 from tracking.editing.label_state import LabelState
-from tracking.tracks import PART_NAMES, PartLabel, TrackLabel
+from tracking.tracks import LARGEST_NUMBER, PART_NAMES, PartLabel, TrackLabel
 
 Boxes = NDArray[np.int64]
 
@@ -145,7 +145,10 @@ def _word(kind: int, of: int, word: str) -> tuple[int, int, int, int]:
 
 
 def _united(boxes: Boxes) -> Boxes:
-    """Sorted, with boxes of one thing that overlap or follow each other made one."""
+    """Sorted, within what a file holds, with boxes of one thing that meet made one."""
+    boxes = boxes.clip(0, LARGEST_NUMBER + 1)
+    boxes = boxes[boxes[:, 2] < boxes[:, 3]]
+    boxes[:, 1] = boxes[:, 1].clip(0, LARGEST_NUMBER)
     if len(boxes) < 2:
         return boxes
     boxes = boxes[np.lexsort((boxes[:, 2], boxes[:, 1], boxes[:, 0]))]

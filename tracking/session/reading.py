@@ -24,7 +24,7 @@ from tracking.session.layout import EDIT_COLUMNS, SOURCE_COLUMNS, VERSION
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.session.saving import generations
-from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, TrackTable
+from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, TrackTable
 
 _MOST_FPS, _WIDEST = 1e6, 1 << 20
 
@@ -126,8 +126,8 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
             highest_track=int(tracks.attrs["highest_track"]),
         )
         labels, edits = read_labels(file), read_edits(file)
-        boxes = _read_touched(file["edits"], edits)
-        History(edits, TouchIndex.from_columns(boxes, len(edits)))
+        touches = _read_touched(file["edits"], edits)
+        History(edits, touches)
     except EditError as why:
         raise SessionError(f"{path}: the session file is damaged: {why}") from why
     adopted = int(tracks.attrs["run"])
@@ -141,7 +141,7 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
         adopted=None if adopted < 0 else adopted,
         labels=labels,
         edits=edits,
-        touched=boxes,
+        touched=touches.columns,
     )
 
 
@@ -159,15 +159,17 @@ def read_edits(file: h5py.File) -> tuple[Entry, ...]:
     return tuple(Entry(**dict(zip(types, row, strict=True))) for row in rows)
 
 
-def _read_touched(group: h5py.Group, edits: Sequence[Entry]) -> Columns:
-    """What the edits touch; files of format 1.0 do not say, so it is worked out."""
+def _read_touched(group: h5py.Group, edits: Sequence[Entry]) -> TouchIndex:
+    """What the edits touch. Where the file does not say so, or nonsense, it is worked out."""
     if "touched" in group:
-        return read_columns(group["touched"], TOUCHED_COLUMNS)
+        with contextlib.suppress(EditError):
+            columns = read_columns(group["touched"], TOUCHED_COLUMNS)
+            return TouchIndex.from_columns(columns, len(edits))
     index = TouchIndex()
     for entry in edits:
         with contextlib.suppress(EditError):  # a damaged line is told when it is asked for
             index.add(entry.id, touched(entry.change))
-    return index.columns
+    return index
 
 
 def read_recording(group: h5py.Group) -> RecordingReference:
