@@ -18,28 +18,28 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-ONE, TWO = -4.48, -2.97
+ONE, TWO = -4.34, -2.81
 """Log odds of a place of one track and of one of two tracks, whatever speaks for it."""
-CROWD = 1.45
+CROWD = 1.3
 """Log odds that being crowded adds."""
 
 WEIGHTS: Mapping[str, float] = MappingProxyType(
     {
-        "exchange": 2.12,
-        "turn": 3.91,
-        "crossing": 0.07,
-        "shared": 0.18,
-        "lost": 7.87,
+        "exchange": 2.42,
+        "turn": 4.44,
+        "crossing": 0.38,
+        "shared": 0.21,
+        "lost": 7.7,
         "ended": 0.0,
-        "begun": 2.42,
-        "colour": 0.92,
+        "begun": 2.45,
+        "colour": 0.85,
         "height": 0.0,
-        "jump": 0.83,
-        "predicted": 0.55,
+        "jump": 0.48,
+        "predicted": 0.41,
         "drift": 0.0,
-        "margin": 0.41,
-        "spread": 1.24,
-        "split": 1.3,
+        "margin": 0.34,
+        "spread": 0.77,
+        "split": 1.55,
         "part": 1.0,  # not fitted: none of these trackers follows parts
     }
 )
