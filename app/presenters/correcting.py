@@ -21,6 +21,7 @@ from app.presenters.edits import (
     begun_box,
     begun_place,
     planned_edit,
+    shown_edit,
 )
 from app.presenters.edits.cuts import changed_over
 from app.presenters.edits.gap_places import gap_near, next_filled
@@ -50,6 +51,7 @@ class Correcting:
         self.planned: PlannedEdit | None = None
         self.begun_at: int | None = None
         self.marked: Range | None = None
+        self._let_go: tuple[int, ...] = ()
         self._selection = selection
         self._footing = footing
         self._ground = ground
@@ -99,9 +101,11 @@ class Correcting:
     def _go_to_gap(self, step: int) -> None:
         """Put the frame looked at into one of the gaps that would be filled."""
         flow, planned = self.flow, self.planned
-        of_gaps = flow is not None and flow.kind is EditKind.FILL_ALL
-        if flow is not None and of_gaps and planned is not None and planned.change is not None:
-            self.change(replace(flow, cut=next_filled(planned.change, flow.cut, step)))
+        change, on = planned.change if planned is not None else None, self._ground()
+        if flow is None or flow.kind is not EditKind.FILL_ALL or change is None or on is None:
+            return
+        self.flow = replace(flow, cut=next_filled(change, flow.cut, step))
+        self.planned = shown_edit(self.flow, on, change)
 
     def begin_drawing(self, frame: int, new: bool = False) -> None:
         """W: draw a box, of who is selected or of somebody new; one that is there is replaced."""
@@ -109,6 +113,7 @@ class Correcting:
         if on is None:
             return
         if new:
+            self._let_go = self._selection.all
             self._selection.choose(0)
         there = self._selection.track in on.table.of_frame(frame)["track"]
         self.begin(EditKind.MOVE if there else EditKind.DRAW, frame)
@@ -234,13 +239,17 @@ class Correcting:
     # the end
 
     def leave(self) -> None:
-        """Leave the edit; everything stays as it is."""
+        """Leave the edit; everything is as before, and selected who was let go for it."""
         self.flow = self.planned = self.begun_at = None
+        for track in reversed(self._let_go if not self._selection else ()):
+            self._selection.add(track)
+        self._let_go = ()
 
     def confirm(self) -> Change | None:
         """The change that waits, which is to be done now; None where it is not ready."""
         change = self.planned.change if self.planned is not None else None
         if change is not None:
+            self._let_go = ()
             self.leave()
         return change
 

@@ -31,6 +31,7 @@ class SessionTracks:
         self._run = run
         self._stop = (-1, 0)  # revision of the table, one past its last frame
         self._recent: tuple[tuple[int, int, int], Columns] = ((-1, 0, 0), empty(TRACK_COLUMNS))
+        self._whole: tuple[tuple[int, int], Columns] = ((-1, 0), empty(TRACK_COLUMNS))
 
     @property
     def frames(self) -> tuple[int, int]:
@@ -64,8 +65,11 @@ class SessionTracks:
         return self._recent[1]
 
     def of_track(self, track: int) -> Columns:
-        """The rows of a track."""
-        return self._table.of_track(track)
+        """The rows of a track, kept until another's are asked for: the card asks at every step."""
+        asked = (self._table.revision, track)
+        if self._whole[0] != asked:
+            self._whole = (asked, self._table.of_track(track))
+        return self._whole[1]
 
     def detections(self, frame: int) -> Columns:
         """What the run measured in the frame, less that of people who were taken out."""

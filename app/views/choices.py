@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap, QResizeEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
     QGridLayout,
     QHBoxLayout,
     QLabel,
+    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -20,7 +21,7 @@ from app.views.parts import quiet
 from app.views.theme import current_theme, scaled_font
 
 _WIDEST_ROW = 44
-"""Letters of a row of buttons; longer ones stand in two columns."""
+"""Letters of a row of buttons; where there are more they stand in several rows."""
 _DOT_PX = 10
 
 
@@ -67,8 +68,7 @@ class ChoiceButtons(QWidget):
             self._group.removeButton(button)
             self._grid.removeWidget(button)
             button.deleteLater()
-        wide = sum(len(text) + 3 for text in self._options) > _WIDEST_ROW
-        columns = 2 if wide and len(self._options) > 2 else 1 if wide else len(self._options)
+        columns = _columns(self._options)
         for number, text in enumerate(self._options):
             button = _segment(text, self._frame)
             button.clicked.connect(lambda _=False, number=number: self.chosen.emit(number))
@@ -92,12 +92,13 @@ class ProposalChips(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(4)
-        if title:
-            label = QLabel(title, self)
-            label.setProperty("role", "muted")
-            self._row.addWidget(label)
+        self._label = QLabel(title, self) if title else None
+        if self._label is not None:
+            self._label.setProperty("role", "muted")
+            self._row.addWidget(self._label)
         self._row.addStretch(1)
         self._chips: list[QToolButton] = []
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.hide()
 
     def show_scene(self, proposals: tuple[Proposal, ...]) -> None:
@@ -112,6 +113,19 @@ class ProposalChips(QWidget):
         self._chips = [self._chip(one) for one in proposals]
         for chip in self._chips:
             self._row.insertWidget(self._row.count() - 1, chip)
+        self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Show as many as there is room for."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        """Leave out the last ones rather than cut one off."""
+        room = self.width() - (self._label.sizeHint().width() if self._label is not None else 0)
+        for number, chip in enumerate(self._chips):
+            room -= chip.sizeHint().width() + self._row.spacing()
+            chip.setVisible(number == 0 or room >= 0)
 
     def _chip(self, proposal: Proposal) -> QToolButton:
         chip = _segment(proposal.text, self)
@@ -127,6 +141,16 @@ class ProposalChips(QWidget):
             chip.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         chip.clicked.connect(lambda: self.chosen.emit(proposal.number))
         return chip
+
+
+def _columns(options: tuple[str, ...]) -> int:
+    """So many columns that the options fill their rows and none is wider than there is room."""
+    count = len(options)
+    for columns in (count, -(-count // 2), 2):
+        widest = [max(len(text) for text in options[at::columns]) + 3 for at in range(columns)]
+        if sum(widest) <= _WIDEST_ROW:
+            return columns
+    return 1
 
 
 def _segment(text: str, parent: QWidget) -> QToolButton:

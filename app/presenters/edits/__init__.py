@@ -5,7 +5,13 @@ from app.presenters.edits.flow import EditFlow, Fill, Range
 from app.presenters.edits.footing import Box, Footing, Place
 from app.presenters.edits.ground import Ground
 from app.presenters.edits.kinds import OF_SEVERAL, OF_TWO, PLACING, SCOPES, EditKind, Scope, Way
-from app.presenters.edits.preview import PlannedEdit, planned_edit, preview_trails, replaced_rows
+from app.presenters.edits.preview import (
+    PlannedEdit,
+    planned_edit,
+    preview_trails,
+    replaced_rows,
+    shown_edit,
+)
 from app.presenters.edits.previewed import PreviewedTracks
 
 __all__ = [
@@ -30,4 +36,5 @@ __all__ = [
     "planned_edit",
     "preview_trails",
     "replaced_rows",
+    "shown_edit",
 ]

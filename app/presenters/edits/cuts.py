@@ -11,14 +11,14 @@ from tracking.tracks import CORRECTED_COLUMNS, Columns, TrackTable
 
 _MOST = 4
 _LEAST_LIKELY = 0.01
-_REACH_FRAMES = 1500
+_REACH_FRAMES = 1000
 """Looked at to either side of the user's frame first, so that hours cost no more than minutes."""
 
 
 def changed_over(on: Ground, track: int, other: int, near: int) -> tuple[SwapFrame, ...]:
     """The likeliest first; nothing where the two cannot be compared: the plan says why.
 
-    Both are compared within some minutes of a frame; only where they are not both there, anywhere.
+    Both are compared within half a minute or so; only where they are not both there, anywhere.
     """
     window = max(0, near - _REACH_FRAMES), near + _REACH_FRAMES
     try:

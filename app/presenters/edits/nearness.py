@@ -11,7 +11,7 @@ from tracking.tracks import Columns, TrackTable
 def nearest_first(table: TrackTable, track: int, frame: int) -> tuple[int, ...]:
     """Everybody else in the frame, who stands nearest to the track there (or last) first."""
     rows = table.of_frame(frame)
-    own = _nearest_row(table.of_track(track), frame)
+    own = nearest_row(table, track, frame)
     others = rows["track"] != track
     ids = rows["track"][others]
     if own is None or not len(ids):
@@ -23,16 +23,15 @@ def nearest_first(table: TrackTable, track: int, frame: int) -> tuple[int, ...]:
     return tuple(ids[np.argsort(apart, kind="stable")].tolist())
 
 
-def _nearest_row(rows: Columns, frame: int) -> Columns | None:
-    if not len(rows["frame"]):
-        return None
-    at = int(np.argmin(np.abs(rows["frame"] - frame)))
-    return {name: column[at : at + 1] for name, column in rows.items()}
-
-
 def nearest_row(table: TrackTable, track: int, frame: int) -> Columns | None:
     """The track's row whose frame is nearest; None where it has none."""
-    return _nearest_row(table.of_track(track), frame)
+    if track not in table:
+        return None
+    frames = table.frames_of_track(track)
+    after = int(np.searchsorted(frames, frame))
+    beside = frames[max(0, after - 1) : after + 1]
+    nearest = int(beside[np.argmin(np.abs(beside - frame))])
+    return table.of_track(track, nearest, nearest + 1)
 
 
 def _places(rows: Columns) -> NDArray[np.float64]:

@@ -54,6 +54,11 @@ def planned_edit(flow: EditFlow, on: Ground, problem: str = "") -> PlannedEdit:
         ask = tr("Click on the other person, type their id, or press Tab to go through them")
         lines = (problem, ask if flow.needs_other else str(why_not))
         return PlannedEdit(preview_scene(flow, tuple(filter(None, lines)), None, on))
+    return shown_edit(flow, on, change, problem)
+
+
+def shown_edit(flow: EditFlow, on: Ground, change: Change, problem: str = "") -> PlannedEdit:
+    """An edit whose change is known already, shown around its cut."""
     around = round(AROUND_S * on.footing.fps)
     window = max(0, flow.cut - around), flow.cut + around
     before = _rows_of(on, change, window)

@@ -70,7 +70,7 @@ def _others(flow: EditFlow, on: Ground) -> tuple[Proposal, ...]:
     ids = [(track, str(track)) for track in flow.others]
     if flow.kind is EditKind.REASSIGN:
         new = next_track(on.table)
-        ids.append((new, tr("new {track}", track=new)))
+        ids.insert(0, (new, tr("new {track}", track=new)))
     return tuple(
         Proposal(track, text, track == flow.other, colour_of_track(track)) for track, text in ids
     )
@@ -178,6 +178,11 @@ def _hint(flow: EditFlow, ready: bool) -> str:
     titles = (tr("R changes whom to keep"), tr("C fills the gap"))
     for row, of_merge in enumerate(titles):
         if len(flow.choices[row]) > 1:
-            other = tr("R changes how far") if row == 0 else tr("C changes how")
+            other = _far_hint(flow.kind) if row == 0 else tr("C changes how")
             keys.append(of_merge if flow.kind is EditKind.MERGE else other)
     return ", ".join(keys)
+
+
+def _far_hint(kind: EditKind) -> str:
+    of_gaps = tr("R changes how long they may be")
+    return of_gaps if kind is EditKind.FILL_ALL else tr("R changes how far")

@@ -196,6 +196,13 @@ def test_a_new_person_is_drawn_and_selected_and_their_next_box_joins_the_first(h
     assert hands.row(new, CROWDED + 2)["source"] == Source.INTERPOLATED
 
 
+def test_who_was_selected_is_so_again_when_nobody_new_is_drawn(hands, track):
+    hands.press(Key.Key_Insert)
+    assert hands.desk.document.selection.track == 0
+    hands.press(Key.Key_Escape)
+    assert hands.desk.document.selection.all == (track,)
+
+
 def test_several_are_marked_as_reviewed_at_once(hands, track):
     other = next(one for one in hands.people() if one != track)
     hands.desk.editing.add(other)
