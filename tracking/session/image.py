@@ -162,7 +162,7 @@ def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
     }
     for name, columns in tables.items():
         types = RUN_TABLES[name]
-        packer.table(group, name, types, _by_frame_and_track(columns))
+        packer.table(group, name, types, _by_frame_and_track(columns or empty(types)))
     particles = packer.table(group, "particles", PARTICLE_COLUMNS, run.particles.columns)
     packer.column(particles, "start", run.particles.start, np.dtype(np.int64))
 
