@@ -82,7 +82,7 @@ class Comparison:
         run = session.runs[self.run]
         if self.base is None:
             table, labels = session.tracks.snapshot(), session.labels
-            history = History(session.history.entries)
+            history = session.history.snapshot()
         else:
             other = session.runs[self.base]
             table, labels, history = TrackTable(other.tracks), Labels(), History()

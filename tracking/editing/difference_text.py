@@ -68,12 +68,12 @@ def _identity(stretch: Stretch, ends: Ends) -> str:
 
 def _moved(stretch: Stretch, ends: Ends) -> str:
     far = f", by up to {stretch.metres:.1f} m" if stretch.metres > _NO_METRES else ""
-    return f"{stretch.track} stands elsewhere for {ends.time(stretch.end - stretch.start)}{far}"
+    return f"{stretch.track} stands elsewhere for {ends.time(stretch.rows)}{far}"
 
 
 def _added(stretch: Stretch, ends: Ends) -> str:
     first, stop = ends.table.frame_range(stretch.track)
-    time = ends.time(stretch.end - stretch.start)
+    time = ends.time(stretch.rows)
     if first == stop:
         return f"{stretch.track} is a new track of {time}"
     if stretch.start >= stop:
@@ -85,7 +85,7 @@ def _added(stretch: Stretch, ends: Ends) -> str:
 
 def _removed(stretch: Stretch, ends: Ends) -> str:
     first, stop = ends.table.frame_range(stretch.track)
-    time = ends.time(stretch.end - stretch.start)
+    time = ends.time(stretch.rows)
     at_start = stretch.start <= max(first, ends.frames[0])
     at_end = stretch.end >= min(stop, ends.frames[1])
     if at_start and at_end:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.editing.alignment import Alignment, Exchange, aligned, exchanged
 from tracking.editing.difference_text import Ends, Stretch, text_of
+from tracking.editing.folding import folded
 from tracking.editing.history import History
 from tracking.editing.protection import Protection, protected_stretches
 from tracking.tracks import Labels, Run, TrackTable
@@ -63,7 +64,8 @@ def differences(
 ) -> tuple[Difference, ...]:
     """What would change if a run were taken in a range of frames, by frame and track.
 
-    The ids are those that the tracks would have then: see `run_identities.named`.
+    The ids are those that the tracks would have then: see `run_identities.named`. What is too
+    small to be read by itself is told with its neighbour, or not at all: see `folded`.
 
     Args:
         frames: half-open; None: all the run was run over.
@@ -98,7 +100,7 @@ def told(found: Alignment, table: TrackTable, fps: float | None) -> tuple[Differ
     gap = _JOINED_FRAMES if fps is None else max(1, round(_JOINED_FRAMES * fps / _USUAL_FPS))
     taken = exchanged(found)
     kinds = (_changed_ids, _moved, _added, _removed)
-    every = [stretch for kind in kinds for stretch in kind(found, taken, gap)]
+    every = folded((one for kind in kinds for one in kind(found, taken, gap)), fps)
     ends = Ends(table, found.frames, fps)
     told = [
         Difference(

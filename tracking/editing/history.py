@@ -13,6 +13,7 @@ from tracking.editing.change import Change
 from tracking.editing.text import state_as_text, state_from_text
 from tracking.editing.touch_index import TouchIndex
 from tracking.editing.touched import touched
+from tracking.editing.traces import Trace
 from tracking.errors import EditError
 
 
@@ -63,6 +64,7 @@ class History:
         """
         self._entries = list(entries)
         self._touches = TouchIndex() if touches is None else touches
+        self._traces: dict[int, Trace] = {}
         if [entry.id for entry in self._entries] != list(range(1, len(self._entries) + 1)):
             raise EditError("the log of edits is not numbered from 1 on without gaps")
         if any(not 0 <= entry.undoes < entry.id for entry in self._entries):
@@ -113,6 +115,27 @@ class History:
     def touches(self) -> dict[str, NDArray[np.int64]]:
         """What the edits touch, as far as that was worked out: see `TouchIndex.columns`."""
         return self._touches.columns
+
+    def trace(self, number: int) -> Trace:
+        """What an edit left on rows; worked out once, and kept.
+
+        Raises EditError where there is no such edit, or its line of the log is damaged.
+        """
+        found = self._traces.get(number)
+        if found is None:
+            entry = self.entry(number)
+            found = Trace.of_texts(entry.kind, entry.text, entry.before, entry.after)
+            found = self._traces[number] = found or Trace.of(entry.change)
+        return found
+
+    def snapshot(self) -> History:
+        """The log as it is now, for another thread; what is known of its edits is shared.
+
+        What it says of an edit to undo alone is worked out anew.
+        """
+        copy = History(self._entries)
+        copy._traces = self._traces
+        return copy
 
     # An old edit alone
 

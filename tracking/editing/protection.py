@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, Stretches, no_rows, no_stretches
+from tracking.editing.change import Stretches, no_rows, no_stretches
+from tracking.editing.coverage import Coverage
 from tracking.editing.history import Entry, History
 from tracking.editing.selection import stacked
+from tracking.editing.traces import NO_TRACE, Placed, Trace
 from tracking.tracks import LARGEST_NUMBER, Columns, Labels, Source, TrackTable
 
 Flags = NDArray[np.bool_]
@@ -21,7 +22,6 @@ MARGIN_S = 0.5
 """What is protected on either side of the cut of an edit "from here on"."""
 _MARGIN_FRAMES = 10
 """The same where nobody knows how long a frame is."""
-_FROM_HERE_ON = re.compile(r"\bfrom frame \d+ on\b")
 _ALL = 0
 
 
@@ -82,16 +82,10 @@ def protected_stretches(
         fps: frames a second; without it the margin is ten frames.
     """
     margin = _MARGIN_FRAMES if fps is None else max(1, round(MARGIN_S * fps))
-    stretches, deleted = no_stretches(), [no_rows()]
-    for entry in in_force(history):
-        change = entry.change
-        stretches = _carried(stretches, change)
-        touched, gone = _touched(entry, change, margin)
-        stretches = np.concatenate((stretches, touched))
-        deleted.append(gone)
+    edited, deleted = _edited(history, margin)
     absent = _absent(stacked(deleted), table)
     said = (_reviewed(labels), _parts_drawn(labels))
-    parts = (stretches, _emptied(absent, table), _drawn(table), *said)
+    parts = (edited, _emptied(absent, table), _drawn(table), *said)
     return Protection(joined_stretches(np.concatenate(parts)), absent)
 
 
@@ -128,42 +122,28 @@ def _keys(track: Integers, frame: Integers) -> NDArray[np.int64]:
     return (track.astype(np.int64) << 32) | frame.astype(np.int64)
 
 
-def _carried(stretches: Stretches, change: Change) -> Stretches:
-    """Protected stretches after an edit that hands rows from track to track."""
-    given, taken = change.before.stretches, change.after.stretches
-    if not len(given) or not len(stretches):
-        return stretches
-    moved = [no_stretches()]
-    for (track, start, end), target in zip(given.tolist(), taken[:, 0].tolist(), strict=True):
-        mine = (stretches[:, 0] == track) & (stretches[:, 1] < end) & (stretches[:, 2] > start)
-        parts = stretches[mine]
-        low, high = np.maximum(parts[:, 1], start), np.minimum(parts[:, 2], end)
-        moved.append(np.column_stack((np.full(len(parts), target), low, high)))
-        before = np.column_stack((parts[:, 0], parts[:, 1], np.minimum(parts[:, 2], start)))
-        after = np.column_stack((parts[:, 0], np.maximum(parts[:, 1], end), parts[:, 2]))
-        stretches = np.concatenate((stretches[~mine], before, after))
-        stretches = stretches[stretches[:, 1] < stretches[:, 2]]
-    return np.concatenate((stretches, *moved))
+def _edited(history: History, margin: int) -> tuple[Stretches, list[Columns]]:
+    """The stretches that edits protect, and the rows they deleted."""
+    covered, deleted = Coverage(), []
+    for entry in in_force(history):
+        trace = history.trace(entry.id)
+        if trace is NO_TRACE:
+            continue
+        covered.hand(trace.handed)
+        for track in trace.cut:
+            covered.add(track, max(entry.frame - margin, 0), entry.frame + margin)
+        for part in trace.placed if trace.cut else _put_down(trace):
+            covered.add(*part)
+        if len(trace.gone["frame"]):
+            deleted.append(trace.gone)
+    return covered.stretches, deleted
 
 
-def _touched(entry: Entry, change: Change, margin: int) -> tuple[Stretches, Columns]:
-    """The stretches an edit protects, and the rows it deleted."""
-    handed = change.after.stretches
-    from_here_on = entry.kind == "split" or (
-        entry.kind == "swap" and _FROM_HERE_ON.search(entry.text) is not None
-    )
-    if from_here_on:
-        sides = np.union1d(handed[:, 0], change.before.stretches[:, 0])
-        cut = np.full(len(sides), entry.frame)
-        handed = np.column_stack((sides, np.maximum(cut - margin, 0), cut + margin))
-    before, after = change.before.rows, change.after.rows
-    replaced = np.isin(_row_keys(before), _row_keys(after))
-    gone = {name: column[~replaced] for name, column in before.items()}
-    return np.concatenate((handed, stretches_of(after["track"], after["frame"]))), gone
-
-
-def _row_keys(rows: Columns) -> NDArray[np.int64]:
-    return _keys(rows["track"], rows["frame"])
+def _put_down(trace: Trace) -> Iterator[Placed]:
+    """All stretches an edit handed to tracks, or put down in them."""
+    for _, track, start, end in trace.handed:
+        yield track, start, end
+    yield from trace.placed
 
 
 def _absent(deleted: Columns, table: TrackTable) -> Columns:

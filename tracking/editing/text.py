@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracking.editing.change import State, no_rows, no_stretches
 from tracking.editing.label_text import labels_as_json, labels_from_json
@@ -40,15 +41,52 @@ def state_as_text(state: State) -> str:
 
 def state_from_text(text: str) -> State:
     """The state a text was made from. Raises EditError where it is none, or absurdly large."""
-    if len(text) > LARGEST_TEXT:
-        raise EditError(f"an edit of {len(text)} characters is larger than any real one")
+    parts = _parts_of(text)
     try:
-        parts = json.loads(text)
         stretches = np.array(parts.get("stretches", no_stretches()), np.int64).reshape(-1, 3)
         rows = _rows_from_json(parts["rows"]) if "rows" in parts else no_rows()
         return State(stretches, rows, labels_from_json(parts.get("labels", {})))
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError, OverflowError) as why:
         raise EditError(f"an edit in the log cannot be read: {why}") from why
+
+
+def stretches_in_text(text: str) -> list[tuple[int, int, int]]:
+    """The stretches of a state's text: track, start, end. Raises EditError where it has none."""
+    given = _parts_of(text).get("stretches", [])
+    try:
+        return [(int(track), int(start), int(end)) for track, start, end in given]
+    except (ValueError, TypeError, OverflowError) as why:
+        raise EditError(f"an edit in the log cannot be read: {why}") from why
+
+
+def cells_in_text(text: str) -> NDArray[np.int64]:
+    """(n,) track << 32 | frame of the rows of a state's text, in order of frames, nothing else.
+
+    Raises EditError where it cannot be read.
+    """
+    parts = _parts_of(text)
+    if "rows" not in parts:
+        return np.zeros(0, np.int64)
+    try:
+        count, plain = _plain_rows(parts["rows"])
+    except (ValueError, KeyError, TypeError, AttributeError) as why:
+        raise EditError(f"an edit in the log cannot be read: {why}") from why
+    # The first two columns.
+    frame, track = np.frombuffer(plain, "<i4", 2 * count).reshape(2, count).astype(np.int64)
+    return (track << 32) | frame
+
+
+def _parts_of(text: str) -> dict[str, Any]:
+    """A state's text as JSON. Raises EditError where it is none, or absurdly large."""
+    if len(text) > LARGEST_TEXT:
+        raise EditError(f"an edit of {len(text)} characters is larger than any real one")
+    try:
+        parts = json.loads(text)
+    except (ValueError, RecursionError) as why:
+        raise EditError(f"an edit in the log cannot be read: {why}") from why
+    if not isinstance(parts, dict):
+        raise EditError("an edit in the log cannot be read: it is no JSON object")
+    return parts
 
 
 def _rows_as_json(rows: Columns) -> dict[str, Any]:
@@ -61,10 +99,7 @@ def _rows_as_json(rows: Columns) -> dict[str, Any]:
 
 
 def _rows_from_json(parts: Mapping[str, Any]) -> Columns:
-    count = int(parts["count"])
-    if not 0 <= count <= LARGEST_ROWS:
-        raise EditError(f"an edit of {count} rows is larger than any real one")
-    plain = _inflated(str(parts["columns"]), count * _ROW_BYTES)
+    count, plain = _plain_rows(parts)
     rows, at = {}, 0
     for name, dtype in CORRECTED_COLUMNS.items():
         column = np.frombuffer(plain, dtype.newbyteorder("<"), count, at)
@@ -72,6 +107,14 @@ def _rows_from_json(parts: Mapping[str, Any]) -> Columns:
         at += column.nbytes
     check_tracks(rows, "an edit in the log")
     return rows
+
+
+def _plain_rows(parts: Mapping[str, Any]) -> tuple[int, bytes]:
+    """How many rows there are, and the bytes of their columns one after the other."""
+    count = int(parts["count"])
+    if not 0 <= count <= LARGEST_ROWS:
+        raise EditError(f"an edit of {count} rows is larger than any real one")
+    return count, _inflated(str(parts["columns"]), count * _ROW_BYTES)
 
 
 def _inflated(packed: str, size: int) -> bytes:

@@ -1,0 +1,96 @@
+"""What an edit leaves on rows, kept so that a long log need not be read again and again."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.editing.change import Change, no_rows
+from tracking.editing.text import cells_in_text, stretches_in_text
+from tracking.tracks import Columns
+
+Handed = tuple[int, int, int, int]
+Placed = tuple[int, int, int]
+
+_FROM_HERE_ON = re.compile(r"\bfrom frame \d+ on\b")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Trace:
+    """What one edit did to rows.
+
+    Attributes:
+        handed: rows that went from track to track: from, to, start, end; half-open frames.
+        cut: the tracks that a swap or a split "from here on" parted at the edit's frame; none
+            where the edit is about all it handed.
+        placed: rows that were put down, new or changed: track, start, end.
+        gone: `CORRECTED_COLUMNS` of the rows that it deleted.
+    """
+
+    handed: tuple[Handed, ...] = ()
+    cut: tuple[int, ...] = ()
+    placed: tuple[Placed, ...] = ()
+    gone: Columns = field(default_factory=no_rows)
+
+    @classmethod
+    def of(cls, change: Change) -> Trace:
+        """The trace of a change."""
+        given, taken = change.before.stretches, change.after.stretches
+        columns = (given[:, 0], taken[:, 0], given[:, 1], given[:, 2])
+        handed = tuple(zip(*(column.tolist() for column in columns), strict=True))
+        before, after = change.before.rows, change.after.rows
+        old, new = cells_of(before), cells_of(after)
+        replaced = np.isin(old, new)
+        gone = {name: column[~replaced] for name, column in before.items()}
+        return cls(handed, _cut(change.kind, change.text, handed), _stretches(new), gone)
+
+    @classmethod
+    def of_texts(cls, kind: str, text: str, before: str, after: str) -> Trace | None:
+        """The trace of a change by its two sides as text, without reading more than it takes.
+
+        None: it can be told of the change only. Raises EditError where a side is no change.
+        """
+        sides = (before, after)
+        if not any('"rows"' in side or '"stretches"' in side for side in sides):
+            return NO_TRACE
+        cells = None
+        if any('"rows"' in side for side in sides):
+            old, cells = (cells_in_text(side) for side in sides)
+            if not np.array_equal(old, cells):
+                return None
+        given, taken = (stretches_in_text(side) for side in sides)
+        handed = tuple((one[0], to[0], *one[1:]) for one, to in zip(given, taken, strict=False))
+        placed = () if cells is None else _stretches(cells)
+        return cls(handed, _cut(kind, text, handed), placed, NO_TRACE.gone)
+
+
+NO_TRACE = Trace()
+
+
+def cells_of(rows: Columns) -> NDArray[np.int64]:
+    """(n,) track and frame of every row in one number."""
+    return (rows["track"].astype(np.int64) << 32) | rows["frame"].astype(np.int64)
+
+
+def _cut(kind: str, text: str, handed: tuple[Handed, ...]) -> tuple[int, ...]:
+    """The tracks parted at the edit's frame, where nothing is meant by what comes later."""
+    if kind == "split" or (kind == "swap" and _FROM_HERE_ON.search(text) is not None):
+        return tuple({track for each in handed for track in each[:2]})
+    return ()
+
+
+def _stretches(cells: NDArray[np.int64]) -> tuple[Placed, ...]:
+    """The cells as the consecutive frames of each track."""
+    if len(cells) <= 1:
+        return tuple(
+            (cell >> 32, cell & 0xFFFFFFFF, (cell & 0xFFFFFFFF) + 1) for cell in cells.tolist()
+        )
+    cells = np.unique(cells)
+    first = np.flatnonzero(np.append(True, np.diff(cells) != 1))
+    last = np.append(first[1:], len(cells)) - 1
+    low, high = cells[first], cells[last] & 0xFFFFFFFF
+    columns = (low >> 32, low & 0xFFFFFFFF, high + 1)
+    return tuple(zip(*(column.tolist() for column in columns), strict=True))
