@@ -71,6 +71,26 @@ def test_only_the_stretch_is_thinned_and_keyframes_that_are_there_stay() -> None
     assert Source.TRACKER not in rows["source"][100:200]
 
 
+def test_a_way_on_the_floor_without_boxes_is_kept_within_the_tolerance() -> None:
+    rows = {name: column.copy() for name, column in strolling().columns().items()}
+    for name in ("left", "top", "width", "height"):
+        rows[name][:] = np.nan
+    table = TrackTable(rows)
+    apply_change(table, Labels(), plan_thin(table, 1, 0, None, 3.0, 0.1))
+    assert np.abs(places_of(table.of_track(1)) - places_of(rows)).max() <= 0.1
+
+
+def test_no_known_number_is_lost_beside_unknown_ones() -> None:
+    rows = {name: column.copy() for name, column in strolling().columns().items()}
+    rows["x"][:30] = rows["x"][200:210] = rows["x"][-1] = np.nan
+    rows["left"][300:320] = np.nan
+    table = TrackTable(rows)
+    apply_change(table, Labels(), plan_thin(table, 1, 0, None, 40.0, 2.0))
+    assert len(keyframes_of(table, 1)) < 60
+    for name in ("x", "left"):
+        assert np.array_equal(np.isnan(table.of_track(1)[name]), np.isnan(rows[name]))
+
+
 def test_interpolating_a_thinned_stretch_again_changes_nothing_of_note() -> None:
     table = strolling()
     apply_change(table, Labels(), plan_thin(table, 1, 0, None, how="linear"))

@@ -32,7 +32,8 @@ def plan_thin(
 
     Where no edge of a box and no place on the floor would be farther off than the tolerances, the
     row is interpolated; the others become keyframes, by dividing at the worst row again and again
-    ([DouglasPeucker1973], here on box and place at once). Keyframes that are there stay.
+    ([DouglasPeucker1973], here on box and place at once). Keyframes that are there stay, and so
+    does what borders on rows whose box or place is unknown where its own is known.
 
     Args:
         table, track: what.
@@ -68,6 +69,9 @@ def _kept(rows: Columns, way: Way, tolerances: tuple[float, float]) -> Flags:
     """(n,) which rows become keyframes."""
     keys = np.asarray(rows["source"] == Source.PERSON)
     keys[0] = keys[-1] = True
+    known = np.isfinite(np.column_stack([boxes_of(rows), places_of(rows)]))
+    borders = np.flatnonzero((known[1:] != known[:-1]).any(axis=1))
+    keys[borders] = keys[borders + 1] = True
     open_rows = np.flatnonzero(~keys)
     while len(open_rows):
         there = picked(rows, open_rows)
@@ -92,8 +96,8 @@ def _thinned(rows: Columns, keys: Flags, way: Way) -> Rows:
 
 
 def _off(rows: Columns, thinned: Columns, tolerances: tuple[float, float]) -> Floats:
-    """(n,) how far box and place are off, in tolerances; a place that is unknown is not off."""
+    """(n,) how far box and place are off, in tolerances; what is unknown is not off."""
     edges, apart = boxes_of(thinned) - boxes_of(rows), places_of(thinned) - places_of(rows)
     edges[:, 2:] += edges[:, :2]
-    place = np.nan_to_num(np.linalg.norm(apart, axis=1), nan=0.0)
-    return np.asarray(np.maximum(np.abs(edges).max(axis=1) / tolerances[0], place / tolerances[1]))
+    box, place = np.abs(edges).max(axis=1), np.linalg.norm(apart, axis=1)
+    return np.asarray(np.fmax(np.fmax(box / tolerances[0], place / tolerances[1]), 0.0))
