@@ -157,6 +157,7 @@ def test_what_does_not_fit_is_refused_and_changes_nothing(
         (lambda rows: rows.update(frame=rows["frame"] + 0.5), "fractions"),
         (lambda rows: rows.update(frame=rows["frame"] + 2.0**40), "beyond"),
         (lambda rows: rows.update(track=rows["track"] - 1), "ids are positive"),
+        (lambda rows: rows.update(frame=rows["frame"] + 2.0**31 - 2), "frames go up to"),
         (lambda rows: rows.update(frame=rows["frame"] - 1), "frames count from 0"),
         (lambda rows: rows.update(frame=rows["frame"][::-1]), "out of order"),
         (lambda rows: rows.update(track=np.array([2, 1, 1])), "out of order"),

@@ -39,9 +39,7 @@ class Rewriting:
 
     def take_out(self, rows: Columns, read: Callable[[Slots], Columns]) -> None:
         """Mark rows for removal; they must stand in the table exactly as given."""
-        tracks = np.asarray(rows["track"])
-        for track in np.unique(tracks).tolist():
-            chosen = np.flatnonzero(tracks == track)
+        for track, chosen in _rows_by_track(rows["track"]):
             slots, frames = self._of(track)
             wanted = rows["frame"][chosen]
             places = np.searchsorted(frames, wanted)
@@ -71,10 +69,7 @@ class Rewriting:
     def put_in(self, rows: Columns, first_slot: int) -> None:
         """Add rows, which get slots from first_slot on."""
         check_tracks(rows, "rows to add")
-        tracks = rows["track"]
-        for track in np.unique(tracks).tolist():
-            chosen = np.flatnonzero(tracks == track)
-            self._of(track)
+        for track, chosen in _rows_by_track(rows["track"]):
             self._arrive(track, first_slot + chosen, rows["frame"][chosen])
 
     def check(self) -> None:
@@ -125,3 +120,13 @@ class Rewriting:
             twice = int(frames[np.argmax(frames[1:] == frames[:-1])])
             raise EditError(f"track {track} would stand twice in frame {twice}")
         return slots, frames
+
+
+def _rows_by_track(tracks: NDArray[np.int32]) -> Iterator[tuple[int, NDArray[np.int64]]]:
+    """Each track with the numbers of its rows, ascending."""
+    order = np.argsort(tracks, kind="stable")
+    ordered = tracks[order]
+    starts = np.flatnonzero(np.diff(ordered, prepend=0))
+    for rows in np.split(order, starts[1:]):
+        if len(rows):
+            yield int(tracks[rows[0]]), rows

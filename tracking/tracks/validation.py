@@ -12,7 +12,7 @@ from tracking.errors import EditError
 from tracking.tracks.columns import Columns
 
 LARGEST_NUMBER = 2**31 - 1
-"""Frames and track ids are 32-bit integers in the file."""
+"""Frames and track ids are 32-bit integers in the file; one past the last frame fits, too."""
 
 
 def checked_columns(
@@ -63,6 +63,8 @@ def check_tracks(columns: Columns, what: str = "table") -> None:
         return
     if int(frame.min()) < 0:
         raise EditError(f"{what}: frame {int(frame.min())} is negative; frames count from 0")
+    if int(frame.max()) >= LARGEST_NUMBER:
+        raise EditError(f"{what}: frame {LARGEST_NUMBER}; frames go up to {LARGEST_NUMBER - 1}")
     if int(track.min()) < 1:
         raise EditError(f"{what}: track id {int(track.min())}; ids are positive")
     later = frame[1:] > frame[:-1]
