@@ -123,7 +123,7 @@ def test_a_reassigned_range_belongs_to_the_other_track(table: TrackTable) -> Non
         (lambda table: plan_swap(table, 1, 1, 0), "with itself"),
         (lambda table: plan_swap(table, 1, 9, 0), "track 9 is not in the table"),
         (lambda table: plan_swap(table, 1, 2, 30), "neither"),
-        (lambda table: plan_swap(table, 1, 2, 12, 14), "neither"),
+        (lambda table: plan_swap(table, 1, 2, 12, 14), "1 nor 2 stands in frames 12 to 13"),
         (lambda table: plan_swap(table, 1, 2, 5, 5), "empty"),
         (lambda table: plan_swap(table, 1, 2, -1), "before frame 0"),
         (lambda table: plan_split(table, 1, 0), "cannot be split"),
@@ -134,7 +134,7 @@ def test_a_reassigned_range_belongs_to_the_other_track(table: TrackTable) -> Non
         (lambda table: plan_reassign(table, 1, 0), "choose another"),
         (lambda table: plan_reassign(table, 1, 2**31), "choose another"),
         (lambda table: plan_reassign(table, 1, 2), "both stand in frame 2"),
-        (lambda table: plan_reassign(table, 1, 2, 15, 20), "does not stand"),
+        (lambda table: plan_reassign(table, 1, 2, 15, 20), "does not stand in frames 15 to 19"),
     ],
 )
 def test_nonsense_is_refused_in_words(table: TrackTable, plan: object, why: str) -> None:

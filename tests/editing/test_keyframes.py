@@ -267,6 +267,7 @@ def test_the_place_of_a_drawn_box_is_told_by_the_view() -> None:
         (lambda table: plan_interpolate(table, 1, 3, 5), "nothing lies between"),
         (lambda table: plan_interpolate(table, 1, 0, 9, "curved"), "choose 'linear' or 'floor'"),
         (lambda table: plan_interpolate(table, 1, 0, 9, "floor"), "interpolate linearly instead"),
+        (lambda table: plan_interpolate(table, 1, 0, 11, fps=FPS), "is interpolated so already"),
         (lambda table: plan_add_keyframe(table, 1, 99), "does not stand in frame 99"),
         (lambda table: plan_add_keyframe(table, 1, 10), "is a keyframe of track 1 already"),
         (lambda table: plan_delete_keyframe(table, 1, 5), "no keyframe"),

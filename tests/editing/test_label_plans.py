@@ -289,7 +289,7 @@ def test_an_edit_of_reviewed_ranges_names_only_those_it_changes() -> None:
         (lambda seen: plan_mark_reviewed(seen, (), 12, 15), "no track is named"),
         (lambda seen: plan_mark_reviewed(seen, -3, 12, 15), "track -3"),
         (lambda seen: plan_unmark_reviewed(seen, 4, 12, 15), "for all tracks together"),
-        (lambda seen: plan_unmark_reviewed(seen, 4, 50, 60), "is not marked"),
+        (lambda seen: plan_unmark_reviewed(seen, 4, 50, 60), "track 4: not marked"),
         (lambda seen: plan_unmark_reviewed(seen, 0, 60, 50), "range is empty"),
     ],
 )

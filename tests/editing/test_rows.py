@@ -76,6 +76,8 @@ def test_a_drawn_box_fills_a_track_s_gap(table: TrackTable) -> None:
         (lambda table: plan_move_box(table, 2, 7, BOX), "draw a box there instead"),
         (lambda table: plan_move_box(table, 2, 3, (0, 0, 0, 5)), "positive width"),
         (lambda table: plan_move_box(table, 2, 3, (np.nan, 0, 5, 5)), "positive width"),
+        (lambda table: plan_move_box(table, 2, 3, (0, 0, 5)), "positive width"),
+        (lambda table: plan_move_box(table, 2, 3, BOX, (np.inf, 0)), "x and y in metres"),
         (lambda table: plan_draw_box(table, 2, 3, BOX), "move its box instead"),
         (lambda table: plan_draw_box(table, 2, -1, BOX), "negative"),
         (lambda table: plan_draw_box(table, 0, 1, BOX), "track 0"),

@@ -155,14 +155,14 @@ def test_a_new_track_begins_with_a_box() -> None:
     [
         (lambda table: plan_delete_tracks(table, []), "no track is chosen"),
         (lambda table: plan_delete_tracks(table, [1, 9]), "track 9 is not in the table"),
-        (lambda table: plan_delete_tracks(table, [1, 2], 20, 30), "no rows to delete"),
-        (lambda table: plan_merge_tracks(table, 1, []), "with itself"),
+        (
+            lambda table: plan_delete_tracks(table, [1, 2], 20, 30),
+            "1 and 2: no rows to delete in frames 20 to 29",
+        ),
+        (lambda table: plan_merge_tracks(table, 1, []), "at least one more track"),
         (lambda table: plan_merge_tracks(table, 1, [2, 2]), "track 2 with itself"),
         (lambda table: plan_merge_tracks(table, 1, [2, 1]), "track 1 with itself"),
-        (
-            lambda table: plan_mark_occluded(table, [1], 20),
-            "nobody of them stands from frame 20 on",
-        ),
+        (lambda table: plan_mark_occluded(table, [1], 20), "no rows to mark from frame 20 on"),
         (lambda table: plan_mark_occluded(table, [1], 3, 3), "empty"),
         (lambda table: plan_new_track(table, 6), "needs a box"),
         (lambda table: plan_new_track(table, 6, position=(0, 5)), "and a calibration"),

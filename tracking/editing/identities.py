@@ -22,7 +22,9 @@ def plan_swap(table: TrackTable, a: int, b: int, start: int, end: int | None = N
     stop = _stop(table, start, end, a, b)
     both = [_stretch(table, track, start, stop) for track in (a, b)]
     if not any(len(part) for part in both):
-        raise EditError(f"neither track {a} nor {b} stands in {scope_text(start, end)}")
+        raise EditError(
+            f"neither track {a} nor {b} stands {scope_text(start, end)}; choose other frames"
+        )
     before = np.concatenate(both)
     after = before.copy()
     after[:, 0] = np.where(before[:, 0] == a, b, a)
@@ -64,7 +66,9 @@ def plan_reassign(
     stop = _stop(table, start, end, track)
     moving = _within(table.frames_of_track(track), start, stop)
     if not len(moving):
-        raise EditError(f"track {track} does not stand in {scope_text(start, end)}")
+        raise EditError(
+            f"track {track} does not stand {scope_text(start, end)}; choose other frames"
+        )
     staying = table.frames_of_track(to)
     both = np.intersect1d(moving, staying, assume_unique=True)
     if len(both):

@@ -126,7 +126,8 @@ def plan_interpolate(
     """Interpolate a track between the keyframes in a half-open range of frames.
 
     The first and the last row in the range stand fast, too. What a tracker put between is
-    replaced, and gaps are filled. Raises EditError where there is nothing between.
+    replaced, and gaps are filled. Raises EditError where there is nothing between, or it is
+    interpolated so already.
     """
     check_known(table, track)
     check_scope(start, end)
@@ -148,6 +149,11 @@ def plan_interpolate(
         )
     way = Way(how, view, fps)
     before, after = replaced(between, spanned(ends, frames, way, between))
+    if not len(after["frame"]):
+        raise EditError(
+            f"track {track} is interpolated so already {scope_text(first, last + 1)}; "
+            "nothing to change"
+        )
     text = f"Interpolate {track} {scope_text(first, last + 1)}, {_way_text(way)}"
     text += f"between {len(ends['frame'])} keyframes"
     return Change("interpolate", text, first, State(rows=before), State(rows=after))

@@ -68,13 +68,15 @@ def plan_merge_tracks(
         how, view, fps: of that interpolation.
 
     Raises:
-        EditError: a track is unknown or named twice, or keep is another word.
+        EditError: a track is unknown or named twice, there are no others, or keep is another word.
     """
     tracks = (into, *others)
     check_known(table, *tracks)
-    if len(set(tracks)) < len(tracks) or len(tracks) < 2:
-        twice = next((track for track in tracks if tracks.count(track) > 1), into)
-        raise EditError(f"merge of track {twice} with itself; choose different tracks")
+    if not others:
+        raise EditError(f"nothing to merge into track {into}; choose at least one more track")
+    for track in tracks:
+        if tracks.count(track) > 1:
+            raise EditError(f"merge of track {track} with itself; choose different tracks")
     if keep not in ("first", "second", "surer"):
         raise EditError(f"merge: keep is {keep!r}; it is 'first', 'second' or 'surer'")
     frames, owners, shared = _kept(table, tracks, keep)

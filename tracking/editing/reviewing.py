@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from tracking.editing.change import Change, LabelState, State
 from tracking.editing.labelling import writable
+from tracking.editing.scope import scope_text, tracks_text
 from tracking.errors import EditError
 from tracking.tracks import (
     Labels,
@@ -29,8 +30,8 @@ def plan_mark_reviewed(labels: Labels, tracks: int | Iterable[int], start: int, 
     new = _joined([*labels.reviewed, *marked])
     who = _who(marked)
     if new == labels.reviewed:
-        raise EditError(f"frames {start} to {end - 1} are marked as reviewed already for {who}")
-    text = f"Mark {who} as reviewed in frames {start} to {end - 1}"
+        raise EditError(f"{who}: marked as reviewed already {scope_text(start, end)}")
+    text = f"Mark {who} as reviewed {scope_text(start, end)}"
     return _change("reviewed", text, start, labels.reviewed, new)
 
 
@@ -55,9 +56,9 @@ def plan_unmark_reviewed(
         together = any(
             seen.track == 0 and seen.start < end and start < seen.end for seen in labels.reviewed
         )
-        why = "is marked for all tracks together: unmark all" if together else "is not marked"
-        raise EditError(f"{who} in frames {start} to {end - 1} {why}")
-    text = f"Unmark {who} as reviewed in frames {start} to {end - 1}"
+        why = "marked for all tracks together; unmark all" if together else "not marked as reviewed"
+        raise EditError(f"{who}: {why} {scope_text(start, end)}")
+    text = f"Unmark {who} as reviewed {scope_text(start, end)}"
     return _change("unreviewed", text, start, labels.reviewed, tuple(new))
 
 
@@ -126,16 +127,12 @@ def _who(ranges: Sequence[ReviewedRange]) -> str:
     tracks = tuple(seen.track for seen in ranges)
     if 0 in tracks:
         return "all tracks"
-    return f"track {tracks[0]}" if len(tracks) == 1 else f"tracks {_listed(tracks)}"
+    return f"track {tracks[0]}" if len(tracks) == 1 else f"tracks {tracks_text(tracks)}"
 
 
 def _listed(tracks: Sequence[int]) -> str:
-    """Some numbers in a line, many by how many they are."""
-    if not tracks:
-        return "nobody"
-    if len(tracks) > 6:
-        return f"{', '.join(map(str, tracks[:5]))} and {len(tracks) - 5} more"
-    return ", ".join(map(str, tracks[:-1])) + (" and " if len(tracks) > 1 else "") + str(tracks[-1])
+    """The tracks of a suspicion, which may be of nobody."""
+    return tracks_text(tracks) if tracks else "nobody"
 
 
 def _without(seen: ReviewedRange, start: int, end: int) -> list[ReviewedRange]:

@@ -58,11 +58,12 @@ def plan_delete_tracks(
     check_scope(start, end)
     parts = {track: table.of_track(track, start, end) for track in chosen}
     touched = [track for track, rows in parts.items() if len(rows["frame"])]
-    who = tracks_text(touched or chosen)
     if not touched:
         raise EditError(
-            f"track {who} has no rows to delete in frames {start} to {end}; choose another range"
+            f"{tracks_text(chosen)}: no rows to delete {scope_text(start, end)}; "
+            "choose another range"
         )
+    who = tracks_text(touched)
     rows = stacked(parts.values())
     first = min(table.frame_range(track)[0] for track in touched)
     stop = max(table.frame_range(track)[1] for track in touched)
@@ -190,12 +191,14 @@ def _drawn(track: int, frame: int) -> Rows:
 
 
 def _check_box(box: Box) -> None:
-    if not (np.all(np.isfinite(box)) and box[2] > 0 and box[3] > 0):
+    if not (len(box) == 4 and np.isfinite(box).all() and box[2] > 0 and box[3] > 0):
         raise EditError(f"box {box} is none; left, top and a positive width and height are needed")
 
 
 def _place(row: Rows, box: Box, place: Place) -> None:
-    """Write a person's box and place into a single row."""
+    """Write a person's box and place into a single row; NaN: the place is unknown."""
+    if np.isinf(place).any():
+        raise EditError(f"place {place} is none; x and y in metres are needed")
     for name, value in zip((*SIDES, "x", "y"), (*box, *place), strict=True):
         row[name][0] = value
     vouch_for(row)

@@ -30,7 +30,7 @@ def plan_mark_occluded(
     rows = stacked(table.of_track(track, start, end) for track in chosen)
     who, where = tracks_text(chosen), scope_text(start, end)
     if not len(rows["frame"]):
-        raise EditError(f"{who}: nobody of them stands {where}")
+        raise EditError(f"{who}: no rows to mark {where}; choose another range")
     wanted = np.float32(0.0 if occluded else 1.0)
     old = picked(rows, rows["visibility"] != wanted)
     state = "occluded" if occluded else "visible"
