@@ -43,3 +43,13 @@ ROWS = json.loads(state_as_text(plan_delete(table_of({1: [(0, 9)]}), 1).before))
 def test_what_is_no_edit_is_refused(text: str) -> None:
     with pytest.raises(EditError):
         state_from_text(text)
+
+
+def test_an_edit_that_could_not_be_read_again_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    side = plan_delete(table_of({1: [(0, 9)]}), 1).before
+    longest = len(state_as_text(side))
+    monkeypatch.setattr("tracking.editing.text.LARGEST_TEXT", longest)
+    assert len(state_from_text(state_as_text(side)).rows["frame"]) == 9
+    monkeypatch.setattr("tracking.editing.text.LARGEST_TEXT", longest - 1)
+    with pytest.raises(EditError, match="edit of 9 rows .* shorter ranges"):
+        state_as_text(side)

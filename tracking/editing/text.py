@@ -22,21 +22,38 @@ from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, check_tracks
 
 LARGEST_TEXT = 2**28
+"""Characters: some three million rows that a tracker made."""
 LARGEST_ROWS = 20_000_000
 _ROW_BYTES = sum(dtype.itemsize for dtype in CORRECTED_COLUMNS.values())
 
 
 def state_as_text(state: State) -> str:
-    """The state as JSON; parts that touch nothing are left out."""
+    """The state as JSON; parts that touch nothing are left out.
+
+    Raises EditError where it is too large to be read again.
+    """
+    count = len(state.rows["frame"])
+    if count > LARGEST_ROWS:
+        raise _too_large(count)
     parts: dict[str, Any] = {}
     if len(state.stretches):
         parts["stretches"] = state.stretches.tolist()
-    if len(state.rows["frame"]):
+    if count:
         parts["rows"] = _rows_as_json(state.rows)
     labels = labels_as_json(state.labels)
     if labels:
         parts["labels"] = labels
-    return json.dumps(parts, separators=(",", ":"))
+    text = json.dumps(parts, separators=(",", ":"))
+    if len(text) > LARGEST_TEXT:
+        raise _too_large(count)
+    return text
+
+
+def _too_large(rows: int) -> EditError:
+    return EditError(
+        f"an edit of {rows} rows is larger than the log can keep; "
+        "make it in shorter ranges of frames or with fewer tracks at once"
+    )
 
 
 def state_from_text(text: str) -> State:
