@@ -6,7 +6,7 @@ from functools import cache
 from importlib.resources import files
 
 from PySide6.QtCore import QByteArray, QEvent, QSize, Qt
-from PySide6.QtGui import QColor, QGuiApplication, QIcon, QPainter, QPalette, QPixmap
+from PySide6.QtGui import QColor, QGuiApplication, QIcon, QPainter, QPalette, QPixmap, QPixmapCache
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QToolButton, QWidget
 
@@ -21,13 +21,20 @@ def _drawing(name: str) -> str:
 
 
 def pixmap(name: str, colour: QColor, size_px: int) -> QPixmap:
-    """Draw an icon at a size in device pixels; `currentColor` in the SVG becomes the colour."""
+    """Draw an icon at a size in device pixels; `currentColor` in the SVG becomes the colour.
+
+    What was drawn before is had from Qt's cache: a window asks for the same few thousand times.
+    """
+    key, kept = f"{name} {colour.name()} {size_px}", QPixmap()
+    if QPixmapCache.find(key, kept):
+        return kept
     text = _drawing(name).replace("currentColor", colour.name())
     picture = QPixmap(size_px, size_px)
     picture.fill(Qt.GlobalColor.transparent)
     painter = QPainter(picture)
     QSvgRenderer(QByteArray(text.encode())).render(painter)
     painter.end()
+    QPixmapCache.insert(key, picture)
     return picture
 
 

@@ -43,7 +43,7 @@ def _pushed(rect: QRectF, placed: list[QRectF], area: QRectF, way: int) -> QRect
             moved.moveTop(hit.bottom() + _GAP)
         else:
             moved.moveBottom(hit.top() - _GAP)
-        if moved.bottom() > area.bottom() + 0.5 or moved.top() < area.top() - 0.5:
+        if moved.bottom() > area.bottom() or moved.top() < area.top():
             return None
     return None
 
