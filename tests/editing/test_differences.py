@@ -8,7 +8,14 @@ import numpy as np
 import pytest
 from runs_of_people import FPS, Walk, rows_of, run_of, table_of
 
-from tracking.editing import Difference, History, compare_runs, differences
+from tracking.editing import (
+    Difference,
+    History,
+    apply_change,
+    compare_runs,
+    differences,
+    plan_take,
+)
 from tracking.tracks import Labels, ReviewedRange, TrackTable
 
 TWO = [(1, 0, 100, 0.0), (2, 0, 100, 1.0)]
@@ -135,3 +142,45 @@ def test_a_million_rows_are_compared_in_seconds():
     began_s = time.perf_counter()
     assert differences(table, Labels(), History(), run, None, fps=FPS) == ()
     assert time.perf_counter() - began_s < 10.0
+
+
+def jumps(*frames: tuple[int, int], aside: float = 3.0) -> list[Walk]:
+    """Two people, of whom the first one stands aside in some ranges of frames."""
+    stops = [20, *(frame for each in frames for frame in each), 100]
+    lanes = [0.0, aside] * len(frames) + [0.0]
+    parts = zip(stops[:-1], stops[1:], lanes, strict=True)
+    return [*((1, start, end, lane) for start, end, lane in parts), (2, 20, 100, 1.0)]
+
+
+def test_short_ones_are_told_with_their_neighbour():
+    one = only(table_of(TWO), jumps((40, 41), (52, 54), (70, 90)))
+    assert facts(one) == ("moved", 1, 0, 40, 90, 23)
+    assert one.text == "1 stands elsewhere for 1.1 s, by up to 3.0 m"
+
+
+def test_long_ones_and_those_far_off_are_told_apart():
+    found = told(table_of(TWO), jumps((30, 40), (50, 60), (85, 87)))
+    assert [(one.start, one.end) for one in found] == [(30, 40), (50, 60), (85, 87)]
+
+
+def test_what_is_told_as_one_is_taken_as_one():
+    table, run = table_of(TWO), run_of(jumps((40, 41), (52, 54), (85, 99)), (20, 100), 2)
+    first, second = differences(table, Labels(), History(), run, None, fps=FPS)
+    change = plan_take(table, Labels(), History(), run, None, only=[first], fps=FPS)
+    apply_change(table, Labels(), change)
+    assert differences(table, Labels(), History(), run, None, fps=FPS) == (second,)
+
+
+def test_a_short_step_aside_is_not_told_but_a_long_one_is():
+    assert told(table_of(TWO), jumps((40, 43), aside=-0.4)) == ()
+    assert only(table_of(TWO), jumps((40, 50), aside=-0.4)).rows == 10
+
+
+def test_short_changes_of_identity_are_told_as_they_are():
+    swapped = [(1, 20, 50, 0.0), (1, 50, 51, 1.0), (1, 51, 60, 0.0), (1, 60, 61, 1.0)]
+    swapped += [(2, 20, 50, 1.0), (2, 50, 51, 0.0), (2, 51, 60, 1.0), (2, 60, 61, 0.0)]
+    found = told(table_of(TWO), [*swapped, (1, 61, 100, 0.0), (2, 61, 100, 1.0)])
+    assert [(one.kind, one.start, one.end) for one in found] == [
+        ("identity", 50, 51),
+        ("identity", 60, 61),
+    ]

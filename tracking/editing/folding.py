@@ -42,8 +42,7 @@ def folded(stretches: Iterable[Stretch], fps: float | None) -> Iterator[Stretch]
 
 def _is_near(one: Stretch, other: Stretch, small: int, reach: int) -> bool:
     """Whether one of the two is small and the other one next to it."""
-    shortest = min(one.end - one.start, other.end - other.start)
-    return shortest < small and other.start - one.end <= reach
+    return min(one.rows, other.rows) < small and other.start - one.end <= reach
 
 
 def _joined(one: Stretch, other: Stretch) -> Stretch:
@@ -56,4 +55,4 @@ def _joined(one: Stretch, other: Stretch) -> Stretch:
 
 
 def _is_trifle(one: Stretch, small: int) -> bool:
-    return one.kind == "moved" and one.end - one.start < small and 0.0 < one.metres < HERE_M
+    return one.kind == "moved" and one.rows < small and 0.0 < one.metres < HERE_M
