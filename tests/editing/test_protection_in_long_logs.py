@@ -38,19 +38,6 @@ Cells = set[tuple[int, int]]
 
 KINDS = ["swap", "range", "split", "merge", "give", "move", "draw", "delete", "name"]
 KINDS += ["undo", "redo", "alone"]
-    "swap",
-    "range",
-    "split",
-    "merge",
-    "give",
-    "move",
-    "draw",
-    "delete",
-    "name",
-    "undo",
-    "redo",
-    "alone",
-]
 EDITS = st.lists(
     st.tuples(
         st.sampled_from(KINDS),
