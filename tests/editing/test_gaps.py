@@ -18,8 +18,8 @@ from tracking.editing import (
     plan_move_box,
     plan_split,
 )
+from tracking.editing.boxes.standing import boxes_of, places_of
 from tracking.editing.change import Change
-from tracking.editing.standing import boxes_of, places_of
 from tracking.errors import EditError
 from tracking.tracks import Labels, Source, TrackTable
 

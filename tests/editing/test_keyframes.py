@@ -22,14 +22,14 @@ from tracking.editing import (
     plan_move_box,
     standing_box,
 )
-from tracking.editing.change import Change
-from tracking.editing.standing import (
+from tracking.editing.boxes.standing import (
     body_boxes,
     body_heights,
     body_positions,
     boxes_of,
     places_of,
 )
+from tracking.editing.change import Change
 from tracking.errors import EditError
 from tracking.synthesis import SCENES
 from tracking.synthesis.rig import Rig

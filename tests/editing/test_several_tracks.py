@@ -16,9 +16,9 @@ from tracking.editing import (
     plan_new_track,
     standing_box,
 )
+from tracking.editing.boxes.standing import boxes_of, places_of
 from tracking.editing.change import Change
 from tracking.editing.scope import tracks_text
-from tracking.editing.standing import boxes_of, places_of
 from tracking.errors import EditError
 from tracking.tracks import Labels, Source, TrackLabel, TrackTable
 

@@ -15,7 +15,7 @@ from tracking.editing import (
     plan_interpolate,
     plan_thin,
 )
-from tracking.editing.standing import boxes_of, places_of
+from tracking.editing.boxes.standing import boxes_of, places_of
 from tracking.errors import EditError
 from tracking.tracks import Labels, Source, TrackTable
 

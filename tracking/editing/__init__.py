@@ -1,47 +1,51 @@
 """Edits: pure planners, one reversible Change, one function that applies it, the log."""
 
 from tracking.editing.alone import plan_undo_alone
-from tracking.editing.change import Change, LabelState, State, apply_change
-from tracking.editing.crossing import SwapFrame, propose_swap_frame, propose_swap_frames
-from tracking.editing.differences import Difference, compare_runs, differences
-from tracking.editing.dragging import plan_drag
-from tracking.editing.drawing import plan_lines, plan_occluders, plan_regions
-from tracking.editing.gaps import Gap, gaps_of, plan_fill_gap, plan_fill_gaps
-from tracking.editing.history import Entry, History
-from tracking.editing.identities import plan_reassign, plan_split, plan_swap
-from tracking.editing.interpolation import How
-from tracking.editing.keyframes import (
+from tracking.editing.boxes.dragging import plan_drag
+from tracking.editing.boxes.gaps import Gap, gaps_of, plan_fill_gap, plan_fill_gaps
+from tracking.editing.boxes.interpolation import How
+from tracking.editing.boxes.keyframes import (
     keyframes_of,
     plan_add_keyframe,
     plan_delete_keyframe,
     plan_interpolate,
 )
-from tracking.editing.labelling import plan_rename, plan_set_attribute, plan_set_notes
-from tracking.editing.merging import Keep, plan_merge, plan_merge_tracks
-from tracking.editing.noticed import signals_of
-from tracking.editing.part_labelling import plan_label_part, plan_unlabel_part, with_parts_carried
-from tracking.editing.protection import Protection, protected_stretches
-from tracking.editing.reviewing import (
-    plan_forget_verdict,
-    plan_mark_reviewed,
-    plan_unmark_reviewed,
-    plan_verdict,
-    with_verdict,
-)
-from tracking.editing.rows import (
+from tracking.editing.boxes.rows import (
     plan_delete,
     plan_delete_tracks,
     plan_draw_box,
     plan_move_box,
     plan_new_track,
 )
-from tracking.editing.standing import Box, body_position, standing_box
+from tracking.editing.boxes.standing import Box, body_position, standing_box
+from tracking.editing.boxes.thinning import plan_thin
+from tracking.editing.boxes.visibility import plan_mark_occluded
+from tracking.editing.change import Change, LabelState, State, apply_change
+from tracking.editing.differences import Difference, compare_runs, differences
+from tracking.editing.history import Entry, History
+from tracking.editing.identity.crossing import SwapFrame, propose_swap_frame, propose_swap_frames
+from tracking.editing.identity.identities import plan_reassign, plan_split, plan_swap
+from tracking.editing.identity.merging import Keep, plan_merge, plan_merge_tracks
+from tracking.editing.identity.noticed import signals_of
+from tracking.editing.labels.drawing import plan_lines, plan_occluders, plan_regions
+from tracking.editing.labels.labelling import plan_rename, plan_set_attribute, plan_set_notes
+from tracking.editing.labels.part_labelling import (
+    plan_label_part,
+    plan_unlabel_part,
+    with_parts_carried,
+)
+from tracking.editing.labels.reviewing import (
+    plan_forget_verdict,
+    plan_mark_reviewed,
+    plan_unmark_reviewed,
+    plan_verdict,
+    with_verdict,
+)
+from tracking.editing.protection import Protection, protected_stretches
 from tracking.editing.taking import plan_take
 from tracking.editing.text import state_as_text, state_from_text
-from tracking.editing.thinning import plan_thin
 from tracking.editing.touch_index import TOUCHED_COLUMNS, TouchIndex
 from tracking.editing.touched import touched
-from tracking.editing.visibility import plan_mark_occluded
 
 __all__ = [
     "TOUCHED_COLUMNS",

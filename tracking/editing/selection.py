@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.change import no_rows
-from tracking.tracks import CORRECTED_COLUMNS, Columns
+from tracking.tracks import CORRECTED_COLUMNS, Columns, TrackTable
 
 Rows = dict[str, NDArray[Any]]
 """`CORRECTED_COLUMNS` of rows that may be written to."""
@@ -18,6 +18,13 @@ Rows = dict[str, NDArray[Any]]
 def picked(rows: Columns, chosen: NDArray[Any] | slice) -> Rows:
     """The chosen rows (a mask, numbers or a slice) as arrays of their own."""
     return {name: rows[name][chosen].copy() for name in CORRECTED_COLUMNS}
+
+
+def rows_in(table: TrackTable, track: int, frames: NDArray[np.int32]) -> Rows:
+    """The rows of a track in ascending frames; there are none for frames it does not stand in."""
+    start, end = (int(frames[0]), int(frames[-1]) + 1) if len(frames) else (0, 0)
+    rows = table.of_track(track, start, end)
+    return picked(rows, np.isin(rows["frame"], frames, assume_unique=True))
 
 
 def stacked(parts: Iterable[Columns]) -> Rows:

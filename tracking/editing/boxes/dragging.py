@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.editing.change import Change
-from tracking.editing.interpolation import How, Way
-from tracking.editing.keyframes import key_row_change, standing_row, vouch_for
-from tracking.editing.standing import (
+from tracking.editing.boxes.interpolation import How, Way
+from tracking.editing.boxes.keyframes import key_row_change, standing_row, vouch_for
+from tracking.editing.boxes.standing import (
     SIDES,
     body_heights,
     body_positions,
@@ -16,6 +15,7 @@ from tracking.editing.standing import (
     fits,
     places_of,
 )
+from tracking.editing.change import Change
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import TrackTable

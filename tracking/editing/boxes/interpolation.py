@@ -8,8 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.selection import Rows, picked
-from tracking.editing.standing import (
+from tracking.editing.boxes.standing import (
     SIDES,
     Floats,
     body_heights,
@@ -19,6 +18,7 @@ from tracking.editing.standing import (
     fits,
     places_of,
 )
+from tracking.editing.selection import Rows, picked
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Source

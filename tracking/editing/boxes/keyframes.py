@@ -5,12 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, State
-from tracking.editing.interpolation import How, Way
-from tracking.editing.scope import check_scope, frames_text, scope_text
-from tracking.editing.selection import Rows, differing, picked, stacked
-from tracking.editing.standing import places_of
-from tracking.editing.stretches import (
+from tracking.editing.boxes.interpolation import How, Way
+from tracking.editing.boxes.standing import places_of
+from tracking.editing.boxes.stretches import (
     replaced,
     respanned,
     rows_around,
@@ -18,6 +15,9 @@ from tracking.editing.stretches import (
     stands_fast,
     with_row,
 )
+from tracking.editing.change import Change, State
+from tracking.editing.scope import check_scope, frames_text, scope_text
+from tracking.editing.selection import Rows, differing, picked, stacked
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Source, TrackTable, check_known

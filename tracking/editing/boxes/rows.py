@@ -6,12 +6,9 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from tracking.editing.change import Change, State
-from tracking.editing.interpolation import How, Way
-from tracking.editing.keyframes import key_row_change, standing_row, vouch_for
-from tracking.editing.scope import check_scope, checked_tracks, scope_text, tracks_text
-from tracking.editing.selection import Rows, stacked
-from tracking.editing.standing import (
+from tracking.editing.boxes.interpolation import How, Way
+from tracking.editing.boxes.keyframes import key_row_change, standing_row, vouch_for
+from tracking.editing.boxes.standing import (
     SIDES,
     USUAL_HEIGHT_M,
     Box,
@@ -21,6 +18,9 @@ from tracking.editing.standing import (
     places_of,
     standing_box,
 )
+from tracking.editing.change import Change, State
+from tracking.editing.scope import check_scope, checked_tracks, scope_text, tracks_text
+from tracking.editing.selection import Rows, stacked
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import (

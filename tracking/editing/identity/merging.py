@@ -8,13 +8,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.editing.boxes.interpolation import How, Way
+from tracking.editing.boxes.stretches import spanned
 from tracking.editing.change import Change, LabelState, State, no_rows, no_stretches
-from tracking.editing.gaps import rows_in
-from tracking.editing.identities import given_to, stretches_of
-from tracking.editing.interpolation import How, Way
+from tracking.editing.identity.identities import given_to, stretches_of
 from tracking.editing.scope import frames_text, tracks_text
-from tracking.editing.selection import Rows, stacked
-from tracking.editing.stretches import spanned
+from tracking.editing.selection import Rows, rows_in, stacked
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Labels, TrackLabel, TrackTable, check_known

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.interpolation import Way, interpolated, was_straight
+from tracking.editing.boxes.interpolation import Way, interpolated, was_straight
 from tracking.editing.selection import Rows, differing, picked, stacked
 from tracking.tracks import Columns, Source, TrackTable
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.editing.courses import Courses, Floats, Frames, courses_of, turned_over
-from tracking.editing.looks import looks_changed
+from tracking.editing.identity.courses import Courses, Floats, Frames, courses_of, turned_over
+from tracking.editing.identity.looks import looks_changed
 from tracking.errors import EditError
 from tracking.tracks import Columns, TrackTable, check_known
 

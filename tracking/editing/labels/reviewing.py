@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from tracking.editing.change import Change, LabelState, State
-from tracking.editing.labelling import writable
+from tracking.editing.labels.labelling import writable
 from tracking.editing.scope import scope_text, tracks_text
 from tracking.errors import EditError
 from tracking.tracks import (

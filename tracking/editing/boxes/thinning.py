@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracking.editing.boxes.interpolation import How, Way
+from tracking.editing.boxes.keyframes import vouch_for
+from tracking.editing.boxes.standing import Floats, boxes_of, places_of
+from tracking.editing.boxes.stretches import Flags, replaced, spanned
 from tracking.editing.change import Change, State
-from tracking.editing.interpolation import How, Way
-from tracking.editing.keyframes import vouch_for
 from tracking.editing.scope import check_scope, scope_text
 from tracking.editing.selection import Rows, picked, stacked
-from tracking.editing.standing import Floats, boxes_of, places_of
-from tracking.editing.stretches import Flags, replaced, spanned
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Source, TrackTable, check_known

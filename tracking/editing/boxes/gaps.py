@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.editing.boxes.interpolation import How, Way
+from tracking.editing.boxes.stretches import spanned
 from tracking.editing.change import Change, State, no_rows
-from tracking.editing.interpolation import How, Way
 from tracking.editing.scope import checked_tracks, frames_text, scope_text, tracks_text
-from tracking.editing.selection import Rows, stacked
-from tracking.editing.stretches import spanned
+from tracking.editing.selection import Rows, rows_in, stacked
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import TrackTable, check_known
@@ -85,11 +84,3 @@ def _filling(table: TrackTable, track: int, gaps: list[Gap], way: Way) -> Rows:
     frames = np.concatenate([np.arange(*gap, dtype=np.int32) for gap in gaps])
     ends = rows_in(table, track, np.unique(borders).astype(np.int32))
     return spanned(ends, frames, way, no_rows())
-
-
-def rows_in(table: TrackTable, track: int, frames: NDArray[np.int32]) -> Rows:
-    """The track's rows in ascending frames."""
-    start, end = (int(frames[0]), int(frames[-1]) + 1) if len(frames) else (0, 0)
-    rows = table.of_track(track, start, end)
-    chosen = np.isin(rows["frame"], frames, assume_unique=True)
-    return {name: column[chosen] for name, column in rows.items()}

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from tracking.editing.change import Change, LabelState, State
-from tracking.editing.labelling import writable
+from tracking.editing.labels.labelling import writable
 from tracking.errors import EditError
 from tracking.tracks import (
     CountingLine,

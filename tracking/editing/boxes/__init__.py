@@ -1,0 +1,1 @@
+"""Boxes of people: drawn, moved, dragged, interpolated between keyframes, thinned, deleted."""

@@ -1,0 +1,1 @@
+"""What people say: names, parts of bodies, occluders, lines, regions, what was looked at."""
