@@ -44,6 +44,7 @@ def arrays(run: Run) -> dict[str, bytes]:
         "d": run.detections,
         "p": run.particles.columns,
         "a": run.associations,
+        "s": run.signals,
     }
     named = {f"{t}.{name}": column for t, table in tables.items() for name, column in table.items()}
     return {name: column.tobytes() for name, column in named.items()}

@@ -149,6 +149,16 @@ def test_rows_after_the_last_match_go_where_the_person_was_in_the_picture():
     assert found.tracks["frame"].tolist() == list(range(60))
 
 
+def test_signals_stay_with_the_rows_that_stay():
+    person = {name: column[:80] for name, column in astray(walk(), slice(60, 100)).items()}
+    run = run_of(person)
+    numbers = np.arange(len(run.tracks["frame"]), dtype=np.float32)
+    noticed = {"frame": run.tracks["frame"], "track": run.tracks["track"], "height_m": numbers}
+    found = smoothed(replace(run, signals=noticed), VIEW, FPS)
+    assert found.signals["frame"].tolist() == found.tracks["frame"].tolist() == list(range(60))
+    assert found.signals["height_m"].tolist() == numbers[:60].tolist()
+
+
 def test_rows_after_the_last_match_stay_to_the_last_byte_where_the_person_left():
     person = {name: column[:80].copy() for name, column in walk().items()}
     person["predicted"][60:] = True

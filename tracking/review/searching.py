@@ -28,6 +28,8 @@ JOINED_S = 0.75
 """Reasons about the same people so near in time are one suspicion."""
 _LEAST = 0.01
 """Less likely suspicions are not mentioned."""
+MOST = 10_000
+"""Of more than these, more than anybody ever looks through, those worth most are kept."""
 
 
 def find_suspicions(
@@ -87,6 +89,7 @@ def _suspicions(material: Material, reasons: Reasons) -> list[Suspicion]:
     start, end = stretches(reasons, places, evidence)
     cost = costs(material, first, second, frame)
     told = np.flatnonzero(likely >= _LEAST)
+    told = told[np.argsort(-(likely * cost)[told], kind="stable")[:MOST]]
     figures = (column[told].tolist() for column in (leader, start, end, likely, cost))
     speaker = Speaker.of(reasons, places, evidence.fps)
     return [

@@ -42,7 +42,7 @@ def _in_this_process(recording):
 
 
 def _tables(run):
-    yield from (run.tracks, run.detections, run.particles.columns, run.associations)
+    yield from (run.tracks, run.detections, run.particles.columns, run.associations, run.signals)
     yield {"start": run.particles.start}
 
 
