@@ -16,10 +16,10 @@ from app.presenters.review_scene import ReviewPerson
 from app.presenters.scenes import PreviewTrail
 from app.presenters.words import time_text, tr
 from tracking.editing import Change, Difference, History, differences, plan_take
-from tracking.editing.alignment import aligned, rows_of_table
-from tracking.editing.counterparts import Places, counterparts
-from tracking.editing.differences import told
-from tracking.editing.protection import protected_stretches
+from tracking.editing.tracking_again.alignment import aligned, rows_of_table
+from tracking.editing.tracking_again.counterparts import Places, counterparts
+from tracking.editing.tracking_again.differences import told
+from tracking.editing.tracking_again.protection import protected_stretches
 from tracking.errors import EditError
 from tracking.session import Session
 from tracking.tracks import Columns, Labels, Run, TrackTable, between

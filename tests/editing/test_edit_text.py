@@ -48,8 +48,8 @@ def test_what_is_no_edit_is_refused(text: str) -> None:
 def test_an_edit_that_could_not_be_read_again_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     side = plan_delete(table_of({1: [(0, 9)]}), 1).before
     longest = len(state_as_text(side))
-    monkeypatch.setattr("tracking.editing.text.LARGEST_TEXT", longest)
+    monkeypatch.setattr("tracking.editing.log.text.LARGEST_TEXT", longest)
     assert len(state_from_text(state_as_text(side)).rows["frame"]) == 9
-    monkeypatch.setattr("tracking.editing.text.LARGEST_TEXT", longest - 1)
+    monkeypatch.setattr("tracking.editing.log.text.LARGEST_TEXT", longest - 1)
     with pytest.raises(EditError, match="an edit of 9 rows is larger than the log can keep"):
         state_as_text(side)

@@ -28,7 +28,7 @@ from tracking.editing import (
     plan_undo_alone,
     protected_stretches,
 )
-from tracking.editing.protection import joined_stretches
+from tracking.editing.tracking_again.protection import joined_stretches
 from tracking.tracks import LARGEST_NUMBER, Labels, PartLabel, TrackTable
 
 BOX = (1.0, 2.0, 30.0, 60.0)

@@ -26,7 +26,7 @@ from tracking.editing import (
     plan_undo_alone,
     protected_stretches,
 )
-from tracking.editing.coverage import Coverage
+from tracking.editing.tracking_again.coverage import Coverage
 from tracking.errors import EditError
 from tracking.tracks import Labels, Source, TrackTable
 

@@ -1,6 +1,5 @@
 """Edits: pure planners, one reversible Change, one function that applies it, the log."""
 
-from tracking.editing.alone import plan_undo_alone
 from tracking.editing.boxes.dragging import plan_drag
 from tracking.editing.boxes.gaps import Gap, gaps_of, plan_fill_gap, plan_fill_gaps
 from tracking.editing.boxes.interpolation import How
@@ -21,8 +20,6 @@ from tracking.editing.boxes.standing import Box, body_position, standing_box
 from tracking.editing.boxes.thinning import plan_thin
 from tracking.editing.boxes.visibility import plan_mark_occluded
 from tracking.editing.change import Change, LabelState, State, apply_change
-from tracking.editing.differences import Difference, compare_runs, differences
-from tracking.editing.history import Entry, History
 from tracking.editing.identity.crossing import SwapFrame, propose_swap_frame, propose_swap_frames
 from tracking.editing.identity.identities import plan_reassign, plan_split, plan_swap
 from tracking.editing.identity.merging import Keep, plan_merge, plan_merge_tracks
@@ -41,11 +38,14 @@ from tracking.editing.labels.reviewing import (
     plan_verdict,
     with_verdict,
 )
-from tracking.editing.protection import Protection, protected_stretches
-from tracking.editing.taking import plan_take
-from tracking.editing.text import state_as_text, state_from_text
-from tracking.editing.touch_index import TOUCHED_COLUMNS, TouchIndex
-from tracking.editing.touched import touched
+from tracking.editing.log.alone import plan_undo_alone
+from tracking.editing.log.history import Entry, History
+from tracking.editing.log.text import state_as_text, state_from_text
+from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
+from tracking.editing.log.touched import touched
+from tracking.editing.tracking_again.differences import Difference, compare_runs, differences
+from tracking.editing.tracking_again.protection import Protection, protected_stretches
+from tracking.editing.tracking_again.taking import plan_take
 
 __all__ = [
     "TOUCHED_COLUMNS",

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from tracking.editing import Change, Entry, History, State
-from tracking.editing.label_text import labels_as_json
+from tracking.editing.log.label_text import labels_as_json
 from tracking.errors import EditError
 from tracking.formats.replacing import replacing
 

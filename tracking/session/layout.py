@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tracking.editing.touch_index import TOUCHED_COLUMNS
+from tracking.editing.log.touch_index import TOUCHED_COLUMNS
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     CORRECTED_COLUMNS,
@@ -43,7 +43,7 @@ EDIT_COLUMNS: Types = MappingProxyType(
         "kind": TEXT,
         "text": TEXT,
         "frame": np.dtype(np.int64),
-        "before": TEXT,  # JSON, see tracking.editing.text
+        "before": TEXT,  # JSON, see tracking.editing.log.text
         "after": TEXT,
         "undone": np.dtype(np.bool_),
         "abandoned": np.dtype(np.bool_),  # undone and not to be redone

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.change import State, no_rows, no_stretches
-from tracking.editing.label_text import labels_as_json, labels_from_json
+from tracking.editing.log.label_text import labels_as_json, labels_from_json
 from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, check_tracks
 

@@ -10,8 +10,8 @@ from scipy.optimize import linear_sum_assignment
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from tracking.editing.counterparts import mates, same_keys
-from tracking.editing.protection import Protection
+from tracking.editing.tracking_again.counterparts import mates, same_keys
+from tracking.editing.tracking_again.protection import Protection
 from tracking.tracks import Columns
 
 Integers = NDArray[np.integer]

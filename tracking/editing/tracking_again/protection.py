@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.change import Stretches, no_rows, no_stretches
-from tracking.editing.coverage import Coverage
-from tracking.editing.history import Entry, History
+from tracking.editing.log.history import Entry, History
+from tracking.editing.log.traces import NO_TRACE, Placed, Trace
 from tracking.editing.selection import stacked
-from tracking.editing.traces import NO_TRACE, Placed, Trace
+from tracking.editing.tracking_again.coverage import Coverage
 from tracking.tracks import LARGEST_NUMBER, Columns, Labels, Source, TrackTable
 
 Flags = NDArray[np.bool_]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from tracking.editing.counterparts import HERE_M
-from tracking.editing.difference_text import Stretch
+from tracking.editing.tracking_again.counterparts import HERE_M
+from tracking.editing.tracking_again.difference_text import Stretch
 
 _SMALL_S, _SMALL_FRAMES = 0.2, 4
 """What is shorter says little by itself."""

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.alignment import Alignment, Exchange, aligned, exchanged
-from tracking.editing.difference_text import Ends, Stretch, text_of
-from tracking.editing.folding import folded
-from tracking.editing.history import History
-from tracking.editing.protection import Protection, protected_stretches
+from tracking.editing.log.history import History
+from tracking.editing.tracking_again.alignment import Alignment, Exchange, aligned, exchanged
+from tracking.editing.tracking_again.difference_text import Ends, Stretch, text_of
+from tracking.editing.tracking_again.folding import folded
+from tracking.editing.tracking_again.protection import Protection, protected_stretches
 from tracking.tracks import Labels, Run, TrackTable
 
 Flags = NDArray[np.bool_]

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.change import Change
-from tracking.editing.text import state_as_text, state_from_text
-from tracking.editing.touch_index import TouchIndex
-from tracking.editing.touched import touched
-from tracking.editing.traces import Trace
+from tracking.editing.log.text import state_as_text, state_from_text
+from tracking.editing.log.touch_index import TouchIndex
+from tracking.editing.log.touched import touched
+from tracking.editing.log.traces import Trace
 from tracking.errors import EditError
 
 

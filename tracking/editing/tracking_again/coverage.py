@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from tracking.editing.change import Stretches, no_stretches
-from tracking.editing.traces import Handed
+from tracking.editing.log.traces import Handed
 
 Spans = tuple[list[int], list[int]]
 """Starts and ends of half-open ranges, ascending and apart from each other."""

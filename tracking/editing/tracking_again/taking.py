@@ -7,14 +7,18 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.alignment import Alignment, aligned, exchanged
 from tracking.editing.change import Change, State, Stretches
-from tracking.editing.counterparts import same_keys
-from tracking.editing.differences import Difference
-from tracking.editing.history import History
-from tracking.editing.protection import Protection, joined_stretches, protected_stretches
+from tracking.editing.log.history import History
 from tracking.editing.scope import scope_text, tracks_text
 from tracking.editing.selection import Rows, differing, picked
+from tracking.editing.tracking_again.alignment import Alignment, aligned, exchanged
+from tracking.editing.tracking_again.counterparts import same_keys
+from tracking.editing.tracking_again.differences import Difference
+from tracking.editing.tracking_again.protection import (
+    Protection,
+    joined_stretches,
+    protected_stretches,
+)
 from tracking.errors import EditError
 from tracking.tracks import Columns, Labels, Run, TrackTable
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.change import Change, no_rows
-from tracking.editing.text import cells_in_text, stretches_in_text
+from tracking.editing.log.text import cells_in_text, stretches_in_text
 from tracking.tracks import Columns
 
 Handed = tuple[int, int, int, int]

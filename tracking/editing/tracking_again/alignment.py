@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.counterparts import Places, counterparts, mates, same_keys
-from tracking.editing.protection import Protection
-from tracking.editing.run_identities import named
 from tracking.editing.scope import check_scope
 from tracking.editing.selection import Rows, picked, stacked
+from tracking.editing.tracking_again.counterparts import Places, counterparts, mates, same_keys
+from tracking.editing.tracking_again.protection import Protection
+from tracking.editing.tracking_again.run_identities import named
 from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, Run, Source, TrackTable, between
 

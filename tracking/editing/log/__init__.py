@@ -1,0 +1,1 @@
+"""The log of edits: as text, undone and redone, one edit undone alone, what each touches."""
