@@ -39,6 +39,12 @@ def test_attributes_are_set_and_taken_away(table: TrackTable) -> None:
     assert labels.of_track(1).attributes == {"age": "40"}
 
 
+def test_an_attribute_of_several_lines_is_told_in_one(table: TrackTable) -> None:
+    change = plan_set_attribute(table, Labels(), 1, "seen", "at the\ndoor")
+    assert change.text == "Set seen of 1 to at the door"
+    assert change.after.labels.tracks[1].attributes == {"seen": "at the\ndoor"}
+
+
 def test_notes_keep_their_lines(table: TrackTable) -> None:
     labels = apply_change(table, Labels(), plan_set_notes(table, Labels(), 1, "limps\ntall"))
     assert labels.of_track(1) == TrackLabel(notes="limps\ntall")

@@ -37,7 +37,7 @@ def plan_set_attribute(
         attributes[key] = writable(value)
     label = replace(labels.of_track(track), attributes=dict(sorted(attributes.items())))
     text = f"Take {key} of {track} away" if value is None else f"Set {key} of {track} to {value}"
-    return _relabel(table, labels, track, label, ("attribute", text), frame)
+    return _relabel(table, labels, track, label, ("attribute", " ".join(text.split())), frame)
 
 
 def plan_set_notes(
