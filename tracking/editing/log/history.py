@@ -193,7 +193,7 @@ class History:
     def draft(self, change: Change, time: str, author: str, undoes: int = 0) -> Entry:
         """The entry a change will have once it is added."""
         before, after = state_as_text(change.before), state_as_text(change.after)
-        number, what = len(self._entries) + 1, (change.kind, change.text, change.frame)
+        number, what = len(self._entries) + 1, (change.kind, change.text, int(change.frame))
         return Entry(number, time, author, *what, before, after, undoes=undoes)
 
     def add(self, entry: Entry, change: Change | None = None) -> None:
