@@ -30,7 +30,9 @@ def digest(tracks: TrackTable, labels: Labels) -> str:
     for name, column in tracks.columns().items():
         seen.update(name.encode())
         seen.update(column.tobytes())
-    seen.update(repr(labels).encode())
+    said = (labels.occluders, labels.reviewed, labels.lines, labels.regions)
+    kept = (labels.tracks, labels.verdicts, labels.parts)
+    seen.update(repr((said, [[(key, of[key]) for key in sorted(of)] for of in kept])).encode())
     return seen.hexdigest()
 
 

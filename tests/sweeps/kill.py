@@ -29,7 +29,7 @@ from tracking.session import Session
 from tracking.synthesis import render_recording
 from tracking.tracks import Labels, TrackTable
 
-LONGEST_LIFE_S = 1.5
+LONGEST_LIFE_S = 2.5
 
 
 def main() -> int:
