@@ -287,3 +287,13 @@ def test_a_long_text_is_not_made_longer_each_time(desk: Desk) -> None:
         desk.undo_alone(number)
     assert all(len(entry.text) <= 320 for entry in desk.history)
     assert desk.history.entries[-1].text.endswith("…")
+
+
+def test_a_keyframe_that_others_are_interpolated_from_is_not_taken_back_alone():
+    desk = Desk(table_at([(0, 1)]))
+    desk.do(plan_draw_box(desk.table, 2, 3, (1.0, 2.0, 3.0, 4.0)))
+    desk.do(plan_draw_box(desk.table, 2, 9, (9.0, 2.0, 3.0, 4.0), join=True))
+    assert len(desk.table.frames_of_track(2)) == 7
+    assert "edit 2" in desk.history.why_not_alone(1)
+    with pytest.raises(EditError, match="edit 2"):
+        desk.undo_alone(1)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from tracking.editing.change import Change, State
 from tracking.editing.label_state import LabelState
-from tracking.tracks import LARGEST_NUMBER, PART_NAMES, PartLabel, TrackLabel
+from tracking.tracks import LARGEST_NUMBER, PART_NAMES, PartLabel, Source, TrackLabel
 
 Boxes = NDArray[np.int64]
 
@@ -70,7 +70,11 @@ def _stretches(state: State) -> Iterator[Boxes]:
 
 
 def _rows(before: State, after: State) -> Iterator[Boxes]:
-    """Rows that leave, come or change; a part label may stand on one that comes."""
+    """Rows that leave, come or change; a part label may stand on one that comes.
+
+    What is interpolated stands on the rows it was made from, on either side of it.
+    """
+    yield _with_neighbours(_boxes_of(ROWS, _cells(after, Source.INTERPOLATED)))
     old, new = _cells(before), _cells(after)
     if np.array_equal(old, new):
         yield _boxes_of(ROWS, old)
@@ -81,10 +85,16 @@ def _rows(before: State, after: State) -> Iterator[Boxes]:
         yield _boxes_of(kind, coming)
 
 
-def _cells(state: State) -> NDArray[np.int64]:
-    """(n,) track and frame of every row in one number, ascending."""
+def _cells(state: State, source: int | None = None) -> NDArray[np.int64]:
+    """(n,) track and frame of every row, or those of one source, in one number, ascending."""
     cells = state.rows["track"].astype(np.int64) << 32 | state.rows["frame"]
-    return np.sort(cells)
+    return np.sort(cells if source is None else cells[state.rows["source"] == source])
+
+
+def _with_neighbours(boxes: Boxes) -> Boxes:
+    """Each box with the frame before and the frame after it."""
+    wider: Boxes = boxes + np.array([0, 0, -1, 1])
+    return wider
 
 
 def _boxes_of(kind: int, cells: NDArray[np.int64]) -> Boxes:
