@@ -21,7 +21,8 @@ from tracking.session.recovery import recover
 from tracking.session.reference import Footage, refer_to
 from tracking.session.saving import UNLIMITED, file_state, generations, real_path
 from tracking.session.stamping import author_named, made_up, now, software
-from tracking.session.store import Store, has_waiting_journal
+from tracking.session.store import Store
+from tracking.session.waiting import edits_wait
 from tracking.tracks import Run, TrackTable
 
 if TYPE_CHECKING:
@@ -86,6 +87,7 @@ class Session(Held):
                 return cls.open(path, author=author)
             if session._store.has_journal:
                 session._recover(session._store)
+            session._begin_journal()
         except (SessionError, OutputError) as why:
             session._give_up_writing(str(why))
         return session
@@ -193,6 +195,11 @@ class Session(Held):
             self._store.doubt()
             raise
 
+    def _begin_journal(self) -> None:
+        """Have a journal ready before the first edit is made."""
+        if self._store is not None:
+            self._store.begin_journal(self._stamps.session, self._stamps.save)
+
     def _recover(self, store: Store) -> None:
         found = recover(self._edited, store, self._stamps)
         self._recovered = self._content = found.steps
@@ -208,7 +215,7 @@ class Session(Held):
             self._store.release(keep_journal=True)
             self._store = None
         self._notes.append(f"open for reading only: {why}")
-        if not self._recovered and self._path is not None and has_waiting_journal(self._path):
+        if not self._recovered and self._path is not None and edits_wait(self._path):
             self._notes.append("edits made after it was saved last are not shown here")
 
     # Saving
@@ -285,6 +292,7 @@ class Session(Held):
         self._stamps, self._whereabouts.reference = stamps, pending.snapshot.recording
         self._runs.stored_in(pending.path, len(pending.snapshot.runs))
         self._saved, self._pending = pending.content, None
+        self._begin_journal()
         try:
             if self.dirty and not own:  # edits made meanwhile are in no journal of this file
                 self._base = self._content

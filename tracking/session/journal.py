@@ -16,11 +16,13 @@ from tracking.session.lock import identity
 
 Act = Literal["apply", "undo", "redo"]
 _TABLES = """
+BEGIN;
 CREATE TABLE IF NOT EXISTS origin (session TEXT NOT NULL, save TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS steps (
     number INTEGER PRIMARY KEY, act TEXT NOT NULL, edit INTEGER NOT NULL, time TEXT NOT NULL,
     author TEXT NOT NULL, kind TEXT NOT NULL, text TEXT NOT NULL, frame INTEGER NOT NULL,
     before TEXT NOT NULL, after TEXT NOT NULL, undoes INTEGER NOT NULL DEFAULT 0);
+COMMIT;
 """
 _UNDOES = "ALTER TABLE steps ADD COLUMN undoes INTEGER NOT NULL DEFAULT 0"
 """For a journal that an older program left behind."""
@@ -60,6 +62,17 @@ class Journal:
             self._file = identity(path)
         self._last = int(last or 0)
         self._origin = None if origin is None else (str(origin[0]), str(origin[1]))
+
+    @classmethod
+    def begun(cls, path: Path, session: str, save: str) -> Journal:
+        """A new one that builds on this save, ready to be written to. Raises as opening does."""
+        journal = cls(path)
+        try:
+            journal.start_over(session, save)
+        except (OutputError, SessionError):
+            journal.close()
+            raise
+        return journal
 
     @property
     def last(self) -> int:

@@ -59,8 +59,8 @@ def missing_steps(journal: Journal, stamps: Stamps) -> list[Step]:
     Raises SessionError where it belongs to another file, so that replaying it would be wrong.
     """
     origin = journal.origin
-    if origin is None:
-        return []
+    if origin is None or not journal.last:
+        return []  # begun by a program that died before its first edit: whatever it built on
     if origin == (stamps.session, stamps.save):
         return list(journal.steps())
     if stamps.previous_save and origin == (stamps.session, stamps.previous_save):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 from tracking.errors import OutputError, SessionError
@@ -23,6 +24,7 @@ class Store:
         self._folder = companions(path)
         self._lock = lock
         self._journal: Journal | None = None
+        self._begun: Future[Journal] | None = None
         self._doubted = False
 
     @classmethod
@@ -62,7 +64,7 @@ class Store:
         self._doubted = True
 
     def _is_in_place(self) -> bool:
-        journal = self._journal
+        journal = self._opened()
         written = journal is None or (journal.is_in_place and not self._doubted)
         return written and self._lock.is_in_place
 
@@ -95,12 +97,32 @@ class Store:
     @property
     def has_journal(self) -> bool:
         """Whether there is a journal, open or left by a program that died."""
-        return self._journal is not None or (self._folder / JOURNAL).exists()
+        return self._opened() is not None or (self._folder / JOURNAL).exists()
+
+    def begin_journal(self, session: str, save: str) -> None:
+        """Have an empty journal on this save made by another thread, where there is none.
+
+        A new file is on the disk for good after several waits for it: the first edit need not
+        stand them. Where it fails nothing is said: that edit tries again, and tells.
+        """
+        if self.has_journal:
+            return
+        with_one = ThreadPoolExecutor(1, "journal")
+        self._begun = with_one.submit(Journal.begun, self._folder / JOURNAL, session, save)
+        with_one.shutdown(wait=False)
 
     def journal(self) -> Journal:
         """The journal, made where there is none."""
-        if self._journal is None:
-            self._journal = Journal(self._folder / JOURNAL)
+        journal = self._opened() or Journal(self._folder / JOURNAL)
+        self._journal = journal
+        return journal
+
+    def _opened(self) -> Journal | None:
+        """The journal that is open, waited for where it is being made."""
+        if self._begun is not None:
+            begun, self._begun = self._begun, None
+            with contextlib.suppress(SessionError, OutputError):
+                self._journal = begun.result()
         return self._journal
 
     def set_journal_aside(self) -> Path:
@@ -126,9 +148,9 @@ class Store:
             self._folder.rmdir()  # only succeeds where nothing is kept
 
     def _close_journal(self) -> None:
-        if self._journal is not None:
-            self._journal.close()
-            self._journal = None
+        journal, self._journal = self._opened(), None
+        if journal is not None:
+            journal.close()
 
 
 def _locked(path: Path) -> SessionLock:
@@ -141,8 +163,3 @@ def _locked(path: Path) -> SessionLock:
     if not lock.acquire():
         raise SessionError(f"{path}: the session is open in {lock.holder()}; close it there first")
     return lock
-
-
-def has_waiting_journal(path: Path) -> bool:
-    """Whether edits may wait beside a session that this program may not write."""
-    return (companions(path) / JOURNAL).exists()

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import shutil
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from tracking.editing import History
@@ -14,7 +16,7 @@ from tracking.session.journal import Journal, Step
 from tracking.session.reading import read_session
 from tracking.session.recovery import missing_steps
 from tracking.session.saving import companions
-from tracking.session.store import JOURNAL, has_waiting_journal
+from tracking.session.store import JOURNAL
 
 
 def read_with_waiting(path: Path) -> tuple[Edited, int] | None:
@@ -23,7 +25,7 @@ def read_with_waiting(path: Path) -> tuple[Edited, int] | None:
     None where nothing waits, or nothing that fits the file. Another program may have the session
     open meanwhile. Raises SessionError where the session itself cannot be read.
     """
-    if not has_waiting_journal(path):
+    if not edits_wait(path):
         return None
     snapshot = read_session(path)
     edited = Edited(snapshot.tracks, snapshot.labels, snapshot.history())
@@ -46,14 +48,31 @@ def read_history(path: Path) -> History:
     return read_session(path).history() if waiting is None else waiting[0].history
 
 
+def edits_wait(path: Path) -> bool:
+    """Whether edits may wait beside a session, in its journal or in what is left of one."""
+    if not (companions(path) / JOURNAL).exists():
+        return False
+    try:
+        with _copied(path) as journal:
+            return journal.last > 0
+    except (SessionError, OutputError, OSError):
+        return True
+
+
 def _steps(path: Path, stamps: Stamps) -> list[Step]:
-    """The waiting steps, of a copy: reading the journal itself would write beside it."""
+    with _copied(path) as journal:
+        return missing_steps(journal, stamps)
+
+
+@contextmanager
+def _copied(path: Path) -> Iterator[Journal]:
+    """A copy of the session's journal: reading the journal itself would write beside it."""
     with tempfile.TemporaryDirectory() as folder:
         for file in companions(path).glob(f"{JOURNAL}*"):
             if not file.name.endswith("-shm"):
                 shutil.copy(file, folder)
         journal = Journal(Path(folder) / JOURNAL)
         try:
-            return missing_steps(journal, stamps)
+            yield journal
         finally:
             journal.close()
