@@ -243,9 +243,12 @@ def compare(
 def review(
     session: Annotated[Path, typer.Argument(help="A session.")],
     order: Annotated[
-        Literal["worth", "likelihood", "time"],
-        typer.Option(help="Worth is likelihood times what would be wrong."),
-    ] = "worth",
+        Literal["yield", "worth", "likelihood", "time"],
+        typer.Option(
+            help="Yield finds most for the time watched; worth is likelihood times what would be"
+            " wrong."
+        ),
+    ] = "yield",
     most: Annotated[
         int | None, typer.Option(min=1, help="How many at most.", show_default="all")
     ] = None,

@@ -24,6 +24,7 @@ _KINDS: Final = {
     "colour": "Colours change",
     "height": "Height changes",
     "jump": "Jumps",
+    "reversal": "Turns back",
     "predicted": "Long out of sight",
     "drift": "Goes on unseen",
     "margin": "Close choice",

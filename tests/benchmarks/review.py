@@ -1,9 +1,10 @@
 """How much of the footage has to be watched: `python -m tests.benchmarks.review`.
 
 Renders and tracks scenes that nothing was chosen on, as they are and with tracks swapped on
-purpose, and walks the suspicions from the most to the least worth. `--fit` prints the table of
-likelihoods fitted on other scenes, `--match box` takes errors by boxes instead of floor distance.
-What is rendered and tracked stays in the temporary folder; the first time takes an hour.
+purpose, and walks the suspicions in the order that finds most for the time watched. `--fit`
+prints the table of likelihoods fitted on other scenes, `--match box` takes errors by boxes
+instead of floor distance. What is rendered and tracked stays in the temporary folder; the first
+time takes an hour.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ def main() -> None:
     parser.add_argument("--fit", action="store_true", help="fit the likelihoods anew")
     parser.add_argument("--tuning", action="store_true", help="report on the scenes for fitting")
     parser.add_argument("--match", choices=("floor", "box"), default="floor")
-    parser.add_argument("--order", choices=("worth", "likelihood"), default="worth")
+    parser.add_argument("--order", choices=("yield", "worth", "likelihood"), default="yield")
     asked = parser.parse_args()
     cv2.setNumThreads(1)
     match = FloorMatch(0.5) if asked.match == "floor" else BoxMatch(0.5)

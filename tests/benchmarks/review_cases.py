@@ -64,6 +64,7 @@ TUNING = (
     *_footage(90, _FEW, range(3101, 3107)),
     *_footage(30, _USUAL, range(3111, 3117)),
     *_footage(60, [2 * count for count in _USUAL], range(3121, 3127)),
+    Footage("uniforms", 180, 24, 3135),
 )
 """Scenes the likelihoods were fitted on."""
 REPORTED = (

@@ -162,3 +162,25 @@ def test_failed_parts_are_told() -> None:
     run.parts.update(rows)
     seen = found("part", run)
     assert list(zip(seen.first, seen.frame, seen.figure, strict=True)) == [(1, 50, 2.0)]
+
+
+def there_and_back(predicted: range) -> Found:
+    path = straight((-3, 5), (1.0, 0), 160)
+    path[80:] = path[80] - (path[80:] - path[80])
+    return found("reversal", made_run([Walk(path, predicted=predicted)]))
+
+
+def test_a_track_that_turns_back_while_hidden_is_told() -> None:
+    seen = there_and_back(range(76, 84))
+    assert seen.first.tolist() == [1]
+    assert abs(int(seen.frame[0]) - 80) <= 3
+    assert seen.figure[0] == pytest.approx(1.0, abs=0.1)
+
+
+def test_people_turn_back_in_full_view_as_they_like() -> None:
+    assert len(there_and_back(range(0))) == 0
+
+
+def test_who_walks_on_while_hidden_is_no_reversal() -> None:
+    walk = Walk(straight((-3, 5), (1.0, 0), 160), predicted=range(70, 90))
+    assert len(found("reversal", made_run([walk]))) == 0

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from tracking.review import Suspicion, open_suspicions, ranked
 from tracking.tracks import Labels, ReviewedRange, Verdict
@@ -56,6 +58,38 @@ def test_the_order_is_by_worth_by_likelihood_or_by_time() -> None:
     dear = suspicion(frame=3, likelihood=0.2, cost=100.0)
     middling = suspicion(frame=2, likelihood=0.5, cost=10.0)
     suspicions = [cheap, middling, dear]
-    assert ranked(suspicions) == (dear, middling, cheap)
+    assert ranked(suspicions, "worth") == (dear, middling, cheap)
     assert ranked(suspicions, "likelihood") == (cheap, middling, dear)
     assert ranked(reversed(suspicions), "time") == (cheap, middling, dear)
+
+
+def stretch(start: int, end: int, likelihood: float) -> Suspicion:
+    return Suspicion("turn", (1, 2), start, start, end, likelihood, 1.0, "why", "swap")
+
+
+def test_most_is_found_for_the_time_watched_by_default() -> None:
+    long, short = stretch(0, 100, 0.8), stretch(200, 210, 0.4)
+    assert ranked([long, short]) == (short, long)
+
+
+def test_what_is_watched_already_comes_free() -> None:
+    likely, beside = stretch(0, 10, 0.9), stretch(2, 11, 0.1)
+    elsewhere = stretch(50, 60, 0.8)
+    assert ranked([elsewhere, beside, likely]) == (likely, beside, elsewhere)
+
+
+spans = st.tuples(st.integers(0, 60), st.integers(1, 25), st.floats(0.01, 1.0))
+
+
+@given(st.lists(spans, max_size=12))
+def test_each_next_one_yields_as_much_as_any_that_is_left(spans: list) -> None:
+    order = ranked([stretch(start, start + n, likely) for start, n, likely in spans])
+    assert len(order) == len(spans)
+    watched: set[int] = set()
+
+    def gain(one: Suspicion) -> float:
+        return one.likelihood / max(len(set(range(one.start, one.end)) - watched), 1e-3)
+
+    for number, one in enumerate(order):
+        assert gain(one) >= max(map(gain, order[number:])) - 1e-12
+        watched |= set(range(one.start, one.end))

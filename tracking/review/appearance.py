@@ -13,7 +13,7 @@ _WINDOW_S = 3.0
 """How far back, and ahead, looks are averaged."""
 EVERY_S = 0.1
 """Looks are compared that often: they are means over seconds."""
-_GUARD_S = 0.1
+GUARD_S = 0.1
 """Left out next to the moment itself."""
 _ALONE_M = 0.5
 """Nearer to somebody else, a region's colours may be both of theirs."""
@@ -51,14 +51,17 @@ class Looks:
             np.cumsum(np.where(known, values, np.float32(0)), out=total[number, 1:])
         return cls(evidence, count, total)
 
-    def before(self, track: Rows, frame: Rows) -> Floats:
-        """(7, k) mean looks of tracks in the seconds before frames; NaN where not known."""
-        window, guard = (self.evidence.frames_of(s) for s in (_WINDOW_S, _GUARD_S))
+    def before(self, track: Rows, frame: Rows, guard_s: float = GUARD_S) -> Floats:
+        """(7, k) mean looks of tracks in the seconds before frames; NaN where not known.
+
+        guard_s: left out next to the frames.
+        """
+        window, guard = self.evidence.frames_of(_WINDOW_S), round(guard_s * self.evidence.fps)
         return self._mean(track, frame - guard - window, frame - guard)
 
-    def after(self, track: Rows, frame: Rows) -> Floats:
+    def after(self, track: Rows, frame: Rows, guard_s: float = GUARD_S) -> Floats:
         """(7, k) the same from the frames on."""
-        window, guard = (self.evidence.frames_of(s) for s in (_WINDOW_S, _GUARD_S))
+        window, guard = self.evidence.frames_of(_WINDOW_S), round(guard_s * self.evidence.fps)
         return self._mean(track, frame + guard, frame + guard + window)
 
     def _mean(self, track: Rows, start: Rows, end: Rows) -> Floats:
@@ -91,12 +94,13 @@ class Sides:
 
 
 def unlikeness(one: Floats, other: Floats, most: float = MOST) -> Floats:
-    """(k,) how unlike two looks (7, k) are: the mean squared deviation in units of the usual one.
+    """(k,) how unlike two looks (7, k), or (6, k) without height, are.
 
-    About 1 for one person at two times; NaN where nothing is known of both. Deviations above
+    The mean squared deviation in units of the usual one:
+    about 1 for one person at two times; NaN where nothing is known of both. Deviations above
     `most` count as that: with all of them it tells best when looks changed, capped best whether.
     """
-    squared = np.minimum(((one - other) / _NOISE) ** 2, most)
+    squared = np.minimum(((one - other) / _NOISE[-len(one) :]) ** 2, most)
     known = np.isfinite(squared)
     total = np.where(known, squared, 0.0).sum(axis=0)
     count = known.sum(axis=0)

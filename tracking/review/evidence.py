@@ -72,6 +72,16 @@ class Evidence:
         """(k,) the first row of each track in or after each frame, or the next track's first."""
         return np.asarray(np.searchsorted(self.key, keys(track, frame)), np.int64)
 
+    def later(self, rows: Rows, frames: int) -> Rows:
+        """(k,) the same tracks' rows so many frames later, or earlier below 0; -1 for none."""
+        wanted = self.key[rows] + frames
+        at = np.clip(rows + frames, 0, len(self) - 1)
+        missed = np.flatnonzero(self.key[at] != wanted)
+        if len(missed):
+            found = np.minimum(np.searchsorted(self.key, wanted[missed]), len(self) - 1)
+            at[missed] = np.where(self.key[found] == wanted[missed], found, -1)
+        return at
+
     def frames_of(self, seconds: float) -> int:
         """So many seconds in frames, at least one."""
         return max(1, round(seconds * self.fps))

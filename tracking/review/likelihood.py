@@ -18,28 +18,29 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-ONE, TWO = -4.34, -2.81
+ONE, TWO = -4.51, -2.98
 """Log odds of a place of one track and of one of two tracks, whatever speaks for it."""
-CROWD = 1.3
+CROWD = 1.5
 """Log odds that being crowded adds."""
 
 WEIGHTS: Mapping[str, float] = MappingProxyType(
     {
-        "exchange": 2.42,
-        "turn": 4.44,
-        "crossing": 0.38,
-        "shared": 0.21,
-        "lost": 7.7,
+        "exchange": 1.89,
+        "turn": 4.12,
+        "crossing": 0.0,
+        "shared": 0.35,
+        "lost": 7.85,
         "ended": 0.0,
-        "begun": 2.45,
-        "colour": 0.85,
+        "begun": 2.53,
+        "colour": 0.88,
         "height": 0.0,
-        "jump": 0.48,
-        "predicted": 0.41,
-        "drift": 0.0,
-        "margin": 0.34,
-        "spread": 0.77,
-        "split": 1.55,
+        "jump": 0.47,
+        "reversal": 3.25,
+        "predicted": 0.56,
+        "drift": 0.09,
+        "margin": 0.37,
+        "spread": 0.52,
+        "split": 1.57,
         "part": 1.0,  # not fitted: none of these trackers follows parts
     }
 )

@@ -5,6 +5,9 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Iterable
+from heapq import heapify, heappop, heappush
+
+import numpy as np
 
 from tracking.review.suspicion import Suspicion
 from tracking.tracks import Labels
@@ -13,13 +16,56 @@ SAME_S = 1.0
 """A verdict stays with a suspicion that is found again so near to where it was."""
 
 
-def ranked(suspicions: Iterable[Suspicion], by: str = "worth") -> tuple[Suspicion, ...]:
-    """In order: by "worth", the greatest first; by "likelihood", likewise; or by "time"."""
+_FREE = 1e-3
+"""Frames a suspicion counts for that costs none."""
+
+
+def ranked(suspicions: Iterable[Suspicion], by: str = "yield") -> tuple[Suspicion, ...]:
+    """In order.
+
+    Args:
+        by: "yield", most mistakes found for the time watched; "worth" or "likelihood", the greatest
+            first; or "time".
+    """
+    if by == "yield":
+        return _by_yield(ranked(suspicions, "likelihood"))
     if by == "time":
         return tuple(sorted(suspicions, key=lambda one: (one.frame, one.tracks, one.kind)))
     if by == "likelihood":
         return tuple(sorted(suspicions, key=lambda one: (-one.likelihood, one.frame, one.tracks)))
     return tuple(sorted(suspicions, key=lambda one: (-one.worth, one.frame, one.tracks, one.kind)))
+
+
+def _by_yield(suspicions: tuple[Suspicion, ...]) -> tuple[Suspicion, ...]:
+    """Next always the one with the most likelihood for each frame not watched yet.
+
+    What has been watched by then comes free. What a suspicion yields only grows as others are
+    watched, by those that overlap it: only their figures are worked out again.
+    """
+    watched = np.zeros(max((one.end for one in suspicions), default=0), np.bool_)
+    order = sorted(range(len(suspicions)), key=lambda row: suspicions[row].start)
+    starts = [suspicions[row].start for row in order]
+    longest = max((one.end - one.start for one in suspicions), default=0)
+    cost = [max(one.end - one.start, _FREE) for one in suspicions]
+    heap = [(-one.likelihood / cost[row], row) for row, one in enumerate(suspicions)]
+    heapify(heap)
+    taken: dict[int, Suspicion] = {}
+    while heap:
+        _, row = heappop(heap)
+        if row in taken:
+            continue
+        one = taken[row] = suspicions[row]
+        watched[one.start : one.end] = True
+        low, high = bisect_left(starts, one.start - longest), bisect_left(starts, one.end)
+        for near in order[low:high]:
+            other = suspicions[near]
+            if near in taken or other.end <= one.start:
+                continue
+            new = int(np.count_nonzero(~watched[other.start : other.end]))
+            if new < cost[near]:
+                cost[near] = max(new, _FREE)
+                heappush(heap, (-other.likelihood / cost[near], near))
+    return tuple(taken.values())
 
 
 def open_suspicions(

@@ -42,7 +42,7 @@ def find_suspicions(
     *,
     size: tuple[int, int] | None = None,
 ) -> tuple[Suspicion, ...]:
-    """Places where the tracks are likely wrong, the most worth looking at first.
+    """Places where the tracks are likely wrong, those that are worth most first.
 
     Verdicts and reviewed ranges are not looked at here: see `open_suspicions`.
 
@@ -73,7 +73,7 @@ def find_suspicions(
     reasons = stacked(found, [max(WEIGHTS[each.kind], LEAST_WEIGHT) for each in found])
     suspicions = _suspicions(material, reasons)
     tell(total, total)
-    return ranked(suspicions)
+    return ranked(suspicions, "worth")
 
 
 def _untold(done: int, total: int) -> None:

@@ -51,6 +51,9 @@ WORDS: Mapping[str, Words] = MappingProxyType(
         "colour": Words("{a} has other colours from {time} on", fix_one="split"),
         "height": Words("{a} is {figure:.2f} m taller or shorter from {time} on", fix_one="split"),
         "jump": Words("{a} jumps by {figure:.1f} m at {time}", fix_one="split"),
+        "reversal": Words(
+            "{a} turns back at {figure:.1f} m/s, half hidden, at {time}", fix_one="split"
+        ),
         "predicted": Words(
             "{a} was out of sight for {figure:.1f} s and is seen again at {time}",
             "{a} was out of sight for {figure:.1f} s and is seen again at {time}, beside {b}",

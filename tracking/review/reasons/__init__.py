@@ -16,6 +16,7 @@ from tracking.review.reasons.margins import small_margins
 from tracking.review.reasons.particles import split_particles, spread_particles
 from tracking.review.reasons.parts import failed_parts
 from tracking.review.reasons.predictions import drifts, long_predictions
+from tracking.review.reasons.reversals import reversals
 from tracking.review.reasons.shared import shared_regions
 from tracking.review.reasons.turns import turns
 
@@ -31,6 +32,7 @@ REASONS: Mapping[str, Callable[[Material], Found]] = MappingProxyType(
         "colour": colour_changes,
         "height": height_changes,
         "jump": jumps,
+        "reversal": reversals,
         "predicted": long_predictions,
         "drift": drifts,
         "margin": small_margins,

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
-from tracking.review.appearance import unlikeness
-from tracking.review.evidence import Floats
+from tracking.review.appearance import GUARD_S, MOST, unlikeness
+from tracking.review.evidence import Floats, Rows
 from tracking.review.found import Found, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
@@ -17,23 +19,55 @@ _LOW_M, _HIGH_M = 0.12, 0.3
 
 def colour_changes(material: Material) -> Found:
     """Where the colours of a track's clothes change most, if they change."""
-    before, after = material.sides.before.copy(), material.sides.after
-    before[0] = np.nan  # the height
-    value = unlikeness(before, after, np.inf)
-    return _greatest("colour", material, value, ramp(unlikeness(before, after), _LOW, _HIGH))
+    sides = material.sides
+    strength = ramp(_colours(sides.before, sides.after), _LOW, _HIGH)
+    return _greatest("colour", material, strength, _unbounded)
 
 
 def height_changes(material: Material) -> Found:
     """Where the measured height of a track changes most, if it changes."""
-    value = np.abs(material.sides.before[0] - material.sides.after[0])
-    return _greatest("height", material, value, ramp(value, _LOW_M, _HIGH_M))
+    sides = material.sides
+    strength = ramp(_heights(sides.before, sides.after), _LOW_M, _HIGH_M)
+    return _greatest("height", material, strength, _heights)
 
 
-def _greatest(kind: str, material: Material, value: Floats, strength: Floats) -> Found:
-    evidence = material.evidence
+def _colours(before: Floats, after: Floats, most: float = MOST) -> Floats:
+    """(k,) how unlike colours are; of height, the first number, nothing is told."""
+    return unlikeness(before[1:], after[1:], most)
+
+
+def _unbounded(before: Floats, after: Floats) -> Floats:
+    return _colours(before, after, np.inf)
+
+
+def _heights(before: Floats, after: Floats) -> Floats:
+    return np.asarray(np.abs(before[0] - after[0]))
+
+
+def _greatest(
+    kind: str, material: Material, strength: Floats, measure: Callable[[Floats, Floats], Floats]
+) -> Found:
+    """Where a measure of looks before and after is greatest in each track, to the frame."""
+    evidence, sides = material.evidence, material.sides
     told = np.flatnonzero(strength > 0.0)
-    rows, value, strength = material.sides.row[told], value[told], strength[told]
-    apart = evidence.frames_of(_APART_S)
-    best = peaks(evidence.track[rows], evidence.frame[rows], value, apart)
-    rows = rows[best]
-    return of_tracks(kind, evidence.track[rows], evidence.frame[rows], strength[best], value[best])
+    rows, strength = sides.row[told], strength[told]
+    value = measure(sides.before[:, told], sides.after[:, told])
+    track, frame = evidence.track[rows], evidence.frame[rows]
+    best = peaks(track, frame, value, evidence.frames_of(_APART_S))
+    track, frame = track[best], frame[best]
+    exact = _to_the_frame(material, track, frame, measure)
+    return of_tracks(kind, track, exact, strength[best], value[best])
+
+
+def _to_the_frame(
+    material: Material, track: Rows, frame: Rows, measure: Callable[[Floats, Floats], Floats]
+) -> Rows:
+    """(k,) the frames nearby at which looks change most, nothing left out next to them."""
+    reach = 2 * material.evidence.frames_of(GUARD_S)
+    offset = np.arange(-reach, reach + 1)
+    near = (frame[:, None] + offset).ravel()
+    tracks = np.repeat(track, len(offset))
+    looks = material.looks
+    value = measure(looks.before(tracks, near, 0.0), looks.after(tracks, near, 0.0))
+    value = np.nan_to_num(value, nan=-1.0).reshape(len(frame), len(offset))
+    return np.asarray(frame + offset[value.argmax(axis=1)])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracking.review.evidence import Floats
 from tracking.review.found import Found, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
@@ -16,16 +17,15 @@ _LOW_M, _HIGH_M = 0.1, 0.6
 def jumps(material: Material) -> Found:
     """Where a track moves farther from row to row than its steps before and after lead to expect.
 
-    Between rows with frames missing it may have gone as far as somebody walks.
+    Between rows with frames missing it may have gone as far as somebody walks. A track's two first
+    and two last steps have too few beside them and are not judged: once a track is split at a
+    jump, what is left of it at the new ends is no jump.
     """
     evidence = material.evidence
     frames = np.diff(evidence.frame)
     step = np.diff(evidence.place, axis=0) / np.maximum(frames, 1)[:, None]
     step[~evidence.goes_on] = np.nan
-    usual = np.zeros_like(step)
-    usual[1:-1] = (step[:-2] + step[2:]) / 2
-    usual = np.nan_to_num(usual)
-    off = np.hypot(*(step - usual).T) * frames
+    off = np.hypot(*(step - _usual(step)).T) * frames
     walked = np.where(frames > 1, frames / evidence.fps * _FASTEST_M_PER_S, 0.0)
     off = np.nan_to_num(off - walked)
     told = np.flatnonzero(off > _LOW_M)
@@ -33,3 +33,17 @@ def jumps(material: Material) -> Found:
     best = peaks(track, frame, off[told], evidence.frames_of(_APART_S))
     metres = off[told][best]
     return of_tracks("jump", track[best], frame[best], ramp(metres, _LOW_M, _HIGH_M), metres)
+
+
+def _usual(step: Floats) -> Floats:
+    """(n, 2) the median of the two steps before and the two after, so that jumps in two steps tell.
+
+    NaN where one of them is missing.
+    """
+    usual = np.full_like(step, np.nan)
+    if len(step) > 4:
+        one, two, three, four = (step[shift : len(step) - 4 + shift] for shift in (0, 1, 3, 4))
+        low = np.maximum(np.minimum(one, two), np.minimum(three, four))
+        high = np.minimum(np.maximum(one, two), np.maximum(three, four))
+        usual[2:-2] = (low + high) / 2
+    return usual

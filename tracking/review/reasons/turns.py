@@ -42,23 +42,11 @@ def _leads(evidence: Evidence) -> tuple[Floats, Floats]:
     """
     step = evidence.frames_of(_STEP_S)
     row = np.arange(len(evidence))
-    a, b = _there(evidence, row, -1 - step), _there(evidence, row, -1)
+    a, b = evidence.later(row, -1 - step), evidence.later(row, -1)
     back = _line(evidence, a, b, step, step + 0.5)
-    c, d = row, _there(evidence, row, step)
+    c, d = row, evidence.later(row, step)
     ahead = _line(evidence, c, d, step, -0.5)
     return back, ahead
-
-
-def _there(evidence: Evidence, row: Rows, frames: int) -> Rows:
-    """(n,) the same track's row so many frames later; -1 for none."""
-    wanted = evidence.key + frames
-    at = np.clip(row + frames, 0, len(row) - 1)
-    exact = evidence.key[at] == wanted
-    if not bool(exact.all()):
-        missed = np.flatnonzero(~exact)
-        found = np.minimum(np.searchsorted(evidence.key, wanted[missed]), len(row) - 1)
-        at[missed] = np.where(evidence.key[found] == wanted[missed], found, -1)
-    return at
 
 
 def _line(evidence: Evidence, start: Rows, end: Rows, step: int, at: float) -> Floats:
