@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from app.presenters.overlays import Kinds
+from app.presenters.pictures.overlays import Kinds
 from tracking.recording import StereoFrame
 
 Rgba = NDArray[np.uint8]

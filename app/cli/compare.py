@@ -6,7 +6,7 @@ from contextlib import closing
 from pathlib import Path
 
 from app.cli.output import print_json, print_table
-from app.presenters.agreement import refuse_other_recording
+from app.presenters.comparing.agreement import refuse_other_recording
 from tracking.scoring import (
     Agreement,
     BoxMatch,

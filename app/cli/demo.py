@@ -12,7 +12,7 @@ from app.cli.output import print_json, print_table, progress, say
 from app.cli.score import score_of
 from app.cli.track import Order, has_work, save_session, tracked
 from app.cli.tracks import tracks_at, truth_at
-from app.presenters.demonstration import Demonstration
+from app.presenters.files.demonstration import Demonstration
 from tracking.recording import open_recording
 from tracking.scoring import Score
 from tracking.session import Session

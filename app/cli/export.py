@@ -8,7 +8,7 @@ from pathlib import Path
 from app.cli.destination import check_file
 from app.cli.output import print_json
 from app.cli.tracks import is_session
-from app.presenters.exporting import exported_tracks
+from app.presenters.files.exporting import exported_tracks
 from tracking.errors import OutputError
 from tracking.formats import format_named
 from tracking.session import Session

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from app.cli.display import has_display
 from app.cli.recordings import Bare, options_of
-from app.presenters.opening import open_path
+from app.presenters.files.opening import open_path
 from tracking.errors import OutputError
 from tracking.recording import OpenOptions
 

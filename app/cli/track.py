@@ -16,7 +16,7 @@ from app.cli.destination import check_file
 from app.cli.output import print_json, progress, say
 from app.cli.recordings import Bare, opened
 from app.cli.tracks import is_session
-from app.presenters.opening import remember_place
+from app.presenters.files.opening import remember_place
 from tracking.errors import OutputError, SessionError, SettingsError
 from tracking.pipeline import Tracking, track
 from tracking.recording import Recording

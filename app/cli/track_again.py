@@ -14,7 +14,7 @@ import typer
 from app.cli.destination import check_file
 from app.cli.output import print_json, say
 from app.cli.track import BYTES_A_FRAME, Order, parsed_settings, refuse_to_lose, run_of
-from app.presenters.opening import open_path, remember_place
+from app.presenters.files.opening import open_path, remember_place
 from tracking.editing import Change, Difference, differences, plan_take
 from tracking.errors import EditError, SessionError, SettingsError
 from tracking.pipeline import track

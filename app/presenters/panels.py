@@ -6,9 +6,9 @@ from datetime import datetime
 
 import numpy as np
 
+from app.presenters.document.shown import ShownTracks
 from app.presenters.palette import colour_of_track
 from app.presenters.scenes import HistoryItem, MarkKind, TimelineMark, TrackCard
-from app.presenters.shown import ShownTracks
 from tracking.editing import Entry, History
 from tracking.tracks import TrackLabel
 

@@ -20,12 +20,13 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QApplication
 
-from app.presenters import opening, words
-from app.views.ending import EndBySignal
-from app.views.icons import application_icon
-from app.views.main_window import MainWindow
-from app.views.remembered import Remembered
-from app.views.theme import Look, apply_look
+from app.presenters import words
+from app.presenters.files import opening
+from app.views.look.icons import application_icon
+from app.views.look.theme import Look, apply_look
+from app.views.widgets.remembered import Remembered
+from app.views.window.ending import EndBySignal
+from app.views.window.main_window import MainWindow
 from tracking.errors import OutputError, RecordingError
 from tracking.recording import OpenOptions
 

@@ -10,10 +10,10 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 from pytestqt.qtbot import QtBot
 
-from app.presenters import opening
+from app.presenters.files import opening
 from app.views.application import start_application
-from app.views.main_window import MainWindow
-from app.views.remembered import Remembered
+from app.views.widgets.remembered import Remembered
+from app.views.window.main_window import MainWindow
 from tracking.pipeline import track
 from tracking.recording import open_recording
 from tracking.session import Session

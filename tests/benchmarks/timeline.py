@@ -13,12 +13,12 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
+from app.presenters.document.session_tracks import SessionTracks
+from app.presenters.document.setting import Instant
 from app.presenters.panels import EditMarks
 from app.presenters.scenes import MarkKind, TimelineMark, TimelineScene
-from app.presenters.session_tracks import SessionTracks
-from app.presenters.setting import Instant
-from app.presenters.timeline import TimelinePresenter
-from app.views.theme import Look, apply_look
+from app.presenters.timeline.lanes import TimelinePresenter
+from app.views.look.theme import Look, apply_look
 from app.views.timeline import TimelineView
 from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder
 from tests.benchmarks.large_sessions import NoPictures, crowd

@@ -19,9 +19,9 @@ from app.presenters.scenes import (
     PictureScene,
     TimelineScene,
 )
-from app.views.overhead import OverheadView
-from app.views.picture import PictureView
-from app.views.theme import Look, apply_look
+from app.views.look.theme import Look, apply_look
+from app.views.pictures.overhead import OverheadView
+from app.views.pictures.picture import PictureView
 from app.views.timeline import TimelineView
 from tests.benchmarks import window_playing
 

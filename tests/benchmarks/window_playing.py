@@ -14,12 +14,12 @@ from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QWidget
 
 from app.views.application import borrowed_window, show_document, wait_until
-from app.views.desk import Desk
-from app.views.main_window import MainWindow
-from app.views.overhead import OverheadView
-from app.views.picture import PictureView
+from app.views.desk.desk import Desk
+from app.views.pictures.overhead import OverheadView
+from app.views.pictures.picture import PictureView
 from app.views.timeline.overview import OverviewStrip
 from app.views.timeline.tracks_area import TracksArea
+from app.views.window.main_window import MainWindow
 from tracking.recording import Recording, open_recording
 from tracking.session import Session
 from tracking.synthesis import render_recording

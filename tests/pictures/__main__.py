@@ -13,9 +13,9 @@ import numpy as np
 
 from app.presenters.palette import colours_of_tracks
 from app.views.application import borrowed_window, show_document, wait_until
-from app.views.desk import Desk
-from app.views.main_window import MainWindow
-from app.views.theme import Look
+from app.views.desk.desk import Desk
+from app.views.look.theme import Look
+from app.views.window.main_window import MainWindow
 from tests.pictures.screen import virtual_screen
 from tests.pictures.small_png import save_small
 from tracking.synthesis import render_recording

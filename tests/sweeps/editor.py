@@ -12,8 +12,8 @@ from PySide6.QtCore import QCoreApplication, QSettings, Qt
 from PySide6.QtTest import QTest
 
 from app.views.application import start_application, wait_until
-from app.views.main_window import MainWindow
-from app.views.remembered import Remembered
+from app.views.widgets.remembered import Remembered
+from app.views.window.main_window import MainWindow
 from tracking.session import Session
 from tracking.tracks import Labels, TrackTable
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPen
 
 from app.presenters.scenes import TimelineScene
-from app.views.theme import Theme
+from app.views.look.theme import Theme
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.lanes import draw_lane, draw_reviewed
 from app.views.timeline.rows import LaneRows

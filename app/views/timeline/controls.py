@@ -10,7 +10,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
 
-from app.views.icons import IconButton
+from app.views.look.icons import IconButton
 from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder
 
 _ICON_PX, _BUTTON_PX = 16, 24

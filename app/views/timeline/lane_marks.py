@@ -10,7 +10,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen, QPolygonF
 
 from app.presenters.scenes import Lane, MarkKind, TimelineMark
-from app.views.theme import Theme
+from app.views.look.theme import Theme
 from app.views.timeline.axis import TimeAxis
 
 _APART_PX = 4.0

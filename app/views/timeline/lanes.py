@@ -10,7 +10,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter
 
 from app.presenters.scenes import Lane, SpanKind
-from app.views.theme import Theme, faded
+from app.views.look.theme import Theme, faded
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.lane_marks import draw_ends, draw_keyframes, draw_marks
 from app.views.timeline.strips import covered, covered_by_kind, dotted, draw_strip, opacity

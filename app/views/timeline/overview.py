@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QToolTip, QWidget
 
 from app.presenters.scenes import TimelineScene
 from app.presenters.words import time_text
-from app.views.theme import Theme, current_theme, faded
+from app.views.look.theme import Theme, current_theme, faded
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.overview_picture import draw_band, draw_overview
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 
 from app.presenters.scenes import TimelineScene
-from app.views.theme import Theme, faded
+from app.views.look.theme import Theme, faded
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.lanes import draw_reviewed
 from app.views.timeline.strips import draw_strip

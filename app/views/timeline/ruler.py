@@ -8,7 +8,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPen, QPolygonF
 
 from app.presenters.scenes import TimelineScene
-from app.views.theme import Theme, faded, scaled_font
+from app.views.look.theme import Theme, faded, scaled_font
 from app.views.timeline.axis import TimeAxis, ticks
 
 SMALL = 0.85  # the ruler's font, of the widget's own

@@ -17,8 +17,8 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from app.presenters.scenes import Lane, TimelineScene
-from app.views.labels import draw_message
-from app.views.theme import Theme, current_theme, scaled_font
+from app.views.look.theme import Theme, current_theme, scaled_font
+from app.views.pictures.name_plates import draw_message
 from app.views.timeline.area_drawing import draw_edit, draw_rows
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.controls import TimelineControls

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from command_line import Trackwright
 
-from app.presenters.opening import open_path
+from app.presenters.files.opening import open_path
 from tracking.editing import plan_delete
 from tracking.session import Session
 
@@ -25,7 +25,7 @@ def quick_recording(footage: Path, monkeypatch: pytest.MonkeyPatch) -> list[Path
         made.append(folder)
         return Path(shutil.copytree(footage, folder))
 
-    monkeypatch.setattr("app.presenters.demonstration.render_recording", copied)
+    monkeypatch.setattr("app.presenters.files.demonstration.render_recording", copied)
     return made
 
 

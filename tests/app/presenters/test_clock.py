@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.presenters.clock import PlaybackClock
+from app.presenters.playing.clock import PlaybackClock
 
 
 @pytest.fixture

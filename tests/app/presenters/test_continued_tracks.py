@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from two_people import FRAMES, steps, table
 
-from app.presenters.live_tracks import ContinuedTracks, LiveTracks
-from app.presenters.session_tracks import SessionTracks
+from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
+from app.presenters.document.session_tracks import SessionTracks
 
 AT = 40
 

@@ -1,7 +1,7 @@
 import pytest
 import two_people
 
-from app.presenters.edits import (
+from app.presenters.correcting import (
     EditFlow,
     EditKind,
     Footing,
@@ -11,11 +11,11 @@ from app.presenters.edits import (
     planned_edit,
     preview_trails,
 )
-from app.presenters.edits.cuts import changed_over
-from app.presenters.edits.planning import plan_of
-from app.presenters.edits.wording import rows_changed
-from app.presenters.session_tracks import SessionTracks
-from app.presenters.trails import floor_points
+from app.presenters.correcting.cuts import changed_over
+from app.presenters.correcting.planning import plan_of
+from app.presenters.correcting.wording import rows_changed
+from app.presenters.document.session_tracks import SessionTracks
+from app.presenters.pictures.trails import floor_points
 from tracking.editing import SwapFrame, apply_change, plan_delete, plan_swap
 from tracking.errors import EditError
 from tracking.tracks import Labels

@@ -1,6 +1,6 @@
 import pytest
 
-from app.presenters.history_filter import HistoryFilter
+from app.presenters.history.history_filter import HistoryFilter
 from app.presenters.scenes import HistoryItem
 
 

@@ -1,11 +1,17 @@
 import numpy as np
 import pytest
 
-from app.presenters.anaglyph import anaglyph_image
-from app.presenters.document import Document
-from app.presenters.overlays import FOREGROUND, SHADOW, Kinds, OverlayPainter, painted_overlays
+from app.presenters.document.document import Document
+from app.presenters.document.setting import Laid, Pictured
+from app.presenters.pictures.anaglyph import anaglyph_image
+from app.presenters.pictures.overlays import (
+    FOREGROUND,
+    SHADOW,
+    Kinds,
+    OverlayPainter,
+    painted_overlays,
+)
 from app.presenters.scenes import Eye
-from app.presenters.setting import Laid, Pictured
 from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
 from tracking.people import Overlays

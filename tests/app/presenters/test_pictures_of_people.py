@@ -2,12 +2,12 @@ import numpy as np
 import pytest
 import two_people
 
-from app.presenters.document import Document
-from app.presenters.edits import EditKind
-from app.presenters.overhead import relative_weights
+from app.presenters.correcting import EditKind
+from app.presenters.document.document import Document
+from app.presenters.document.session_tracks import SessionTracks
+from app.presenters.document.setting import Instant, Pictured
+from app.presenters.pictures.overhead import relative_weights
 from app.presenters.scenes import Eye
-from app.presenters.session_tracks import SessionTracks
-from app.presenters.setting import Instant, Pictured
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import TrackTable

@@ -1,8 +1,8 @@
 import pytest
 from two_people import table as two_people
 
-from app.presenters.review import ReviewQueue, is_fixable, kind_title, settled, verdict_on
-from app.presenters.review_scene import Order
+from app.presenters.reviewing.review import ReviewQueue, is_fixable, kind_title, settled, verdict_on
+from app.presenters.reviewing.review_scene import Order
 from app.presenters.scenes import MarkKind
 from tracking.editing import apply_change, plan_mark_reviewed, plan_swap
 from tracking.review import Suspicion

@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 import two_people
 
-from app.presenters.belonging import NOBODY_KNOWN, ids_after_edits
-from app.presenters.live_tracks import LiveTracks
-from app.presenters.session_tracks import SessionTracks
+from app.presenters.document.belonging import NOBODY_KNOWN, ids_after_edits
+from app.presenters.document.live_tracks import LiveTracks
+from app.presenters.document.session_tracks import SessionTracks
 from tracking.editing import apply_change, plan_delete, plan_merge, plan_split, plan_swap
 from tracking.tracks import Labels, TrackTable
 

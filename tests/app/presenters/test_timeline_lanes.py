@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 import two_people
 
+from app.presenters.document.session_tracks import SessionTracks
+from app.presenters.document.setting import Instant
 from app.presenters.panels import EditMarks
 from app.presenters.scenes import MarkKind, SpanKind, TimelineMark
-from app.presenters.session_tracks import SessionTracks
-from app.presenters.setting import Instant
-from app.presenters.timeline import TimelinePresenter
+from app.presenters.timeline.lanes import TimelinePresenter
 from tracking.editing import apply_change, plan_delete, plan_split, plan_swap
 from tracking.session import Session
 from tracking.tracks import Labels, ReviewedRange, Source, TrackTable

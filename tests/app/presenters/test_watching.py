@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.presenters.watching import Watching
+from app.presenters.reviewing.watching import Watching
 
 FPS = 10.0
 

@@ -6,10 +6,10 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from app.presenters.scenes import CommandItem, RecentItem, WelcomeScene
-from app.views.command_palette import CommandPalette, best_commands, match_score
-from app.views.shortcuts import ShortcutsDialog
-from app.views.welcome import WelcomePage
-from app.views.welcome_parts import RecentRow
+from app.views.welcome.welcome import WelcomePage
+from app.views.welcome.welcome_parts import RecentRow
+from app.views.window.command_palette import CommandPalette, best_commands, match_score
+from app.views.window.shortcuts import ShortcutsDialog
 
 LEFT = Qt.MouseButton.LeftButton
 ITEMS = (

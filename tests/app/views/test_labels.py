@@ -10,9 +10,9 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QFontMetricsF
 
 from app.presenters.scenes import Eye
-from app.views.labels import place_plates, plate_rect
-from app.views.picture import PictureView
-from app.views.theme import contrast, ink_on
+from app.views.look.theme import contrast, ink_on
+from app.views.pictures.name_plates import place_plates, plate_rect
+from app.views.pictures.picture import PictureView
 
 AREA = QRectF(0, 0, 800, 600)
 CORNERS = st.tuples(st.floats(-50, 850), st.floats(-50, 650))

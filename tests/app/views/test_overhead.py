@@ -6,9 +6,9 @@ from drawn_scenes import RED, floor_person, overhead
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from app.views.floor import nice_step
-from app.views.overhead import OverheadView
-from app.views.particles import draw_particles, soft_dot
+from app.views.pictures.floor import nice_step
+from app.views.pictures.overhead import OverheadView
+from app.views.pictures.particles import draw_particles, soft_dot
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -8,14 +8,14 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QMenu
 
-from app.presenters.review_scene import ReviewScene
+from app.presenters.reviewing.review_scene import ReviewScene
 from app.presenters.scenes import ChoiceRow, EditPreview, HistoryItem, Proposal, TrackCard
-from app.views.differences_panel import DifferencesPanel
-from app.views.edit_panel import EditPanel
-from app.views.history_panel import HistoryPanel
-from app.views.notice import NoticeBar
-from app.views.review_panel import ReviewPanel
-from app.views.track_panel import TrackPanel
+from app.views.comparing.differences_panel import DifferencesPanel
+from app.views.correcting.edit_panel import EditPanel
+from app.views.correcting.track_panel import TrackPanel
+from app.views.history.history_panel import HistoryPanel
+from app.views.reviewing.review_panel import ReviewPanel
+from app.views.widgets.notice import NoticeBar
 
 LEFT = Qt.MouseButton.LeftButton
 CARD = TrackCard(4, "red coat", (200, 30, 30), 12, 402, 381, 9, 0.87, (("bag", "none"),), "turns")

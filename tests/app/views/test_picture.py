@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor
 
 from app.presenters.scenes import Eye, PictureScene, PreviewTrail
-from app.views.picture import PictureView
+from app.views.pictures.picture import PictureView
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -2,7 +2,7 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import QLabel
 
-from app.views.settings_form import FoldButton, SettingsForm
+from app.views.runs.settings_form import FoldButton, SettingsForm
 from tracking.trackers import TRACKERS, settings_fields
 
 

@@ -10,8 +10,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication
 
 from app.presenters.palette import TRACK_COLOURS
-from app.views.icons import IconButton, application_icon, icon, pixmap
-from app.views.theme import (
+from app.views.look.icons import IconButton, application_icon, icon, pixmap
+from app.views.look.theme import (
     Look,
     apply_look,
     contrast,

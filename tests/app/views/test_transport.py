@@ -5,9 +5,9 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.presenters.scenes import TransportScene
-from app.views.eye_switch import EyeSwitch
-from app.views.progress_strip import ProgressStrip
-from app.views.transport import TransportBar, clock_text
+from app.views.pictures.eye_switch import EyeSwitch
+from app.views.playing.transport import TransportBar, clock_text
+from app.views.widgets.progress_strip import ProgressStrip
 
 LEFT = Qt.MouseButton.LeftButton
 

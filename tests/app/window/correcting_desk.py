@@ -13,8 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
-from app.views.desk import Desk
-from app.views.main_window import MainWindow
+from app.views.desk.desk import Desk
+from app.views.window.main_window import MainWindow
 
 CROWDED = 60
 NO_KEY = Qt.KeyboardModifier.NoModifier

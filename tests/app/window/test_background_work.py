@@ -5,8 +5,8 @@ import pytest
 from PySide6.QtCore import QObject
 
 from app.background import FrameReader, Job
-from app.views.progress_strip import ProgressStrip
-from app.views.work import Work
+from app.views.widgets.progress_strip import ProgressStrip
+from app.views.widgets.work import Work
 from tracking.errors import OutputError, RecordingError
 from tracking.recording import open_recording
 

@@ -6,12 +6,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox, QPlainTextEdit
 
-from app.presenters import opening
-from app.presenters.edits import Way
-from app.presenters.exporting import exported_tracks
-from app.views import exporting
-from app.views.attributes import AttributesTable
-from app.views.score_dialog import ScoreDialog
+from app.presenters.correcting import Way
+from app.presenters.files import opening
+from app.presenters.files.exporting import exported_tracks
+from app.views.correcting.attributes import AttributesTable
+from app.views.files import exporting
+from app.views.runs.score_dialog import ScoreDialog
 from tracking.formats import read_mot
 from tracking.session import Session
 

@@ -4,8 +4,8 @@ import pytest
 from correcting_desk import CROWDED, CTRL, SHIFT, Hands, opened_desk
 from PySide6.QtCore import Qt
 
-from app.presenters.edits import EditKind, Scope
-from app.presenters.edits.kinds import Longest
+from app.presenters.correcting import EditKind, Scope
+from app.presenters.correcting.kinds import Longest
 from tracking.tracks import Source
 
 Key = Qt.Key

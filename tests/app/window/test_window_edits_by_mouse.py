@@ -9,7 +9,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from app.presenters.edits import Scope
+from app.presenters.correcting import Scope
 from app.presenters.scenes import Eye
 from tracking.tracks import Source
 

@@ -5,7 +5,7 @@ import errno
 import pytest
 from PySide6.QtWidgets import QMessageBox
 
-from app.presenters import opening
+from app.presenters.files import opening
 from tracking.errors import OutputError
 
 

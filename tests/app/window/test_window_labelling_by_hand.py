@@ -6,7 +6,7 @@ import pytest
 from correcting_desk import CTRL, Hands, opened_desk
 from PySide6.QtCore import Qt
 
-from app.views import files
+from app.views.files import files
 from tracking.session import Session
 from tracking.tracks import Source
 

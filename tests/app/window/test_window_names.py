@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.commands import COMMANDS
-from app.views.canvas import Canvas
+from app.views.pictures.canvas import Canvas
 
 _CONTROLS = (
     QAbstractButton,

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QPlainTextEdit, QTableWidget
 
-from app.views.generations_dialog import GenerationsDialog
+from app.views.files.generations_dialog import GenerationsDialog
 from tracking.editing import plan_delete
 
 

@@ -7,10 +7,10 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from app.presenters import demonstration, opening
-from app.presenters.demonstration import Demonstration
-from app.views.remembered import Place
+from app.presenters.files import demonstration, opening
+from app.presenters.files.demonstration import Demonstration
 from app.views.timeline.tracks_area import TracksArea
+from app.views.widgets.remembered import Place
 from tracking.errors import CancelledError
 
 

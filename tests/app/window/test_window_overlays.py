@@ -2,7 +2,7 @@ import pytest
 from PySide6.QtCore import QObject
 
 from app.background import OverlayMaker
-from app.presenters.overlays import Kinds
+from app.presenters.pictures.overlays import Kinds
 from tracking.errors import RecordingError
 
 CROWDED = 60

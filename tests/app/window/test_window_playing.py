@@ -2,7 +2,7 @@ import time
 
 import pytest
 
-from app.views.playback import Playback
+from app.views.playing.playback import Playback
 from tracking.recording import open_recording
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QSettings
 
-from app.views.remembered import Place, Remembered
+from app.views.widgets.remembered import Place, Remembered
 
 _PROGRAM = """
 import sys

@@ -7,10 +7,10 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.presenters import opening
-from app.presenters.edits import EditKind
-from app.presenters.review_scene import Order
-from app.views.review_panel import ReviewPanel
+from app.presenters.correcting import EditKind
+from app.presenters.files import opening
+from app.presenters.reviewing.review_scene import Order
+from app.views.reviewing.review_panel import ReviewPanel
 from tracking.editing import plan_rename
 from tracking.recording import open_recording
 from tracking.session import Session

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from app.presenters import opening
-from app.views.track_dialog import TrackDialog
+from app.presenters.files import opening
+from app.views.runs.track_dialog import TrackDialog
 
 
 @pytest.fixture

@@ -7,10 +7,10 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from app.presenters import opening
-from app.presenters.runs import CORRECTED
-from app.views.runs_dialog import RunsDialog
-from app.views.track_dialog import TrackDialog
+from app.presenters.files import opening
+from app.presenters.runs.runs import CORRECTED
+from app.views.runs.runs_dialog import RunsDialog
+from app.views.runs.track_dialog import TrackDialog
 from tracking.editing import plan_mark_reviewed
 from tracking.recording import open_recording
 from tracking.session import Session

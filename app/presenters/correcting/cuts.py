@@ -1,0 +1,51 @@
+"""The frames where two people may have changed over."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.presenters.correcting.ground import Ground
+from tracking.editing import SwapFrame, propose_swap_frames
+from tracking.errors import EditError
+from tracking.tracks import CORRECTED_COLUMNS, Columns, TrackTable
+
+_MOST = 4
+_LEAST_LIKELY = 0.01
+_REACH_FRAMES = 1000
+"""Looked at to either side of the user's frame first, so that hours cost no more than minutes."""
+
+
+def changed_over(on: Ground, track: int, other: int, near: int) -> tuple[SwapFrame, ...]:
+    """The likeliest first; nothing where the two cannot be compared: the plan says why.
+
+    Both are compared within half a minute or so; only where they are not both there, anywhere.
+    """
+    window = max(0, near - _REACH_FRAMES), near + _REACH_FRAMES
+    try:
+        close = _two_of(on.table, (track, other), window)
+        both_there = track in close and other in close
+        table = close if both_there else _two_of(on.table, (track, other), None)
+        signals = _within(on.signals, window) if both_there else on.signals
+        found = propose_swap_frames(table, track, other, near, signals, _MOST)
+    except EditError:
+        return ()
+    return tuple(one for one in found if one is found[0] or one.likelihood >= _LEAST_LIKELY)
+
+
+def _two_of(
+    table: TrackTable, tracks: tuple[int, int], window: tuple[int, int] | None
+) -> TrackTable:
+    """The rows of two tracks, in some frames or all, as a table of their own."""
+    start, end = window if window is not None else (0, None)
+    parts = [table.of_track(track, start, end) for track in tracks]
+    rows = {name: np.concatenate([part[name] for part in parts]) for name in CORRECTED_COLUMNS}
+    order = np.lexsort((rows["track"], rows["frame"]))
+    return TrackTable({name: column[order] for name, column in rows.items()})
+
+
+def _within(signals: Columns | None, window: tuple[int, int]) -> Columns | None:
+    """The signals of some frames; they stand by frame."""
+    if signals is None:
+        return None
+    low, high = np.searchsorted(signals["frame"], window)
+    return {name: column[low:high] for name, column in signals.items()}

@@ -1,0 +1,96 @@
+"""What an edit would do, in words, as boxes, and as trails before and after."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.correcting.flow import EditFlow, Range
+from app.presenters.correcting.ground import Ground
+from app.presenters.correcting.planning import plan_of
+from app.presenters.correcting.previewed import changed_rows, within
+from app.presenters.correcting.wording import preview_scene
+from app.presenters.document.shown import joined
+from app.presenters.palette import colour_of_track
+from app.presenters.scenes import EditPreview, PreviewTrail
+from app.presenters.words import tr
+from tracking.editing import Change
+from tracking.errors import EditError
+from tracking.tracks import Columns
+
+PointsOf = Callable[[Columns], NDArray[np.float64]]
+"""Where the people of some rows stand, (n, 2), on the floor or in a picture."""
+
+AROUND_S = 4.0
+"""Trails are shown this long before and after the cut."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PlannedEdit:
+    """An edit as it stands: its words, its change, and the rows around the cut.
+
+    Attributes:
+        change: None while it cannot be done yet.
+        before, after: rows per track around the cut, before and after the change.
+    """
+
+    scene: EditPreview
+    change: Change | None = None
+    before: tuple[Columns, ...] = ()
+    after: tuple[Columns, ...] = ()
+
+
+def planned_edit(flow: EditFlow, on: Ground, problem: str = "") -> PlannedEdit:
+    """Plan the edit and say what it would do; a plan that does not apply says why.
+
+    `problem` is said instead where the other person was not to be found.
+    """
+    try:
+        change = plan_of(flow, on)
+    except EditError as why_not:
+        ask = tr("Click on the other person, type their id, or press Tab to go through them")
+        lines = (problem, ask if flow.needs_other else str(why_not))
+        return PlannedEdit(preview_scene(flow, tuple(filter(None, lines)), None, on))
+    return shown_edit(flow, on, change, problem)
+
+
+def shown_edit(flow: EditFlow, on: Ground, change: Change, problem: str = "") -> PlannedEdit:
+    """An edit whose change is known already, shown around its cut."""
+    around = round(AROUND_S * on.footing.fps)
+    window = max(0, flow.cut - around), flow.cut + around
+    before = _rows_of(on, change, window)
+    after = changed_rows(before, change, window)
+    scene = preview_scene(flow, (problem,) if problem else (), change, on)
+    return PlannedEdit(scene, change, _by_track(before), _by_track(after))
+
+
+def preview_trails(planned: PlannedEdit, points_of: PointsOf) -> tuple[PreviewTrail, ...]:
+    """The trails before and after in the coordinates that `points_of` gives for rows."""
+    return tuple(
+        PreviewTrail(points[np.isfinite(points).all(axis=1)], colour, after)
+        for after, parts in ((False, planned.before), (True, planned.after))
+        for rows in parts
+        for points, colour in ((points_of(rows), colour_of_track(int(rows["track"][0]))),)
+    )
+
+
+def replaced_rows(planned: PlannedEdit | None, frame: int) -> Columns | None:
+    """The rows of a frame that the edit moves elsewhere or takes out; None where there are none."""
+    if planned is None or planned.change is None:
+        return None
+    rows = within(planned.change.before.rows, (frame, frame + 1))
+    return rows if len(rows["frame"]) else None
+
+
+def _rows_of(on: Ground, change: Change, window: Range) -> Columns:
+    """The rows of everybody the change is about, around it."""
+    parts = [on.table.of_track(track, *window) for track in change.tracks]
+    return joined(parts)
+
+
+def _by_track(rows: Columns) -> tuple[Columns, ...]:
+    parts = (rows["track"] == track for track in np.unique(rows["track"]))
+    return tuple({name: column[part] for name, column in rows.items()} for part in parts)

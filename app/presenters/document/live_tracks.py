@@ -1,0 +1,204 @@
+"""What a tracker at work has found so far."""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.document.shown import ShownTracks, Spans, joined
+from tracking.trackers import StepResult
+from tracking.tracks import DETECTION_COLUMNS, PARTICLE_COLUMNS, TRACK_COLUMNS, Columns, empty
+
+
+class LiveTracks:
+    """Results of a tracker at work, kept frame by frame as they come in order."""
+
+    def __init__(self) -> None:
+        self._steps: list[StepResult] = []
+        self._first = 0
+        self._spans: dict[int, list[list[int]]] = {}
+        self._made: dict[int, Spans] = {}  # of tracks that did not change since they were asked for
+        self._people = array("H")
+
+    def extend(self, results: Iterable[StepResult]) -> None:
+        """Take further frames."""
+        for step in results:
+            if not self._steps:
+                self._first = step.frame
+            self._steps.append(step)
+            self._people.append(len(step.tracks["track"]))
+            predicted = step.tracks["predicted"].tolist()
+            for track, lost in zip(step.tracks["track"].tolist(), predicted, strict=True):
+                self._lengthen(track, step.frame, int(lost))
+
+    @property
+    def frames(self) -> tuple[int, int]:
+        """The frames tracked so far."""
+        return self._first, self._first + len(self._steps)
+
+    @property
+    def ids(self) -> Sequence[int]:
+        """All tracks so far."""
+        return sorted(self._spans)
+
+    def of_frame(self, frame: int) -> Columns:
+        """The frame's rows; none where it was not tracked yet."""
+        step = self._step(frame)
+        return empty(TRACK_COLUMNS) if step is None else step.tracks
+
+    def recent(self, frame: int, back: int) -> Columns:
+        """The rows of the frame's people, from `back` frames before it."""
+        rows = self._rows(frame - back, frame + 1)
+        mine = np.isin(rows["track"], self.of_frame(frame)["track"])
+        return {name: column[mine] for name, column in rows.items()}
+
+    def of_track(self, track: int) -> Columns:
+        """The rows of a track."""
+        spans = self._spans.get(track)
+        if not spans:
+            return empty(TRACK_COLUMNS)
+        rows = self._rows(spans[0][0], spans[-1][1])
+        mine = rows["track"] == track
+        return {name: column[mine] for name, column in rows.items()}
+
+    def detections(self, frame: int) -> Columns:
+        """What was measured in the frame."""
+        step = self._step(frame)
+        return empty(DETECTION_COLUMNS) if step is None else step.detections
+
+    def particles(self, frame: int) -> Columns:
+        """The frame's particles."""
+        step = self._step(frame)
+        return empty(PARTICLE_COLUMNS) if step is None else step.particles
+
+    def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
+        """The stretches so far."""
+        for track, rows in self._spans.items():
+            if track not in self._made:
+                self._made[track] = np.array(rows, np.int64)
+        asked = self._made if tracks is None else set(tracks) & self._made.keys()
+        return {track: self._made[track] for track in asked}
+
+    def keyframes(
+        self,
+        tracks: Iterable[int] | None = None,  # noqa: ARG002 - part of `ShownTracks`
+    ) -> dict[int, NDArray[np.int64]]:
+        """None: a tracker is no person."""
+        return {}
+
+    def activity(self, frame_count: int) -> NDArray[np.uint16]:
+        """People per frame so far."""
+        people = np.zeros(frame_count, np.uint16)
+        people[self._first : self._first + len(self._people)] = self._people
+        return people
+
+    def _rows(self, start: int, stop: int) -> Columns:
+        low, high = (min(max(0, n - self._first), len(self._steps)) for n in (start, stop))
+        return joined([step.tracks for step in self._steps[low:high]])
+
+    def _step(self, frame: int) -> StepResult | None:
+        index = frame - self._first
+        return self._steps[index] if 0 <= index < len(self._steps) else None
+
+    def _lengthen(self, track: int, frame: int, predicted: int) -> None:
+        spans = self._spans.setdefault(track, [])
+        self._made.pop(track, None)
+        if spans and spans[-1][1] == frame and spans[-1][2] == predicted:
+            spans[-1][1] = frame + 1
+        else:
+            spans.append([frame, frame + 1, predicted])
+
+
+class ContinuedTracks:
+    """Corrected tracks up to a frame, and from it on what a tracker finds that goes on from them.
+
+    The corrected tracks do not change while a tracker is at work: what they look like before the
+    frame is made once, however often the tracker's part grows.
+    """
+
+    def __init__(self, before: ShownTracks, frame: int, live: LiveTracks) -> None:
+        self._before, self._frame, self._live = before, frame, live
+        early = {track: _until(spans, frame) for track, spans in before.spans().items()}
+        self._early: dict[int, Spans] = {track: part for track, part in early.items() if len(part)}
+        self._keyframes = {track: one[one < frame] for track, one in before.keyframes().items()}
+        self._both: dict[int, tuple[Spans, Spans]] = {}  # the tracker's part, and both
+
+    @property
+    def frames(self) -> tuple[int, int]:
+        """What was tracked before the frame, and since."""
+        first, stop = self._live.frames
+        return self._before.frames[0], max(self._frame, stop if stop > first else 0)
+
+    @property
+    def ids(self) -> Sequence[int]:
+        """All tracks that are shown."""
+        return sorted(self._early.keys() | set(self._live.ids))
+
+    def of_frame(self, frame: int) -> Columns:
+        """The frame's rows."""
+        return self._part(frame).of_frame(frame)
+
+    def recent(self, frame: int, back: int) -> Columns:
+        """The rows of the frame's people, from `back` frames before it."""
+        start = frame - back
+        if frame < self._frame or start >= self._frame:
+            return self._part(frame).recent(frame, back)
+        here = self.of_frame(frame)["track"]
+        early = self._before.recent(self._frame - 1, self._frame - 1 - start)
+        rows = joined([early, self._live.recent(frame, frame - self._frame)])
+        mine = np.isin(rows["track"], here)
+        return {name: column[mine] for name, column in rows.items()}
+
+    def of_track(self, track: int) -> Columns:
+        """The rows of a track."""
+        rows = self._before.of_track(track)
+        early = rows["frame"] < self._frame
+        return joined([{n: rows[n][early] for n in rows}, self._live.of_track(track)])
+
+    def detections(self, frame: int) -> Columns:
+        """What was measured in the frame."""
+        return self._part(frame).detections(frame)
+
+    def particles(self, frame: int) -> Columns:
+        """The frame's particles."""
+        return self._part(frame).particles(frame)
+
+    def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
+        """The stretches of every track, or of some."""
+        shown = {**self._early, **self._joined(self._live.spans())}
+        if tracks is None:
+            return shown
+        return {track: shown[track] for track in set(tracks) & shown.keys()}
+
+    def keyframes(self, tracks: Iterable[int] | None = None) -> dict[int, NDArray[np.int64]]:
+        """The frames before the tracker's whose row a person made."""
+        asked = self._keyframes if tracks is None else set(tracks) & self._keyframes.keys()
+        return {track: self._keyframes[track] for track in asked if len(self._keyframes[track])}
+
+    def activity(self, frame_count: int) -> NDArray[np.uint16]:
+        """People per frame."""
+        people = self._live.activity(frame_count)
+        people[: self._frame] = self._before.activity(frame_count)[: self._frame]
+        return people
+
+    def _part(self, frame: int) -> ShownTracks:
+        return self._before if frame < self._frame else self._live
+
+    def _joined(self, late: dict[int, Spans]) -> dict[int, Spans]:
+        """The tracker's stretches behind the earlier ones; the same arrays while they are equal."""
+        for track, spans in late.items():
+            if track not in self._both or self._both[track][0] is not spans:
+                early = self._early.get(track)
+                whole = spans if early is None else np.concatenate((early, spans))
+                self._both[track] = (spans, whole)
+        return {track: self._both[track][1] for track in late}
+
+
+def _until(spans: Spans, frame: int) -> Spans:
+    """The stretches before a frame, the last one cut there."""
+    early = spans[spans[:, 0] < frame].copy()
+    early[:, 1] = np.minimum(early[:, 1], frame)
+    return early

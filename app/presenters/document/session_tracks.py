@@ -1,0 +1,153 @@
+"""The tracks of a session as the views ask for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.document.belonging import ids_after_edits, renamed
+from app.presenters.document.shown import Spans, joined
+from app.presenters.scenes import SpanKind
+from tracking.tracks import (
+    DETECTION_COLUMNS,
+    PARTICLE_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+    Run,
+    Source,
+    TrackTable,
+    between,
+    empty,
+)
+
+
+class SessionTracks:
+    """The corrected tracks of a session, with the measurements and particles of a run."""
+
+    def __init__(self, table: TrackTable, run: Run | None) -> None:
+        self._table = table
+        self._run = run
+        self._stop = (-1, 0)  # revision of the table, one past its last frame
+        self._recent: tuple[tuple[int, int, int], Columns] = ((-1, 0, 0), empty(TRACK_COLUMNS))
+        self._whole: tuple[tuple[int, int], Columns] = ((-1, 0), empty(TRACK_COLUMNS))
+
+    @property
+    def frames(self) -> tuple[int, int]:
+        """The frames the run went through; without a run, all that have rows."""
+        if self._run is not None:
+            return self._run.frames
+        if self._stop[0] != self._table.revision:
+            self._stop = (self._table.revision, self._table.frame_stop)
+        return 0, self._stop[1]
+
+    @property
+    def ids(self) -> Sequence[int]:
+        """All tracks."""
+        return self._table.track_ids
+
+    def of_frame(self, frame: int) -> Columns:
+        """The frame's rows."""
+        return self._table.of_frame(frame)
+
+    def recent(self, frame: int, back: int) -> Columns:
+        """The rows of the frame's people, from `back` frames before it.
+
+        All views ask for the same ones one after the other: they are kept until others are asked.
+        """
+        asked = (self._table.revision, frame, back)
+        if self._recent[0] != asked:
+            here = self._table.of_frame(frame)["track"].tolist()
+            start = max(0, frame - back)
+            rows = [self._table.of_track(track, start, frame + 1) for track in here]
+            self._recent = (asked, joined(rows))
+        return self._recent[1]
+
+    def of_track(self, track: int) -> Columns:
+        """The rows of a track, kept until another's are asked for: the card asks at every step."""
+        asked = (self._table.revision, track)
+        if self._whole[0] != asked:
+            self._whole = (asked, self._table.of_track(track))
+        return self._whole[1]
+
+    def detections(self, frame: int) -> Columns:
+        """What the run measured in the frame, less that of people who were taken out."""
+        if self._run is None:
+            return empty(DETECTION_COLUMNS)
+        rows = _of_frame(self._run.detections, frame)
+        unmatched = rows["track"] == 0
+        ids = renamed(rows["track"], self._after_edits(frame))
+        kept = unmatched | (ids >= 0)
+        named = {**rows, "track": np.where(unmatched, 0, ids).astype(np.int32)}
+        return {name: column[kept] for name, column in named.items()}
+
+    def particles(self, frame: int) -> Columns:
+        """The run's particles with the ids their people have after the edits.
+
+        A run never changes; an edit moves a person's rows to another id, and the particles of
+        that person go with them. Those of people without a row in the frame are left out.
+        """
+        if self._run is None:
+            return empty(PARTICLE_COLUMNS)
+        particles = self._run.particles.of_frame(frame)
+        ids = renamed(particles["track"], self._after_edits(frame))
+        kept = ids >= 0
+        return {name: column[kept] for name, column in {**particles, "track": ids}.items()}
+
+    def _after_edits(self, frame: int) -> dict[int, int]:
+        """The ids of the run's tracks in a frame by now."""
+        if self._run is None:
+            return {}
+        return ids_after_edits(_of_frame(self._run.tracks, frame), self._table.of_frame(frame))
+
+    def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
+        """The stretches of every track, or of some."""
+        rows = self._rows_by_track(tracks)
+        kind = rows["predicted"].astype(np.int64)
+        kind[rows["source"] == Source.INTERPOLATED] = SpanKind.INTERPOLATED
+        return spans_of(rows["track"], rows["frame"], kind)
+
+    def keyframes(self, tracks: Iterable[int] | None = None) -> dict[int, NDArray[np.int64]]:
+        """The frames whose row a person made."""
+        rows = self._rows_by_track(tracks)
+        made = rows["source"] == Source.PERSON
+        return _grouped(rows["track"][made], rows["frame"][made].astype(np.int64))
+
+    def _rows_by_track(self, tracks: Iterable[int] | None) -> Columns:
+        """What lanes are made of, by track, then frame; nothing else is read."""
+        return self._table.by_track(("track", "frame", "predicted", "source"), tracks)
+
+    def activity(self, frame_count: int) -> NDArray[np.uint16]:
+        """People per frame."""
+        return self._table.activity(frame_count)
+
+
+def spans_of(
+    track: NDArray[np.int32], frame: NDArray[np.int32], kind: NDArray[np.int64]
+) -> dict[int, Spans]:
+    """The stretches of every track: consecutive frames of one kind.
+
+    The rows stand by track, then frame.
+    """
+    if not len(frame):
+        return {}
+    begins = np.ones(len(frame), bool)
+    begins[1:] = (track[1:] != track[:-1]) | (frame[1:] != frame[:-1] + 1) | (kind[1:] != kind[:-1])
+    first = np.flatnonzero(begins)
+    last = np.append(first[1:], len(frame)) - 1
+    spans = np.column_stack((frame[first], frame[last].astype(np.int64) + 1, kind[first]))
+    return _grouped(track[first], spans)
+
+
+def _grouped(track: NDArray[np.int32], values: NDArray[np.int64]) -> dict[int, NDArray[np.int64]]:
+    """The values of each track; they stand by track."""
+    ids, starts = np.unique(track, return_index=True)
+    parts = np.split(values, starts[1:])
+    return {int(one): part for one, part in zip(ids, parts, strict=False)}
+
+
+def _of_frame(columns: Columns, frame: int) -> Columns:
+    """The rows of one frame; they stand by frame."""
+    inside = between(columns["frame"], frame, frame + 1)
+    return {name: column[inside] for name, column in columns.items()}

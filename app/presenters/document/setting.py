@@ -1,0 +1,89 @@
+"""What a frame's scenes are made from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.document.shown import ShownTracks
+from app.presenters.pictures.overlays import Kinds
+from app.presenters.scenes import LegendEntry, PreviewTrail
+from tracking.tracks import Columns
+
+
+@dataclass(frozen=True, slots=True)
+class Pictured:
+    """What is laid over the pictures: the user's choice."""
+
+    grid: bool = False
+    particles: bool = False
+    trails: bool = True
+    foreground: bool = False
+    disparity: bool = False
+    labels: bool = True
+
+    @property
+    def kinds(self) -> Kinds:
+        """What of subtraction stereo is asked for."""
+        return Kinds(self.foreground, self.disparity)
+
+
+@dataclass(frozen=True, slots=True)
+class Laid:
+    """What of subtraction stereo lies over the left picture at an instant.
+
+    Attributes:
+        image: (height, width, 4) uint8 RGBA; None while it is being made.
+        legend: what its colours mean. message: said meanwhile.
+    """
+
+    image: NDArray[np.uint8] | None = None
+    legend: tuple[LegendEntry, ...] = ()
+    message: str = ""
+
+
+NOTHING_LAID = Laid()
+
+
+@dataclass(frozen=True, slots=True)
+class Instant:
+    """One instant as all views show it.
+
+    Attributes:
+        frame: number. tracks: where people come from. names: of tracks that have one.
+        selected: track id, 0 for nobody. other: the second person of an edit, 0 for nobody.
+        also: others who are drawn with emphasis, as they are selected too.
+        preview: trails on the floor (m) of an edit that waits.
+        picture_preview: the same in pixels of the left eye.
+        replaced: the frame's rows that this edit moves elsewhere or takes out; None: none.
+        movable: boxes and people can be dragged. drawing: a box is to be drawn.
+    """
+
+    frame: int
+    tracks: ShownTracks
+    names: Mapping[int, str] = field(default_factory=dict)
+    selected: int = 0
+    other: int = 0
+    also: tuple[int, ...] = ()
+    preview: tuple[PreviewTrail, ...] = ()
+    picture_preview: tuple[PreviewTrail, ...] = ()
+    replaced: Columns | None = None
+    movable: bool = False
+    drawing: bool = False
+
+    @property
+    def chosen(self) -> tuple[int, ...]:
+        """Everybody who is drawn with emphasis."""
+        return tuple(track for track in (self.selected, self.other, *self.also) if track > 0)
+
+    def label(self, track: int) -> str:
+        """The id, and the name where there is one."""
+        name = self.names.get(track, "")
+        return f"{track} {name}" if name else str(track)
+
+    def is_chosen(self, track: int) -> bool:
+        """Whether the track is drawn with emphasis."""
+        return track in self.chosen

@@ -1,0 +1,1 @@
+"""Documents opened, kept, exported; older states; the first page."""

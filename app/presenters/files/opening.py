@@ -1,0 +1,211 @@
+"""Opening, keeping and measuring documents: the long steps that run in the background."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from platformdirs import user_data_path
+
+from app.presenters.document.document import Document
+from tracking.errors import OutputError
+from tracking.formats import read_mot
+from tracking.recording import OpenOptions, Recording, open_recording
+from tracking.scoring import ScoringTable, score
+from tracking.session import KnownRecordings, PendingSave, Session, generations
+from tracking.session.saving import companions
+from tracking.tracks import Run
+
+Report = Callable[[int, int], None]
+"""Told how many steps of how many are done; raises where the user has cancelled."""
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """What was opened."""
+
+    path: Path
+    document: Document
+
+    def close(self) -> None:
+        """Let its files go."""
+        if self.document.session is not None:
+            self.document.session.close()
+        self.document.recording.close()
+
+
+def unsaved_folder() -> Path:
+    """Where sessions stand that were never given a place by the user."""
+    return own_folder() / "unsaved"
+
+
+def window_lock() -> Path:
+    """A file that is locked while a window of this user is open."""
+    own_folder().mkdir(parents=True, exist_ok=True)
+    return own_folder() / "window.lock"
+
+
+def open_cancellable(
+    path: Path, recording: Path | None, options: OpenOptions | None, report: Report
+) -> Opened:
+    """The same as `open_path`; where it was cancelled meanwhile nothing stays open.
+
+    Raises:
+        CancelledError: by `report`.
+    """
+    opened = open_path(path, recording, options)
+    try:
+        report(1, 1)
+    except BaseException:
+        opened.close()
+        raise
+    return opened
+
+
+def open_path(
+    path: Path, recording: Path | None = None, options: OpenOptions | None = None
+) -> Opened:
+    """Open a recording or a session (`*.h5`) with its recording.
+
+    Args:
+        path: what to open.
+        recording: where the recording of a session is by now, if it is known to have moved.
+        options: what a bare recording does not say of itself; of a session's recording only
+            `allow_outside` counts, the rest is in the session.
+
+    Raises:
+        TrackwrightError: it cannot be opened; `RecordingMissing` where only the recording is gone.
+    """
+    if path.suffix.lower() != ".h5":
+        return Opened(path, Document(open_recording(path, options)))
+    session = Session.open(path)
+    try:
+        search = [recording] if recording is not None else []
+        allowed = options is not None and options.allow_outside
+        found = session.open_recording(search, _known(), allow_outside=allowed)
+        return Opened(path, Document(found, session))
+    except BaseException:
+        session.close()
+        raise
+
+
+def keep_run(recording: Recording, run: Run, path: Path | None = None) -> Session:
+    """A session of a run that was just made, kept on disk from its first moment.
+
+    Without a path it stands among the program's own files until the user gives it a place.
+
+    Raises:
+        OutputError, OSError: it cannot be written; nothing is left of it then.
+    """
+    session = Session.create(recording, [run], path or _unsaved_path(recording))
+    remember_place(session, recording)
+    return session
+
+
+def session_by_hand(recording: Recording) -> Session:
+    """A session nothing was tracked for, to be labelled by hand, on disk from its first moment.
+
+    It stands among the program's own files until the user gives it a place.
+
+    Raises:
+        OutputError, OSError: it cannot be written.
+    """
+    session = Session.create(recording, [], _unsaved_path(recording))
+    remember_place(session, recording)
+    return session
+
+
+def _unsaved_path(recording: Recording) -> Path:
+    folder = unsaved_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    return _free_name(folder, recording.path.stem or "session")
+
+
+def remember_place(session: Session, recording: Recording) -> None:
+    """Note where the recording stands, so that the session finds it again unasked."""
+    _known().remember(session.recording, recording.folder)
+
+
+def finish_save(session: Session, pending: PendingSave) -> None:
+    """End a save; the file of a session that had no place of its own goes once it has one."""
+    before, path = session.path, pending.path
+    session.finish_save(pending)
+    if before is not None and is_unsaved_place(before) and before != path:
+        remove_session(before)
+
+
+def discard(session: Session) -> None:
+    """Forget what was done since the last save, and all of a session that was never saved."""
+    session.close(discard=True)
+    if session.path is not None and is_unsaved_place(session.path):
+        remove_session(session.path)
+
+
+def remove_session(path: Path) -> None:
+    """Remove a session's file and what the program keeps beside it."""
+    path.unlink(missing_ok=True)
+    shutil.rmtree(companions(path), ignore_errors=True)
+
+
+def older_copy(path: Path) -> Path | None:
+    """The session as it was saved before, put beside it under a name of its own; None: none.
+
+    Raises:
+        OutputError: the copy cannot be written.
+    """
+    older = generations(path)
+    if not older:
+        return None
+    copy = path.with_name(f"{path.stem}-as-saved-before{path.suffix}")
+    for number in range(2, 10_000):
+        if not copy.exists():
+            break
+        copy = path.with_name(f"{path.stem}-as-saved-before-{number}{path.suffix}")
+    try:
+        shutil.copyfile(older[0], copy)
+    except OSError as error:
+        raise OutputError(f"{copy} cannot be written: {error.strerror}") from error
+    return copy
+
+
+def is_unsaved_place(path: Path | None) -> bool:
+    """Whether a session stands where the user never put it."""
+    return path is None or path.parent == unsaved_folder()
+
+
+def score_against_truth(session: Session, recording: Recording, report: Report) -> dict[str, Any]:
+    """The figures of the corrected tracks against the recording's truth.
+
+    Raises:
+        FormatError: the truth cannot be read.
+        CancelledError: by `report`.
+    """
+    assert recording.truth_path is not None
+    report(0, 3)
+    truth = ScoringTable.from_columns(read_mot(recording.truth_path), dont_cares=True)
+    report(1, 3)
+    result = ScoringTable.from_columns(session.tracks.columns())
+    report(2, 3)
+    figures = score(truth, result, frames=recording.frame_count).as_json()
+    report(3, 3)
+    return figures
+
+
+def _known() -> KnownRecordings:
+    return KnownRecordings(own_folder())
+
+
+def own_folder() -> Path:
+    """The program's folder among the user's data."""
+    return user_data_path("trackwright", appauthor=False)
+
+
+def _free_name(folder: Path, stem: str) -> Path:
+    for number in range(1, 10_000):
+        path = folder / f"{stem}-{number}.h5"
+        if not path.exists():
+            return path
+    return folder / f"{stem}.h5"

@@ -1,0 +1,1 @@
+"""Labelling: which tool is at work, and what people drew and said."""

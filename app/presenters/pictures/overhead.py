@@ -1,0 +1,115 @@
+"""The floor from above with its people and particles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.document.setting import Instant
+from app.presenters.palette import colour_of_track, colours_of_tracks
+from app.presenters.pictures.trails import TRAIL_S, floor_points, trails_by_track
+from app.presenters.scenes import FloorPerson, OverheadScene
+from app.presenters.words import tr
+from tracking.recording import Recording
+from tracking.tracks import Columns
+
+Floats = NDArray[np.float64]
+Bounds = tuple[float, float, float, float]
+
+_MARGIN_M = 0.6
+_LOOKS_DOWN_DEG = 75.0
+_NO_TRAIL: Floats = np.zeros((0, 2))
+
+
+class OverheadPresenter:
+    """Makes overhead scenes of one recording."""
+
+    def __init__(self, recording: Recording) -> None:
+        self._trail_frames = max(1, round(TRAIL_S * recording.fps))
+        self._field_of_view: Floats = np.zeros((0, 2))
+        self._message = tr(
+            "Where the floor is is not known: people have no place on it. Name the calibration, "
+            "and the camera's height and tilt, in recording.toml."
+        )
+        self._looks_down = False
+        self._bounds: Bounds = (-5.0, -1.0, 5.0, 9.0)
+        if recording.view is not None:
+            height_m = recording.view.ground.height_m
+            reach_m = float(np.clip(4.5 * height_m, 8.0, 40.0))
+            self._field_of_view = recording.view.field_of_view(reach_m)
+            self._bounds = _bounds(self._field_of_view)
+            self._message = ""
+            self._looks_down = recording.view.ground.tilt_deg > _LOOKS_DOWN_DEG
+
+    def scene(self, instant: Instant) -> OverheadScene:
+        """The floor at the instant."""
+        particles = instant.tracks.particles(instant.frame)
+        measured = instant.tracks.detections(instant.frame)
+        return OverheadScene(
+            frame=instant.frame,
+            particles=np.column_stack((particles["x"], particles["y"])).astype(np.float32),
+            particle_colours=colours_of_tracks(particles["track"]),
+            particle_weights=relative_weights(particles),
+            measured=floor_points(measured),
+            people=self._people(instant),
+            field_of_view=self._field_of_view,
+            camera=(0.0, 0.0),
+            bounds=self._bounds,
+            preview=instant.preview,
+            message=self._message,
+            looks_down=self._looks_down,
+            ghosts=_ghosts(instant),
+            movable=instant.movable,
+        )
+
+    def _people(self, instant: Instant) -> tuple[FloorPerson, ...]:
+        recent = instant.tracks.recent(instant.frame, self._trail_frames)
+        trails = trails_by_track(recent, floor_points(recent))
+        people = _floor_people(instant.tracks.of_frame(instant.frame), instant, trails)
+        return tuple(sorted(people, key=lambda person: person.selected))
+
+
+def _ghosts(instant: Instant) -> tuple[FloorPerson, ...]:
+    """People where they are before an edit that waits, as far as it moves or takes them out."""
+    rows = instant.replaced
+    return () if rows is None else tuple(_floor_people(rows, instant, {}))
+
+
+def _floor_people(
+    rows: Columns, instant: Instant, trails: Mapping[int, Floats]
+) -> Iterator[FloorPerson]:
+    """Whoever of the rows has a known place."""
+    names = ("track", "x", "y", "vx", "vy", "predicted")
+    for track, x, y, vx, vy, lost in zip(*(rows[name].tolist() for name in names), strict=True):
+        if np.isfinite(x + y):
+            yield FloorPerson(
+                track=track,
+                label=instant.label(track),
+                position=(x, y),
+                velocity=(vx, vy) if np.isfinite(vx + vy) else (0.0, 0.0),
+                colour=colour_of_track(track),
+                selected=instant.is_chosen(track),
+                predicted=lost,
+                trail=trails.get(track, _NO_TRAIL),
+            )
+
+
+def relative_weights(particles: Columns) -> NDArray[np.float32]:
+    """(n,) weights relative to the heaviest particle of the same person."""
+    tracks, weights = particles["track"], particles["weight"].astype(np.float32)
+    if not len(tracks):
+        return weights
+    starts = np.flatnonzero(np.append(True, tracks[1:] != tracks[:-1]))
+    heaviest = np.maximum.reduceat(weights, starts)
+    counts = np.diff(np.append(starts, len(tracks)))
+    relative: NDArray[np.float32] = weights / np.maximum(
+        np.repeat(heaviest, counts), np.float32(1e-30)
+    )
+    return relative
+
+
+def _bounds(polygon: Floats) -> Bounds:
+    low, high = polygon.min(axis=0) - _MARGIN_M, polygon.max(axis=0) + _MARGIN_M
+    return float(low[0]), float(low[1]), float(high[0]), float(high[1])

@@ -1,0 +1,201 @@
+"""The pictures of both eyes with the people in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.document.setting import NOTHING_LAID, Instant, Laid, Pictured
+from app.presenters.palette import colour_of_track, colours_of_tracks
+from app.presenters.pictures.anaglyph import Anaglyph
+from app.presenters.pictures.right_eye import boxes_in_right_eye
+from app.presenters.pictures.trails import TRAIL_S, floor_points, foot_points, trails_by_track
+from app.presenters.scenes import Eye, PersonMark, PictureScene, PreviewTrail
+from app.presenters.words import tr
+from tracking.recording import Image, Recording, StereoFrame
+from tracking.tracks import Columns, Source
+
+Floats = NDArray[np.float64]
+
+_GRID_REACH_M = 20
+_NO_TRAIL: Floats = np.zeros((0, 2))
+
+
+class PicturePresenter:
+    """Makes picture scenes of one recording."""
+
+    def __init__(self, recording: Recording) -> None:
+        self._recording = recording
+        self._trail_frames = max(1, round(TRAIL_S * recording.fps))
+        self._grid: dict[Eye, Floats] = {}
+        self._anaglyph = Anaglyph(recording)
+
+    def scene(
+        self,
+        eye: Eye,
+        frame: StereoFrame | None,
+        instant: Instant,
+        pictured: Pictured,
+        laid: Laid = NOTHING_LAID,
+    ) -> PictureScene:
+        """One eye at the instant; without a frame, a scene that says it is being read.
+
+        `laid` is what lies over the picture below the particles.
+        """
+        image = None if frame is None else (frame.left if eye is Eye.LEFT else frame.right)
+        if eye is Eye.RIGHT and not self._recording.is_stereo:
+            return PictureScene(eye, instant.frame, None, message=tr("Recorded with one camera"))
+        if image is None:
+            return PictureScene(eye, instant.frame, None, message=tr("Reading..."))
+        return PictureScene(
+            eye,
+            instant.frame,
+            image,
+            people=self._people(eye, instant, pictured),
+            overlay=(
+                self._particles(eye, instant, image, laid.image)
+                if pictured.particles
+                else laid.image
+            ),
+            grid=self._floor_grid(eye) if pictured.grid else np.zeros((0, 2, 2)),
+            message=laid.message,
+            preview=self._preview(eye, instant),
+            ghosts=self._ghosts(eye, instant),
+            drawing=instant.drawing and eye is Eye.LEFT,
+            legend=laid.legend,
+        )
+
+    def anaglyph(
+        self,
+        frame: StereoFrame | None,
+        instant: Instant,
+        pictured: Pictured,
+        laid: Laid = NOTHING_LAID,
+    ) -> PictureScene:
+        """Both eyes in one picture for red and cyan glasses, with the left eye's people."""
+        scene = self.scene(Eye.LEFT, frame, instant, pictured, laid)
+        return scene if frame is None else self._anaglyph.scene(frame, scene)
+
+    def _preview(self, eye: Eye, instant: Instant) -> tuple[PreviewTrail, ...]:
+        """The trails of an edit that waits; for the right eye from their places on the floor."""
+        if eye is Eye.LEFT:
+            return instant.picture_preview
+        seen = ((trail, self._project(eye, trail.points)) for trail in instant.preview)
+        return tuple(
+            replace(trail, points=points[np.isfinite(points).all(axis=1)]) for trail, points in seen
+        )
+
+    def _people(self, eye: Eye, instant: Instant, pictured: Pictured) -> tuple[PersonMark, ...]:
+        rows = instant.tracks.of_frame(instant.frame)
+        trails = self._trails(eye, instant) if pictured.trails else {}
+        marks = self._marks(eye, rows, instant, trails)
+        return tuple(sorted(marks, key=lambda mark: mark.selected))
+
+    def _ghosts(self, eye: Eye, instant: Instant) -> tuple[PersonMark, ...]:
+        """People where they are before an edit that waits, as far as it moves or takes them out."""
+        rows = instant.replaced
+        return () if rows is None else tuple(self._marks(eye, rows, instant, {}))
+
+    def _marks(
+        self, eye: Eye, rows: Columns, instant: Instant, trails: Mapping[int, Floats]
+    ) -> Iterator[PersonMark]:
+        boxes = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
+        if eye is Eye.RIGHT:
+            boxes = self._right_boxes(boxes, rows)
+        movable = instant.selected if instant.movable and eye is Eye.LEFT else 0
+        hidden = rows["visibility"] == 0
+        by_person = rows["source"] == Source.PERSON if "source" in rows else np.zeros_like(hidden)
+        columns = rows["track"], rows["predicted"], hidden, by_person
+        for box, track, lost, behind, key in zip(
+            boxes, *(one.tolist() for one in columns), strict=True
+        ):
+            if np.isfinite(box).all():
+                yield PersonMark(
+                    track=track,
+                    box=(float(box[0]), float(box[1]), float(box[2]), float(box[3])),
+                    label=instant.label(track),
+                    colour=colour_of_track(track),
+                    selected=instant.is_chosen(track),
+                    predicted=lost,
+                    trail=trails.get(track, _NO_TRAIL),
+                    occluded=behind,
+                    keyframe=key,
+                    movable=track == movable,
+                )
+
+    def _trails(self, eye: Eye, instant: Instant) -> dict[int, Floats]:
+        rows = instant.tracks.recent(instant.frame, self._trail_frames)
+        if eye is Eye.LEFT:
+            return trails_by_track(rows, self.left_foot_points(rows))
+        return trails_by_track(rows, self._project(eye, floor_points(rows)))
+
+    def left_foot_points(self, rows: Columns) -> Floats:
+        """Where the people of the rows stand, (n, 2) px: by the floor, else by their boxes."""
+        boxes = foot_points(rows)
+        if self._recording.view is None:
+            return boxes
+        floor = self._project(Eye.LEFT, floor_points(rows))
+        return np.where(np.isfinite(floor), floor, boxes)
+
+    def _project(self, eye: Eye, floor: Floats) -> Floats:
+        """Pixels of floor points; NaN where they are not seen."""
+        points = np.column_stack((floor, np.zeros(len(floor))))
+        if not len(points):
+            return np.zeros((0, 2))
+        view, rectification = self._recording.view, self._recording.rectification
+        if eye is Eye.LEFT:
+            return view.pixel_from_world(points) if view is not None else _nowhere(points)
+        if rectification is None or self._recording.ground is None:
+            return _nowhere(points)
+        return rectification.right_pixel_from_world(points)
+
+    def _right_boxes(self, boxes: Floats, rows: Columns) -> Floats:
+        rectification = self._recording.rectification
+        if rectification is None or self._recording.ground is None or not len(boxes):
+            return np.full_like(boxes, np.nan)
+        return boxes_in_right_eye(rectification, boxes, floor_points(rows))
+
+    def _particles(
+        self, eye: Eye, instant: Instant, image: Image, below: NDArray[np.uint8] | None
+    ) -> NDArray[np.uint8]:
+        """The particles as dots of their person's colour in a picture to lay over."""
+        particles = instant.tracks.particles(instant.frame)
+        overlay = np.zeros((*image.shape[:2], 4), np.uint8) if below is None else below.copy()
+        floor = np.column_stack((particles["x"], particles["y"])).astype(np.float64)
+        pixels = self._project(eye, floor)
+        height, width = image.shape[:2]
+        with np.errstate(invalid="ignore"):
+            inside = (pixels >= 0).all(axis=1) & (pixels < (width - 1, height - 1)).all(axis=1)
+        column, row = pixels[inside].astype(np.intp).T
+        colours = colours_of_tracks(particles["track"][inside])
+        for down, right in ((0, 0), (0, 1), (1, 0), (1, 1)):
+            overlay[row + down, column + right, :3] = colours
+            overlay[row + down, column + right, 3] = 220
+        return overlay
+
+    def _floor_grid(self, eye: Eye) -> Floats:
+        if eye not in self._grid:
+            lines = _grid_lines(_GRID_REACH_M)
+            pixels = self._project(eye, lines.reshape(-1, 2)).reshape(-1, 2, 2)
+            width, height = self._recording.size
+            with np.errstate(invalid="ignore"):
+                near = (np.abs(pixels) < 4 * max(width, height)).all(axis=(1, 2))
+            self._grid[eye] = pixels[near & np.isfinite(pixels).all(axis=(1, 2))]
+        return self._grid[eye]
+
+
+def _nowhere(points: Floats) -> Floats:
+    return np.full((len(points), 2), np.nan)
+
+
+def _grid_lines(reach_m: int) -> Floats:
+    """Segments (n, 2, 2) of half a metre along lines a metre apart, ahead of and around."""
+    whole = np.arange(-reach_m, reach_m + 1, dtype=np.float64)
+    half = np.arange(-reach_m, reach_m, 0.5)
+    along, across = np.meshgrid(half, whole, indexing="ij")
+    begin = np.stack((along.ravel(), across.ravel()), axis=1)
+    forward = np.stack((begin, begin + np.array([0.5, 0.0])), axis=1)
+    return np.concatenate((forward, forward[..., ::-1]))

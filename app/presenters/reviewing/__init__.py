@@ -1,0 +1,1 @@
+"""The review queue: what is left, what was watched, how it gets on."""

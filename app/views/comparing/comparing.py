@@ -1,0 +1,222 @@
+"""Comparing a run with the corrected tracks, or with another run, in all views."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from PySide6.QtCore import QObject, Signal
+
+from app.background import Job
+from app.presenters.comparing.differences import Comparison, Found
+from app.presenters.comparing.differences_scene import Sorted
+from app.presenters.document.document import Document
+from app.presenters.words import tr
+from app.views.correcting.editing import Editing
+from app.views.desk.workspace import Workspace
+from app.views.playing.playback import Playback
+from tracking.editing import Change, Difference
+from tracking.errors import TrackwrightError
+
+_BEFORE_S = 0.5
+
+
+class Comparing(QObject):
+    """The comparison that is shown, and what is taken from it.
+
+    Signals: `changed()`, another one or none is shown; `failed(error)`; `said(text)`.
+    """
+
+    changed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        playback: Playback,
+        editing: Editing,
+        workspace: Workspace,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._playback, self._editing = document, playback, editing
+        self._workspace = workspace
+        self._comparison: Comparison | None = None
+        self._searched: tuple[object, ...] = ()
+        self._job: Job | None = None
+        self._connect()
+
+    def _connect(self) -> None:
+        panel = self._workspace.differences
+        panel.chosen.connect(self._choose)
+        # The panel outlives this object: a function of its own would be kept by it for ever.
+        panel.ticked.connect(self._tick)
+        panel.all_ticked.connect(self._tick_all)
+        panel.person_chosen.connect(self._narrow)
+        panel.order_chosen.connect(self._sort)
+        panel.taken.connect(self._take)
+        panel.dropped.connect(self.drop)
+        panel.closed.connect(self.close)
+
+    @property
+    def shown(self) -> bool:
+        """Whether a comparison is shown."""
+        return self._comparison is not None
+
+    def open(self, run: int, base: int | None = None) -> None:
+        """Compare a run with the corrected tracks, or with another run."""
+        session = self._document.session
+        if session is None:
+            return
+        self.close()
+        self._document.correcting.leave()
+        self._searched = ()
+        self._comparison = Comparison(session, run, base, self._document.recording.fps)
+        self._document.comparison = self._comparison
+        self.refresh()
+        self.changed.emit()
+
+    def close(self) -> None:
+        """Show the panels again; nothing is changed."""
+        self._stop()
+        if self._comparison is not None:
+            self._comparison, self._document.comparison = None, None
+            self._workspace.show_differences(None)
+            self._editing.changed.emit()
+            self.changed.emit()
+
+    def refresh(self) -> None:
+        """Follow the document: look again where its tracks or its labels are others."""
+        session = self._document.session
+        if self._comparison is None:
+            return
+        if session is None or self._document.is_live:
+            self.close()
+            return
+        now = (session, session.tracks.revision, session.labels.reviewed)
+        if now != self._searched:
+            self._searched = now
+            self._search(self._comparison)
+        self._show()
+
+    def walk(self, step: int) -> None:
+        """N (1) or P (-1) while a comparison is shown."""
+        if self._comparison is not None:
+            self._look_at(self._comparison.walk(step))
+
+    def drop(self) -> None:
+        """Forget the run that is compared; nothing of it was taken, or what was stays."""
+        comparison = self._comparison
+        if comparison is not None:
+            self.close()
+            self.drop_run(comparison.run)
+
+    def drop_run(self, number: int) -> None:
+        """Forget the last run."""
+        session = self._document.session
+        if session is None:
+            return
+        try:
+            session.drop_run(number)
+        except TrackwrightError as error:
+            self.failed.emit(error)
+            return
+        self.said.emit(tr("Dropped: run {n}", n=number))
+        self.changed.emit()
+
+    # finding
+
+    def _search(self, comparison: Comparison) -> None:
+        """Find what differs, off the GUI thread; the newest search wins."""
+        self._stop()
+        find = comparison.search()
+        job = Job("differences", lambda _: find(), self)
+        job.done.connect(lambda found: self._found(comparison, found))
+        job.failed.connect(self._fail)
+        self._job = job
+        job.start()
+
+    def _found(self, comparison: Comparison, found: Found) -> None:
+        self._forget_job()
+        first = comparison.current is None
+        comparison.take(found)
+        if first:
+            self._look_at(comparison.walk(1))
+        else:
+            self._editing.changed.emit()
+
+    def _fail(self, error: Exception) -> None:
+        self._forget_job()
+        self.close()
+        self.failed.emit(error)
+
+    def _stop(self) -> None:
+        if self._job is not None:
+            self._job.blockSignals(True)
+            self._job.wait()
+            self._forget_job()
+
+    def _forget_job(self) -> None:
+        if self._job is not None:
+            self._job.deleteLater()
+            self._job = None
+
+    # looking and taking
+
+    def _choose(self, number: int) -> None:
+        if self._comparison is not None:
+            self._look_at(self._comparison.choose(number))
+
+    def _look_at(self, one: Difference | None) -> None:
+        """Go to just before it; all views show both versions."""
+        if one is not None:
+            before = round(_BEFORE_S * self._document.recording.fps)
+            self._document.selection.choose(
+                one.track if one.track in self._document.tracks.ids else 0
+            )
+            self._playback.pause()
+            self._playback.go(max(0, one.start - before))
+        self._editing.changed.emit()
+
+    def _tick(self, number: int, on: bool) -> None:
+        self._with(lambda one: one.tick([number], on))
+
+    def _tick_all(self, on: bool) -> None:
+        self._with(lambda one: one.tick_listed(on))
+
+    def _narrow(self, track: int) -> None:
+        self._with(lambda one: one.narrow(track))
+
+    def _sort(self, order: str) -> None:
+        self._with(lambda one: one.sort(Sorted(order)))
+
+    def _with(self, step: Callable[[Comparison], object]) -> None:
+        if self._comparison is not None:
+            step(self._comparison)
+            self._show()
+
+    def _take(self, side: int) -> None:
+        """Take what is ticked, from the dashed version (1) or the solid one (0)."""
+        comparison = self._comparison
+        if comparison is None:
+            return
+        try:
+            if comparison.base is None:
+                self._do([comparison.plan])
+            else:
+                number = comparison.run if side else comparison.base
+                self._do(comparison.plans_from(number))
+        except TrackwrightError as error:
+            self.failed.emit(error)
+        self._editing.changed.emit()
+
+    def _do(self, plans: Iterable[Callable[[], Change]]) -> None:
+        for plan in plans:
+            change = plan()
+            self._document.apply(change)
+            self.said.emit(tr("Done: {what}", what=change.text))
+
+    def _show(self) -> None:
+        if self._comparison is not None:
+            doing = tr("Comparing...") if self._job is not None else ""
+            self._workspace.show_differences(self._comparison.scene(doing))

@@ -1,0 +1,1 @@
+"""One open recording: its page laid out, and everything on it wired together."""

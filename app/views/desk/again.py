@@ -1,0 +1,58 @@
+"""Tracking again from a corrected frame on, and the runs there are by then."""
+
+from __future__ import annotations
+
+from app.presenters.runs.runs import CORRECTED, RunList
+from app.presenters.words import tr
+from app.views.desk.desk import Desk
+from app.views.runs.runs_dialog import RunsDialog
+from app.views.runs.track_dialog import TrackDialog
+from tracking.errors import TrackwrightError
+
+
+def ask_again(desk: Desk) -> None:
+    """Ask from where on, and with what, the recording is tracked again.
+
+    Proposed are the range that is set, else all from the playhead on, with the tracker and the
+    settings of the run that was corrected.
+    """
+    session, recording = desk.document.session, desk.document.recording
+    if session is None:
+        return
+    told = tr(
+        "People go on under the ids they have before the first frame. What a person corrected or "
+        "reviewed is not overwritten, and you see what would change before anything does."
+    )
+    adopted = session.runs[session.adopted_run] if session.adopted_run is not None else None
+    tracker = adopted.tracker if adopted is not None else desk.best_tracker
+    dialog = TrackDialog(recording, tracker, told, desk.window_page)
+    dialog.setWindowTitle(tr("Track again"))
+    if adopted is not None:
+        dialog.put_settings(adopted.tracker, adopted.settings, adopted.seed)
+    start, end = desk.document.correcting.marked or (
+        desk.playback.clock.frame,
+        recording.frame_count,
+    )
+    dialog.put_frames(start, end - 1)
+    dialog.accepted.connect(lambda: _begin(desk, dialog))
+    dialog.open()
+
+
+def _begin(desk: Desk, dialog: TrackDialog) -> None:
+    try:
+        desk.track_again(*dialog.answer())
+    except TrackwrightError as error:
+        desk.failed.emit(error)
+
+
+def show_runs(desk: Desk) -> None:
+    """List the session's runs, to be compared."""
+    session = desk.document.session
+    if session is None:
+        return
+    dialog = RunsDialog(RunList(session, desk.document.recording), desk.window_page)
+    dialog.compare_asked.connect(
+        lambda run, base: desk.comparing.open(run, None if base == CORRECTED else base)
+    )
+    dialog.drop_asked.connect(desk.comparing.drop_run)
+    dialog.open()

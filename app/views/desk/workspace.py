@@ -1,0 +1,169 @@
+"""Everything on the window's page for an open recording, laid out."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QScrollArea,
+    QSizePolicy,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.presenters.comparing.differences_scene import DifferencesScene
+from app.presenters.scenes import Eye
+from app.views.comparing.compare_panel import ComparePanel
+from app.views.comparing.differences_panel import DifferencesPanel
+from app.views.correcting.edit_panel import EditPanel
+from app.views.correcting.track_panel import TrackPanel
+from app.views.history.history_panel import HistoryPanel
+from app.views.labelling.labelling_panel import LabellingPanel
+from app.views.pictures.eye_switch import EyeSwitch
+from app.views.pictures.overhead import OverheadView
+from app.views.pictures.picture import PictureView
+from app.views.playing.transport import TransportBar
+from app.views.reviewing.review_panel import ReviewPanel
+from app.views.timeline import TimelineView
+from app.views.widgets.remembered import Remembered
+
+_PANEL_LETTERS = 48
+
+
+class Workspace(QWidget):
+    """The pictures, the floor, the side panels, transport and timeline."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.left = PictureView(Eye.LEFT, self)
+        self.right = PictureView(Eye.RIGHT, self)
+        self.eye_switch = EyeSwitch(self)
+        self.overhead = OverheadView(self)
+        self.review = ReviewPanel(self)
+        self.card = TrackPanel(self)
+        self.history = HistoryPanel(self)
+        self.preview = EditPanel(self)
+        self.labelling = LabellingPanel(self)
+        self.compare = ComparePanel(self)
+        self.differences = DifferencesPanel(self)
+        self.transport = TransportBar(self)
+        self.timeline = TimelineView(self)
+        self._splitters: dict[str, QSplitter] = {}
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
+        side = self._split(
+            "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (4, 4, 3)
+        )
+        # On a low screen the panels scroll, so that they never make the window too high for it.
+        panels = QScrollArea(self)
+        panels.setWidget(side)
+        panels.setWidgetResizable(True)
+        panels.setFrameShape(QFrame.Shape.NoFrame)
+        panels.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        letter = self.fontMetrics().averageCharWidth()
+        widest = max(side.minimumSizeHint().width() + 12, _PANEL_LETTERS * letter)
+        panels.setMinimumWidth(widest)
+        panels.setMinimumHeight(1)
+        self.differences.setMinimumWidth(widest)
+        self._panels = panels
+        # As wide as the panels, and as high as its words need at that width.
+        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        policy.setHeightForWidth(True)
+        self.preview.setSizePolicy(policy)
+        # An edit that waits takes room from the panels alone: the pictures stay as large as before.
+        right = QWidget(self)
+        beside = QVBoxLayout(right)
+        beside.setContentsMargins(0, 0, 0, 0)
+        beside.setSpacing(0)
+        beside.addWidget(self.preview)
+        beside.addWidget(self.labelling)
+        beside.addWidget(self.compare)
+        beside.addWidget(panels, 1)
+        beside.addWidget(self.differences, 1)
+        top = self._split(
+            "top", Qt.Orientation.Horizontal, (eyes, self.overhead, right), (9, 10, 6)
+        )
+        upper = QWidget(self)
+        column = QVBoxLayout(upper)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(top, 1)
+        column.addWidget(self._transport_line())
+        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (11, 4))
+        page = QVBoxLayout(self)
+        page.setContentsMargins(0, 0, 0, 0)
+        page.addWidget(whole)
+
+    def _transport_line(self) -> QFrame:
+        """Playback and, at its end, which eyes are shown: no picture is covered by a switch."""
+        line = QFrame(self)
+        line.setProperty("bar", True)
+        row = QHBoxLayout(line)
+        row.setContentsMargins(0, 0, 12, 0)
+        row.addWidget(self.transport, 1)
+        row.addWidget(self.eye_switch, 0, Qt.AlignmentFlag.AlignVCenter)
+        return line
+
+    def _split(
+        self,
+        name: str,
+        orientation: Qt.Orientation,
+        parts: tuple[QWidget, ...],
+        shares: tuple[int, ...],
+    ) -> QSplitter:
+        splitter = QSplitter(orientation, self)
+        splitter.setChildrenCollapsible(False)
+        for at, (part, share) in enumerate(zip(parts, shares, strict=True)):
+            splitter.addWidget(part)
+            splitter.setStretchFactor(at, share)
+        splitter.setSizes([100 * share for share in shares])
+        self._splitters[name] = splitter
+        return splitter
+
+    def show_differences(self, scene: DifferencesScene | None) -> None:
+        """Show a comparison in the place of the panels, or the panels again."""
+        self.differences.show_scene(scene)
+        self._panels.setVisible(scene is None)
+
+    def show_eyes(self, mode: str, stereo: bool) -> None:
+        """Lay out for "left", "both" or "anaglyph"."""
+        self.right.setVisible(mode == "both" and stereo)
+        self.eye_switch.show_scene(mode, stereo)
+        self.eye_switch.setVisible(stereo)
+
+    def take_typed(self) -> None:
+        """Take what is being typed into the card as if its field had been left."""
+        typed_into = QApplication.focusWidget()
+        if typed_into is not None and self.card.isAncestorOf(typed_into):
+            typed_into.clearFocus()
+
+    def focus_next_pane(self) -> None:
+        """Give the keyboard to the next part: picture, floor, card, history, timeline."""
+        panes = (self.left, self.overhead, self.card, self.history, self.timeline)
+        now = QApplication.focusWidget()
+        inside = [now is not None and (now is pane or pane.isAncestorOf(now)) for pane in panes]
+        following = panes[(inside.index(True) + 1) % len(panes)] if any(inside) else panes[0]
+        if following is self.card or following is self.history:
+            fields = following.findChildren(QAbstractScrollArea)
+            visible = [field for field in fields if field.isVisible()]
+            (visible[0] if visible else following).setFocus()
+        else:
+            following.setFocus()
+
+    def remember(self, remembered: Remembered) -> None:
+        """Keep how the parts are laid out."""
+        for name, splitter in self._splitters.items():
+            remembered.set_state(f"workspace/{name}", splitter.saveState())
+
+    def restore(self, remembered: Remembered) -> None:
+        """Lay the parts out as they were."""
+        for name, splitter in self._splitters.items():
+            state = remembered.state(f"workspace/{name}")
+            if state is not None:
+                splitter.restoreState(state)

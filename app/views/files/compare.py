@@ -1,0 +1,100 @@
+"""Another person's session beside the open one: opened, compared, drawn, walked through."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from app.presenters.comparing.agreement import (
+    AgreementPresenter,
+    OtherSession,
+    compared_again,
+    read_other,
+)
+from app.presenters.scenes import Eye
+from app.presenters.words import tr
+from app.views.widgets.questions import choose_file
+from app.views.widgets.work import Work
+
+if TYPE_CHECKING:
+    from app.views.desk.desk import Desk
+    from app.views.window.main_window import MainWindow
+
+_SESSIONS = "trackwright (*.h5)"
+
+
+class Beside(QObject):
+    """Shows another session of the same recording beside the one on the window's desk."""
+
+    def __init__(self, window: MainWindow, work: Work, parent: QObject) -> None:
+        super().__init__(parent)
+        self._window = window
+        self._work = work
+        self._shown: AgreementPresenter | None = None
+        panel = window.workspace.compare
+        panel.stretch_sought.connect(self._go)
+        panel.again_asked.connect(self._again)
+        panel.left.connect(self.close)
+
+    def ask(self) -> None:
+        """Ask for the other session."""
+        choose_file(
+            self._window, tr("Another session of this recording"), tr(_SESSIONS), self.compare_with
+        )
+
+    def compare_with(self, path: Path) -> None:
+        """Read another session in the background and show where it disagrees."""
+        desk = self._window.desk
+        if desk is None or desk.document.session is None:
+            return
+        session = desk.document.session
+        work = partial(read_other, path, session, session.tracks.snapshot())
+        title = tr("Comparing with {name}", name=path.name)
+        self._work.run(title, lambda report: work(report), partial(self._show, desk))
+
+    def close(self) -> None:
+        """Show nobody else's people any more."""
+        self._shown = None
+        self.draw()
+
+    def draw(self) -> None:
+        """Draw the other session's people at the frame that is shown."""
+        view, desk, shown = self._window.workspace, self._window.desk, self._shown
+        if desk is None or shown is None or desk.document.session is None:
+            view.compare.show_scene(None)
+            for picture in (view.left, view.right):
+                picture.show_others(())
+            view.overhead.show_others(())
+            return
+        frame = desk.playback.number
+        view.compare.show_scene(shown.panel(desk.document.session.tracks.revision))
+        view.left.show_others(shown.picture(Eye.LEFT, frame))
+        view.right.show_others(shown.picture(Eye.RIGHT, frame) if desk.eyes == "both" else ())
+        view.overhead.show_others(shown.floor(frame))
+
+    def _show(self, desk: Desk, other: OtherSession) -> None:
+        if desk is self._window.desk:
+            self._shown = AgreementPresenter(desk.document.recording, other)
+            self.draw()
+
+    def _again(self) -> None:
+        desk, shown = self._window.desk, self._shown
+        if desk is None or shown is None or desk.document.session is None:
+            return
+        session = desk.document.session
+        work = partial(compared_again, shown.other, session, session.tracks.snapshot())
+        title = tr("Comparing with {name}", name=shown.other.name)
+        self._work.run(title, lambda report: work(report), partial(self._show, desk))
+
+    def _go(self, frame: int, track: int) -> None:
+        desk = self._window.desk
+        if desk is None:
+            return
+        desk.playback.pause()
+        if track and desk.document.flow is None:
+            desk.document.selection.choose(track)
+        desk.playback.go(frame)
+        desk.draw()

@@ -1,0 +1,102 @@
+"""What is made of the open session for others: exported tracks, the log of edits, a score."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from app.presenters.files import opening
+from app.presenters.files.exporting import exported_tracks
+from app.presenters.files.opening import Report
+from app.presenters.words import tr
+from app.views.runs.score_dialog import ScoreDialog
+from app.views.widgets.questions import choose_new_file
+from app.views.widgets.work import Work
+from tracking.editing import History
+from tracking.formats import write_mot
+from tracking.recording import Recording
+from tracking.session import Session, write_log_csv, write_log_json
+
+if TYPE_CHECKING:
+    from app.views.window.main_window import MainWindow
+
+_LOGS = "CSV (*.csv);;JSON (*.json)"
+
+
+class Exporting(QObject):
+    """Writes files of the session that is open in a window.
+
+    Signals: `said(text)`.
+    """
+
+    said = Signal(str)
+
+    def __init__(self, window: MainWindow, work: Work, parent: QObject) -> None:
+        super().__init__(parent)
+        self._window = window
+        self._work = work
+
+    @property
+    def _session(self) -> Session | None:
+        return None if self._window.desk is None else self._window.desk.document.session
+
+    def ask_mot(self) -> None:
+        """Ask for a place and write the tracks as MOT text."""
+        self._ask(tr("Export MOT text"), "tracks.txt", "MOT (*.txt)", self.mot_to)
+
+    def mot_to(self, path: Path) -> None:
+        """Write the tracks as MOT text."""
+        session = self._session
+        if session is None:
+            return
+
+        def work(report: Report) -> None:
+            rows = exported_tracks(session)
+            report(1, 2)  # the last moment to cancel: what is written is whole
+            write_mot(path, rows)
+
+        self._write(path, work)
+
+    def ask_log(self) -> None:
+        """Ask for a place and write the log of edits."""
+        self._ask(tr("Export the log of edits"), "edits.csv", _LOGS, self.log_to)
+
+    def log_to(self, path: Path) -> None:
+        """Write the log of edits: as JSON where the name ends so, else as CSV."""
+        session = self._session
+        if session is not None:
+            entries = session.history.entries  # what is edited meanwhile is not in it
+            write = write_log_json if path.suffix.lower() == ".json" else write_log_csv
+            self._write(path, lambda report: write(History(entries), path, report))
+
+    def score(self) -> None:
+        """Compare with the truth beside the recording and show the figures."""
+        session, desk = self._session, self._window.desk
+        if session is None or desk is None:
+            return
+        recording = desk.document.recording
+        self._work.run(
+            tr("Scoring"),
+            partial(opening.score_against_truth, session, recording),
+            lambda figures: ScoreDialog(figures, recording.name, self._window).open(),
+        )
+
+    def _ask(self, title: str, name: str, filters: str, chosen: Callable[[Path], object]) -> None:
+        desk = self._window.desk
+        if self._session is not None and desk is not None:
+            start = beside(desk.document.recording, name)
+            choose_new_file(self._window, title, start, filters, chosen)
+
+    def _write(self, path: Path, work: Callable[[Report], object]) -> None:
+        title, told = tr("Exporting {name}", name=path.name), tr("Exported: {path}", path=path)
+        self._work.run(title, work, lambda _: self.said.emit(told))
+
+
+def beside(recording: Recording, name: str) -> Path:
+    """Where a file of that name is proposed: in the recording's folder."""
+    place = recording.path
+    return (place if place.is_dir() else place.parent) / name

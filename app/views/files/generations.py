@@ -1,0 +1,104 @@
+"""File > Restore an older state: listed, looked at and restored in the background."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from app.background import Job
+from app.presenters.files.generations import older_states, what_differs
+from app.presenters.words import tr
+from app.views.files.generations_dialog import GenerationsDialog
+from app.views.widgets.work import Work
+from tracking.session import Session
+
+if TYPE_CHECKING:
+    from app.views.window.main_window import MainWindow
+
+
+class OlderStates(QObject):
+    """Restores older states of the session that is open in a window.
+
+    Signals: `said(text)`; `changed()`, another state of the session is open.
+    """
+
+    said = Signal(str)
+    changed = Signal()
+
+    def __init__(self, window: MainWindow, work: Work, parent: QObject) -> None:
+        super().__init__(parent)
+        self._window = window
+        self._work = work
+        self._looking: Job | None = None
+
+    @property
+    def _session(self) -> Session | None:
+        return None if self._window.desk is None else self._window.desk.document.session
+
+    def ask(self) -> None:
+        """List the older states of the open session."""
+        session = self._session
+        if session is None or session.path is None:
+            return
+        path = session.path
+        self._work.run(tr("Looking for older states"), lambda _: older_states(path), self._choose)
+
+    def restore(self, number: int) -> None:
+        """Have an older state back; what the session is now becomes the newest older one."""
+        session = self._session
+        if session is None:
+            return
+        # What is edited while the state is put back would be an edit of neither.
+        self._window.workspace.setEnabled(False)
+        self._work.run(
+            tr("Restoring an older state"),
+            lambda _: session.restore(number),
+            self._show,
+            lambda: self._window.workspace.setEnabled(True),
+            cancellable=False,
+        )
+
+    def close(self) -> None:
+        """End what is being looked at."""
+        if self._looking is not None:
+            self._looking.blockSignals(True)
+            self._looking.cancel()
+            self._looking.wait()
+            self._looking = None
+
+    def _choose(self, lines: object) -> None:
+        if not isinstance(lines, tuple) or not lines:
+            self.said.emit(tr("No older state is kept yet: each save keeps the one before it"))
+            return
+        dialog = GenerationsDialog(lines, self._window)
+        dialog.looked_at.connect(partial(self._look, dialog))
+        dialog.restore_asked.connect(self.restore)
+        dialog.finished.connect(self.close)
+        dialog.begin()
+
+    def _look(self, dialog: GenerationsDialog, number: int) -> None:
+        """Find out what differs, in a thread; the last question counts."""
+        session = self._session
+        if session is None or session.path is None:
+            return
+        self.close()
+        path, now, entries = session.path, session.tracks.snapshot(), session.history.entries
+        job = Job("older state", partial(what_differs, path, number, now, entries), self)
+        job.done.connect(lambda lines: dialog.show_differences(number, lines))
+        job.failed.connect(lambda error: dialog.show_differences(number, (str(error),)))
+        self._looking = job
+        job.start()
+
+    def _show(self, session: Session) -> None:
+        self._window.workspace.setEnabled(True)
+        desk = self._window.desk
+        if desk is None:
+            session.close()
+            return
+        desk.take_session(session)
+        self.said.emit(
+            tr("Restored. What was open before is the newest of the older states: File > Restore")
+        )
+        self.changed.emit()

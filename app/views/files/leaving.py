@@ -1,0 +1,61 @@
+"""Letting the open document go: what would be lost is asked for, one thing at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from app.presenters.files import opening
+from app.views.widgets.questions import ask_about_unsaved
+
+if TYPE_CHECKING:
+    from app.views.files.files import Files
+    from app.views.window.main_window import MainWindow
+
+Then = Callable[[], object]
+
+
+class Leaving:
+    """Asks before a tracker's findings or unsaved changes of the open document are lost."""
+
+    def __init__(self, files: Files, window: MainWindow) -> None:
+        self._files = files
+        self._window = window
+        self._agreed = False
+
+    def agree(self) -> None:
+        """Ask nothing the next time."""
+        self._agreed = True
+
+    def may_leave(self, again: Then) -> bool:
+        """Whether the document can be let go; if not, ask, and do `again` afterwards."""
+        if self._agreed or not self._files.unsaved:
+            self._agreed = False
+            return True
+        if self._files.tracker_found_some:
+            ask_about_unsaved(self._window, None, lambda: self._drop_tracked(again))
+        else:
+            save, discard = lambda: self._save(again), lambda: self._discard(again)
+            ask_about_unsaved(self._window, save, discard)
+        return False
+
+    def _drop_tracked(self, again: Then) -> None:
+        """Only what the tracker found goes; `again` asks about edits, where there are any."""
+        if self._files.desk is not None:
+            self._files.desk.drop_live()
+        again()
+
+    def _save(self, again: Then) -> None:
+        def leave() -> None:
+            self.agree()
+            again()
+
+        self._files.save(leave)
+
+    def _discard(self, again: Then) -> None:
+        """What was discarded is not shown any longer, whether or not something else opens."""
+        if self._files.session is not None:
+            opening.discard(self._files.session)
+        self._files.close()
+        self._window.show_welcome()
+        again()

@@ -1,0 +1,1 @@
+"""What was done: listed, gone back to, undone alone."""

@@ -1,0 +1,1 @@
+"""Labelling: tools and sheets to draw with, what was said and drawn."""

@@ -1,0 +1,279 @@
+"""Labelling in the open recording: tools, gestures and keys become labels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from PySide6.QtCore import QObject, QPointF, Signal
+from PySide6.QtWidgets import QWidget
+
+from app.presenters.document.document import Document
+from app.presenters.labelling.drawing import (
+    corners_of,
+    drawn_with,
+    plan_drawn,
+    plan_renamed,
+    plan_reshaped,
+    plan_taken_away,
+)
+from app.presenters.labelling.labelling import LabellingPresenter
+from app.presenters.labelling.labelling_scene import (
+    LINE_COLOUR,
+    OCCLUDER_COLOUR,
+    REGION_COLOUR,
+    PictureLabels,
+    Tool,
+)
+from app.presenters.scenes import Eye
+from app.presenters.words import tr
+from app.views.desk.workspace import Workspace
+from app.views.labelling.labelling_panel import LabellingPanel
+from app.views.labelling.part_labels import PartsLayer
+from app.views.labelling.shapes import ShapesLayer
+from app.views.playing.playback import Playback
+from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
+from tracking.errors import TrackwrightError
+from tracking.tracks import PART_NAMES
+
+_COLOURS = {
+    Tool.OCCLUDERS: OCCLUDER_COLOUR,
+    Tool.LINES: LINE_COLOUR,
+    Tool.REGIONS: REGION_COLOUR,
+}
+
+
+class Labelling(QObject):
+    """Turns what is drawn and said into edits of a document, and shows it.
+
+    Signals: `changed()`, labels or the tool are others than before; `failed(error)`; `said(text)`.
+    """
+
+    changed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+
+    def __init__(
+        self, document: Document, playback: Playback, workspace: Workspace, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._playback = playback
+        self._workspace = workspace
+        self._presenter = LabellingPresenter(document)
+        self._panel: LabellingPanel = workspace.labelling
+        self._parts = PartsLayer(workspace.left)
+        self._on_picture = ShapesLayer(workspace.left)
+        self._on_floor = ShapesLayer(workspace.overhead)
+        self._connect_layers()
+        self._connect_panel()
+
+    def _connect_layers(self) -> None:
+        self._parts.part_chosen.connect(self.choose_part)
+        self._parts.part_drawn.connect(self._put_box)
+        self._parts.picked.connect(self._pick_person)
+        self._parts.left.connect(self.leave)
+        for layer in (self._on_picture, self._on_floor):
+            layer.drawn.connect(self._add)
+            layer.reshaped.connect(self._reshape)
+            layer.picked.connect(self._pick)
+            layer.removal_asked.connect(self._remove_picked)
+            layer.left.connect(self.leave)
+
+    def _connect_panel(self) -> None:
+        """Each connection ends with this object."""
+        labelling, panel = self, self._panel
+        panel.left.connect(labelling.leave)
+        panel.parts.said.connect(labelling.say_of)
+        panel.parts.chosen.connect(labelling.choose_part)
+        panel.parts.step_chosen.connect(labelling.set_step)
+        panel.drawn.picked.connect(labelling._pick)
+        panel.drawn.renamed.connect(labelling._rename)
+        panel.drawn.removed.connect(labelling._remove)
+        panel.ranges.frame_sought.connect(labelling._playback.go)
+        panel.ranges.marked.connect(labelling._mark)
+        panel.ranges.unmarked.connect(labelling._unmark)
+
+    def close(self) -> None:
+        """Take the layers off the views, which outlive the document."""
+        for layer in self._layers:
+            layer.hide()
+            layer.setParent(None)
+            layer.deleteLater()
+        self._panel.show_scene(None)
+        self._show(PictureLabels(), PictureLabels())
+
+    @property
+    def _layers(self) -> tuple[QWidget, ...]:
+        return (self._parts, self._on_picture, self._on_floor)
+
+    # tools
+
+    @property
+    def tool(self) -> Tool | None:
+        """What is being labelled."""
+        return self._presenter.choice.tool
+
+    def toggle(self, tool: Tool) -> None:
+        """Begin with a tool, or leave it where it is at work already."""
+        if self.tool is tool:
+            self.leave()
+            return
+        self._playback.pause()
+        self._document.correcting.leave()
+        self._presenter.choice.tool = tool
+        self._presenter.choice.picked = -1
+        for layer in self._layers:
+            layer.hide()
+        used = self._layer_of(tool)
+        if used is not None:
+            used.begin()
+        self.changed.emit()
+
+    def leave(self) -> None:
+        """Leave the tool; what was drawn and said stays."""
+        self._presenter.choice.tool = None
+        self._presenter.choice.picked = -1
+        for layer in self._layers:
+            layer.hide()
+        self._workspace.left.setFocus()
+        self.changed.emit()
+
+    def _layer_of(self, tool: Tool) -> PartsLayer | ShapesLayer | None:
+        if tool is Tool.PARTS:
+            return self._parts
+        if tool is Tool.REVIEWED:
+            return None
+        return self._on_floor if tool.on_floor else self._on_picture
+
+    # body parts
+
+    def choose_part(self, part: int) -> None:
+        """The part the next answer is about."""
+        self._need_parts()
+        self._presenter.choice.part = part
+        self.changed.emit()
+
+    def say_of(self, part: int, on_part: bool | None) -> None:
+        """One of the panel's answers was clicked."""
+        self._presenter.choice.part = part
+        self.say(on_part)
+
+    def say(self, on_part: bool | None) -> None:
+        """Say whether the chosen part's rectangle lies on its part, then go on to the next one."""
+        self._need_parts()
+        frame = self._playback.number
+        if self._do(lambda: self._presenter.plan_say(frame, on_part)):
+            self._go_on()
+
+    def _go_on(self) -> None:
+        choice = self._presenter.choice
+        choice.part = (choice.part + 1) % len(PART_NAMES)
+        if choice.part == 0 and choice.step:
+            self._playback.step(choice.step)
+        self.changed.emit()
+
+    def forget(self) -> None:
+        """Take back what was said of the chosen part in the frame."""
+        self._do(lambda: self._presenter.plan_forget(self._playback.number))
+
+    def set_step(self, frames: int) -> None:
+        """Frames to go on after the last part."""
+        self._presenter.choice.step = frames
+
+    def _need_parts(self) -> None:
+        if self.tool is not Tool.PARTS:
+            self.toggle(Tool.PARTS)
+
+    def _put_box(self, part: int, box: tuple[float, float, float, float]) -> None:
+        self._presenter.choice.part = part
+        self._do(lambda: self._presenter.plan_box(self._playback.number, part, box))
+
+    def _pick_person(self, at: QPointF) -> None:
+        """A click beside all rectangles: maybe on another person."""
+        view = self._workspace.left
+        view.track_picked.emit(view.track_at(at))
+
+    # what is drawn
+
+    def _add(self, corners: tuple[tuple[float, float], ...]) -> None:
+        tool, frame = self.tool, self._playback.number
+        if tool is None:
+            return
+        if self._do(lambda: plan_drawn(tool, self._presenter.labels, corners, frame)):
+            there = [corners_of(item) for item in drawn_with(tool, self._presenter.labels)]
+            self._pick(there.index(corners) if corners in there else -1)
+
+    def _reshape(self, number: int, corners: tuple[tuple[float, float], ...]) -> None:
+        self._change(partial(plan_reshaped, number=number, corners=corners))
+
+    def _rename(self, number: int, name: str) -> None:
+        self._change(partial(plan_renamed, number=number, name=name))
+
+    def _remove_picked(self) -> None:
+        self._remove(self._presenter.choice.picked)
+
+    def _remove(self, number: int) -> None:
+        if 0 <= number < len(drawn_with(self.tool, self._presenter.labels)):
+            self._presenter.choice.picked = -1
+            self._change(partial(plan_taken_away, number=number))
+
+    def _pick(self, number: int) -> None:
+        if number != self._presenter.choice.picked:
+            self._presenter.choice.picked = number
+            self.changed.emit()
+
+    def _change(self, plan: Callable[..., Change]) -> None:
+        tool = self.tool
+        if tool is not None:
+            labels, frame = self._presenter.labels, self._playback.number
+            self._do(lambda: plan(tool, labels, frame=frame))
+
+    # reviewed ranges
+
+    def _mark(self, everybody: bool, start: int, end: int) -> None:
+        track = 0 if everybody else self._presenter.track
+        self._do(lambda: plan_mark_reviewed(self._presenter.labels, track, start, end))
+
+    def _unmark(self, track: int, start: int, end: int) -> None:
+        self._do(lambda: plan_unmark_reviewed(self._presenter.labels, track, start, end))
+
+    def _do(self, plan: Callable[[], Change]) -> bool:
+        """Do what is planned; whether it was done. What cannot be is told."""
+        try:
+            change = plan()
+            self._document.apply(change)
+        except TrackwrightError as error:
+            self.failed.emit(error)
+            self.changed.emit()
+            return False
+        self.said.emit(tr("Done: {what}", what=change.text))
+        self.changed.emit()
+        return True
+
+    # showing
+
+    def draw(self, both: bool, shown: bool) -> None:
+        """Show labels in the views; `both`: the right eye is shown too; `shown`: at all."""
+        if self._document.flow is not None and self.tool is not None:
+            self.leave()
+            return
+        frame, presenter = self._playback.number, self._presenter
+        shown = shown or self.tool is not None
+        nothing = PictureLabels()
+        left = presenter.picture(Eye.LEFT, frame) if shown else nothing
+        right = presenter.picture(Eye.RIGHT, frame) if shown and both else nothing
+        self._show(left, right)
+        if self.tool is Tool.PARTS:
+            self._parts.show_parts(left.parts, presenter.choice.part)
+        elif self.tool in _COLOURS:
+            layer = self._on_floor if self.tool.on_floor else self._on_picture
+            shapes = [corners_of(item) for item in drawn_with(self.tool, presenter.labels)]
+            closed = self.tool is not Tool.LINES
+            layer.show_shapes(shapes, closed=closed, colour=_COLOURS[self.tool])
+        self._panel.show_scene(presenter.scene(frame))
+
+    def _show(self, left: PictureLabels, right: PictureLabels) -> None:
+        self._workspace.left.show_labels(left)
+        self._workspace.right.show_labels(right)
+        self._workspace.overhead.show_labels(self._presenter.floor())

@@ -1,0 +1,150 @@
+"""What people drew and said, painted: part rectangles, outlines, arrows, corners."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPainterPath, QPen
+
+from app.presenters.labelling.labelling_scene import PART_COLOURS, Outline, PartMark
+from app.presenters.scenes import Colour
+from app.views.look.theme import Theme, faded
+from app.views.pictures.name_plates import draw_plate, place_plates, plate_rect
+from app.views.pictures.viewport import Points, Viewport
+
+_CASING = QColor(0, 0, 0, 130)
+_FILL = 0.16
+CORNER_PX = 4.5
+_TIP_PX = 8.0
+
+
+def draw_outlines(
+    painter: QPainter, outlines: Sequence[Outline], viewport: Viewport, area: QRectF, theme: Theme
+) -> None:
+    """Polygons, lines with their arrows, and their names; the one that is picked with corners."""
+    for outline in outlines:
+        colour = theme.track(outline.colour) if viewport.upward else QColor(*outline.colour)
+        draw_outline(painter, outline, viewport, colour)
+    metrics = QFontMetricsF(painter.font())
+    named = [(one, _name_at(viewport.to_widget(one.points), area)) for one in outlines]
+    seen = [(one, at) for one, at in named if at is not None and one.name]
+    wanted = [plate_rect(metrics, one.name, at) for one, at in seen]
+    placed = place_plates(wanted, area)
+    for (one, _), rect in zip(seen, placed, strict=True):
+        draw_plate(painter, rect, one.name, QColor(*one.colour), one.picked)
+
+
+def draw_outline(painter: QPainter, outline: Outline, viewport: Viewport, colour: QColor) -> None:
+    """One polygon or line, without its name."""
+    points = viewport.to_widget(outline.points)
+    path = path_through(points, outline.closed)
+    if outline.closed and np.isfinite(points).all():
+        painter.fillPath(path, faded(colour, _FILL))
+    width = 2.8 if outline.picked else 1.8
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for pen in (QPen(_CASING, width + 2.0), QPen(colour, width)):
+        painter.setPen(pen)
+        painter.drawPath(path)
+    if len(outline.arrow):
+        _draw_arrow(painter, viewport.to_widget(outline.arrow), colour)
+
+
+def draw_corners(painter: QPainter, points: Points, colour: QColor, held: int = -1) -> None:
+    """Corners (n, 2) of the widget that can be dragged; the one that is held is larger."""
+    painter.setPen(QPen(QColor(20, 20, 20, 220), 1.2))
+    painter.setBrush(colour)
+    for number, (x, y) in enumerate(points.tolist()):
+        radius = CORNER_PX + (2.0 if number == held else 0.0)
+        painter.drawEllipse(QPointF(x, y), radius, radius)
+
+
+def path_through(points: Points, closed: bool) -> QPainterPath:
+    """A path through widget points (n, 2); rows of NaN break it."""
+    path, down = QPainterPath(), False
+    for x, y in points.tolist():
+        if x != x or y != y:
+            down = False
+        elif down:
+            path.lineTo(x, y)
+        else:
+            path.moveTo(x, y)
+            down = True
+    if closed and len(points) and np.isfinite(points).all():
+        path.closeSubpath()
+    return path
+
+
+def draw_parts(
+    painter: QPainter, parts: Sequence[PartMark], viewport: Viewport, area: QRectF
+) -> None:
+    """Rectangles: solid where said to be on, crossed out where off, dashed where unsure."""
+    ordered = sorted(parts, key=lambda one: one.chosen)
+    for mark in ordered:
+        _draw_part(painter, mark, viewport.rect(QRectF(*mark.box)))
+    wanted = _beside_parts(QFontMetricsF(painter.font()), ordered, viewport, area)
+    for mark, rect in zip(ordered, place_plates(wanted, area), strict=True):
+        draw_plate(painter, rect, mark.label, QColor(*part_colour(mark.part)), mark.chosen)
+
+
+def _beside_parts(
+    metrics: QFontMetricsF, parts: Sequence[PartMark], viewport: Viewport, area: QRectF
+) -> list[QRectF]:
+    """Where plates hide nothing of the person: right of all rectangles, or left of them."""
+    rects = [viewport.rect(QRectF(*one.box)) for one in parts]
+    plates = [plate_rect(metrics, one.label, QPointF()) for one in parts]
+    right = max((rect.right() for rect in rects), default=0.0) + 6
+    left = min((rect.left() for rect in rects), default=0.0) - 6
+    widest = max((plate.width() for plate in plates), default=0.0)
+    for rect, plate in zip(rects, plates, strict=True):
+        fits = right + widest <= area.right()
+        plate.moveTopLeft(QPointF(right if fits else left - plate.width(), rect.top()))
+    return plates
+
+
+def part_colour(part: int) -> Colour:
+    """Of head, torso and hip-leg."""
+    return PART_COLOURS[part % len(PART_COLOURS)]
+
+
+def _draw_part(painter: QPainter, mark: PartMark, rect: QRectF) -> None:
+    colour = QColor(*part_colour(mark.part))
+    width = 2.8 if mark.chosen else 1.8
+    styles = Qt.PenStyle
+    style = styles.DotLine if not mark.given else styles.SolidLine
+    if mark.given and mark.on_part is None:
+        style = styles.DashLine
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(_CASING, width + 2.0))
+    painter.drawRect(rect)
+    painter.setPen(QPen(colour, width, style))
+    painter.drawRect(rect)
+    if mark.given and mark.on_part is False:
+        painter.drawLine(rect.topLeft(), rect.bottomRight())
+        painter.drawLine(rect.bottomLeft(), rect.topRight())
+    if mark.chosen:
+        painter.fillRect(rect, faded(colour, 0.14))
+
+
+def _draw_arrow(painter: QPainter, ends: Points, colour: QColor) -> None:
+    shaft = QLineF(QPointF(*ends[0]), QPointF(*ends[1]))
+    if shaft.length() < 2 * _TIP_PX:
+        shaft.setLength(2 * _TIP_PX)
+    wings = []
+    for turn in (150, -150):
+        wing = QLineF(shaft.p2(), shaft.p1())
+        wing.setAngle(shaft.angle() + turn)
+        wing.setLength(_TIP_PX)
+        wings.append(wing)
+    for pen in (QPen(_CASING, 4.6), QPen(colour, 2.6)):
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        painter.setPen(pen)
+        painter.drawLines([shaft, *wings])
+
+
+def _name_at(points: Points, area: QRectF) -> QPointF | None:
+    """Where a name stands: at the highest point in sight."""
+    inside = [QPointF(x, y) for x, y in points.tolist() if x == x and y == y]
+    inside = [point for point in inside if area.contains(point)]
+    return min(inside, key=lambda point: point.y()) + QPointF(6, -4) if inside else None

@@ -1,0 +1,1 @@
+"""Colours of dark and light, and the icons drawn in them."""

@@ -1,0 +1,38 @@
+"""What the colours laid over a picture mean."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter
+
+from app.presenters.scenes import LegendEntry
+from app.views.look.theme import Theme, faded
+
+_PAD, _GAP = 7.0, 6.0
+
+
+def draw_legend(
+    painter: QPainter, entries: Sequence[LegendEntry], corner: QPointF, theme: Theme
+) -> None:
+    """A plate with a line for each colour, its lower left corner given."""
+    if not entries:
+        return
+    metrics = QFontMetricsF(painter.font())
+    line, side = metrics.height() + 2, metrics.ascent()
+    words = max(metrics.horizontalAdvance(entry.text) for entry in entries)
+    size = (words + side + _GAP + 2 * _PAD, len(entries) * line + 2 * _PAD)
+    plate = QRectF(corner.x(), corner.y() - size[1], *size)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(faded(theme.window, 0.82))
+    painter.drawRoundedRect(plate, 5, 5)
+    for row, entry in enumerate(entries):
+        inside = QRectF(plate.left() + _PAD, plate.top() + _PAD + row * line, size[0], line)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(*entry.colour))
+        swatch = QRectF(inside.left(), inside.center().y() - side / 2, side, side)
+        painter.drawRoundedRect(swatch, 2, 2)
+        painter.setPen(theme.text)
+        inside.setLeft(swatch.right() + _GAP)
+        painter.drawText(inside, Qt.AlignmentFlag.AlignVCenter, entry.text)

@@ -1,0 +1,85 @@
+"""Name plates that stay readable on any picture and do not hide each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter
+
+from app.views.look.theme import Theme, faded, ink_on
+
+_GAP = 2.0
+
+
+def place_plates(wanted: Sequence[QRectF], area: QRectF) -> list[QRectF]:
+    """Move rectangles as little down (or, at the bottom, up) as keeps them from overlapping.
+
+    Earlier ones have the right of way. Where the area is too full for all, the rest overlaps.
+    """
+    placed: list[QRectF] = []
+    for rect in wanted:
+        inside = _within(rect, area)
+        down = _pushed(inside, placed, area, 1)
+        up = _pushed(inside, placed, area, -1)
+        free = [one for one in (down, up) if one is not None]
+        placed.append(min(free, key=lambda one: abs(one.top() - inside.top())) if free else inside)
+    return placed
+
+
+def _within(rect: QRectF, area: QRectF) -> QRectF:
+    left = min(max(rect.left(), area.left()), max(area.left(), area.right() - rect.width()))
+    top = min(max(rect.top(), area.top()), max(area.top(), area.bottom() - rect.height()))
+    return QRectF(left, top, rect.width(), rect.height())
+
+
+def _pushed(rect: QRectF, placed: list[QRectF], area: QRectF, way: int) -> QRectF | None:
+    moved = QRectF(rect)
+    for _ in range(len(placed) + 1):
+        hit = next((one for one in placed if one.intersects(moved)), None)
+        if hit is None:
+            return moved
+        if way > 0:
+            moved.moveTop(hit.bottom() + _GAP)
+        else:
+            moved.moveBottom(hit.top() - _GAP)
+        if moved.bottom() > area.bottom() or moved.top() < area.top():
+            return None
+    return None
+
+
+def plate_rect(metrics: QFontMetricsF, text: str, corner: QPointF) -> QRectF:
+    """The plate for a text, its lower left corner given."""
+    width = metrics.horizontalAdvance(text) + 10
+    height = metrics.height() + 4
+    return QRectF(corner.x(), corner.y() - height, width, height)
+
+
+def draw_plate(
+    painter: QPainter, rect: QRectF, text: str, colour: QColor, emphasised: bool = False
+) -> None:
+    """A filled plate with text in whichever of black and white reads better."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    if emphasised:
+        painter.setBrush(QColor(255, 255, 255, 235))
+        painter.drawRoundedRect(rect.adjusted(-1.5, -1.5, 1.5, 1.5), 5.5, 5.5)
+    painter.setBrush(faded(colour, 1.0 if emphasised else 0.88))
+    painter.drawRoundedRect(rect, 4, 4)
+    painter.setPen(ink_on(colour))
+    painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def draw_note(painter: QPainter, rect: QRectF, text: str, theme: Theme) -> None:
+    """A quiet plate of the theme, e.g. which eye a picture is of."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(faded(theme.window, 0.82))
+    painter.drawRoundedRect(rect, 5, 5)
+    painter.setPen(theme.text)
+    painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def draw_message(painter: QPainter, area: QRectF, text: str, theme: Theme) -> None:
+    """What to say, in the middle, where there is nothing to draw."""
+    painter.setPen(theme.text_muted)
+    flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+    painter.drawText(area.adjusted(24, 24, -24, -24), flags, text)

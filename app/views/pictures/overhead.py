@@ -1,0 +1,317 @@
+"""The floor from above: particles, measured positions, people, where they walk."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF, QRadialGradient
+from PySide6.QtWidgets import QWidget
+
+from app.presenters.comparing.agreement_scene import OtherPlace
+from app.presenters.labelling.labelling_scene import FloorLabels
+from app.presenters.scenes import FloorPerson, OverheadScene
+from app.views.labelling.marks import draw_outlines
+from app.views.look.theme import Theme, faded, scaled_font
+from app.views.pictures.canvas import Canvas
+from app.views.pictures.compare_marks import draw_other_places
+from app.views.pictures.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
+from app.views.pictures.marks import draw_fading_trail, draw_preview
+from app.views.pictures.name_plates import draw_message, draw_plate, place_plates, plate_rect
+from app.views.pictures.particles import darkened, draw_particles
+
+_PICK_REACH_PX = 22.0
+_PERSON_RADIUS_M = 0.22
+_PARTICLE_RADIUS_M = 0.014
+_ARROW_S = 0.8  # an arrow shows where somebody is after this time
+_LONGEST_ARROW_PX = 70.0
+_STANDING_M_S = 0.05
+_DOT_PX = 10
+_GRIP_PX = 3.0  # around a person's ring
+
+
+class OverheadView(Canvas):
+    """Draws an :class:`OverheadScene`; forward is up.
+
+    Signals:
+        track_picked(int): the nearest person to a click, 0 where nobody is near.
+        track_added(int): the same with Shift.
+        floor_clicked(float, float): where a click was, in metres.
+        person_grabbed(int), person_dragged(float, float), person_dropped(): somebody is taken hold
+            of, is now at x, y in metres, is let go.
+    """
+
+    track_picked = Signal(int)
+    track_added = Signal(int)
+    person_grabbed = Signal(int)
+    person_dragged = Signal(float, float)
+    person_dropped = Signal()
+    floor_clicked = Signal(float, float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(upward=True, parent=parent)
+        self._scene: OverheadScene | None = None
+        self._labels = FloorLabels()
+        self._others: tuple[OtherPlace, ...] = ()
+        self._held: FloorPerson | None = None
+        self._held_off = QPointF()
+        self._dragged = False
+        self._floor_key: tuple[object, ...] = ()
+        self._floor_drawn = QPixmap()
+        self._dot_key = ("", 0.0)
+        self._dot_drawn = QPixmap()
+        self.setContentsMargins(12, 12, 12, 12)
+        self.setAccessibleName(self.tr("Overhead view"))
+
+    def show_scene(self, scene: OverheadScene) -> None:
+        """Draw another instant."""
+        before = self._scene
+        self._scene = scene
+        if before is None or (before.bounds != scene.bounds and self._fitted):
+            self.fit()
+        self.update()
+
+    def show_labels(self, labels: FloorLabels) -> None:
+        """Draw counting lines and regions."""
+        if labels is not self._labels:
+            self._labels = labels
+            self.update()
+
+    def show_others(self, others: tuple[OtherPlace, ...]) -> None:
+        """Draw another session's people, thin and dashed."""
+        if others or self._others:
+            self._others = others
+            self.update()
+
+    def content(self) -> QRectF:
+        """The bounds of the scene, in metres."""
+        if self._scene is None or self._scene.message:
+            return QRectF()
+        left, bottom, right, top = self._scene.bounds
+        return QRectF(left, bottom, right - left, top - bottom)
+
+    def clicked_at(self, at: QPointF, extend: bool) -> None:
+        """Report who and where."""
+        if self.content().isEmpty():
+            return
+        (self.track_added if extend else self.track_picked).emit(self.track_at(at))
+        place = self.viewport.to_content(at)
+        self.floor_clicked.emit(place.x(), place.y())
+
+    def track_at(self, at: QPointF) -> int:
+        """The person near."""
+        person = self._person_at(at)
+        return person.track if person is not None else 0
+
+    def grabs(self, at: QPointF) -> bool:
+        """A person whose ring is under the cursor."""
+        self._held, self._dragged = self._movable_at(at), False
+        if self._held is not None:
+            self._held_off = self.viewport.point(*self._held.position) - at
+        return self._held is not None
+
+    def _movable_at(self, at: QPointF) -> FloorPerson | None:
+        person = self._person_at(at) if self._scene is not None and self._scene.movable else None
+        if person is None:
+            return None
+        apart = QLineF(self.viewport.point(*person.position), at).length()
+        return person if apart <= self._radius() + _GRIP_PX else None
+
+    def drag_to(self, at: QPointF) -> None:
+        """Tell where the person stands by now."""
+        if self._held is None:
+            return
+        if not self._dragged:
+            self._dragged = True
+            self.person_grabbed.emit(self._held.track)
+        place = self.viewport.to_content(at + self._held_off)
+        self.person_dragged.emit(place.x(), place.y())
+
+    def drop(self) -> None:
+        """Tell that the person stays."""
+        self._held = None
+        self.person_dropped.emit()
+
+    def cursor_at(self, at: QPointF) -> Qt.CursorShape:
+        """Arrows over who can be moved, a hand near people."""
+        if self._movable_at(at) is not None:
+            return Qt.CursorShape.SizeAllCursor
+        over = self._person_at(at) is not None
+        return Qt.CursorShape.PointingHandCursor if over else Qt.CursorShape.ArrowCursor
+
+    def name_at(self, at: QPointF) -> str:
+        """The person near the cursor and where they stand."""
+        person = self._person_at(at)
+        if person is None:
+            return ""
+        text = self.tr("{0} at {1:.1f}, {2:.1f} m, {3:.1f} m/s")
+        return text.format(person.label, *person.position, float(np.hypot(*person.velocity)))
+
+    def _person_at(self, at: QPointF) -> FloorPerson | None:
+        if self._scene is None or self._scene.message:
+            return None
+        reach = max(_PICK_REACH_PX, self._radius() + 4)
+        near = [
+            (QLineF(self.viewport.point(*person.position), at).length(), person)
+            for person in self._scene.people
+        ]
+        hits = [hit for hit in near if hit[0] <= reach]
+        return min(hits, key=lambda hit: hit[0])[1] if hits else None
+
+    def _radius(self) -> float:
+        return min(max(_PERSON_RADIUS_M * self.viewport.scale, 6.0), 40.0)
+
+    def paint(self, painter: QPainter, theme: Theme) -> None:
+        """Floor, trails, particles, measured positions, people, plates; in this order."""
+        area, scene = QRectF(self.rect()), self._scene
+        if scene is None or scene.message:
+            text = scene.message if scene is not None else ""
+            draw_message(painter, area, text, theme)
+            return
+        painter.drawPixmap(0, 0, self._floor(scene, theme))
+        painter.setFont(scaled_font(self.font(), 0.92))
+        draw_outlines(painter, self._labels.outlines, self.viewport, area, theme)
+        draw_other_places(painter, self._others, self.viewport, theme)
+        self._draw_trails(painter, scene, theme)
+        self._draw_particles(painter, scene, theme)
+        for person in scene.ghosts:
+            self._draw_ghost(painter, person, theme)
+        for person in scene.people:
+            self._draw_person(painter, person, theme)
+        self._draw_measured(painter, scene, theme)
+        draw_preview(painter, scene.preview, self.viewport)
+        self._draw_plates(painter, scene, theme, area)
+        painter.setFont(scaled_font(self.font(), 0.85))
+        draw_scale_bar(painter, area, self.viewport, theme, self.tr("m"))
+
+    def _floor(self, scene: OverheadScene, theme: Theme) -> QPixmap:
+        """What does not move, drawn again only where the view or the look is another."""
+        ratio = self.devicePixelRatioF()
+        seen = scene.field_of_view.tobytes()
+        key = (self.viewport, self.size().toTuple(), ratio, theme.name, seen, self.font().key())
+        if key != self._floor_key:
+            self._floor_key = key
+            self._floor_drawn = QPixmap(self.size() * ratio)
+            self._floor_drawn.setDevicePixelRatio(ratio)
+            self._floor_drawn.fill(theme.sunken)
+            painter = QPainter(self._floor_drawn)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setFont(scaled_font(self.font(), 0.85))
+            draw_grid(painter, QRectF(self.rect()), self.viewport, theme)
+            draw_field_of_view(painter, scene.field_of_view, self.viewport, theme)
+            draw_camera(painter, scene.camera, self.viewport, theme, scene.looks_down)
+            painter.end()
+        return self._floor_drawn
+
+    def _draw_trails(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
+        for person in scene.people:
+            points = self.viewport.to_widget(person.trail)
+            width = 3.0 if person.selected else 2.0
+            draw_fading_trail(painter, points, theme.track(person.colour), width)
+
+    def _draw_particles(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
+        if not len(scene.particles):
+            return
+        ratio, colours = self.devicePixelRatioF(), scene.particle_colours
+        radius_px = min(max(_PARTICLE_RADIUS_M * self.viewport.scale, 1.3), 2.6)
+        draw_particles(
+            painter,
+            self.viewport.to_widget(scene.particles) * ratio,
+            colours if theme.is_dark else darkened(colours),
+            scene.particle_weights,
+            (round(self.width() * ratio), round(self.height() * ratio)),
+            radius_px * ratio,
+            ratio,
+        )
+
+    def _draw_person(self, painter: QPainter, person: FloorPerson, theme: Theme) -> None:
+        at, radius = self.viewport.point(*person.position), self._radius()
+        colour = theme.track(person.colour)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if person.selected:
+            glow = QRadialGradient(at, radius + 9)
+            glow.setColorAt(max(radius - 9, 0) / (radius + 9), faded(colour, 0.0))
+            glow.setColorAt(radius / (radius + 9), faded(colour, 0.55))
+            glow.setColorAt(1.0, faded(colour, 0.0))
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(glow)
+            painter.drawEllipse(at, radius + 9, radius + 9)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+        pen = QPen(colour, 3.0 if person.selected else 1.8)
+        if person.predicted:
+            pen.setDashPattern([3.0, 2.0])
+        painter.setPen(pen)
+        painter.drawEllipse(at, radius, radius)
+        self._draw_arrow(painter, person, at, colour)
+
+    def _draw_ghost(self, painter: QPainter, person: FloorPerson, theme: Theme) -> None:
+        """Where somebody stands before an edit that moves them or takes them out."""
+        at, reach = self.viewport.point(*person.position), self._radius() * 0.7
+        pen = QPen(faded(theme.track(person.colour), 0.7), 1.6)
+        pen.setDashPattern([3.0, 2.5])
+        painter.setPen(pen)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawEllipse(at, self._radius(), self._radius())
+        for way in (QPointF(reach, reach), QPointF(reach, -reach)):
+            painter.drawLine(at - way, at + way)
+
+    def _draw_arrow(
+        self, painter: QPainter, person: FloorPerson, at: QPointF, colour: QColor
+    ) -> None:
+        """From the ring outwards, the way the person walks; longer where faster."""
+        speed = float(np.hypot(*person.velocity))
+        if not speed > _STANDING_M_S:
+            return
+        along = QPointF(person.velocity[0] / speed, -person.velocity[1] / speed)
+        across = QPointF(-along.y(), along.x())
+        length = min(speed * _ARROW_S * self.viewport.scale, _LONGEST_ARROW_PX)
+        start = at + along * self._radius()
+        tip = at + along * (self._radius() + max(length, 10.0))
+        neck = tip - along * 7.0
+        painter.setPen(QPen(colour, 2.2 if person.selected else 1.8))
+        painter.drawLine(start, neck)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        painter.drawPolygon(QPolygonF([tip, neck + across * 4.0, neck - across * 4.0]))
+
+    def _draw_measured(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
+        dot = self._dot(theme)
+        half = QPointF(_DOT_PX / 2, _DOT_PX / 2)
+        for x, y in self.viewport.to_widget(scene.measured).tolist():
+            painter.drawPixmap(QPointF(x, y) - half, dot)
+
+    def _dot(self, theme: Theme) -> QPixmap:
+        """A measured position, drawn once: a pixmap takes a twentieth of an ellipse's time."""
+        key = (theme.name, self.devicePixelRatioF())
+        if key != self._dot_key:
+            self._dot_key = key
+            self._dot_drawn = QPixmap(QSize(_DOT_PX, _DOT_PX) * key[1])
+            self._dot_drawn.setDevicePixelRatio(key[1])
+            self._dot_drawn.fill(Qt.GlobalColor.transparent)
+            painter = QPainter(self._dot_drawn)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(QPen(theme.measured_rim, 1.2))
+            painter.setBrush(theme.measured)
+            painter.drawEllipse(QPointF(_DOT_PX / 2, _DOT_PX / 2), 3.2, 3.2)
+            painter.end()
+        return self._dot_drawn
+
+    def _draw_plates(
+        self, painter: QPainter, scene: OverheadScene, theme: Theme, area: QRectF
+    ) -> None:
+        painter.setFont(scaled_font(self.font(), 0.92, bold=True))
+        metrics, radius = QFontMetricsF(painter.font()), self._radius()
+        ordered = sorted(scene.people, key=lambda person: not person.selected)
+        wanted = [
+            plate_rect(
+                metrics,
+                one.label,
+                self.viewport.point(*one.position) + QPointF(radius + 3, -radius),
+            )
+            for one in ordered
+        ]
+        shown = area.adjusted(4, 4, -4, -4)
+        placed = list(zip(ordered, place_plates(wanted, shown), strict=True))
+        for person, rect in reversed(placed):
+            if area.contains(self.viewport.point(*person.position)):
+                colour = theme.track(person.colour)
+                draw_plate(painter, rect, person.label, colour, person.selected)

@@ -1,0 +1,249 @@
+"""One eye's picture with the people marked on it."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
+from PySide6.QtWidgets import QWidget
+
+from app.presenters.comparing.agreement_scene import OtherMark
+from app.presenters.labelling.labelling_scene import PictureLabels
+from app.presenters.scenes import Eye, PersonMark, PictureScene
+from app.views.labelling.marks import draw_outlines, draw_parts
+from app.views.look.theme import Theme, scaled_font
+from app.views.pictures.box_handles import Grip, cursor_of, draw_handles, handle_at
+from app.views.pictures.canvas import Canvas
+from app.views.pictures.compare_marks import draw_other_boxes
+from app.views.pictures.legend import draw_legend
+from app.views.pictures.marks import draw_cross, draw_ghosts, draw_people, draw_preview
+from app.views.pictures.name_plates import draw_message, draw_note, plate_rect
+from tracking.recording.frame import Image
+
+_PICK_REACH_PX = 10.0
+
+
+class PictureView(Canvas):
+    """Draws a :class:`PictureScene`.
+
+    Signals:
+        track_picked(int): a person was clicked, the nearest where boxes lie over each other;
+            0 for a click beside all people.
+        track_added(int): the same with Shift.
+        picture_clicked(float, float): where a click was, in pixels as recorded.
+        box_grabbed(), box_dragged(object), box_dropped(): the box with handles, or one that is
+            being drawn, is taken hold of, is now (left, top, width, height), is let go.
+    """
+
+    track_picked = Signal(int)
+    track_added = Signal(int)
+    box_grabbed = Signal()
+    box_dragged = Signal(object)
+    box_dropped = Signal()
+    picture_clicked = Signal(float, float)
+
+    def __init__(self, eye: Eye, parent: QWidget | None = None) -> None:
+        super().__init__(upward=False, parent=parent)
+        self._scene = PictureScene(eye, 0, None)
+        self._labels = PictureLabels()
+        self._others: tuple[OtherMark, ...] = ()
+        self._image = QImage()
+        self._overlay = QImage()
+        self._eye_name = ""
+        self._grip: Grip | None = None
+        self._dragged = False
+        self._hover: QPointF | None = None
+        self._rename()
+
+    def show_scene(self, scene: PictureScene) -> None:
+        """Draw another instant."""
+        before, previous = self._image.size(), self._scene
+        self._scene = scene
+        if scene.image is not previous.image:
+            self._image = _from_bgr(scene.image)
+        if scene.overlay is not previous.overlay:
+            self._overlay = _from_rgba(scene.overlay)
+        if scene.eye is not previous.eye:
+            self._rename()
+        if self._image.size() != before:
+            self.fit()
+        self.update()
+
+    def show_labels(self, labels: PictureLabels) -> None:
+        """Draw what people drew and said at this instant."""
+        self._labels = labels
+        self.update()
+
+    def show_others(self, others: tuple[OtherMark, ...]) -> None:
+        """Draw another session's people, thin and dashed."""
+        if others or self._others:
+            self._others = others
+            self.update()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Follow the language."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._rename()
+
+    def _rename(self) -> None:
+        names = {
+            Eye.LEFT: self.tr("Left eye"),
+            Eye.RIGHT: self.tr("Right eye"),
+            Eye.BOTH: self.tr("Both eyes, for red and cyan glasses"),
+        }
+        self._eye_name = names[self._scene.eye]
+        self.setAccessibleName(self._eye_name)
+
+    def content(self) -> QRectF:
+        """The picture; its first pixel's centre lies at (0, 0)."""
+        if self._image.isNull():
+            return QRectF()
+        return QRectF(-0.5, -0.5, self._image.width(), self._image.height())
+
+    def clicked_at(self, at: QPointF, extend: bool) -> None:
+        """Report who and where."""
+        if self._image.isNull():
+            return
+        (self.track_added if extend else self.track_picked).emit(self.track_at(at))
+        place = self.viewport.to_content(at)
+        self.picture_clicked.emit(place.x(), place.y())
+
+    def track_at(self, at: QPointF) -> int:
+        """The person there."""
+        person = self._person_at(at)
+        return person.track if person is not None else 0
+
+    # moving and drawing boxes
+
+    def grabs(self, at: QPointF) -> bool:
+        """A new box's corner while one is to be drawn, else a handle or the movable box itself."""
+        self._grip, self._dragged = self._grip_at(at), False
+        return self._grip is not None
+
+    def _grip_at(self, at: QPointF) -> Grip | None:
+        place = self.viewport.to_content(at)
+        if self._scene.drawing and not self._image.isNull():
+            return Grip((1, 1), (place.x(), place.y(), 0.0, 0.0), place)
+        person = self._movable()
+        if person is None:
+            return None
+        handle = handle_at(self.viewport.rect(QRectF(*person.box)), at)
+        return Grip(handle, person.box, place) if handle is not None else None
+
+    def _movable(self) -> PersonMark | None:
+        return next((person for person in self._scene.people if person.movable), None)
+
+    def drag_to(self, at: QPointF) -> None:
+        """Tell where the box is by now."""
+        if self._grip is None:
+            return
+        if not self._dragged:
+            self._dragged = True
+            self.box_grabbed.emit()
+        self._hover = at
+        self.box_dragged.emit(self._grip.moved_to(self.viewport.to_content(at)))
+
+    def drop(self) -> None:
+        """Tell that the box stays."""
+        self._grip = None
+        self.box_dropped.emit()
+
+    def cursor_at(self, at: QPointF) -> Qt.CursorShape:
+        """A cross to draw, arrows over handles, a hand over people."""
+        if self._scene.drawing:
+            self._hover = at
+            self.update()
+            return Qt.CursorShape.CrossCursor
+        grip = self._grip_at(at)
+        if grip is not None:
+            return cursor_of(grip.handle)
+        over = self._person_at(at) is not None
+        return Qt.CursorShape.PointingHandCursor if over else Qt.CursorShape.ArrowCursor
+
+    def name_at(self, at: QPointF) -> str:
+        """The person's label under the cursor."""
+        person = self._person_at(at)
+        if person is None:
+            return ""
+        return self.tr("{0} (predicted)").format(person.label) if person.predicted else person.label
+
+    def _person_at(self, at: QPointF) -> PersonMark | None:
+        """The person whose box is hit; of several, the one whose middle is nearest."""
+        reach = _PICK_REACH_PX
+        hits = []
+        for person in self._scene.people:
+            rect = self.viewport.rect(QRectF(*person.box))
+            if rect.adjusted(-reach, -reach, reach, reach).contains(at):
+                outside = 0.0 if rect.contains(at) else 1e6
+                hits.append((outside + QLineF(rect.center(), at).length(), person))
+        return min(hits, key=lambda hit: hit[0])[1] if hits else None
+
+    def paint(self, painter: QPainter, theme: Theme) -> None:
+        """Picture, overlay, grid, people, the eye's name, what colours mean."""
+        area = QRectF(self.rect())
+        if self._image.isNull():
+            draw_message(painter, area, self._scene.message, theme)
+            return
+        self._draw_image(painter)
+        self._draw_grid(painter)
+        painter.setFont(scaled_font(self.font(), 0.92, bold=True))
+        shown = area.intersected(self.viewport.rect(self.content()))
+        draw_outlines(painter, self._labels.outlines, self.viewport, shown, theme)
+        draw_preview(painter, self._scene.preview, self.viewport)
+        draw_ghosts(painter, self._scene.ghosts, self.viewport)
+        draw_other_boxes(painter, self._others, self.viewport, theme)
+        draw_people(painter, self._scene.people, self.viewport, shown)
+        draw_parts(painter, self._labels.parts, self.viewport, shown)
+        movable = self._movable()
+        if movable is not None and not self._labels.labelling:
+            rect = self.viewport.rect(QRectF(*movable.box))
+            draw_handles(painter, rect, QColor(*movable.colour))
+        if self._scene.drawing and self._hover is not None:
+            draw_cross(painter, self._hover, shown)
+        painter.setFont(scaled_font(self.font(), 0.92))
+        metrics = QFontMetricsF(painter.font())
+        eye = plate_rect(metrics, self._eye_name, QPointF(8, 12 + metrics.height()))
+        draw_note(painter, eye, self._eye_name, theme)
+        draw_legend(painter, self._scene.legend, QPointF(8, area.bottom() - 8), theme)
+        if self._scene.message:
+            said = plate_rect(metrics, self._scene.message, QPointF(0, area.bottom() - 12))
+            said.moveLeft(area.center().x() - said.width() / 2)
+            draw_note(painter, said, self._scene.message, theme)
+
+    def _draw_image(self, painter: QPainter) -> None:
+        target = self.viewport.rect(self.content())
+        shrunk_or_near = self.viewport.scale < 3.0
+        hint = QPainter.RenderHint.SmoothPixmapTransform
+        painter.setRenderHint(hint, shrunk_or_near)
+        painter.drawImage(target, self._image)
+        if not self._overlay.isNull():
+            painter.drawImage(target, self._overlay)
+
+    def _draw_grid(self, painter: QPainter) -> None:
+        segments = np.asarray(self._scene.grid, np.float64)
+        if not len(segments):
+            return
+        ends = self.viewport.to_widget(segments.reshape(-1, 2)).reshape(-1, 4)
+        ends = ends[np.isfinite(ends).all(axis=1)]
+        painter.setPen(QPen(QColor(255, 255, 255, 90), 1.0))
+        painter.drawLines([QLineF(*row) for row in ends.tolist()])
+
+
+def _from_bgr(image: Image | None) -> QImage:
+    """A picture of our own, so that the frame cache may drop its array."""
+    if image is None:
+        return QImage()
+    rows, columns = image.shape[:2]
+    four = cv2.cvtColor(image, cv2.COLOR_BGR2BGRA)  # a fifth of the time Qt takes
+    return QImage(four.data, columns, rows, 4 * columns, QImage.Format.Format_RGB32).copy()
+
+
+def _from_rgba(overlay: Image | None) -> QImage:
+    if overlay is None:
+        return QImage()
+    rows, columns = overlay.shape[:2]
+    packed = np.ascontiguousarray(overlay)
+    shared = QImage(packed.data, columns, rows, 4 * columns, QImage.Format.Format_RGBA8888)
+    return shared.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)

@@ -1,0 +1,1 @@
+"""The review queue: looked for, listed, walked and decided."""

@@ -1,0 +1,1 @@
+"""Trackers: started with their settings, watched at work, their runs and scores."""

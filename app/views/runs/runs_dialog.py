@@ -1,0 +1,225 @@
+"""The session's runs: what made them, how they score, and any two compared."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from PySide6.QtCore import QItemSelectionModel, Qt, Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.background import Job
+from app.presenters.explaining import explain
+from app.presenters.runs.runs import CORRECTED, RunList, RunRow, RunsScene
+from app.views.widgets.parts import quiet
+
+_FIGURES = 3
+"""Columns that only a truth fills."""
+
+
+class RunsDialog(QDialog):
+    """Lists the runs; figures come in the background where there is a truth.
+
+    Signals:
+        compare_asked(int, int): a run with another one, or with `CORRECTED`.
+        drop_asked(int): forget the last run.
+    """
+
+    compare_asked = Signal(int, int)
+    drop_asked = Signal(int)
+
+    def __init__(self, runs: RunList, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(self.tr("Runs"))
+        self._runs = runs
+        self._scene = runs.scene()
+        self._job: Job | None = None
+        self._table = self._build_table()
+        self._about = quiet("", self)
+        self._about.setWordWrap(True)
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(20, 20, 20, 16)
+        rows.setSpacing(12)
+        rows.addWidget(self._table, 1)
+        rows.addWidget(self._about)
+        rows.addLayout(self._build_buttons())
+        self._show(self._scene)
+        line = self.fontMetrics().height()
+        self.resize(62 * line, 22 * line)
+        if self._scene.scored:
+            self._score()
+
+    def _build_table(self) -> QTableWidget:
+        titles = [
+            self.tr("Tracks"),
+            self.tr("Tracker"),
+            self.tr("Settings changed"),
+            self.tr("Frames"),
+            self.tr("Made"),
+            self.tr("People"),
+            "IDF1",
+            "HOTA",
+            self.tr("Id switches"),
+        ]
+        table = QTableWidget(0, len(titles), self)
+        table.setHorizontalHeaderLabels(titles)
+        table.setAccessibleName(self.tr("Runs of this session"))
+        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        table.setShowGrid(False)
+        table.setTabKeyNavigation(False)
+        table.verticalHeader().hide()
+        table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        table.horizontalHeader().setSectionResizeMode(2, QHeaderView.ResizeMode.Stretch)
+        table.horizontalHeader().setHighlightSections(False)
+        left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        table.horizontalHeader().setDefaultAlignment(left)
+        table.itemSelectionChanged.connect(self._enable)
+        return table
+
+    def _build_buttons(self) -> QHBoxLayout:
+        self._compare = QPushButton(self.tr("Compare"), self)
+        self._compare.setProperty("primary", True)
+        self._compare.setDefault(True)
+        self._compare.clicked.connect(self._ask_compare)
+        self._drop = QPushButton(self.tr("Drop the last run"), self)
+        self._drop.setAutoDefault(False)
+        self._drop.clicked.connect(self._ask_drop)
+        close = QPushButton(self.tr("Close"), self)
+        close.setAutoDefault(False)
+        close.clicked.connect(self.reject)
+        line = QHBoxLayout()
+        line.addWidget(self._drop)
+        line.addStretch(1)
+        line.addWidget(close)
+        line.addWidget(self._compare)
+        return line
+
+    @property
+    def chosen(self) -> list[int]:
+        """The numbers of the rows that are selected, from above."""
+        rows = sorted({index.row() for index in self._table.selectedIndexes()})
+        return [self._scene.rows[row].number for row in rows]
+
+    def choose(self, *numbers: int) -> None:
+        """Select some rows by number."""
+        self._table.clearSelection()
+        for row, shown in enumerate(self._scene.rows):
+            if shown.number in numbers:
+                model = self._table.model()
+                whole = QItemSelectionModel.SelectionFlag.Select
+                whole |= QItemSelectionModel.SelectionFlag.Rows
+                self._table.selectionModel().select(model.index(row, 0), whole)
+
+    def _show(self, scene: RunsScene) -> None:
+        chosen = self.chosen if self._table.rowCount() else []
+        self._scene = scene
+        self._table.setRowCount(len(scene.rows))
+        for row, shown in enumerate(scene.rows):
+            for column, text in enumerate(_texts(shown)):
+                item = QTableWidgetItem(text)
+                item.setToolTip(text)
+                if column >= self._table.columnCount() - _FIGURES - 1:
+                    item.setTextAlignment(
+                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+                    )
+                self._table.setItem(row, column, item)
+        for column in range(self._table.columnCount() - _FIGURES, self._table.columnCount()):
+            self._table.setColumnHidden(column, not scene.scored)
+        self._drop.setVisible(scene.can_drop)
+        newest = scene.rows[-1].number
+        self.choose(*(chosen or ([newest] if newest != CORRECTED else [])))
+        self._enable()
+
+    def _enable(self) -> None:
+        """What can be compared: one run with the corrected tracks, or two of the rows."""
+        chosen = self.chosen
+        runs = [number for number in chosen if number != CORRECTED]
+        self._compare.setEnabled(len(chosen) in (1, 2) and bool(runs))
+        if len(runs) == 2:
+            text = self.tr("Compares the two runs; stretches can be taken from either.")
+        elif runs and len(chosen) <= 2:
+            text = self.tr("Compares the run with the corrected tracks.")
+        else:
+            text = self.tr("Select a run, or two of them with Ctrl, to compare.")
+        self._about.setText(text)
+
+    def _ask_compare(self) -> None:
+        chosen = self.chosen
+        runs = [number for number in chosen if number != CORRECTED]
+        if runs:
+            self.accept()
+            self.compare_asked.emit(runs[-1], runs[0] if len(runs) == 2 else CORRECTED)
+
+    def _ask_drop(self) -> None:
+        self.drop_asked.emit(self._scene.rows[-1].number)
+        self._show(self._runs.scene())
+
+    # figures
+
+    def _score(self) -> None:
+        work = self._runs.scoring()
+        job = Job("scoring the runs", work, self)
+        job.done.connect(self._take)
+        job.failed.connect(lambda error: self._end(explain(error)))
+        job.cancelled.connect(self._end)
+        self._job = job
+        self._about.setText(self.tr("Scoring..."))
+        job.start()
+
+    def _take(self, figures: Mapping[int, Mapping[str, Any]]) -> None:
+        self._runs.take(figures)
+        self._end()
+        self._show(self._runs.scene())
+
+    def _end(self, said: str = "") -> None:
+        if self._job is not None:
+            self._job.deleteLater()
+            self._job = None
+        self._enable()
+        if said:
+            self._about.setText(said)
+
+    def done(self, result: int) -> None:
+        """Score no further."""
+        self._stop()
+        super().done(result)
+
+    def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
+        """Score no further."""
+        self._stop()
+        super().closeEvent(event)
+
+    def _stop(self) -> None:
+        if self._job is not None:
+            job, self._job = self._job, None
+            job.blockSignals(True)
+            job.cancel()
+            job.wait()
+
+
+def _texts(row: RunRow) -> tuple[str, ...]:
+    return (
+        row.name,
+        row.tracker,
+        row.settings,
+        row.frames,
+        row.made,
+        str(row.people),
+        row.idf1,
+        row.hota,
+        row.switches,
+    )

@@ -1,0 +1,213 @@
+"""A form for a tracker's settings, made from what its dataclass says of each of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtWidgets import (
+    QApplication,
+    QCheckBox,
+    QDoubleSpinBox,
+    QGridLayout,
+    QLabel,
+    QLineEdit,
+    QSpinBox,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.views.look.theme import scaled_font
+from app.views.widgets.parts import quiet
+from tracking.trackers import SettingField, TrackerSpec, settings_fields, settings_from
+
+_WHOLE_LIMIT = 2**31 - 1
+_NUMBER_LIMIT = 1e12
+
+
+class FoldButton(QToolButton):
+    """A heading that folds what stands below it; folded at first."""
+
+    def __init__(self, title: str, body: QWidget, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._body = body
+        self.setText(title)
+        self.setAccessibleName(self.tr("{0}: show or hide").format(title))
+        self.setFont(scaled_font(parent.font(), 1.0, bold=True))
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setCheckable(True)
+        self.setProperty("fold", True)
+        self.toggled.connect(self._fold)
+        self._fold(False)
+
+    def _fold(self, is_open: bool) -> None:
+        self.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
+        self._body.setVisible(is_open)
+
+
+class SettingsForm(QWidget):
+    """One control a setting, with its unit, range and help; dotted names stand in groups.
+
+    Signals:
+        edited(): some value is another than before.
+    """
+
+    edited = Signal()
+
+    def __init__(self, spec: TrackerSpec, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._spec = spec
+        self._fields = settings_fields(spec.settings_type)
+        self._controls: dict[str, QWidget] = {}
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(0, 0, 8, 0)
+        groups: dict[str, QGridLayout] = {}
+        for field in self._fields:
+            group = field.name.rpartition(".")[0]
+            if group not in groups:
+                groups[group] = self._add_group(group, rows)
+            self._add_field(field, groups[group])
+        rows.addStretch(1)
+
+    def values(self) -> dict[str, Any]:
+        """What differs from the defaults, by (dotted) name."""
+        shown = {field.name: self._value(field) for field in self._fields}
+        return {f.name: shown[f.name] for f in self._fields if shown[f.name] != self._default(f)}
+
+    def settings(self) -> Any:
+        """The settings as the form stands.
+
+        Raises:
+            SettingsError: a value is out of range; the message names it.
+        """
+        return settings_from(self._spec.settings_type, self.values())
+
+    def reset(self) -> None:
+        """Put all defaults back."""
+        for field in self._fields:
+            self.put(field.name, field.default)
+
+    def put(self, name: str, value: Any) -> None:
+        """Put a value into a control."""
+        control = self._controls[name]
+        if isinstance(control, QCheckBox):
+            control.setChecked(bool(value))
+        elif isinstance(control, QSpinBox | QDoubleSpinBox):
+            control.setValue(value)
+        elif isinstance(control, QLineEdit):
+            control.setText(str(value))
+
+    def put_known(self, values: Mapping[str, Any]) -> None:
+        """Put those values in whose settings there are; a run of an older program had others."""
+        for name in values.keys() & self._controls.keys():
+            self.put(name, values[name])
+
+    def _add_group(self, name: str, rows: QVBoxLayout) -> QGridLayout:
+        """The tracker's own settings stand open; those of the stages before it are folded."""
+        body = QWidget(self)
+        if name:
+            title = name.replace(".", " / ").replace("_", " ").capitalize()
+            rows.addWidget(FoldButton(title, body, self))
+        grid = QGridLayout(body)
+        grid.setContentsMargins(0, 0, 0, 8)
+        grid.setHorizontalSpacing(12)
+        grid.setColumnStretch(2, 1)
+        rows.addWidget(body)
+        return grid
+
+    def _add_field(self, field: SettingField, grid: QGridLayout) -> None:
+        control = self._control(field)
+        title = _title(field)
+        words = field.help
+        if field.range is not None:
+            low, high = field.range
+            words += self.tr(" ({0:g} to {1:g}{2})").format(low, high, _unit(field))
+        letter = self.fontMetrics().averageCharWidth()
+        control.setMinimumWidth(14 * letter)
+        control.setAccessibleName(title)
+        control.setAccessibleDescription(words)
+        control.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        control.installEventFilter(self)
+        label, about = QLabel(title, self), quiet(words, self)
+        label.setBuddy(control)
+        about.setWordWrap(True)
+        about.setFont(scaled_font(self.font(), 0.88))
+        about.setMinimumWidth(30 * letter)
+        for widget in (control, label):
+            widget.setToolTip(words)
+        row = grid.rowCount()
+        for column, widget in enumerate((label, control, about)):
+            grid.addWidget(widget, row, column)
+        self._controls[field.name] = control
+        self.put(field.name, field.default)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+        """Scrolling over a number that is not being edited scrolls the form."""
+        if event.type() == QEvent.Type.Wheel and watched is not QApplication.focusWidget():
+            event.ignore()
+            return True
+        return super().eventFilter(watched, event)
+
+    def _control(self, field: SettingField) -> QWidget:
+        low, high = field.range or (-_NUMBER_LIMIT, _NUMBER_LIMIT)
+        suffix = _unit(field)
+        if field.type is bool:
+            check = QCheckBox(self)
+            check.toggled.connect(self.edited)
+            return check
+        if field.type is int:
+            whole = QSpinBox(self)
+            whole.setRange(int(max(low, -_WHOLE_LIMIT)), int(min(high, _WHOLE_LIMIT)))
+            whole.setSuffix(suffix)
+            whole.valueChanged.connect(self.edited)
+            return whole
+        if field.type is float:
+            number = QDoubleSpinBox(self)
+            number.setDecimals(_decimals(float(field.default), low, high))
+            number.setRange(low, high)
+            number.setSingleStep(10.0 ** -max(0, number.decimals() - 1))
+            number.setSuffix(suffix)
+            number.valueChanged.connect(self.edited)
+            return number
+        line = QLineEdit(self)
+        line.textChanged.connect(self.edited)
+        return line
+
+    def _value(self, field: SettingField) -> Any:
+        control = self._controls[field.name]
+        if isinstance(control, QCheckBox):
+            return control.isChecked()
+        if isinstance(control, QSpinBox | QDoubleSpinBox):
+            return control.value()
+        return control.text() if isinstance(control, QLineEdit) else field.default
+
+    def _default(self, field: SettingField) -> Any:
+        """The default as the control can show it, rounded to its decimals."""
+        control = self._controls[field.name]
+        if isinstance(control, QDoubleSpinBox):
+            return round(float(field.default), control.decimals())
+        return field.default
+
+
+def _unit(field: SettingField) -> str:
+    """The unit behind a number."""
+    return f" {field.unit}" if field.unit else ""
+
+
+def _title(field: SettingField) -> str:
+    """The name in words, without the unit's suffix: the control itself shows the unit."""
+    name = field.name.rpartition(".")[2]
+    unit = field.unit.replace("/", "_").lower()
+    if unit and name.endswith(f"_{unit}"):
+        name = name.removesuffix(f"_{unit}")
+    return name.replace("_", " ").capitalize()
+
+
+def _decimals(*values: float) -> int:
+    """Decimals enough to show all of these values, 2 to 8."""
+    for count in range(2, 8):
+        if all(abs(value - round(value, count)) <= 1e-9 * abs(value) for value in values):
+            return count
+    return 8

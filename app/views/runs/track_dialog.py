@@ -1,0 +1,165 @@
+"""The question before tracking: which tracker, with which settings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSpinBox,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.views.runs.settings_form import SettingsForm
+from app.views.widgets.parts import quiet
+from tracking.errors import TrackwrightError
+from tracking.recording import Recording
+from tracking.trackers import TRACKERS, require
+
+
+class TrackDialog(QDialog):
+    """Chooses a tracker that can work on the recording, its settings, the frames and the seed.
+
+    `warning` is said above where tracking would replace something.
+    """
+
+    def __init__(
+        self, recording: Recording, chosen: str, warning: str = "", parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Track"))
+        self._names = [name for name in TRACKERS if _fits(name, recording)]
+        self._choice = QComboBox(self)
+        self._choice.setAccessibleName(self.tr("Tracker"))
+        self._title = quiet("", self)
+        self._title.setWordWrap(True)
+        self._seed = QSpinBox(self)
+        self._seed.setRange(0, 2**31 - 1)
+        self._seed.setAccessibleName(self.tr("Seed of the random numbers"))
+        self._seed.setToolTip(self.tr("The same seed gives the same tracks"))
+        last = recording.frame_count - 1
+        self._first = self._frame_box(self.tr("First frame"), last)
+        self._last = self._frame_box(self.tr("Last frame"), last)
+        self._last.setValue(last)
+        self._first.valueChanged.connect(self._last.setMinimum)
+        self._last.valueChanged.connect(self._first.setMaximum)
+        self._whole = (0, last)
+        self._forms = QStackedWidget(self)
+        for name in self._names:
+            self._choice.addItem(name)
+            self._forms.addWidget(_scrolled(SettingsForm(TRACKERS[name], self)))
+        self._choice.currentIndexChanged.connect(self._show_tracker)
+        self._choice.setCurrentIndex(self._names.index(chosen) if chosen in self._names else 0)
+        self._lay_out(warning)
+        self._show_tracker(self._choice.currentIndex())
+
+    def _lay_out(self, warning: str) -> None:
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(20, 20, 20, 16)
+        rows.setSpacing(12)
+        if warning:
+            said = QLabel(warning, self)
+            said.setWordWrap(True)
+            rows.addWidget(said)
+        form = QFormLayout()
+        form.addRow(self.tr("Tracker"), self._choice)
+        form.addRow("", self._title)
+        form.addRow(self.tr("Frames"), self._frames_line())
+        form.addRow(self.tr("Seed"), self._seed)
+        rows.addLayout(form)
+        rows.addWidget(self._forms, 1)
+        buttons = QDialogButtonBox(self)
+        start = QPushButton(self.tr("Track"), buttons)
+        start.setProperty("primary", True)  # before it is first polished, or it has no effect
+        buttons.addButton(start, QDialogButtonBox.ButtonRole.AcceptRole)
+        start.setDefault(True)
+        reset = buttons.addButton(self.tr("Defaults"), QDialogButtonBox.ButtonRole.ResetRole)
+        reset.clicked.connect(lambda: self.form.reset())
+        buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        rows.addWidget(buttons)
+        line = self.fontMetrics().height()
+        room = self.screen().availableSize()
+        self.resize(min(48 * line, room.width()), min(44 * line, room.height() - 4 * line))
+
+    def _frame_box(self, name: str, last: int) -> QSpinBox:
+        box = QSpinBox(self)
+        box.setRange(0, last)
+        box.setAccessibleName(name)
+        return box
+
+    def _frames_line(self) -> QHBoxLayout:
+        line = QHBoxLayout()
+        whole = QPushButton(self.tr("All"), self)
+        whole.setAccessibleName(self.tr("Track all frames"))
+        whole.setAutoDefault(False)
+        whole.clicked.connect(lambda: self.put_frames(*self._whole))
+        for widget in (self._first, quiet(self.tr("to"), self), self._last, whole):
+            line.addWidget(widget)
+        line.addStretch(1)
+        return line
+
+    def put_settings(self, tracker: str, values: Mapping[str, Any], seed: int) -> None:
+        """Choose a tracker, its settings as far as it knows them, and the seed."""
+        if tracker in self._names:
+            self._choice.setCurrentIndex(self._names.index(tracker))
+            self.form.put_known(values)
+        self._seed.setValue(seed)
+
+    def put_frames(self, first: int, last: int) -> None:
+        """Choose the frames that are tracked, the last one among them."""
+        for box, value in ((self._first, first), (self._last, last)):
+            box.setRange(*self._whole)
+            box.setValue(value)
+        self._last.setMinimum(first)
+        self._first.setMaximum(last)
+
+    @property
+    def form(self) -> SettingsForm:
+        """The chosen tracker's settings."""
+        area = self._forms.currentWidget()
+        assert isinstance(area, QScrollArea)
+        form = area.widget()
+        assert isinstance(form, SettingsForm)
+        return form
+
+    def answer(self) -> tuple[str, Any, int, tuple[int, int] | None]:
+        """Tracker, settings, seed and the half-open range of frames; None: all of them."""
+        chosen = (self._first.value(), self._last.value())
+        frames = None if chosen == self._whole else (chosen[0], chosen[1] + 1)
+        name = self._names[self._choice.currentIndex()]
+        return name, self.form.settings(), self._seed.value(), frames
+
+    def _show_tracker(self, index: int) -> None:
+        if self._names:
+            spec = TRACKERS[self._names[index]]
+            self._title.setText(f"{spec.title} ({spec.paper})")
+            self._forms.setCurrentIndex(index)
+
+
+def _fits(name: str, recording: Recording) -> bool:
+    try:
+        require(TRACKERS[name], recording)
+    except TrackwrightError:
+        return False
+    return True
+
+
+def _scrolled(form: SettingsForm) -> QScrollArea:
+    area = QScrollArea()
+    area.setWidget(form)
+    area.setWidgetResizable(True)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    return area

@@ -1,0 +1,100 @@
+"""Long work: one job at a time, with its progress and Cancel, the window alive."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from app.background import Job, Progress
+from app.presenters.words import tr
+from app.views.widgets.progress_strip import ProgressStrip
+
+_TELL_LEFT_AFTER_S = 1.0
+
+
+class Work(QObject):
+    """Runs jobs and shows them on a strip.
+
+    Signals: `changed()`, a job began or ended; `failed(error)`; `said(text)`.
+    """
+
+    changed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+
+    def __init__(self, strip: ProgressStrip, parent: QObject) -> None:
+        super().__init__(parent)
+        self._strip = strip
+        self._job: Job | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether a job runs."""
+        return self._job is not None
+
+    def refuses(self) -> bool:
+        """Whether other work must end before any begins; if so, it is said."""
+        if self.busy:
+            self.said.emit(tr("Wait until the work in progress is done"))
+        return self.busy
+
+    def run(
+        self,
+        title: str,
+        work: Callable[[Progress], Any],
+        done: Callable[[Any], None],
+        undone: Callable[[], None] | None = None,
+        cancellable: bool = True,
+    ) -> None:
+        """Do `work(progress)` in the background, then `done(its result)` here.
+
+        Where it fails or is cancelled, `undone()` is called instead; Cancel is offered where the
+        work is `cancellable`. While another job runs nothing is begun; commands are disabled then.
+        """
+        if self.refuses():
+            return
+        job = Job(title, work, self)
+        job.progressed.connect(self._show)
+        job.done.connect(lambda result: self._end(lambda: done(result)))
+        job.failed.connect(lambda error: self._end(undone, lambda: self.failed.emit(error)))
+        stopped = tr("Stopped: {title}", title=title)
+        job.cancelled.connect(lambda: self._end(undone, lambda: self.said.emit(stopped)))
+        self._job = job
+        self._strip.show_scene(title, None, cancellable=cancellable)
+        job.start()
+        self.changed.emit()
+
+    def cancel(self) -> None:
+        """Ask the job to stop."""
+        if self._job is not None:
+            self._job.cancel()
+
+    def close(self) -> None:
+        """Stop and wait; nothing is reported any more."""
+        if self._job is not None:
+            job, self._job = self._job, None
+            job.blockSignals(True)
+            job.cancel()
+            job.wait()
+            self._strip.finish()
+
+    def _show(self, done: int, total: int) -> None:
+        if self._job is None or total <= 0:
+            return
+        passed_s = time.monotonic() - self._job.started_s
+        left = passed_s * (total - done) / done if done and passed_s > _TELL_LEFT_AFTER_S else None
+        self._strip.show_scene(self._job.title, done / total, left)
+
+    def _end(self, *then: Callable[[], object] | None) -> None:
+        """Let the job go first: what comes then may begin another one."""
+        if self._job is not None:
+            self._job.deleteLater()
+            self._job = None
+            self._strip.finish()
+        for step in then:
+            if step is not None:
+                step()
+        self.changed.emit()

@@ -1,0 +1,287 @@
+"""The window: it holds the parts together and passes commands on, nothing more."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import asdict, replace
+
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QKeySequence
+from PySide6.QtWidgets import (
+    QApplication,
+    QMainWindow,
+    QMenuBar,
+    QPushButton,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.presenters.commands import Situation, command_items
+from app.presenters.explaining import explain
+from app.presenters.scenes import CommandItem
+from app.presenters.words import tr
+from app.views.desk.desk import Desk
+from app.views.desk.workspace import Workspace
+from app.views.files.files import Files
+from app.views.look.icons import application_icon
+from app.views.look.theme import Look, apply_look
+from app.views.welcome.welcome import WelcomePage
+from app.views.widgets.notice import NoticeBar
+from app.views.widgets.progress_strip import ProgressStrip
+from app.views.widgets.remembered import Remembered
+from app.views.widgets.work import Work
+from app.views.window.command_palette import CommandPalette
+from app.views.window.context_menu import ContextMenu
+from app.views.window.menus import Menus, TypingGuard
+from app.views.window.runnable import runnable_commands
+
+_FIRST_SIZE = (1440, 900)
+_NOTE_MS = 6000
+_PROGRESS_MS = 200
+_MARGIN = 8
+_UNLIMITED = 2**24 - 1
+
+
+class MainWindow(QMainWindow):
+    """One window on one recording or session."""
+
+    def __init__(self, remembered: Remembered) -> None:
+        super().__init__()
+        self.remembered = remembered
+        self.setWindowIcon(application_icon())
+        self.welcome = WelcomePage(self)
+        self.workspace = Workspace(self)
+        self.notice = NoticeBar(self)
+        self.progress = ProgressStrip(self)
+        self.work = Work(self.progress, self)
+        self.files = Files(self, self.work, remembered)
+        self.menus = Menus(self)
+        self.palette_of_commands = CommandPalette(self)
+        self.context_menu = ContextMenu(self)
+        self._pages = QStackedWidget(self)
+        self._guard = TypingGuard(self)
+        self._commands: dict[str, Callable[[], None]] = runnable_commands(self)
+        self._refreshing = QTimer(self, singleShot=True, interval=0)
+        self._progressing = QTimer(self, singleShot=True, interval=_PROGRESS_MS)
+        self._lay_out()
+        self._connect()
+        self._restore()
+        self.show_welcome()
+
+    def _lay_out(self) -> None:
+        self._pages.addWidget(self.welcome)
+        self._pages.addWidget(self.workspace)
+        centre = QWidget(self)
+        column = QVBoxLayout(centre)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.notice)
+        column.addWidget(self._pages, 1)
+        self.setCentralWidget(centre)
+        # The line keeps its height, so that nothing above moves when work begins or ends.
+        self.statusBar().setSizeGripEnabled(False)
+        self.statusBar().setMinimumHeight(self.progress.sizeHint().height())
+        self.statusBar().addPermanentWidget(self.progress, 3)
+        search = QPushButton(tr("Search commands   Ctrl+K"), self)
+        search.setProperty("search", True)
+        search.setAccessibleName(tr("Search commands"))
+        search.clicked.connect(lambda: self.run_command("edit.commands"))
+        bar: QMenuBar = self.menuBar()
+        bar.setCornerWidget(search)
+        self.setAcceptDrops(True)
+        names = ("tracks.swap", "tracks.split", "tracks.merge", "tracks.end_here", "tracks.draw")
+        self.workspace.card.set_actions([self.menus.actions[name] for name in names])
+        said = {"right": tr("Right"), "fix": tr("Fix"), "dismiss": tr("Dismiss")}
+        self.workspace.review.set_actions(
+            [(self.menus.actions[f"review.{name}"], word) for name, word in said.items()]
+        )
+
+    def _connect(self) -> None:
+        self.menus.asked.connect(self.run_command)
+        self.palette_of_commands.run_asked.connect(self.run_command)
+        self.welcome.open_asked.connect(self.files.ask_open)
+        self.welcome.demo_asked.connect(self.files.open_demo)
+        self.welcome.path_chosen.connect(self.files.open_path)
+        self.workspace.eye_switch.mode_chosen.connect(lambda mode: self.run_command(f"view.{mode}"))
+        self.workspace.transport.tracker_clicked.connect(lambda: self.run_command("tracks.track"))
+        self.files.changed.connect(self.refresh)
+        self.files.failed.connect(self.tell_error)
+        self.files.said.connect(self.say)
+        self.work.changed.connect(self.refresh)
+        self.work.failed.connect(self.files.tell_failure)
+        self.work.said.connect(self.say)
+        self.progress.cancelled.connect(self._cancel)
+        self.files.progressed.connect(self._progress_soon)
+        self.statusBar().messageChanged.connect(self._make_room)
+        self._refreshing.timeout.connect(self._refresh_now)
+        self._progressing.timeout.connect(self._show_progress)
+        QApplication.styleHints().colorSchemeChanged.connect(self._follow_system)
+        application = QApplication.instance()
+        if application is not None:
+            application.installEventFilter(self._guard)
+
+    # what is shown
+
+    @property
+    def desk(self) -> Desk | None:
+        """The open recording; None while the welcome page is shown."""
+        return self.files.desk
+
+    def show_welcome(self) -> None:
+        """Show the first page."""
+        self.welcome.show_scene(self.files.welcome_scene())
+        self._pages.setCurrentWidget(self.welcome)
+        self.refresh()
+
+    def show_workspace(self) -> None:
+        """Show the open recording."""
+        self._pages.setCurrentWidget(self.workspace)
+        self.workspace.left.setFocus()
+        self.refresh()
+
+    def command_items(self) -> tuple[CommandItem, ...]:
+        """All commands as they stand now."""
+        return command_items(self._situation(), self._checked())
+
+    def refresh(self) -> None:
+        """Bring commands, title and progress up to date, once, before the next event."""
+        if not self._refreshing.isActive():
+            self._refreshing.start()
+
+    def bring_up_to_date(self) -> None:
+        """The same at once, for what is about to be shown."""
+        self._refreshing.stop()
+        self._refresh_now()
+
+    def _refresh_now(self) -> None:
+        self.menus.show_items(self.command_items())
+        self.setWindowTitle(self.files.title())
+        self.setWindowModified(self.files.unsaved)
+        self._show_progress()
+
+    def _progress_soon(self) -> None:
+        if not self._progressing.isActive():
+            self._progressing.start()
+
+    def _show_progress(self) -> None:
+        """Show how far the tracker at work is; other work shows itself."""
+        live = self.desk.live if self.desk is not None else None
+        if self.work.busy:
+            return
+        if live is not None and live.running:
+            text = tr("Tracking with {tracker}: {status}", tracker=live.tracker, status=live.status)
+            self.progress.show_scene(text, live.share, live.seconds_left)
+        else:
+            self.progress.finish()
+
+    def _situation(self) -> Situation:
+        situation = Situation() if self.desk is None else self.desk.situation
+        situation = replace(situation, unkept=self.files.keeping.holds)
+        return situation.while_busy() if self.work.busy else situation
+
+    def _checked(self) -> frozenset[str]:
+        on = {f"view.look_{self.look.value}"}
+        if self.desk is not None:
+            pictured = self.desk.pictured
+            on.add(f"view.{self.desk.eyes}")
+            if self.desk.reviewing.plays:
+                on.add("review.plays")
+            on |= {f"view.{name}" for name, is_on in asdict(pictured).items() if is_on}
+        return frozenset(on)
+
+    # messages
+
+    def _make_room(self, said: str) -> None:
+        """Let the progress give way to a passing word, which stands left of it."""
+        words = self.fontMetrics().horizontalAdvance(said) + 4 * _MARGIN
+        room = max(self.width() - words, self.width() // 3)
+        self.progress.setMaximumWidth(room if said else _UNLIMITED)
+
+    def say(self, text: str) -> None:
+        """A passing word."""
+        self.statusBar().showMessage(text, _NOTE_MS)
+
+    def tell_error(self, error: Exception) -> None:
+        """Tell what went wrong."""
+        self.notice.say(explain(error), is_error=True)
+
+    # commands
+
+    def run_command(self, name: str) -> None:
+        """Do a command of the catalogue, where it can be done now; else say why not."""
+        item = {item.command: item for item in self.command_items()}[name]
+        if not item.enabled:
+            self.say(tr("{title}: {why}", title=item.title.rstrip("."), why=item.why_not))
+            return
+        self._commands[name]()
+        self.refresh()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+        """A key whose command cannot be done now comes here: say why not."""
+        name = self.menus.command_of(QKeySequence(event.keyCombination()))
+        if name and not self.menus.actions[name].isEnabled():
+            self.run_command(name)
+        else:
+            super().keyPressEvent(event)
+
+    def _cancel(self) -> None:
+        if self.work.busy:
+            self.work.cancel()
+        elif self.desk is not None:
+            self.desk.live.stop()
+
+    # look
+
+    @property
+    def look(self) -> Look:
+        """What the user chose."""
+        return Look(self.remembered.text("look", Look.SYSTEM.value))
+
+    def set_look(self, look: Look) -> None:
+        """Give the program another look and remember it."""
+        self.remembered.set_text("look", look.value)
+        self._apply_look()
+
+    def _apply_look(self) -> None:
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            apply_look(application, self.look)
+            self.menus.draw_icons()
+
+    def _follow_system(self) -> None:
+        if self.look is Look.SYSTEM:
+            self._apply_look()
+
+    # coming and going
+
+    def _restore(self) -> None:
+        self.resize(*_FIRST_SIZE)
+        geometry = self.remembered.state("window/geometry")
+        if geometry is not None:
+            self.restoreGeometry(geometry)
+        self.workspace.restore(self.remembered)
+
+    def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
+        """Ask about what is not saved; then end all work and remember the layout."""
+        if not self.files.may_leave(self.close):
+            event.ignore()
+            return
+        self.remembered.set_state("window/geometry", self.saveGeometry())
+        self.workspace.remember(self.remembered)
+        self.work.close()
+        self.files.close()
+        application = QApplication.instance()
+        if application is not None:
+            application.removeEventFilter(self._guard)
+        QApplication.styleHints().colorSchemeChanged.disconnect(self._follow_system)
+        super().closeEvent(event)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:  # noqa: N802
+        """Take files."""
+        if event.mimeData().hasUrls():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:  # noqa: N802
+        """Open the first file dropped."""
+        self.files.open_dropped(event.mimeData().urls())

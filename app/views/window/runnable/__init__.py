@@ -1,0 +1,35 @@
+"""What each command of the catalogue does in the window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from app.views.window.runnable.correcting import CORRECTING
+from app.views.window.runnable.labelling import LABELLING
+from app.views.window.runnable.on_desk import OnDesk
+from app.views.window.runnable.playing import PLAYING
+from app.views.window.runnable.reviewing import REVIEWING
+from app.views.window.runnable.viewing import VIEWING
+from app.views.window.runnable.window import of_the_window
+
+if TYPE_CHECKING:
+    from app.views.window.main_window import MainWindow
+
+__all__ = ["runnable_commands"]
+
+
+def runnable_commands(window: MainWindow) -> dict[str, Callable[[], None]]:
+    """For each command of the catalogue what it does."""
+    commands = of_the_window(window)
+    for name, run in {**PLAYING, **VIEWING, **CORRECTING, **REVIEWING, **LABELLING}.items():
+        commands[name] = _on_desk(window, run)
+    return commands
+
+
+def _on_desk(window: MainWindow, run: OnDesk) -> Callable[[], None]:
+    def command() -> None:
+        if window.desk is not None:
+            run(window.desk)
+
+    return command

@@ -1,0 +1,35 @@
+"""What the commands of the Review menu do."""
+
+from __future__ import annotations
+
+from app.views.desk.again import ask_again, show_runs
+from app.views.desk.desk import Desk
+from app.views.window.runnable.on_desk import OnDesk
+
+
+def _walk(step: int) -> OnDesk:
+    """N and P: through what differs while two versions are compared, else through the queue."""
+
+    def walk(desk: Desk) -> None:
+        if desk.comparing.shown:
+            desk.comparing.walk(step)
+        else:
+            desk.reviewing.walk(step)
+
+    return walk
+
+
+REVIEWING: dict[str, OnDesk] = {
+    "review.next": _walk(1),
+    "review.previous": _walk(-1),
+    "review.play": lambda desk: desk.reviewing.play(),
+    "review.plays": lambda desk: desk.reviewing.set_plays(not desk.reviewing.plays),
+    "review.right": lambda desk: desk.reviewing.decide("right"),
+    "review.fix": lambda desk: desk.reviewing.fix(),
+    "review.dismiss": lambda desk: desk.reviewing.decide("dismissed"),
+    "review.mark": lambda desk: desk.reviewing.mark_watched(),
+    "review.mark_all": lambda desk: desk.reviewing.mark_watched(everybody=True),
+    "review.unmark": lambda desk: desk.reviewing.unmark_watched(),
+    "review.again": ask_again,
+    "review.runs": show_runs,
+}

@@ -1,0 +1,44 @@
+"""What the commands of the View menu do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from app.views.desk.desk import Desk
+from app.views.timeline.tracks_area import TracksArea
+from app.views.window.runnable.on_desk import OnDesk
+
+
+def _toggle(name: str) -> OnDesk:
+    def toggle(desk: Desk) -> None:
+        now: bool = getattr(desk.pictured, name)
+        desk.set_pictured(replace(desk.pictured, **{name: not now}))
+
+    return toggle
+
+
+def _on_lanes(act: Callable[[TracksArea], None]) -> OnDesk:
+    return lambda desk: act(desk.window_page.timeline.area)
+
+
+VIEWING: dict[str, OnDesk] = {
+    "view.left": lambda desk: desk.set_eyes("left"),
+    "view.both": lambda desk: desk.set_eyes("both"),
+    "view.anaglyph": lambda desk: desk.set_eyes("anaglyph"),
+    "view.grid": _toggle("grid"),
+    "view.particles": _toggle("particles"),
+    "view.trails": _toggle("trails"),
+    "view.foreground": _toggle("foreground"),
+    "view.disparity": _toggle("disparity"),
+    "view.time_in": _on_lanes(lambda lanes: lanes.zoom(2.0)),
+    "view.time_out": _on_lanes(lambda lanes: lanes.zoom(0.5)),
+    "view.time_all": _on_lanes(TracksArea.show_all),
+    "view.time_selected": _on_lanes(TracksArea.show_selected),
+    "view.time_second": _on_lanes(TracksArea.show_second),
+    "view.time_earlier": _on_lanes(lambda lanes: lanes.pan(-0.5)),
+    "view.time_later": _on_lanes(lambda lanes: lanes.pan(0.5)),
+    "view.lanes_up": _on_lanes(lambda lanes: lanes.scroll_lanes(-8)),
+    "view.lanes_down": _on_lanes(lambda lanes: lanes.scroll_lanes(8)),
+    "view.labels": _toggle("labels"),
+}

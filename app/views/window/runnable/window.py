@@ -1,0 +1,52 @@
+"""What the commands about files and the window itself do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from app.presenters.words import tr
+from app.views.look.theme import Look
+from app.views.window.shortcuts import ShortcutsDialog
+
+if TYPE_CHECKING:
+    from app.views.window.main_window import MainWindow
+
+
+def of_the_window(window: MainWindow) -> dict[str, Callable[[], None]]:
+    """What commands do that need no open recording, or more of the window than that."""
+    files, work_space = window.files, window.workspace
+    return {
+        "file.open": files.ask_open,
+        "file.open_folder": files.ask_open_folder,
+        "file.demo": files.open_demo,
+        "file.save": files.save,
+        "file.save_as": files.save_as,
+        "file.export_mot": files.exporting.ask_mot,
+        "file.export_log": files.exporting.ask_log,
+        "file.author": files.author.ask,
+        "file.restore": files.older.ask,
+        "file.compare": files.beside.ask,
+        "file.close": files.close_recording,
+        "file.quit": window.files.quit,
+        "edit.commands": lambda: _open_palette(window),
+        "view.look_system": lambda: window.set_look(Look.SYSTEM),
+        "view.look_light": lambda: window.set_look(Look.LIGHT),
+        "view.look_dark": lambda: window.set_look(Look.DARK),
+        "view.next_pane": work_space.focus_next_pane,
+        "play.goto": work_space.transport.edit_frame,
+        "tracks.track": files.ask_track,
+        "tracks.rename": work_space.card.edit_name,
+        "tracks.attributes": work_space.card.edit_attributes,
+        "tracks.notes": work_space.card.edit_notes,
+        "review.score": files.exporting.score,
+        "help.keys": lambda: ShortcutsDialog(window.command_items(), window).open(),
+        "help.about": lambda: window.notice.say(
+            tr("trackwright: people tracked in recorded stereo footage, corrected and scored.")
+        ),
+    }
+
+
+def _open_palette(window: MainWindow) -> None:
+    window.palette_of_commands.show_scene(window.command_items())
+    window.palette_of_commands.open_over(window)
