@@ -12,6 +12,7 @@ import random
 import signal
 import sys
 import time
+import traceback
 from pathlib import Path
 
 from made_up_sessions import make_recording, make_run, state_of
@@ -67,13 +68,19 @@ def life(path: Path, seed: int, seconds: float, from_first_step: bool) -> int:
     child = os.fork()
     if child == 0:
         os.close(hear)
-        edit_until_killed(path, seed, say)
+        try:
+            edit_until_killed(path, seed, say)
+        except BaseException:
+            traceback.print_exc()
+            os._exit(1)  # never into what the parent does next
         os._exit(0)
     os.close(say)
     first = os.read(hear, 1) if from_first_step else b""
     time.sleep(seconds)
     os.kill(child, signal.SIGKILL)
-    os.waitpid(child, 0)
+    _, ending = os.waitpid(child, 0)
+    code = os.waitstatus_to_exitcode(ending)
+    assert code in (0, -signal.SIGKILL), f"life {seed}: the editor ended by itself with {code}"
     with os.fdopen(hear, "rb") as heard:
         return len(first) + len(heard.read())
 

@@ -49,14 +49,15 @@ def test_what_is_written_is_an_ordinary_file_of_the_library(tmp_path_factory, ro
 
 
 def test_columns_are_not_held_in_memory(tmp_path):
-    values = noise(2_000_000)
+    values = noise(4_000_000)
     write(tmp_path / "warm.h5", values[:10], [])
     tracemalloc.start()
     write(tmp_path / "s.h5", values, [])
     _, most = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    assert (tmp_path / "s.h5").stat().st_size > 12_000_000
-    assert most < 12_000_000
+    packed = (tmp_path / "s.h5").stat().st_size
+    # A few pieces are held, more of them the more threads pack at the same moment: some 12 MB.
+    assert most < 0.6 * min(packed, values.nbytes)
 
 
 @pytest.mark.parametrize("after", range(7))
