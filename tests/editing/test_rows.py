@@ -88,9 +88,17 @@ def test_nonsense_is_refused_in_words(table: TrackTable, plan: object, why: str)
         plan(table)  # type: ignore[operator]
 
 
-@pytest.mark.parametrize(("track", "frame"), [(0, 5), (2**31, 5), (1, 2**31 - 1)])
+@pytest.mark.parametrize(
+    ("track", "frame", "why"),
+    [
+        (0, 5, "ids are 1 to"),
+        (2**31, 5, "ids are 1 to"),
+        (2**31 - 1, 5, "far above"),
+        (1, 2**31 - 1, "go up to"),
+    ],
+)
 def test_a_box_of_an_id_or_frame_that_no_file_can_hold_is_refused(
-    table: TrackTable, track: int, frame: int
+    table: TrackTable, track: int, frame: int, why: str
 ) -> None:
-    with pytest.raises(EditError, match="go up to"):
+    with pytest.raises(EditError, match=why):
         plan_draw_box(table, track, frame, BOX)

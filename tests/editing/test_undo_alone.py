@@ -282,7 +282,7 @@ def test_an_edit_that_is_not_there_is_said(desk: Desk) -> None:
 
 
 def test_a_long_text_is_not_made_longer_each_time(desk: Desk) -> None:
-    desk.do(plan_rename(desk.table, desk.labels, 1, "red" * 100))
+    desk.do(plan_set_attribute(desk.table, desk.labels, 1, "coat", "red" * 100))
     for number in range(1, 8):
         desk.undo_alone(number)
     assert all(len(entry.text) <= 320 for entry in desk.history)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from tracking.errors import EditError
-from tracking.tracks import TrackTable, check_known
+from tracking.tracks import LARGEST_NUMBER, TrackTable, check_known
 
 _NAMED = 4
 """So many tracks are named one by one in an edit's text."""
+FARTHEST_NEW = 1_000_000
+"""How far above the highest id ever used a new one may be: ids in between are never given out."""
 
 
 def scope_text(start: int, end: int | None) -> str:
@@ -46,3 +48,17 @@ def checked_tracks(table: TrackTable, tracks: Iterable[int]) -> tuple[int, ...]:
         raise EditError("no track is chosen; select at least one")
     check_known(table, *chosen)
     return chosen
+
+
+def check_id(table: TrackTable, track: int) -> None:
+    """Raise EditError for an id that is none, and for one far above all that were ever used.
+
+    New tracks are numbered on from the highest id: one slip of a finger would use up all the rest.
+    """
+    if not 1 <= track <= LARGEST_NUMBER:
+        raise EditError(f"track {track}: ids are 1 to {LARGEST_NUMBER}; choose one of those")
+    if track > table.highest_track + FARTHEST_NEW:
+        raise EditError(
+            f"track {track} is far above {table.highest_track}, the highest id so far; "
+            f"choose one up to {table.highest_track + FARTHEST_NEW}"
+        )

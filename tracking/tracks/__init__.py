@@ -14,6 +14,7 @@ from tracking.tracks.columns import (
     empty,
 )
 from tracking.tracks.label_checks import (
+    LONGEST_NAME,
     check_line,
     check_name,
     check_occluder,
@@ -45,6 +46,7 @@ __all__ = [
     "DECISIONS",
     "DETECTION_COLUMNS",
     "LARGEST_NUMBER",
+    "LONGEST_NAME",
     "PARTICLE_COLUMNS",
     "PART_COLUMNS",
     "PART_NAMES",

@@ -81,6 +81,10 @@ class Region:
 class ReviewedRange:
     """Frames a person has looked at and found right.
 
+    It is about what bears the track's id in these frames, whoever that is by then: where rows
+    change their identity inside it (swap, merge, reassign) it stays, as the person who does that
+    looks there; rows that leave it for another id (split, too) are not reviewed under that one.
+
     Attributes:
         track: the track looked at; 0: all of them.
         start, end: half-open range of frames.

@@ -19,7 +19,7 @@ from tracking.editing.boxes.standing import (
     standing_box,
 )
 from tracking.editing.change import Change, State
-from tracking.editing.scope import check_scope, checked_tracks, scope_text, tracks_text
+from tracking.editing.scope import check_id, check_scope, checked_tracks, scope_text, tracks_text
 from tracking.editing.selection import Rows, stacked
 from tracking.errors import EditError
 from tracking.geometry import View
@@ -130,13 +130,15 @@ def plan_draw_box(
         join: the gaps between it and the track's rows before and after are interpolated, too.
 
     Raises:
-        EditError: the track stands in the frame already, or the box is none.
+        EditError: the track stands in the frame already, the box is none, or the id is new and far
+            above the highest ever used.
     """
     if frame < 0:
         raise EditError(f"frame {frame} is negative; frames count from 0")
     owner = next_track(table) if track is None else track
-    if not 1 <= owner <= LARGEST_NUMBER or frame >= LARGEST_NUMBER:
-        raise EditError(f"track {owner} in frame {frame}: ids and frames go up to {LARGEST_NUMBER}")
+    check_id(table, owner)
+    if frame >= LARGEST_NUMBER:
+        raise EditError(f"frame {frame}: frames go up to {LARGEST_NUMBER - 1}")
     if len(table.of_track(owner, frame, frame + 1)["frame"]):
         raise EditError(f"track {owner} stands in frame {frame} already; move its box instead")
     _check_box(box)

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.change import Change, State, Stretches
-from tracking.editing.scope import check_scope, scope_text
+from tracking.editing.scope import check_id, check_scope, scope_text
 from tracking.errors import EditError
-from tracking.tracks import LARGEST_NUMBER, TrackTable, between, check_known, next_track
+from tracking.tracks import TrackTable, between, check_known, next_track
 
 
 def plan_swap(table: TrackTable, a: int, b: int, start: int, end: int | None = None) -> Change:
@@ -56,13 +56,12 @@ def plan_reassign(
     """Give a track's rows in a range of frames to another track, known or new.
 
     Raises EditError where the other stands in one of those frames already (merge asks whom to
-    keep), and where the range is empty.
+    keep), where the range is empty, and for a new id far above the highest ever used.
     """
     check_known(table, track)
-    if track == to or not 1 <= to <= LARGEST_NUMBER:
-        raise EditError(
-            f"track {track} cannot be given to {to}; choose another id from 1 to {LARGEST_NUMBER}"
-        )
+    check_id(table, to)
+    if track == to:
+        raise EditError(f"track {track} cannot be given to itself; choose another id")
     stop = _stop(table, start, end, track)
     moving = _within(table.frames_of_track(track), start, stop)
     if not len(moving):

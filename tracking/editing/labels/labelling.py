@@ -6,7 +6,10 @@ from dataclasses import replace
 
 from tracking.editing.change import Change, LabelState, State
 from tracking.errors import EditError
-from tracking.tracks import Labels, TrackLabel, TrackTable, check_known
+from tracking.tracks import LONGEST_NAME, Labels, TrackLabel, TrackTable, check_known
+
+LONGEST_NOTES, LONGEST_KEY, LONGEST_VALUE = 20_000, 100, 2_000
+"""Characters a person may write; what a file says is read whatever its length."""
 
 
 def plan_rename(
@@ -14,6 +17,7 @@ def plan_rename(
 ) -> Change:
     """Name a track; "" takes the name away. frame: where to look at it, else its first."""
     name = " ".join(writable(name).split())
+    _check_length(name, LONGEST_NAME, f"track {track}: a name")
     label = replace(labels.of_track(track), name=name)
     text = f'Name {track} "{name}"' if name else f"Take the name of {track} away"
     return _relabel(table, labels, track, label, ("rename", text), frame)
@@ -31,6 +35,8 @@ def plan_set_attribute(
     key = writable(key).strip()
     if not key:
         raise EditError(f"track {track}: an attribute needs a name")
+    _check_length(key, LONGEST_KEY, f"track {track}: an attribute's name")
+    _check_length(value or "", LONGEST_VALUE, f"track {track}: an attribute's value")
     attributes = dict(labels.of_track(track).attributes)
     attributes.pop(key, None)
     if value is not None:
@@ -44,6 +50,7 @@ def plan_set_notes(
     table: TrackTable, labels: Labels, track: int, notes: str, frame: int | None = None
 ) -> Change:
     """Write a track's notes anew."""
+    _check_length(notes, LONGEST_NOTES, f"track {track}: notes")
     label = replace(labels.of_track(track), notes=writable(notes))
     return _relabel(table, labels, track, label, ("notes", f"Write notes on {track}"), frame)
 
@@ -57,6 +64,11 @@ def writable(text: str) -> str:
     if "\0" in text:
         raise EditError(f"{text!r} holds a zero character; leave it out")
     return text
+
+
+def _check_length(text: str, longest: int, what: str) -> None:
+    if len(text) > longest:
+        raise EditError(f"{what} of {len(text)} characters; write at most {longest}")
 
 
 def _relabel(

@@ -114,10 +114,10 @@ def _verdicts(labels: Labels, verdict: Verdict) -> tuple[LabelState, LabelState]
 
 
 def _ranges(tracks: int | Iterable[int], start: int, end: int) -> list[ReviewedRange]:
-    chosen = [tracks] if isinstance(tracks, int) else sorted(set(tracks))
+    chosen = sorted(set(tracks)) if isinstance(tracks, Iterable) else [tracks]
     if not chosen:
         raise EditError("no track is named; choose one, or all")
-    ranges = [ReviewedRange(track, start, end) for track in chosen]
+    ranges = [ReviewedRange(int(track), int(start), int(end)) for track in chosen]
     for seen in ranges:
         check_reviewed(seen)
     return ranges

@@ -43,10 +43,17 @@ def state_as_text(state: State) -> str:
     labels = labels_as_json(state.labels)
     if labels:
         parts["labels"] = labels
-    text = json.dumps(parts, separators=(",", ":"))
+    text = json.dumps(parts, separators=(",", ":"), default=_plain)
     if len(text) > LARGEST_TEXT:
         raise _too_large(count)
     return text
+
+
+def _plain(value: object) -> Any:
+    """A number of NumPy's as Python's own, as a caller's arrays give them."""
+    if isinstance(value, np.generic):
+        return value.item()
+    raise EditError(f"an edit holds {value!r}, which the log cannot keep; give numbers and text")
 
 
 def _too_large(rows: int) -> EditError:
