@@ -28,14 +28,13 @@ from app.presenters.correcting.gap_places import gap_near, next_filled
 from app.presenters.correcting.nearness import nearest_first
 from app.presenters.document.selection import Selection
 from app.presenters.words import tr
-from tracking.editing import Change
 
 _BOX_STEP_PX, _PLACE_STEP_M, _FAR = 1.0, 0.05, 10.0
 _MOST_OTHERS = 5
 
 
 class Correcting:
-    """The edit on its way in one document; nothing is changed before `confirm` gives the change.
+    """The edit on its way in one document; nothing is changed by it.
 
     Attributes:
         flow: as it stands; None: no edit is on its way. planned: what it would do.
@@ -245,13 +244,10 @@ class Correcting:
             self._selection.add(track)
         self._let_go = ()
 
-    def confirm(self) -> Change | None:
-        """The change that waits, which is to be done now; None where it is not ready."""
-        change = self.planned.change if self.planned is not None else None
-        if change is not None:
-            self._let_go = ()
-            self.leave()
-        return change
+    def finish(self) -> None:
+        """The edit was done: who was let go for it stays let go."""
+        self._let_go = ()
+        self.leave()
 
 
 def _with_proposal(flow: EditFlow, on: Ground) -> EditFlow:

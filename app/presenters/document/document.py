@@ -261,14 +261,18 @@ class Document:
         return Ground(session.tracks, session.labels, self._footing, signals)
 
     def confirm_edit(self) -> Change | None:
-        """Do the edit that waits; None where it is not ready. Who was drawn is selected then."""
+        """Do the edit that waits; None where it is not ready. Who was drawn is selected then.
+
+        One that is refused, e.g. by a full disk, waits on, so that Enter tries again.
+        """
         drawn = self.flow is not None and not self.flow.track
-        change = self.correcting.confirm()
+        change = self.planned.change if self.planned is not None else None
         if change is None:
             return None
         if self.settle is not None and self.session is not None:
             change = self.settle(change, self.session.labels)
         self.apply(change)
+        self.correcting.finish()
         if drawn:
             self.selection.choose(change.tracks[0])
         return change

@@ -24,7 +24,7 @@ from app.presenters.scenes import TrackCard
 from app.presenters.words import counted
 from app.views.correcting.attributes import AttributesTable
 from app.views.look.theme import current_theme, scaled_font
-from app.views.widgets.parts import Panel, Swatch, heading, quiet
+from app.views.widgets.parts import Panel, Swatch, bring_into_view, heading, quiet
 
 _LEAST_LINES = 7
 
@@ -222,19 +222,17 @@ class TrackPanel(Panel):
 
     def edit_name(self) -> None:
         """Put the cursor into the name."""
+        bring_into_view(self._name)
         self._name.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self._name.selectAll()
 
     def edit_attributes(self) -> None:
-        """Put the keyboard into the attributes; a first one is begun where there are none."""
-        self._attributes.setFocus(Qt.FocusReason.ShortcutFocusReason)
-        if self._attributes.rowCount():
-            self._attributes.setCurrentCell(0, 1)
-        else:
-            self._attributes.add_row()
+        """Begin another attribute: its name, Enter, its value, Enter."""
+        self._attributes.add_row()
 
     def edit_notes(self) -> None:
         """Put the cursor into the notes."""
+        bring_into_view(self._notes)
         self._notes.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _send_name(self) -> None:
@@ -249,3 +247,5 @@ class TrackPanel(Panel):
     def _send_attributes(self, pairs: tuple[tuple[str, str], ...]) -> None:
         if self._card is not None and pairs != self._card.attributes:
             self.attributes_edited.emit(self._card.track, pairs)
+            # The old ones, where they were refused.
+            self._attributes.show_pairs(self._card.attributes, keep_editing=True)

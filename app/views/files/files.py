@@ -55,7 +55,8 @@ class Files(QObject):
         self._window = window
         self._work = work
         self._remembered = remembered
-        self._opening: Path | None = None
+        self._opening: Path | None = None  # only while it is being opened as the document
+        work.changed.connect(self._end_opening)
         self._save_at: Path | None = None
         self._whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
@@ -108,7 +109,8 @@ class Files(QObject):
         again = partial(self.open_path, path, recording, options, play=play, save_at=save_at)
         if not self.may_leave(again):
             return
-        self._opening = path
+        if not self._work.busy:
+            self._opening = path
         self._remembered.note_closed()  # what crashes while it opens is not opened again unasked
         title = tr("Opening {name}", name=path.name)
 
@@ -140,6 +142,10 @@ class Files(QObject):
         else:
             self.failed.emit(error)
 
+    def _end_opening(self) -> None:
+        if not self._work.busy:
+            self._opening = None
+
     def _open_older(self, session: Path) -> None:
         try:
             copy = opening.older_copy(session)
@@ -160,7 +166,7 @@ class Files(QObject):
 
     def _show(self, opened: Opened, from_start: bool) -> None:
         self.close()
-        self._opening = path = opened.path
+        path = opened.path
         self.desk = desk = Desk(opened.document, self._window.workspace, self)
         self.author.sign()
         desk.changed.connect(self.changed)
@@ -190,7 +196,7 @@ class Files(QObject):
             *opened.document.recording.notes,
         ]
         if lines:
-            self._window.notice.say("\n".join(lines))
+            self._window.notice.say("\n".join(lines), passing=True)
         else:
             self._window.notice.hide()
 

@@ -4,16 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
+
+_PASSES_MS = 60_000
 
 
 class NoticeBar(QFrame):
-    """One message across the window, hidden while there is none."""
+    """One message across the window, hidden while there is none.
+
+    Signals: `spoken()`, another message is shown.
+    """
+
+    spoken = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._do: Callable[[], object] | None = None
+        self._settles = False
+        self._passing = QTimer(self, singleShot=True, interval=_PASSES_MS)
+        self._passing.timeout.connect(self.hide)
         self.setProperty("notice", "true")
         self.setAccessibleName(self.tr("Message"))
         row = QHBoxLayout(self)
@@ -50,9 +60,18 @@ class NoticeBar(QFrame):
         do: Callable[[], object] | None = None,
         *,
         is_error: bool = False,
+        passing: bool = False,
     ) -> None:
-        """Show a message, with a button where there is something to `do` about it."""
+        """Show a message, with a button where there is something to `do` about it.
+
+        One that is `passing` goes by itself after a minute.
+        """
         self._do = do
+        self._settles = (is_error or passing) and do is None
+        if passing:
+            self._passing.start()
+        else:
+            self._passing.stop()
         self._tint("error" if is_error else "true")
         self.setAccessibleName(self.tr("Error") if is_error else self.tr("Message"))
         self._text.setText(text)
@@ -60,6 +79,15 @@ class NoticeBar(QFrame):
         self._action.setText(action)
         self._action.setVisible(bool(action))
         self.show()
+        self.spoken.emit()
+
+    def settle(self) -> None:
+        """Something went well: an error that was told is over, and so is a passing word.
+
+        What offers a button stays: it is still to be answered.
+        """
+        if self._settles:
+            self.hide()
 
     def _tint(self, notice: str) -> None:
         """Have the stylesheet draw another kind of notice."""

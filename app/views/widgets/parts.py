@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLayout,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.views.look.icons import pixmap
 from app.views.look.theme import current_theme, scaled_font
@@ -115,3 +123,12 @@ class EmptyState(QWidget):
         drawn = pixmap(self._drawing, current_theme().text_faint, round(28 * ratio))
         drawn.setDevicePixelRatio(ratio)
         self._icon.setPixmap(drawn)
+
+
+def bring_into_view(widget: QWidget) -> None:
+    """Scroll whatever the widget lies in, the innermost first, so that it is seen."""
+    around = widget.parentWidget()
+    while around is not None:
+        if isinstance(around, QScrollArea):
+            around.ensureWidgetVisible(widget)
+        around = around.parentWidget()

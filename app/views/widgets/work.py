@@ -18,10 +18,12 @@ _TELL_LEFT_AFTER_S = 1.0
 class Work(QObject):
     """Runs jobs and shows them on a strip.
 
-    Signals: `changed()`, a job began or ended; `failed(error)`; `said(text)`.
+    Signals: `changed()`, a job began or ended; `succeeded()`, one did what it should, and what
+    comes of it is shown next; `failed(error)`; `said(text)`.
     """
 
     changed = Signal()
+    succeeded = Signal()
     failed = Signal(object)
     said = Signal(str)
 
@@ -58,7 +60,7 @@ class Work(QObject):
             return
         job = Job(title, work, self)
         job.progressed.connect(self._show)
-        job.done.connect(lambda result: self._end(lambda: done(result)))
+        job.done.connect(lambda result: self._end(self.succeeded.emit, lambda: done(result)))
         job.failed.connect(lambda error: self._end(undone, lambda: self.failed.emit(error)))
         stopped = tr("Stopped: {title}", title=title)
         job.cancelled.connect(lambda: self._end(undone, lambda: self.said.emit(stopped)))

@@ -62,6 +62,7 @@ class MainWindow(QMainWindow):
         self._pages = QStackedWidget(self)
         self._guard = TypingGuard(self)
         self._commands: dict[str, Callable[[], None]] = runnable_commands(self)
+        self._told_after: tuple[object, ...] = ()
         self._refreshing = QTimer(self, singleShot=True, interval=0)
         self._progressing = QTimer(self, singleShot=True, interval=_PROGRESS_MS)
         self._lay_out()
@@ -109,6 +110,8 @@ class MainWindow(QMainWindow):
         self.files.failed.connect(self.tell_error)
         self.files.said.connect(self.say)
         self.work.changed.connect(self.refresh)
+        self.work.succeeded.connect(self.notice.settle)
+        self.notice.spoken.connect(self._note_edits)
         self.work.failed.connect(self.files.tell_failure)
         self.work.said.connect(self.say)
         self.progress.cancelled.connect(self._cancel)
@@ -159,6 +162,8 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(self.files.title())
         self.setWindowModified(self.files.unsaved)
         self._show_progress()
+        if self._edits() != self._told_after:
+            self.notice.settle()
 
     def _progress_soon(self) -> None:
         if not self._progressing.isActive():
@@ -206,6 +211,18 @@ class MainWindow(QMainWindow):
         """Tell what went wrong."""
         self.notice.say(explain(error), is_error=True)
 
+    def _edits(self) -> tuple[object, ...]:
+        """What differs once an edit was done, undone or redone."""
+        session = self.files.session
+        if session is None:
+            return ()
+        history = session.history
+        steps = (history.next_undo, history.next_redo)
+        return id(session), len(history), *(step.id if step else 0 for step in steps)
+
+    def _note_edits(self) -> None:
+        self._told_after = self._edits()
+
     # commands
 
     def run_command(self, name: str) -> None:
@@ -219,7 +236,8 @@ class MainWindow(QMainWindow):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
         """A key whose command cannot be done now comes here: say why not."""
-        name = self.menus.command_of(QKeySequence(event.keyCombination()))
+        typed = self._guard.typed  # into a field, which passes Enter on
+        name = "" if typed else self.menus.command_of(QKeySequence(event.keyCombination()))
         if name and not self.menus.actions[name].isEnabled():
             self.run_command(name)
         else:

@@ -20,10 +20,18 @@ from PySide6.QtWidgets import (
 from app.presenters.commands import COMMANDS, MENUS, Command
 from app.presenters.scenes import CommandItem
 from app.presenters.words import tr
+from app.views.correcting.attributes import AttributesTable
 from app.views.look.icons import icon
 from app.views.widgets.id_edit import IdEdit
 
-_TYPING = (QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox, QComboBox)
+_TYPING = (
+    QLineEdit,  # also what a cell of a table is typed into
+    QPlainTextEdit,
+    QTextEdit,
+    QAbstractSpinBox,
+    QComboBox,
+    AttributesTable,  # a letter begins to type into its cell
+)
 
 
 class Menus(QObject):
@@ -98,21 +106,29 @@ class TypingGuard(QObject):
     """Lets a text field have every key that is typed into it, also those that are shortcuts.
 
     Keys with Ctrl stay shortcuts unless the field itself wants them.
+
+    Attributes:
+        typed: the key pressed last went into a field: it is no command, also where the field
+            passes it on, as it does with Enter.
     """
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self.typed = False
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Accept the keys for the field; Qt then types them instead of running a shortcut."""
-        if (
-            event.type() == QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and isinstance(focus := QApplication.focusWidget(), _TYPING)
+        if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
+            return super().eventFilter(watched, event)
+        self.typed = (
+            isinstance(focus := QApplication.focusWidget(), _TYPING)
             and not isinstance(focus, IdEdit)  # which lets through what is no digit
             and not event.modifiers() & Qt.KeyboardModifier.ControlModifier
             and event.key() not in range(Qt.Key.Key_F1, Qt.Key.Key_F35)
-        ):
+        )
+        if self.typed:
             event.accept()
-            return True
-        return super().eventFilter(watched, event)
+        return self.typed or super().eventFilter(watched, event)
 
 
 def _tip(item: CommandItem) -> str:

@@ -80,8 +80,9 @@ def test_changed_attributes_are_sent_all_together(track_panel, heard):
     edited = heard(track_panel.attributes_edited)
     table = track_panel._attributes
     table.add_row()
-    table.item(1, 0).setText("coat")
-    table.item(1, 1).setText("red")
+    for typed in ("coat", "red"):
+        QTest.keyClicks(table.focusWidget(), typed)
+        QTest.keyClick(table.focusWidget(), Qt.Key.Key_Tab)
     assert edited[-1] == (4, (("bag", "none"), ("coat", "red")))
 
 

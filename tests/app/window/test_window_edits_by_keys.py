@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 
 from app.presenters.correcting import EditKind, Scope
 from app.presenters.correcting.kinds import Longest
+from app.views.correcting.attributes import AttributesTable
 from tracking.tracks import Source
 
 Key = Qt.Key
@@ -249,10 +250,73 @@ def test_after_enter_the_keyboard_is_where_it_was_and_the_next_edit_one_key_away
     assert hands.desk.document.flow.kind is EditKind.SPLIT
 
 
-@pytest.mark.parametrize(("modifiers", "field"), [(SHIFT, "attributes"), (CTRL, "notes")])
-def test_attributes_and_notes_are_reached_by_keys(hands, track, modifiers, field):
-    hands.press(Key.Key_F2, modifiers)
+def test_notes_are_reached_by_keys(hands, track):
+    hands.press(Key.Key_F2, CTRL)
     hands.type("limps")
-    hands.press(Key.Key_Return if field == "attributes" else Key.Key_Escape)
-    label = hands.desk.document.label(track)
-    assert label.notes == "limps" if field == "notes" else "limps" in label.attributes
+    hands.press(Key.Key_Escape)
+    assert hands.desk.document.label(track).notes == "limps"
+
+
+def _history(hands) -> list[str]:
+    return [entry.text for entry in hands.desk.document.session.history]
+
+
+def test_an_attribute_is_typed_whole_before_it_becomes_one_edit(hands, track):
+    hands.press(Key.Key_F2, SHIFT)
+    hands.type("bag")
+    hands.press(Key.Key_Return)
+    assert _history(hands) == []
+    hands.type("yab")
+    assert _history(hands) == []
+    hands.press(Key.Key_Return)
+    assert dict(hands.desk.document.label(track).attributes) == {"bag": "yab"}
+    assert _history(hands) == [f"Set bag of {track} to yab"]
+    assert hands.desk.document.flow is None
+    assert hands.window.statusBar().currentMessage().startswith("Done")
+
+
+def test_an_attribute_without_a_value_is_no_edit(hands, track):
+    hands.press(Key.Key_F2, SHIFT)
+    hands.type("bag")
+    hands.press(Key.Key_Return)
+    hands.press(Key.Key_Return)  # asks again
+    hands.press(Key.Key_Escape)
+    assert _history(hands) == []
+    assert hands.window.workspace.card.findChild(AttributesTable).rowCount() == 0
+
+
+def test_tab_goes_through_attributes_and_begins_another(hands, track):
+    hands.press(Key.Key_F2, SHIFT)
+    for typed in ("bag", "yes", "hat", "no"):
+        hands.type(typed)
+        hands.press(Key.Key_Tab)
+    hands.press(Key.Key_Escape)
+    assert dict(hands.desk.document.label(track).attributes) == {"bag": "yes", "hat": "no"}
+    assert len(_history(hands)) == 2
+
+
+def test_the_attribute_that_is_typed_is_seen(hands, track):
+    hands.press(Key.Key_F2, SHIFT)
+    table = hands.window.workspace.card.findChild(AttributesTable)
+    field = hands.window.focusWidget()
+    assert table.isAncestorOf(field)
+    assert field.visibleRegion().boundingRect().height() > field.height() // 2
+
+
+def test_letters_on_the_attributes_are_typed_also_between_the_cells(hands, track):
+    hands.desk.editing.set_attributes(track, (("bag", "no"),))
+    table = hands.window.workspace.card.findChild(AttributesTable)
+    table.setFocus()
+    table.setCurrentCell(0, 1)
+    hands.type("y")
+    hands.press(Key.Key_Return)
+    assert dict(hands.desk.document.label(track).attributes) == {"bag": "y"}
+    assert hands.desk.document.session.labels.reviewed == ()
+
+
+def test_enter_in_the_frame_field_runs_no_command(hands):
+    hands.press(Key.Key_G)
+    hands.type("12")
+    hands.press(Key.Key_Return)
+    assert hands.desk.playback.clock.frame == 12
+    assert hands.window.statusBar().currentMessage() == ""

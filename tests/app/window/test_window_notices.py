@@ -1,0 +1,80 @@
+"""What the line over the pictures tells, and when it goes again."""
+
+import pytest
+from correcting_desk import Hands, opened_desk
+from PySide6.QtCore import Qt
+
+from tracking.errors import SessionError
+
+Key = Qt.Key
+
+
+@pytest.fixture
+def hands(window, qtbot, tiny_session) -> Hands:
+    hands = Hands(window, opened_desk(window, qtbot, tiny_session), qtbot)
+    hands.press(Key.Key_Tab)
+    return hands
+
+
+@pytest.fixture
+def full_disk(hands, monkeypatch):
+    """No edit can be written until it is called."""
+
+    def refuse(*_):
+        raise SessionError("the edit could not be written: the disk is full")
+
+    monkeypatch.setattr(hands.desk.document.session, "apply", refuse)
+    return monkeypatch.undo
+
+
+def test_an_edit_the_disk_refused_waits_on_and_enter_tries_again(window, hands, full_disk, qtbot):
+    hands.press(Key.Key_Delete)
+    assert hands.desk.document.planned.change is not None
+    hands.press(Key.Key_Return)
+    assert "the disk is full" in window.notice.text
+    assert hands.desk.document.flow is not None
+    assert window.workspace.preview.isVisible()
+    full_disk()
+    hands.press(Key.Key_Return)
+    assert hands.desk.document.flow is None
+    assert len(hands.desk.document.session.history) == 1
+    qtbot.waitUntil(lambda: window.notice.text == "")
+
+
+def test_a_save_that_works_ends_what_was_told_of_one_that_did_not(window, hands, qtbot):
+    window.tell_error(SessionError("the disk is full"))
+    hands.press(Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    qtbot.waitUntil(lambda: window.notice.text == "")
+
+
+def test_the_word_about_what_was_recovered_goes_with_the_first_edit(window, hands, qtbot):
+    window.notice.say("recovered", passing=True)
+    hands.desk.draw()
+    qtbot.wait(5)
+    assert window.notice.text == "recovered"
+    hands.desk.editing.rename(hands.desk.document.selection.track, "anna")
+    qtbot.waitUntil(lambda: window.notice.text == "")
+
+
+def test_it_goes_by_itself_after_a_while(window, hands, qtbot):
+    window.notice._passing.setInterval(1)
+    window.notice.say("recovered", passing=True)
+    qtbot.waitUntil(lambda: window.notice.text == "")
+
+
+def test_what_offers_a_button_waits_for_its_answer(window, hands):
+    window.notice.say("not kept", "Try again", lambda: None, is_error=True)
+    window.notice.settle()
+    assert window.notice.text == "not kept"
+
+
+def test_another_session_that_is_damaged_does_not_offer_to_leave_the_open_one(
+    window, hands, qtbot, tmp_path
+):
+    hands.press(Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    damaged = tmp_path / "damaged.h5"
+    damaged.write_bytes(b"nothing of use")
+    qtbot.waitUntil(lambda: not window.work.busy)
+    window.files.beside.compare_with(damaged)
+    qtbot.waitUntil(lambda: window.notice.text != "")
+    assert window.notice.action_text == ""
