@@ -156,3 +156,20 @@ def test_the_search_tells_how_far_it_is_and_can_be_cancelled() -> None:
 
     with pytest.raises(CancelledError, match="enough"):
         found(made_run(crossing()), progress=stop)
+
+
+def test_who_changed_over_is_watched_until_they_part() -> None:
+    """Two who walk side by side for a while show who is who only then."""
+
+    def stretch(side_by_side: int) -> int:
+        one = straight((-4, 5), (1.0, 0.0), 160)
+        other = one + (0.0, 0.3)
+        away = MEETING + side_by_side
+        other[away:, 1] += np.arange(160 - away) * 0.08
+        run = made_run([Walk(one, looks=RED), Walk(other, looks=BLUE)])
+        first = found(run, swapped(run, 1, 2, MEETING))[0]
+        assert first.kind in ("turn", "exchange")
+        return first.end - first.frame
+
+    assert stretch(0) < stretch(10) < stretch(15) <= 0.95 * FPS + 1
+    assert stretch(60) == stretch(40)

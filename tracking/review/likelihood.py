@@ -18,28 +18,28 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-ONE, TWO = -4.51, -2.98
+ONE, TWO = -4.55, -3.0
 """Log odds of a place of one track and of one of two tracks, whatever speaks for it."""
-CROWD = 1.5
+CROWD = 1.53
 """Log odds that being crowded adds."""
 
 WEIGHTS: Mapping[str, float] = MappingProxyType(
     {
-        "exchange": 1.89,
-        "turn": 4.12,
-        "crossing": 0.0,
-        "shared": 0.35,
-        "lost": 7.85,
+        "exchange": 2.1,
+        "turn": 4.2,
+        "crossing": 0.08,
+        "shared": 0.31,
+        "lost": 7.87,
         "ended": 0.0,
-        "begun": 2.53,
-        "colour": 0.88,
+        "begun": 2.54,
+        "colour": 0.98,
         "height": 0.0,
-        "jump": 0.47,
+        "jump": 0.65,
         "reversal": 3.25,
-        "predicted": 0.56,
-        "drift": 0.09,
+        "predicted": 0.44,
+        "drift": 0.06,
         "margin": 0.37,
-        "spread": 0.52,
+        "spread": 0.61,
         "split": 1.57,
         "part": 1.0,  # not fitted: none of these trackers follows parts
     }
