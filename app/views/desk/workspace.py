@@ -58,7 +58,7 @@ class Workspace(QWidget):
     def _lay_out(self) -> None:
         eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
         side = self._split(
-            "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (4, 4, 3)
+            "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (6, 3, 3)
         )
         # On a low screen the panels scroll, so that they never make the window too high for it.
         panels = QScrollArea(self)

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QListView,
     QMenu,
-    QStackedLayout,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -21,7 +20,7 @@ from app.presenters.scenes import HistoryItem
 from app.presenters.words import counted
 from app.views.history.history_model import ITEM, EditDelegate, HistoryModel, row_height
 from app.views.look.icons import IconButton
-from app.views.widgets.parts import EmptyState, Panel, quiet
+from app.views.widgets.parts import Panel, quiet
 
 _ROWS = 5  # seen at least
 _LAID_AT_ONCE = 300
@@ -29,7 +28,7 @@ _UNDO_ALONE_KEYS = "Ctrl+Alt+Z"
 
 
 class HistoryPanel(Panel):
-    """Draws the history, a tuple of :class:`HistoryItem`, oldest first.
+    """Draws the history, a tuple of :class:`HistoryItem`, oldest first; without edits, a line.
 
     Signals:
         undo_asked(), redo_asked(): the buttons.
@@ -58,20 +57,20 @@ class HistoryPanel(Panel):
         self.add_to_heading(self._redo)
         self._model = HistoryModel(self)
         self._list = self._build_list()
-        self._empty = EmptyState("history", parent=self)
-        self._empty.say(self.tr("No edits yet"), self.tr("What you correct is listed here."))
-        listed = QWidget(self)
-        rows = QVBoxLayout(listed)
+        self._empty = quiet(self.tr("No edits yet: what you correct is listed here."), self)
+        self._empty.setWordWrap(True)
+        self._listed = QWidget(self)
+        rows = QVBoxLayout(self._listed)
         rows.setContentsMargins(0, 0, 0, 0)
         rows.setSpacing(4)
         rows.addLayout(self._build_filter())
         rows.addWidget(self._list, 1)
         self._none = quiet(self.tr("No edit is like that."), self)
         rows.addWidget(self._none)
-        self._stack = QStackedLayout()
-        self._stack.addWidget(self._empty)
-        self._stack.addWidget(listed)
-        self.layout_body(self._stack)
+        both = QVBoxLayout()  # no stack: what is hidden would keep its room
+        both.addWidget(self._empty, 0, Qt.AlignmentFlag.AlignTop)
+        both.addWidget(self._listed, 1)
+        self.layout_body(both)
         self.show_scene(())
 
     def _build_list(self) -> QListView:
@@ -126,7 +125,9 @@ class HistoryPanel(Panel):
         """Show another history."""
         self._undo.setEnabled(any(not item.undone for item in items))
         self._redo.setEnabled(bool(items) and items[-1].undone)
-        self._stack.setCurrentIndex(1 if items else 0)
+        self._empty.setVisible(not items)
+        self._listed.setVisible(bool(items))
+        self.keep_low(not items)
         if items is not self._items:
             self._items = items
             self._offer_filters()

@@ -26,8 +26,7 @@ from app.views.reviewing.queue_list import ReviewDelegate, ReviewModel, row_heig
 from app.views.widgets.command_list import native_keys
 from app.views.widgets.parts import Panel, quiet
 
-_ROWS = 3  # seen at least
-_UNLIMITED = 2**24 - 1
+_ROWS = 5  # seen at least
 _SIGNS = {"Backspace": "\u232b", "Return": "\u21b5"}
 """Keys with a sign of their own, where there is little room."""
 
@@ -157,8 +156,7 @@ class ReviewPanel(Panel):
         self._say(self._text, "" if listed else scene.text)
         self._say(self._doing, scene.doing)
         self._say(self._meter, scene.meter)
-        # Without a list it gives the room to the panels below.
-        self.setMaximumHeight(_UNLIMITED if listed else self._rows.totalMinimumSize().height())
+        self.keep_low(not listed)
 
     def _say(self, label: QLabel, text: str) -> None:
         label.setText(text)

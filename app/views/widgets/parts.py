@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -14,8 +14,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.views.look.icons import pixmap
-from app.views.look.theme import current_theme, scaled_font
+from app.views.look.theme import scaled_font
+
+_UNLIMITED = 2**24 - 1
+"""The height that Qt takes for no limit at all."""
 
 
 class Panel(QFrame):
@@ -40,6 +42,10 @@ class Panel(QFrame):
     def layout_body(self, body: QLayout) -> None:
         """Put the panel's content under the title."""
         self._rows.addLayout(body, 1)
+
+    def keep_low(self, low: bool) -> None:
+        """Give the room that is not needed to the other panels, or take it again."""
+        self.setMaximumHeight(self._rows.totalMinimumSize().height() if low else _UNLIMITED)
 
 
 def heading(text: str, parent: QWidget) -> QLabel:
@@ -81,48 +87,6 @@ class Swatch(QWidget):
         painter.setBrush(self._colour)
         side = min(self.width(), self.height(), self.fontMetrics().ascent())
         painter.drawEllipse(self.rect().center(), side // 2, side // 2)
-
-
-class EmptyState(QWidget):
-    """An icon, what there is not, and what to do next."""
-
-    def __init__(self, drawing: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._drawing = drawing
-        self._icon = QLabel(self)
-        self._icon.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-        self._title = QLabel(self)
-        self._title.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-        self._title.setFont(scaled_font(self.font(), 1.0, bold=True))
-        self._text = quiet("", self)
-        self._text.setWordWrap(True)
-        self._text.setAlignment(Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
-        self._text.setMinimumHeight(2 * self.fontMetrics().lineSpacing())
-        rows = QVBoxLayout(self)
-        rows.setContentsMargins(0, 0, 0, 0)
-        rows.setSpacing(4)
-        rows.addStretch(1)
-        for widget in (self._icon, self._title, self._text):
-            rows.addWidget(widget)
-        rows.addStretch(2)
-        self._recolour()
-
-    def say(self, title: str, text: str) -> None:
-        """Change the words."""
-        self._title.setText(title)
-        self._text.setText(text)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802
-        """Follow the theme."""
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self._recolour()
-
-    def _recolour(self) -> None:
-        ratio = self.devicePixelRatioF()
-        drawn = pixmap(self._drawing, current_theme().text_faint, round(28 * ratio))
-        drawn.setDevicePixelRatio(ratio)
-        self._icon.setPixmap(drawn)
 
 
 def bring_into_view(widget: QWidget) -> None:
