@@ -56,8 +56,8 @@ def measure() -> dict[str, float]:
     `open_ms`: the session, checked by a program of its own, read and its journal looked for.
     `open_vs_raw`: that over reading the same columns of the same file with h5py alone, each the
     median of several, in turn. `picture_ms`: from there to the painted timeline, with the run.
-    `swap_ms`, `undo_ms`: planned, in the journal on the disk and done; `_max` of twenty; the first
-    swap, `first_swap_ms`, makes the journal's file as well.
+    `swap_ms`, `undo_ms`: planned, in the journal on the disk and done; `_max` of twenty; of them
+    `first_swap_ms` is the first, soon after opening.
     `save_ms`: all of a save; `save_begin_ms`, `save_end_ms`: what of it the window waits for, and
     `save_gap_ms`: the longest time the thread of the window waited while it was written by another.
     `_peak_mb`: how much more memory was taken than before.

@@ -11,7 +11,7 @@ import h5py
 
 from tracking.errors import SessionError
 from tracking.session.layout import TEXT, Types
-from tracking.session.unpacking import read_numbers
+from tracking.session.unpacking import read_numbers, unpackers
 
 _FAILURES = (
     *(OSError, KeyError, ValueError, TypeError),
@@ -37,10 +37,13 @@ def opened(path: Path) -> Iterator[h5py.File]:
 
 def read_columns(group: h5py.Group, types: Types) -> dict[str, Any]:
     """All columns of a table, numbers as arrays, text as lists."""
-    return {
-        name: read_text(group[name]) if dtype == TEXT else read_numbers(group[name], dtype)
-        for name, dtype in types.items()
-    }
+    with unpackers() as pool:
+        return {
+            name: read_text(group[name])
+            if dtype == TEXT
+            else read_numbers(group[name], dtype, pool)
+            for name, dtype in types.items()
+        }
 
 
 def read_text(dataset: h5py.Dataset) -> list[str]:

@@ -17,17 +17,25 @@ _AHEAD = 4 * _THREADS
 """How many packed pieces wait to be unpacked at most."""
 
 
-def read_numbers(dataset: h5py.Dataset, dtype: np.dtype[Any]) -> NDArray[Any]:
+def unpackers() -> ThreadPoolExecutor:
+    """Threads that unpack, for all columns of a table; they are started when there is work."""
+    return ThreadPoolExecutor(_THREADS, "unpack")
+
+
+def read_numbers(
+    dataset: h5py.Dataset, dtype: np.dtype[Any], pool: ThreadPoolExecutor
+) -> NDArray[Any]:
     """A column of numbers.
 
-    One packed as this program packs is unpacked here: the HDF5 library uses one core and does one
-    thing at a time. Raises ValueError where a piece is damaged, and what the library raises.
+    One packed as this program packs is unpacked in the pool: the HDF5 library uses one core and
+    does one thing at a time.
+    Raises ValueError where a piece is damaged, and what the library raises.
     """
     values = np.empty(dataset.shape, dtype)
     if not values.size:
         return values
     if _is_packed_as_here(dataset, dtype):
-        _read_pieces(dataset, values)
+        _read_pieces(dataset, values, pool)
     else:
         dataset.read_direct(values)
     return values
@@ -42,18 +50,25 @@ def _is_packed_as_here(dataset: h5py.Dataset, dtype: np.dtype[Any]) -> bool:
     return filters == _PACKING and pieces == -(-len(dataset) // dataset.chunks[0])
 
 
-def _read_pieces(dataset: h5py.Dataset, values: NDArray[Any]) -> None:
+def _read_pieces(dataset: h5py.Dataset, values: NDArray[Any], pool: ThreadPoolExecutor) -> None:
     rows, waiting = dataset.chunks[0], deque[Future[None]]()
-    with ThreadPoolExecutor(_THREADS) as pool:
+    try:
         for start in range(0, len(values), rows):
             skipped, piece = dataset.id.read_direct_chunk((start,))
             if skipped:
                 raise ValueError(f"{dataset.name}: a piece is packed otherwise than the others")
-            waiting.append(pool.submit(_unpack, piece, values[start : start + rows], rows))
+            into = values[start : start + rows]
+            if len(values) <= rows:  # nothing is gained by another thread
+                _unpack(piece, into, rows)
+                return
+            waiting.append(pool.submit(_unpack, piece, into, rows))
             if len(waiting) == _AHEAD:
                 waiting.popleft().result()
         for unpacked in waiting:
             unpacked.result()
+    finally:
+        for unpacked in waiting:
+            unpacked.cancel()
 
 
 def _unpack(piece: bytes, into: NDArray[Any], rows: int) -> None:
