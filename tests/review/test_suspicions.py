@@ -163,7 +163,7 @@ def test_who_changed_over_is_watched_until_they_part() -> None:
 
     def stretch(side_by_side: int) -> int:
         one = straight((-4, 5), (1.0, 0.0), 160)
-        other = one + (0.0, 0.3)
+        other = one + np.array((0.0, 0.3))
         away = MEETING + side_by_side
         other[away:, 1] += np.arange(160 - away) * 0.08
         run = made_run([Walk(one, looks=RED), Walk(other, looks=BLUE)])
