@@ -43,7 +43,12 @@ from tracking.editing.log.history import Entry, History
 from tracking.editing.log.text import state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
 from tracking.editing.log.touched import touched
-from tracking.editing.tracking_again.differences import Difference, compare_runs, differences
+from tracking.editing.tracking_again.differences import (
+    Difference,
+    compare_runs,
+    differences,
+    differing_rows,
+)
 from tracking.editing.tracking_again.protection import Protection, protected_stretches
 from tracking.editing.tracking_again.taking import plan_take
 
@@ -66,6 +71,7 @@ __all__ = [
     "body_position",
     "compare_runs",
     "differences",
+    "differing_rows",
     "gaps_of",
     "keyframes_of",
     "plan_add_keyframe",

@@ -20,11 +20,17 @@ from app.presenters.palette import colour_of_track
 from app.presenters.reviewing.review_scene import ReviewPerson
 from app.presenters.scenes import PreviewTrail
 from app.presenters.words import time_text, tr
-from tracking.editing import Change, Difference, History, differences, plan_take
-from tracking.editing.tracking_again.alignment import aligned, rows_of_table
+from tracking.editing import (
+    Change,
+    Difference,
+    History,
+    differences,
+    differing_rows,
+    plan_take,
+    protected_stretches,
+)
+from tracking.editing.tracking_again.alignment import rows_of_table
 from tracking.editing.tracking_again.counterparts import Places, counterparts
-from tracking.editing.tracking_again.differences import told
-from tracking.editing.tracking_again.protection import protected_stretches
 from tracking.errors import EditError
 from tracking.session import Session
 from tracking.tracks import Columns, Labels, Run, TrackTable, between
@@ -95,10 +101,7 @@ class Comparison:
 
         def find() -> Found:
             protection = protected_stretches(table, labels, history, fps=fps)
-            both = aligned(table, run, frames, protection)
-            found, rows = told(both, table, fps), both.found
-            order = np.lexsort((rows["track"], rows["frame"]))
-            rows = {name: column[order] for name, column in rows.items()}
+            found, rows = differing_rows(table, run, frames, protection, fps=fps)
             return Found(tuple(sorted(found, key=lambda one: one.start)), rows, table)
 
         return find

@@ -13,7 +13,7 @@ from tracking.editing.tracking_again.alignment import Alignment, Exchange, align
 from tracking.editing.tracking_again.difference_text import Ends, Stretch, text_of
 from tracking.editing.tracking_again.folding import folded
 from tracking.editing.tracking_again.protection import Protection, protected_stretches
-from tracking.tracks import Labels, Run, TrackTable
+from tracking.tracks import Columns, Labels, Run, TrackTable
 
 Flags = NDArray[np.bool_]
 Integers = NDArray[np.integer]
@@ -74,7 +74,7 @@ def differences(
     Raises EditError where the run was not run over any of these frames.
     """
     protection = protected_stretches(table, labels, history, fps=fps)
-    return told(aligned(table, run, frames, protection), table, fps)
+    return _told(aligned(table, run, frames, protection), table, fps)
 
 
 def compare_runs(
@@ -92,10 +92,28 @@ def compare_runs(
     if not (run_a.known_tracks and run_b.known_tracks):
         run_b = replace(run_b, known_tracks=0)
     table = TrackTable(run_a.tracks, highest_track=run_a.known_tracks)
-    return told(aligned(table, run_b, frames or shared, Protection()), table, fps)
+    return _told(aligned(table, run_b, frames or shared, Protection()), table, fps)
 
 
-def told(found: Alignment, table: TrackTable, fps: float | None) -> tuple[Difference, ...]:
+def differing_rows(
+    table: TrackTable,
+    run: Run,
+    frames: tuple[int, int] | None,
+    protection: Protection,
+    *,
+    fps: float | None = None,
+) -> tuple[tuple[Difference, ...], Columns]:
+    """What a run says otherwise than a table, and the run's rows under the table's ids, by frame.
+
+    Raises EditError where the run was not run over any of these frames.
+    """
+    both = aligned(table, run, frames, protection)
+    order = np.lexsort((both.found["track"], both.found["frame"]))
+    rows = {name: column[order] for name, column in both.found.items()}
+    return _told(both, table, fps), rows
+
+
+def _told(found: Alignment, table: TrackTable, fps: float | None) -> tuple[Difference, ...]:
     """The differences of a run laid over the table, by frame and track."""
     gap = _JOINED_FRAMES if fps is None else max(1, round(_JOINED_FRAMES * fps / _USUAL_FPS))
     taken = exchanged(found)
