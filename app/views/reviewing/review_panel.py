@@ -26,7 +26,7 @@ from app.views.reviewing.queue_list import ReviewDelegate, ReviewModel, row_heig
 from app.views.widgets.command_list import native_keys
 from app.views.widgets.parts import Panel, quiet
 
-_ROWS = 5  # seen at least
+_ROWS = 4  # seen at least
 _SIGNS = {"Backspace": "\u232b", "Return": "\u21b5"}
 """Keys with a sign of their own, where there is little room."""
 
