@@ -24,20 +24,24 @@ _FIRST: tuple[Colour, ...] = (
     (68, 119, 170),
     (17, 119, 51),
 )
-_LIGHT = 150.0
-"""Mean of red, green and blue from which on a colour counts as a light one."""
+# The second time around the same hues, each lighter or darker: by how much was searched for, so
+# that no two of all lie close, for anybody's eyes.
+_SECOND: tuple[Colour, ...] = (
+    (115, 76, 84),
+    (168, 144, 210),
+    (131, 143, 36),
+    (167, 95, 71),
+    (107, 155, 178),
+    (107, 23, 54),
+    (110, 77, 140),
+    (149, 66, 0),
+    (191, 230, 225),
+    (246, 238, 196),
+    (42, 74, 105),
+    (136, 187, 153),
+)
 
-
-def _varied(colour: Colour) -> Colour:
-    """The same hue for the second time around: light colours darker, dark ones lighter."""
-    if sum(colour) / 3 > _LIGHT:
-        red, green, blue = (round(0.62 * part) for part in colour)
-    else:
-        red, green, blue = (round(0.5 * (part + 255)) for part in colour)
-    return red, green, blue
-
-
-TRACK_COLOURS: tuple[Colour, ...] = (*_FIRST, *(_varied(colour) for colour in _FIRST))
+TRACK_COLOURS: tuple[Colour, ...] = (*_FIRST, *_SECOND)
 NOBODY: Colour = (150, 150, 150)
 
 _TABLE = np.array(TRACK_COLOURS, np.uint8)

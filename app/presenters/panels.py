@@ -13,8 +13,10 @@ from tracking.editing import Entry, History
 from tracking.tracks import TrackLabel
 
 
-def track_card(tracks: ShownTracks, track: int, label: TrackLabel) -> TrackCard | None:
-    """The card of a track; None where it has no rows."""
+def track_card(
+    tracks: ShownTracks, track: int, label: TrackLabel, others: tuple[int, ...] = ()
+) -> TrackCard | None:
+    """The card of a track, with who is selected beside it; None where it has no rows."""
     rows = tracks.of_track(track)
     if not len(rows["frame"]):
         return None
@@ -31,6 +33,7 @@ def track_card(tracks: ShownTracks, track: int, label: TrackLabel) -> TrackCard 
         mean_confidence=float(confidence.mean()) if len(confidence) else float("nan"),
         attributes=tuple(label.attributes.items()),
         notes=label.notes,
+        others=others,
     )
 
 

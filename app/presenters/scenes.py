@@ -253,7 +253,7 @@ class TransportScene:
 
 @dataclass(frozen=True, slots=True)
 class TrackCard:
-    """The selected track in words."""
+    """The selected track in words; with `others` who are selected too."""
 
     track: int
     name: str
@@ -265,6 +265,7 @@ class TrackCard:
     mean_confidence: float
     attributes: tuple[tuple[str, str], ...]
     notes: str
+    others: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

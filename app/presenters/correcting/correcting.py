@@ -148,6 +148,16 @@ class Correcting:
         else:
             self.change(self._with_other(flow, track))
 
+    def consider(self, track: int) -> None:
+        """An id was typed so far: show the edit with them where there is such a track."""
+        flow, on = self.flow, self._ground()
+        if flow is None or on is None or not flow.takes_other or track == flow.other:
+            return
+        if track in on.table and track != flow.track:
+            self.change(self._with_other(flow, track))
+        elif flow.other:
+            self.change(replace(flow, other=0, cuts=()))
+
     def pick_next(self, here: list[int], step: int) -> None:
         """Tab: the next of the people who are here; for the second of an edit the nearest first."""
         flow = self.flow
@@ -165,7 +175,9 @@ class Correcting:
         on = self._ground()
         if flow.kind is not EditKind.SWAP or on is None or other == flow.track:
             return flow.with_other(other)
-        return flow.with_other(other, changed_over(on, flow.track, other, flow.cut))
+        # A frame that was proposed for somebody else says nothing of where the user looks.
+        near = flow.cut if not flow.proposed or self.begun_at is None else self.begun_at
+        return flow.with_other(other, changed_over(on, flow.track, other, near))
 
     # changing
 

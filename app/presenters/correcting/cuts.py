@@ -11,25 +11,45 @@ from tracking.tracks import CORRECTED_COLUMNS, Columns, TrackTable
 
 _MOST = 4
 _LEAST_LIKELY = 0.01
+_ABOUT_AS_LIKELY = 0.5
+"""Of frames that are at least so likely, measured by the likeliest, the nearest comes first."""
 _REACH_FRAMES = 1000
 """Looked at to either side of the user's frame first, so that hours cost no more than minutes."""
 
 
 def changed_over(on: Ground, track: int, other: int, near: int) -> tuple[SwapFrame, ...]:
-    """The likeliest first; nothing where the two cannot be compared: the plan says why.
+    """The likeliest first, of those about as likely the nearest.
 
+    Nothing where the two cannot be compared: the plan says why.
     Both are compared within half a minute or so; only where they are not both there, anywhere.
     """
     window = max(0, near - _REACH_FRAMES), near + _REACH_FRAMES
     try:
         close = _two_of(on.table, (track, other), window)
-        both_there = track in close and other in close
+        both_there = _stand_together(close, track, other)
         table = close if both_there else _two_of(on.table, (track, other), None)
         signals = _within(on.signals, window) if both_there else on.signals
         found = propose_swap_frames(table, track, other, near, signals, _MOST)
     except EditError:
         return ()
-    return tuple(one for one in found if one is found[0] or one.likelihood >= _LEAST_LIKELY)
+    return nearest_of_likely(found, near)
+
+
+def nearest_of_likely(found: tuple[SwapFrame, ...], near: int) -> tuple[SwapFrame, ...]:
+    """The nearest of those about as likely as the likeliest, then the rest worth telling."""
+    least = _ABOUT_AS_LIKELY * found[0].likelihood
+    likely = [one for one in found if one.likelihood >= least]
+    first = min(likely, key=lambda one: abs(one.frame - near))
+    rest = (one for one in found if one is not first and one.likelihood >= _LEAST_LIKELY)
+    return (first, *rest)
+
+
+def _stand_together(table: TrackTable, track: int, other: int) -> bool:
+    """Whether both stand in some frame."""
+    if track not in table or other not in table:
+        return False
+    frames = table.frames_of_track(track), table.frames_of_track(other)
+    return len(np.intersect1d(*frames, assume_unique=True)) > 0
 
 
 def _two_of(

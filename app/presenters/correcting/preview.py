@@ -51,7 +51,9 @@ def planned_edit(flow: EditFlow, on: Ground, problem: str = "") -> PlannedEdit:
     try:
         change = plan_of(flow, on)
     except EditError as why_not:
-        ask = tr("Click on the other person, type their id, or press Tab to go through them")
+        ask = tr(
+            "Click on the other person, type their id, or press Tab; it is shown, Enter applies"
+        )
         lines = (problem, ask if flow.needs_other else str(why_not))
         return PlannedEdit(preview_scene(flow, tuple(filter(None, lines)), None, on))
     return shown_edit(flow, on, change, problem)

@@ -86,6 +86,8 @@ def _cuts(flow: EditFlow) -> tuple[Proposal, ...]:
 
 def _why(flow: EditFlow, number: int) -> str:
     cut = flow.cuts[number]
+    if len(flow.cuts) == 1 and cut.likelihood == 1.0:
+        return cut.text  # nothing was weighed
     return tr("{share} %: {why}", share=round(100 * cut.likelihood), why=cut.text)
 
 

@@ -208,7 +208,8 @@ class Document:
         """The selected track in words."""
         if not self.selection:
             return None
-        return track_card(self._tracks, self.selection.track, self.label(self.selection.track))
+        track, others = self.selection.track, self.selection.also
+        return track_card(self._tracks, track, self.label(track), others)
 
     def history(self) -> tuple[HistoryItem, ...]:
         """All edits, oldest first."""

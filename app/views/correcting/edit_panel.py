@@ -31,6 +31,7 @@ class EditPanel(QFrame):
         cut_moved(int), end_moved(int): by so many frames.
         choice_made(int, int): which row of choices, and which of its options.
         other_typed(int): the other person's id, typed or clicked.
+        other_considered(int): the id typed so far; 0: none.
         cut_proposed(int): which of the frames that were found.
     """
 
@@ -40,11 +41,13 @@ class EditPanel(QFrame):
     end_moved = Signal(int)
     choice_made = Signal(int, int)
     other_typed = Signal(int)
+    other_considered = Signal(int)
     cut_proposed = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._asking = False
+        self._ready_with = 0
         self._had_keyboard: QWidget | None = None
         self.setProperty("notice", True)
         self.setAccessibleName(self.tr("Edit preview"))
@@ -86,10 +89,11 @@ class EditPanel(QFrame):
         self._other = IdEdit(self)
         self._other.setPlaceholderText(self.tr("id"))
         self._other.setAccessibleName(self.tr("Id of the other person"))
-        self._other.setToolTip(self.tr("Type their id and press Enter"))
+        self._other.setToolTip(self.tr("Type their id; Enter applies what is then shown"))
         self._other.setMaximumWidth(9 * self.fontMetrics().averageCharWidth())
         self._other.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self._other.typed.connect(self.other_typed)
+        self._other.typed.connect(self._take_typed)
+        self._other.considered.connect(self.other_considered)
         self._others = ProposalChips("", self)
         self._others.chosen.connect(self.other_typed)
         line.addWidget(self._other)
@@ -146,6 +150,8 @@ class EditPanel(QFrame):
     def show_scene(self, preview: EditPreview | None) -> None:
         """Show what would be done, or nothing."""
         if preview is None:
+            self._ready_with = 0
+            self._other.take_back()
             self._ask(False)
             self.hide()
             return
@@ -162,13 +168,29 @@ class EditPanel(QFrame):
         self._confirm.setEnabled(preview.ready)
         self._legend.setVisible(preview.ready)
         self._other_line.setVisible(preview.other is not None)
-        self._other.setText(str(preview.other or ""))
+        typing = self._goes_on_typing(preview.other or 0)
+        if not typing:
+            self._other.setText(str(preview.other or ""))
+        self._ready_with = (preview.other or 0) if preview.ready else 0
         self._others.show_scene(preview.others)
         self._cuts.show_scene(preview.cuts)
-        self._ask(preview.other == 0)
+        self._ask(preview.other == 0 or typing)
         shown = {choice.row: choice for choice in preview.choices} if preview.other != 0 else {}
         for row, buttons in enumerate(self._choices):
             buttons.show_scene(shown.get(row))
+
+    def _goes_on_typing(self, other: int) -> bool:
+        """Whether what is shown is of the id typed so far: then its field keeps the keyboard."""
+        so_far = (0, self._ready_with, int(self._other.text() or 0))
+        return self._other.being_typed and other in so_far
+
+    def _take_typed(self, track: int) -> None:
+        """Enter: do the edit that is shown with the id, or show it first."""
+        if track == self._ready_with:
+            self.confirmed.emit()
+        else:
+            self._other.setModified(False)
+            self.other_typed.emit(track)
 
     def _ask(self, asking: bool) -> None:
         """Take the keyboard for the id when it begins to be asked for, give it back after.

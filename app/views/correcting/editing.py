@@ -73,6 +73,10 @@ class Editing(QObject):
         """The other person's id was typed or chosen among those that may be meant."""
         self._picked(lambda: self._document.correcting.pick_typed(track))
 
+    def consider(self, track: int) -> None:
+        """The other person's id was typed so far; 0: nothing of it is left."""
+        self._picked(lambda: self._document.correcting.consider(track))
+
     def next_proposal(self, step: int) -> None:
         """Up or Down: another of the frames, or of the people, that were found."""
         self._picked(lambda: self._document.correcting.next_proposal(step))

@@ -27,6 +27,7 @@ from app.views.look.theme import current_theme, scaled_font
 from app.views.widgets.parts import Panel, Swatch, bring_into_view, heading, quiet
 
 _LEAST_LINES = 7
+_MOST_NAMED = 8
 
 
 class NameEdit(QLineEdit):
@@ -87,6 +88,9 @@ class TrackPanel(Panel):
         rows = QVBoxLayout(self._body)
         rows.setContentsMargins(0, 0, 0, 0)
         rows.setSpacing(8)
+        self._several = quiet("", self._body)
+        self._several.setWordWrap(True)
+        rows.addWidget(self._several)
         self._build_name(rows)
         self._build_figures(rows)
         self._build_attributes(rows)
@@ -206,6 +210,8 @@ class TrackPanel(Panel):
         if card is None or card == before:
             return
         other = before is None or before.track != card.track
+        self._several.setVisible(bool(card.others))
+        self._several.setText(self._words_on(card))
         self._swatch.set_colour(current_theme().track(card.colour))
         self._id.setText(str(card.track))
         self._first.setText(str(card.first_frame))
@@ -219,6 +225,17 @@ class TrackPanel(Panel):
         if other or not self._notes.hasFocus():
             self._notes.setPlainText(card.notes)
         self._attributes.show_pairs(card.attributes, keep_editing=not other)
+
+    def _words_on(self, card: TrackCard) -> str:
+        """Who is selected together, and what can be done with them."""
+        everybody = sorted((card.track, *card.others))
+        named = ", ".join(str(track) for track in everybody[:_MOST_NAMED])
+        named += ", ..." if len(everybody) > _MOST_NAMED else ""
+        together = self.tr("merge, delete, hide, fill gaps or mark them as reviewed together")
+        if len(everybody) == 2:
+            together = self.tr("swap or {0}").format(together)
+        said = self.tr("{0} selected: {1}. You can {2}. Below: {3}, picked last.")
+        return said.format(len(everybody), named, together, card.track)
 
     def edit_name(self) -> None:
         """Put the cursor into the name."""

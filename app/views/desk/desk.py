@@ -111,6 +111,7 @@ class Desk(QObject):
         view.preview.end_moved.connect(desk.editing.move_end)
         view.preview.choice_made.connect(desk.editing.choose)
         view.preview.other_typed.connect(desk.editing.pick_typed)
+        view.preview.other_considered.connect(desk.editing.consider)
         view.preview.cut_proposed.connect(desk.editing.put_proposed_cut)
         view.left.box_grabbed.connect(desk.dragging.grab_box)
         view.left.box_dragged.connect(desk.dragging.drag_box)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QFocusEvent, QIntValidator, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 _LARGEST_ID = 2**31 - 1
+_CONSIDERED_MS = 250
+"""A pause in typing after which the id may be whole."""
 
 
 class IdEdit(QLineEdit):
@@ -14,14 +16,33 @@ class IdEdit(QLineEdit):
 
     Signals:
         typed(int): Enter was pressed.
+        considered(int): typing paused at this id; 0: at none.
     """
 
     typed = Signal(int)
+    considered = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setValidator(QIntValidator(1, _LARGEST_ID, self))
-        self.returnPressed.connect(lambda: self.typed.emit(int(self.text())))
+        self._pause = QTimer(self, singleShot=True, interval=_CONSIDERED_MS)
+        self._pause.timeout.connect(lambda: self.considered.emit(int(self.text() or 0)))
+        self.textEdited.connect(lambda: self._pause.start())
+        self.returnPressed.connect(self._send)
+
+    @property
+    def being_typed(self) -> bool:
+        """Whether the user is typing into it."""
+        return self.isModified() and self.window().focusWidget() is self
+
+    def _send(self) -> None:
+        self._pause.stop()
+        self.typed.emit(int(self.text()))
+
+    def take_back(self) -> None:
+        """Forget what was typed."""
+        self._pause.stop()
+        self.setText("")
 
     def wants(self, event: QKeyEvent) -> bool:
         """Whether a key is typed into the field rather than a shortcut of the window."""

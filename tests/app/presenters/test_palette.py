@@ -29,11 +29,14 @@ def test_nobody_is_grey():
     assert colours_of_tracks(np.array([0, -3], np.int32)).tolist() == [list(NOBODY)] * 2
 
 
-def _apart() -> np.ndarray:
+_USUAL = np.eye(3)
+
+
+def _apart(sights=(_USUAL, _PROTAN, _DEUTAN)) -> np.ndarray:
     """How far every two colours lie apart for whoever tells them apart least."""
     values = np.array(TRACK_COLOURS) / 255.0
     linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
-    seen = [_lab(linear @ sight.T) for sight in (np.eye(3), _PROTAN, _DEUTAN)]
+    seen = [_lab(linear @ sight.T) for sight in sights]
     return np.min([np.linalg.norm(one[:, None] - one[None], axis=2) for one in seen], axis=0)
 
 
@@ -51,3 +54,10 @@ def test_ids_twelve_apart_differ_in_lightness():
     apart = _apart()
     assert min(apart[one, one + 12] for one in range(12)) > 18
     assert len(set(TRACK_COLOURS)) == 24
+
+
+def test_no_two_ids_in_twenty_four_look_nearly_the_same():
+    others = ~np.eye(24, dtype=bool)
+    assert _apart()[others].min() > 8
+    assert _apart([_USUAL])[others].min() > 20
+    assert _apart()[1, 18] > 22  # the two purples

@@ -320,3 +320,40 @@ def test_enter_in_the_frame_field_runs_no_command(hands):
     hands.press(Key.Key_Return)
     assert hands.desk.playback.clock.frame == 12
     assert hands.window.statusBar().currentMessage() == ""
+
+
+def test_a_typed_id_is_shown_at_once_and_enter_does_it(hands, track):
+    other = next(one for one in hands.people() if one != track)
+    hands.press(Key.Key_X)
+    hands.type(str(other))
+    planned = hands.desk.document.correcting
+    hands.qtbot.waitUntil(lambda: planned.flow is not None and planned.flow.other == other)
+    assert hands.window.focusWidget() is hands.window.workspace.preview._other
+    hands.press(Key.Key_Return)
+    assert hands.desk.document.flow is None
+    assert [entry.kind for entry in hands.desk.document.session.history] == ["swap"]
+
+
+def test_an_id_nobody_has_shows_nothing_until_it_is_whole(hands, track):
+    other = next(one for one in hands.people() if one != track)
+    hands.press(Key.Key_X)
+    hands.type(str(other))
+    correcting = hands.desk.document.correcting
+    hands.qtbot.waitUntil(lambda: correcting.flow.other == other)
+    hands.type("99")
+    hands.qtbot.waitUntil(lambda: correcting.flow.other == 0)
+    field = hands.window.workspace.preview._other
+    assert field.text() == f"{other}99"
+    hands.press(Key.Key_Backspace)
+    hands.press(Key.Key_Backspace)
+    hands.qtbot.waitUntil(lambda: correcting.flow.other == other)
+
+
+def test_of_several_selected_the_panel_names_all_and_what_can_be_done(hands, track):
+    other = next(one for one in hands.people() if one != track)
+    said = hands.window.workspace.card._several
+    assert said.isHidden()
+    hands.desk.editing.add(other)
+    first, second = sorted((track, other))
+    assert said.text().startswith(f"2 selected: {first}, {second}. You can swap or merge")
+    assert said.isVisibleTo(hands.window)

@@ -76,8 +76,9 @@ def propose_swap_frames(
     check_known(table, a, b)
     if a == b:
         raise EditError(f"track {a} cannot change over with itself; choose two different tracks")
+    both = np.intersect1d(table.frames_of_track(a), table.frames_of_track(b), assume_unique=True)
     courses, frames = _meeting(table, a, b, near)
-    if not len(frames):
+    if not (len(both) and len(frames)):
         later = max(table.frame_range(a)[0], table.frame_range(b)[0])
         return (SwapFrame(later, 1.0, "they never stand in one frame; the later one begins here"),)
     walks = turned_over(courses, frames)
