@@ -192,3 +192,12 @@ def test_in_hours_of_footage_a_frame_is_proposed_at_once() -> None:
     start = time.thread_time()
     propose_swap_frame(table, 1, 2, near=30_000)
     assert time.thread_time() - start < 0.1
+
+
+def test_two_who_are_seen_by_turns_never_stand_in_one_frame():
+    rows = {name: np.zeros(30, dtype) for name, dtype in CORRECTED_COLUMNS.items()}
+    rows["frame"] = np.arange(30)
+    rows["track"] = np.repeat([1, 2, 1], 10)
+    (only,) = propose_swap_frames(TrackTable(rows), 1, 2, near=25)
+    assert only.frame == 10
+    assert only.text == "they never stand in one frame; the later one begins here"
