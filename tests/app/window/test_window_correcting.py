@@ -186,14 +186,14 @@ def test_notes_and_attributes_are_edits_too(desk):
     assert len(desk.document.session.history) == 4
 
 
-def test_the_history_goes_back_and_forth_to_any_edit(desk):
+def test_the_history_goes_back_and_forth_to_any_edit(desk, qtbot):
     track = _ids(desk)[0]
     for name in ("one", "two", "three"):
         desk.editing.rename(track, name)
     desk.walk.go_back_to(1)
-    assert desk.document.label(track).name == "one"
+    qtbot.waitUntil(lambda: desk.document.label(track).name == "one")
     desk.walk.go_back_to(3)
-    assert desk.document.label(track).name == "three"
+    qtbot.waitUntil(lambda: desk.document.label(track).name == "three")
 
 
 def test_saving_clears_the_mark_and_the_file_holds_the_edits(window, desk, press, qtbot):
