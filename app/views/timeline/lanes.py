@@ -35,7 +35,8 @@ def draw_lane(
         painter.fillRect(row, theme.selection)
     _draw_name(painter, lane, row, axis, theme)
     painter.save()
-    painter.setClipRect(QRectF(axis.left, row.top(), axis.width, row.height()))
+    bars = QRectF(axis.left, row.top(), axis.width, row.height())
+    painter.setClipRect(bars, Qt.ClipOperation.IntersectClip)  # a row may be half under the ruler
     if lane.reviewed:
         draw_reviewed(painter, lane.reviewed, axis, row, theme)
     bar = QRectF(axis.left, row.top(), axis.width, _BAR * row.height())

@@ -48,6 +48,15 @@ def test_the_playhead_hides_no_number_of_the_ruler(view, drawn):
     assert drawn(view).copy(numbers) == with_handle
 
 
+def test_scrolling_the_lanes_leaves_the_ruler_as_it_is(view, drawn):
+    view.show_scene(timeline(*(lane(track) for track in range(1, 40))))
+    ruler = QRect(0, 0, view.width(), round(view.area.ruler_height) - 1)
+    at_the_top = drawn(view).copy(ruler)
+    view.area.scroll_lanes(2.5)
+    assert view.area.scroll_bar.value() > 0
+    assert drawn(view).copy(ruler) == at_the_top
+
+
 def test_dragging_seeks_all_the_way_and_stays_inside(view, qtbot):
     sought = []
     view.frame_sought.connect(sought.append)
