@@ -77,6 +77,7 @@ class Desk(QObject):
             part.changed.connect(self.changed)
             part.failed.connect(self.failed)
             part.said.connect(self.said)
+        self.reviewing.changed.connect(self.draw_playhead)  # whose marks stand on the timeline
         self.overlaying.changed.connect(self.draw_instant)
         for one in (self.labelling, self.walk):
             one.changed.connect(self.draw)
@@ -308,11 +309,11 @@ class Desk(QObject):
         """Draw everything."""
         view, document = self._workspace, self.document
         self.draw_instant()
+        self.reviewing.refresh()
         self.draw_playhead()
         view.card.show_scene(document.card())
         view.history.show_scene(document.history())
         view.preview.show_scene(document.planned.scene if document.planned else None)
-        self.reviewing.refresh()
         self.comparing.refresh()
         self.changed.emit()
 
