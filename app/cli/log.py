@@ -20,6 +20,8 @@ def run_log(path: Path, csv: Path | None, *, as_json: bool) -> None:
     """
     if csv is None:
         history = read_history(path)
+        if not as_json and not len(history):
+            print("no edits yet")
         lines = log_as_json(history) if as_json else (_line(history, entry) for entry in history)
         sys.stdout.writelines(lines)
         return

@@ -31,6 +31,7 @@ def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> No
         entries = [_entry(one, fps) for one in shown]
         print_json({"found": len(found), "open": len(left), "suspicions": entries})
         return
+    print(f"{'frame':>8}  {'sure':>4}  {'rows':>6}  what may be wrong (what would put it right)")
     for one in shown:
         print(f"{one.frame:>8}  {one.likelihood:4.0%}  {one.cost:>6.0f}  {one.text} ({one.fix})")
 

@@ -14,7 +14,7 @@ def recording(now: Situation) -> str:
 def session(now: Situation) -> str:
     """A session must be there, and no other work going on."""
     if not now.session:
-        return recording(now) or tr("track the recording first")
+        return recording(now) or tr("track the recording first, or draw a person (Ins)")
     return tr("wait until the work in progress is done") if now.busy else ""
 
 

@@ -74,7 +74,7 @@ def measured(
 def measures_text(measures: ReviewMeasures) -> str:
     """What the queue would show of the mistakes there are, in a line."""
     if not measures.errors:
-        return tr("Against the truth no identity is wrong.")
+        return tr("Against the truth no identity of these tracks is wrong.")
     if not len(measures.found):
         return tr("Against the truth {n} identities are wrong.", n=measures.errors)
     return tr(

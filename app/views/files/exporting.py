@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from app.presenters.document.document import Document
 from app.presenters.files import opening
 from app.presenters.files.exporting import exported_tracks
 from app.presenters.files.opening import Report
@@ -18,7 +19,6 @@ from app.views.widgets.questions import choose_new_file
 from app.views.widgets.work import Work
 from tracking.editing import History
 from tracking.formats import write_mot
-from tracking.recording import Recording
 from tracking.session import Session, write_log_csv, write_log_json
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class Exporting(QObject):
     def _ask(self, title: str, name: str, filters: str, chosen: Callable[[Path], object]) -> None:
         desk = self._window.desk
         if self._session is not None and desk is not None:
-            start = beside(desk.document.recording, name)
+            start = beside(desk.document, name)
             choose_new_file(self._window, title, start, filters, chosen)
 
     def _write(self, path: Path, work: Callable[[Report], object]) -> None:
@@ -96,7 +96,10 @@ class Exporting(QObject):
         self._work.run(title, work, lambda _: self.said.emit(told))
 
 
-def beside(recording: Recording, name: str) -> Path:
-    """Where a file of that name is proposed: in the recording's folder."""
-    place = recording.path
+def beside(document: Document, name: str) -> Path:
+    """Where a file of that name is proposed: by the session's file, else by the recording."""
+    own = document.session.path if document.session is not None else None
+    if own is not None and not opening.is_unsaved_place(own):
+        return own.with_name(name)
+    place = document.recording.path
     return (place if place.is_dir() else place.parent) / name

@@ -258,7 +258,9 @@ class Files(QObject):
         """Ask for a place and save there."""
         self._window.workspace.take_typed()
         if self.desk is not None:
-            start = self._save_at or beside(self.desk.document.recording, "session.h5")
+            own = self.session.path if self.session is not None else None
+            name = "session.h5" if own is None or opening.is_unsaved_place(own) else own.name
+            start = self._save_at or beside(self.desk.document, name)
             chosen = partial(self.save_to, then=then)
             choose_new_file(self._window, tr("Save session"), start, _SESSIONS, chosen)
 

@@ -303,13 +303,21 @@ class Reviewing(QObject):
     def _empty_words(self) -> tuple[str, str]:
         """What is said where nothing is listed."""
         if self._document.session is None:
-            return "", tr("What may be wrong is listed here once the recording is tracked.")
+            return "", tr(
+                "What may be wrong is listed here once the recording is tracked, or labelled by "
+                "hand: W or Ins draws a person."
+            )
         if self._document.is_live:
             return "", tr("What may be wrong is looked for once the tracker is done.")
         if self._search.doing:
             return "", ""
         if self._problem:
             return tr("Not looked through"), self._problem
+        if not self._document.session.runs:
+            return tr("Labelled by hand"), tr(
+                "No tracker was at work: nothing is suspected of the people drawn so far. "
+                "W or Ins draws another one."
+            )
         return tr("Nothing left to look at"), tr(
             "Every suspicion is decided. Watch what is not reviewed yet, or score the tracks."
         )

@@ -284,4 +284,4 @@ def test_the_key_of_a_command_that_cannot_be_done_says_why(window, qtbot, tiny_r
     QTest.keyClick(window.workspace.left, Qt.Key.Key_T, Qt.KeyboardModifier.ControlModifier)
     assert "has one camera" in window.statusBar().currentMessage()
     QTest.keyClick(window.workspace.left, Qt.Key.Key_X)
-    assert "track the recording first" in window.statusBar().currentMessage()
+    assert "track the recording first, or draw a person" in window.statusBar().currentMessage()
