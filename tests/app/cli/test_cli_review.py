@@ -53,7 +53,9 @@ def test_lines_are_as_many_as_asked_for(trackwright: Trackwright, session: Path)
     swapped(session)
     status, printed, _ = trackwright("review", session, "--order", "time", "--most", "1")
     assert status == 0
-    assert len(printed.splitlines()) == 1
+    heading, *suspicions = printed.splitlines()
+    assert heading.split() == "frame sure rows what may be wrong (what would put it right)".split()
+    assert len(suspicions) == 1
 
 
 def test_reviewed_footage_is_listed_no_more(trackwright: Trackwright, session: Path) -> None:
