@@ -39,6 +39,8 @@ SCENE_NAMES = (
     "pillars",
     "ceiling",
     "corridor",
+    "walkway",
+    "crouching",
 )
 """Of `tracking.synthesis.SCENES`, which takes too long to import for a page of help."""
 

@@ -57,6 +57,7 @@ _HEAD = np.array(
     ]
 )
 _CHIN, _CROWN = 0.872, 1.0
+_NECK = 0.845
 _NOSE_RING, _NOSE_M = 7, 0.0085
 _ARM = np.array(
     # 0 shoulder .. 1 elbow .. 2 wrist .. fingertips, half width, half depth
@@ -168,7 +169,9 @@ def _upright(figures: Figures, skeleton: Skeleton, heights: Floats) -> tuple[Flo
     size = figures.height_m[:, None]
     rise = heights[None] * size - skeleton.pelvis[:, 2:]
     rise = rise + (skeleton.pelvis[:, 2:] - 0.517 * size)
-    centre = skeleton.pelvis[:, None] + UP * rise[..., None]
+    over = np.maximum(rise - (_NECK - 0.517) * size, 0.0)
+    centre = skeleton.pelvis[:, None] + skeleton.spine[:, None] * (rise - over)[..., None]
+    centre = centre + skeleton.neck[:, None] * over[..., None]
     centre = centre + skeleton.lean[:, None] * rise[..., None]
     twist = np.clip((heights - _WAIST) / (0.73 - _WAIST), 0.0, 1.0)[None, :, None]
     forward = skeleton.forward[:, None] * (1 - twist) + skeleton.chest_forward[:, None] * twist
@@ -203,7 +206,7 @@ def _head(figures: Figures, skeleton: Skeleton) -> Rings:
     centre = centre + skeleton.head_forward[:, None] * forward[..., None]
     return Rings(
         centre,
-        np.broadcast_to(-UP, centre.shape),
+        np.broadcast_to(-skeleton.neck[:, None], centre.shape),
         left_of(skeleton.head_forward)[:, None],
         _HEAD[:, 1] * size * thick * (1 + 0.16 * long),
         _HEAD[:, 2] * size * thick * (1 + 0.16 * long),
@@ -302,7 +305,8 @@ def _pack(figures: Figures, skeleton: Skeleton) -> Rings:
     # What is not worn hides in the body, so that boxes stay tight.
     worn = figures.pack > 0
     back = (0.105 * worn * figures.height_m * figures.girth)[:, None, None]
-    centre = centre - skeleton.chest_forward[:, None] * back
+    outward = np.cross(left_of(skeleton.chest_forward), skeleton.spine)
+    centre = centre - outward[:, None] * back
     return Rings(
         centre,
         np.broadcast_to(-UP, centre.shape),

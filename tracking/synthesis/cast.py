@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -16,6 +17,7 @@ from tracking.synthesis.itineraries import plan_itineraries
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.scenes import SceneSpec
 from tracking.synthesis.skeleton import Posture, skeleton_of
+from tracking.synthesis.stooping import Stoops, stoops_of
 from tracking.synthesis.wardrobe import ATLAS, PATCHES, random_outfit, texture
 
 Floats = NDArray[np.float64]
@@ -31,13 +33,14 @@ class Cast:
 
     Attributes:
         figures: bodies, a row per person.
-        walks, steps: per person; None for who never sets off.
+        walks, steps, stoops: per person; None for who never sets off.
         textures: (k, 3) texels of all people and sizes, linear, blue, green, red.
     """
 
     figures: Figures
     walks: tuple[Walk | None, ...]
     steps: tuple[Steps | None, ...]
+    stoops: tuple[Stoops | None, ...]
     textures: Float32s
 
     @classmethod
@@ -54,8 +57,12 @@ class Cast:
             None if way is None else steps_of(way, float(figures.height_m[i]), fps, starts[i])
             for i, way in enumerate(walks)
         )
-        textures = _textures(figures, uniform=spec.uniform, seed=seed)
-        return cls(figures, walks, steps, textures)
+        rng = np.random.default_rng((seed, 4))
+        stoops = tuple(
+            None if way is None else stoops_of(way, fps, spec.stoops, rng) for way in walks
+        )
+        textures = _textures(figures, spec, seed)
+        return cls(figures, walks, steps, stoops, textures)
 
     def on_floor(self, frame: int) -> NDArray[np.intp]:
         """Indices of who is there in a frame, in view or not."""
@@ -67,10 +74,8 @@ class Cast:
         walks = [self._walk(person) for person in people]
         rows = [frame - way.first_frame for way in walks]
         steps = [self._steps(person) for person in people]
-        moving = {
-            name: np.array([getattr(s, name)[row] for s, row in zip(steps, rows, strict=True)])
-            for name in Steps.__dataclass_fields__
-        }
+        stoops = [self._stoops(person) for person in people]
+        moving = _at_rows(Steps, steps, rows) | _at_rows(Stoops, stoops, rows)
         return Posture(
             position=np.array([w.position[row] for w, row in zip(walks, rows, strict=True)]),
             heading=np.array([w.heading[row] for w, row in zip(walks, rows, strict=True)]),
@@ -91,6 +96,21 @@ class Cast:
         steps = self.steps[person]
         assert steps is not None
         return steps
+
+    def _stoops(self, person: int | np.intp) -> Stoops:
+        stoops = self.stoops[person]
+        assert stoops is not None
+        return stoops
+
+
+def _at_rows(
+    kind: type[Steps | Stoops], ways: Sequence[Steps | Stoops], rows: list[int]
+) -> dict[str, Floats]:
+    """Each field of people's steps or stoops in one frame, a row per person."""
+    return {
+        name: np.array([getattr(way, name)[row] for way, row in zip(ways, rows, strict=True)])
+        for name in kind.__dataclass_fields__
+    }
 
 
 def texture_coordinates() -> Float32s:
@@ -117,7 +137,7 @@ def level_layout() -> tuple[NDArray[np.int32], NDArray[np.int32], int]:
     return starts, strides, sum(sizes)
 
 
-def _textures(figures: Figures, *, uniform: bool, seed: int) -> Float32s:
+def _textures(figures: Figures, spec: SceneSpec, seed: int) -> Float32s:
     texels = []
     for person in range(len(figures)):
         rng = np.random.default_rng((seed, 3, person))
@@ -126,7 +146,8 @@ def _textures(figures: Figures, *, uniform: bool, seed: int) -> Float32s:
             long_hair=bool(figures.hair[person] > 0.55),
             coat=bool(figures.skirt[person] > 0 and figures.flare[person] < 0.8),
             skirt=bool(figures.skirt[person] > 0 and figures.flare[person] >= 0.8),
-            uniform=uniform,
+            uniform=spec.uniform,
+            contrasting=spec.contrasting,
         )
         image = texture(outfit, rng)
         for _ in range(LEVELS):

@@ -79,7 +79,7 @@ def _plan(
     first = _out_of_view(spec, rig, places[0], entrance, rng)
     last = _out_of_view(spec, rig, places[-1], leaving, rng)
     pauses = np.where(
-        rng.random(len(places)) < spec.pauses, rng.uniform(0.8, 3.5, len(places)), 0.0
+        rng.random(len(places)) < spec.pauses, rng.uniform(*spec.pause_s, len(places)), 0.0
     )
     return Itinerary(
         start_s,

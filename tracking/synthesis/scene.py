@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -25,9 +27,8 @@ from tracking.synthesis.truth import (
     truth_of,
 )
 
-VGA = (640, 480)
 FPS = 20.0
-"""Size and frame rate of [Kawashita2014]."""
+"""Frame rate of [Kawashita2014]."""
 
 _TRUTH_MARGIN = 1.0
 
@@ -41,6 +42,7 @@ class Scene:
         cast: the people.
         frames: how many frames there are.
         fps: frames a second.
+        eyes: 1 or 2.
     """
 
     def __init__(
@@ -50,8 +52,9 @@ class Scene:
         seed: int = 0,
         *,
         seconds: float | None = None,
-        size: tuple[int, int] = VGA,
+        size: tuple[int, int] | None = None,
         fps: float = FPS,
+        eyes: int = 2,
     ) -> None:
         """Plan everybody's way and draw what stands still.
 
@@ -60,31 +63,35 @@ class Scene:
             people: how many pass; the scene's own number if None.
             seed: equal seeds give equal pictures.
             seconds: length; the scene's own if None.
-            size: width and height of the images in px.
+            size: width and height of the images in px; the scene's own if None.
             fps: frames a second.
+            eyes: 2, or 1 for the left eye alone, of the same pictures and truth.
         """
-        self.spec, self.fps = spec, fps
+        size = spec.size_px if size is None else size
+        self.spec, self.fps, self.eyes = spec, fps, eyes
         self.frames = max(round((spec.seconds if seconds is None else seconds) * fps), 1)
         self.rig = Rig.of_scene(spec, size)
         count = spec.people if people is None else people
         self.cast = Cast.of_scene(spec, self.rig, count, self.frames, fps, seed)
         self._triangles = topology()[0]
         self._shadows = FloorShadows(self.rig, spec.lamp)
-        self._backdrops = [backdrop(spec, self.rig, eye, seed) for eye in (0, 1)]
+        self._backdrops = [backdrop(spec, self.rig, eye, seed) for eye in range(eyes)]
         self._pillars = Pillars.of_scene(spec)
-        self._painters = [Painter(self.rig, eye, spec.lamp, self._still(eye)) for eye in (0, 1)]
+        self._painters = [
+            Painter(self.rig, eye, spec.lamp, self._still(eye)) for eye in range(eyes)
+        ]
         self._parts = [behind.split() for behind in self._backdrops]
-        self._sensors = [Sensor(size, eye, seed) for eye in (0, 1)]
+        self._sensors = [Sensor(size, eye, seed) for eye in range(eyes)]
 
     def frame(self, number: int) -> tuple[StereoFrame, SceneTruth]:
-        """Both eyes' pictures of a frame, and what is true in the left one.
+        """The eyes' pictures of a frame, and what is true in the left one.
 
         Raises:
             IndexError: there is no such frame.
         """
         people = self._people(number)
         if not len(people):
-            return self._stereo(number, self._shade(None, None), (None, None)), nobody()
+            return self._stereo(number, self._shade(None, None), [None] * 2), nobody()
         posture = self.cast.posture(people, number)
         world, normals = self.cast.surfaces(people, posture)
         shade = self._shade(world, posture.foot.reshape(-1, 2))
@@ -92,12 +99,12 @@ class Scene:
         people, world = people[near], world[near]
         light = self._shadows.light_on(world, normals[near], shade)
         points = self.rig.left_camera_points(world)
-        left, right = (
-            painter.draw(points, light, self.cast.textures, people, margin)
-            for painter, margin in zip(self._painters, (_TRUTH_MARGIN, 0.0), strict=True)
-        )
-        truth = truth_of(people, posture.position[near], self.rig.project(points, 0), left)
-        return self._stereo(number, shade, (left, right)), truth
+        drawn = [
+            painter.draw(points, light, self.cast.textures, people, 0.0 if eye else _TRUTH_MARGIN)
+            for eye, painter in enumerate(self._painters)
+        ]
+        truth = truth_of(people, posture.position[near], self.rig.project(points, 0), drawn[0])
+        return self._stereo(number, shade, drawn), truth
 
     def surfaces(self, number: int) -> Surfaces:
         """Who is seen at which pixel of the left eye, and the true disparity there.
@@ -150,10 +157,9 @@ class Scene:
                 seen.append(person)
         return np.array(seen, np.intp)
 
-    def _stereo(
-        self, number: int, shade: FloorShade, drawn: tuple[Drawn | None, Drawn | None]
-    ) -> StereoFrame:
-        left, right = (self._expose(eye, number, shade, drawn[eye]) for eye in (0, 1))
+    def _stereo(self, number: int, shade: FloorShade, drawn: Sequence[Drawn | None]) -> StereoFrame:
+        left = self._expose(0, number, shade, drawn[0])
+        right = self._expose(1, number, shade, drawn[1]) if self.eyes == 2 else None
         return StereoFrame(number, number / self.fps, left, right)
 
     def _expose(self, eye: int, number: int, shade: FloorShade, drawn: Drawn | None) -> Image:

@@ -70,6 +70,10 @@ class SceneSpec:
         pillars_m: x, y, radius of round pillars that hide people.
         uniform: everybody wears the same colours.
         pauses: share of waypoints at which people stop for a while.
+        pause_s: the shortest and the longest such stop.
+        stoops: share of the longer stops in which people crouch or bend down and stand up again.
+        contrasting: nobody's trousers have about the colour of the top.
+        size_px: width and height of the pictures unless told otherwise.
     """
 
     name: str
@@ -86,6 +90,10 @@ class SceneSpec:
     seconds: float = 30.0
     uniform: bool = False
     pauses: float = 0.3
+    pause_s: tuple[float, float] = (0.8, 3.5)
+    stoops: float = 0.0
+    contrasting: bool = False
+    size_px: tuple[int, int] = (640, 480)
 
 
 _STONE = FloorSpec((0.6, 0.6), (0.50, 0.46, 0.42))
@@ -205,7 +213,40 @@ _SCENES = (
         people=26,
         pauses=0.1,
     ),
+    SceneSpec(
+        "walkway",
+        "A walkway for body parts, 3.0 m, 30 degrees",
+        3.0,
+        30.0,
+        (-2.6, 4.6, 2.6, 8.6),
+        _SLABS,
+        _SUN,
+        walls=(WallSpec("y", 13.0, "brick"),),
+        people=5,
+        seconds=12.0,
+        pauses=0.15,
+        contrasting=True,
+        size_px=(720, 480),
+    ),
+    SceneSpec(
+        "crouching",
+        "People who crouch and bend, 3.0 m, 30 degrees",
+        3.0,
+        30.0,
+        (-2.2, 4.8, 2.2, 8.2),
+        _SLABS,
+        _SUN,
+        walls=(WallSpec("y", 13.0, "brick"),),
+        people=4,
+        seconds=18.0,
+        pauses=1.0,
+        pause_s=(2.4, 4.0),
+        stoops=1.0,
+        contrasting=True,
+        size_px=(720, 480),
+    ),
 )
 
 SCENES: Mapping[str, SceneSpec] = MappingProxyType({scene.name: scene for scene in _SCENES})
-"""Scenes by name, the papers' camera set-ups among them ([Kawashita2012], [Kawashita2014])."""
+"""Scenes by name, the papers' camera set-ups among them ([Kawashita2012], [Kawashita2014],
+[ZhaoLee2009]).""" ""

@@ -20,6 +20,10 @@ _UPPER_ARM, _FOREARM = 0.172, 0.147
 _ANKLE = 0.042
 _BALL, _HEEL = 0.062, 0.062  # from the foot's middle
 _ANKLE_BACK = 0.034
+_CROUCHED_RAD, _BENT_RAD = 0.60, 1.20  # how far the trunk tips forward
+_NECK = 0.45  # and the head, against the trunk
+_CROUCHED_DOWN, _BENT_DOWN = 0.27, 0.015  # how far the pelvis goes down, as shares of height
+_CROUCHED_BACK, _BENT_BACK = 0.10, 0.09
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,6 +33,7 @@ class Posture:
     Attributes:
         position: (n, 2) world metres. heading: (n,) radians.
         foot: (n, 2, 2); yaw, lift_m, pitch: (n, 2); phase, pace: (n,), as `Steps` has them.
+        crouch, bend: (n,) as `Stoops` has them.
     """
 
     position: Floats
@@ -39,6 +44,8 @@ class Posture:
     pitch: Floats
     phase: Floats
     pace: Floats
+    crouch: Floats
+    bend: Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,6 +56,8 @@ class Skeleton:
         pelvis: between the hip joints.
         forward, chest_forward, head_forward: (n, 3) unit vectors, level.
         lean: (n, 3) how far the body leans per metre of height.
+        spine: (n, 3) unit vectors up the trunk, before it leans; straight up unless stooping.
+        neck: (n, 3) the same for the neck and head.
         hip, knee, ankle, shoulder, elbow, wrist: joints.
         toe: (n, 2, 3) unit vectors from heel to toe; sole: unit vectors up from the sole.
     """
@@ -58,6 +67,8 @@ class Skeleton:
     chest_forward: Floats
     head_forward: Floats
     lean: Floats
+    spine: Floats
+    neck: Floats
     hip: Floats
     knee: Floats
     ankle: Floats
@@ -81,7 +92,9 @@ def skeleton_of(figures: Figures, posture: Posture) -> Skeleton:
     hip = pelvis[:, None] + gap * height[:, None, None]
     knee, ankle = _legs(hip, ankle, forward, toe, height)
     rise = (_SHOULDER - _HIP) * height[:, None]
-    chest = pelvis + UP * rise + lean * rise
+    trunk = _CROUCHED_RAD * posture.crouch + _BENT_RAD * posture.bend
+    spine = pitched(forward, trunk)
+    chest = pelvis + spine * rise + lean * rise
     side = np.array([0.098, -0.098])[None, :, None] * (figures.shoulders * height)[:, None, None]
     shoulder = chest[:, None] + left_of(chest_forward)[:, None] * side
     elbow, wrist = _arms(shoulder, chest_forward, figures, posture)
@@ -91,6 +104,8 @@ def skeleton_of(figures: Figures, posture: Posture) -> Skeleton:
         chest_forward=chest_forward,
         head_forward=level(posture.heading + 0.25 * np.sin(0.9 * posture.phase + height * 40)),
         lean=lean,
+        spine=spine,
+        neck=pitched(forward, _NECK * trunk),
         hip=hip,
         knee=knee,
         ankle=ankle,
@@ -112,12 +127,24 @@ def left_of(forward: Floats) -> Floats:
     return np.stack((-forward[..., 1], forward[..., 0], np.zeros(forward.shape[:-1])), axis=-1)
 
 
+def pitched(forward: Floats, angle: Floats) -> Floats:
+    """Unit vectors (n, 3) tipped forward from straight up by angles (n,) in radians."""
+    return UP * np.cos(angle)[:, None] + forward * np.sin(angle)[:, None]
+
+
 def _pelvis(posture: Posture, height: Floats) -> Floats:
-    """The pelvis goes up and down twice a stride, lowest when both feet are on the floor."""
+    """The pelvis goes up and down twice a stride, lowest when both feet are on the floor.
+
+    Who stoops moves it back, to keep the balance, and who crouches far down.
+    """
     bob = -0.010 * posture.pace * np.cos(4 * np.pi * (posture.phase - 0.05))
-    z = (_HIP - 0.014 * posture.pace + bob) * height
+    down = _CROUCHED_DOWN * posture.crouch + _BENT_DOWN * posture.bend
+    z = (_HIP - 0.014 * posture.pace + bob - down) * height
     sway = 0.012 * posture.pace * np.sin(2 * np.pi * (posture.phase - 0.05))
-    place = posture.position + left_of(level(posture.heading))[:, :2] * (sway * height)[:, None]
+    back = _CROUCHED_BACK * posture.crouch + _BENT_BACK * posture.bend
+    ahead = level(posture.heading)
+    place = posture.position + left_of(ahead)[:, :2] * (sway * height)[:, None]
+    place = place - ahead[:, :2] * (back * height)[:, None]
     return np.column_stack((place, z))
 
 
@@ -164,6 +191,7 @@ def _arms(
     holds = figures.phone[:, None] * np.array([0.0, 1.0])
     swing = swing * (1 - holds) + holds * 0.45
     bend = bend * (1 - holds) + holds * 1.75
+    swing = swing + 0.75 * posture.crouch[:, None]
     outward = left_of(forward)[:, None] * np.array([1.0, -1.0])[None, :, None]
     upper = _hanging(forward[:, None], outward, swing, 0.11)
     lower = _hanging(forward[:, None], outward, swing + bend, 0.02 - 0.2 * holds)

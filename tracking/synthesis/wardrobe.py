@@ -76,6 +76,7 @@ _BOTTOMS = (
     (0.17, 0.17, 0.22),
 )
 _SHOES = ((0.09, 0.08, 0.08), (0.28, 0.18, 0.12), (0.80, 0.79, 0.77), (0.45, 0.45, 0.48))
+_CONTRAST = 0.35  # distance of two colours as displayed that nobody takes for one
 _PATTERNS = ("plain", "plain", "stripes", "pinstripes", "checks", "plaid", "print", "jacket")
 
 
@@ -112,9 +113,18 @@ class Outfit:
 
 
 def random_outfit(
-    rng: np.random.Generator, *, long_hair: bool, coat: bool, skirt: bool, uniform: bool
+    rng: np.random.Generator,
+    *,
+    long_hair: bool,
+    coat: bool,
+    skirt: bool,
+    uniform: bool,
+    contrasting: bool = False,
 ) -> Outfit:
-    """What one person wears; in a uniform only skin, hair and creases differ."""
+    """What one person wears; in a uniform only skin, hair and creases differ.
+
+    With `contrasting`, top and trousers are of clearly different colours.
+    """
     top, second = (_shade(_TOPS[i], rng) for i in rng.choice(len(_TOPS), 2, replace=False))
     bottom = _shade(_BOTTOMS[rng.integers(len(_BOTTOMS))], rng)
     pattern = str(rng.choice(_PATTERNS))
@@ -137,7 +147,18 @@ def random_outfit(
         coat=coat,
         stockings=legs if skirt else None,
     )
+    if contrasting:
+        outfit = _in_contrast(outfit, rng)
     return _in_uniform(outfit) if uniform else outfit
+
+
+def _in_contrast(outfit: Outfit, rng: np.random.Generator) -> Outfit:
+    """The outfit with other trousers, if its own are too near to the top's colour."""
+    away = np.linalg.norm(np.array(_BOTTOMS) - outfit.top, axis=1)
+    if np.linalg.norm(outfit.bottom - outfit.top) >= _CONTRAST:
+        return outfit
+    fitting = np.flatnonzero(away >= min(_CONTRAST, away.max()))
+    return replace(outfit, bottom=_shade(_BOTTOMS[rng.choice(fitting)], rng))
 
 
 def _in_uniform(outfit: Outfit) -> Outfit:

@@ -16,7 +16,7 @@ from tracking.formats import write_mot
 from tracking.geometry import write_calibration
 from tracking.recording import Manifest, write_manifest
 from tracking.synthesis.body import PARTS
-from tracking.synthesis.scene import FPS, VGA, Scene
+from tracking.synthesis.scene import FPS, Scene
 from tracking.synthesis.scenes import SCENES, SceneSpec
 from tracking.synthesis.truth import CARED_FOR, SceneTruth
 from tracking.synthesis.video import VideoWriter
@@ -25,6 +25,7 @@ Progress = Callable[[int, int], None]
 """Told frames done and frames in all."""
 
 MOST_PEOPLE, LONGEST_S = 200, 3600.0
+_SIDES = ("left", "right")
 
 
 def render_recording(
@@ -36,8 +37,9 @@ def render_recording(
     progress: Progress | None = None,
     cancelled: Callable[[], bool] | None = None,
     *,
-    size: tuple[int, int] = VGA,
+    size: tuple[int, int] | None = None,
     fps: float = FPS,
+    eyes: int = 2,
 ) -> Path:
     """Render a scene into a recording folder with exact truth.
 
@@ -50,8 +52,9 @@ def render_recording(
         seed: equal seeds give equal pictures and truth.
         progress: called after each frame.
         cancelled: asked before each frame; True stops.
-        size: width and height of the images in px, even.
+        size: width and height of the images in px, even; the scene's own if None.
         fps: frames a second.
+        eyes: 2, or 1 for a recording of the left eye alone.
 
     Returns:
         The folder.
@@ -62,11 +65,11 @@ def render_recording(
         CancelledError: `cancelled` said so.
     """
     spec = _spec_of(scene)
-    _check(seconds, people, size, fps)
+    _check(seconds, people, spec.size_px if size is None else size, fps, eyes)
     above = _missing_folders(folder.parent)
     part = _begin(folder)
     try:
-        rendered = Scene(spec, people, seed, seconds=seconds, size=size, fps=fps)
+        rendered = Scene(spec, people, seed, seconds=seconds, size=size, fps=fps, eyes=eyes)
         _write(part, rendered, seed, progress, cancelled)
         _finish(part, folder)
     except OSError as error:
@@ -91,7 +94,9 @@ def check_seconds(seconds: float | None) -> None:
         raise SettingsError(f"seconds is {seconds:g}; give more than 0 and up to {LONGEST_S:g}")
 
 
-def _check(seconds: float | None, people: int | None, size: tuple[int, int], fps: float) -> None:
+def _check(
+    seconds: float | None, people: int | None, size: tuple[int, int], fps: float, eyes: int
+) -> None:
     check_seconds(seconds)
     if people is not None and not 0 <= people <= MOST_PEOPLE:
         raise SettingsError(f"people is {people}; give 0 to {MOST_PEOPLE}")
@@ -99,6 +104,8 @@ def _check(seconds: float | None, people: int | None, size: tuple[int, int], fps
         raise SettingsError(f"size is {size[0]} x {size[1]}; give even numbers from 32 to 4096")
     if not 1 <= fps <= 240:
         raise SettingsError(f"fps is {fps:g}; give 1 to 240")
+    if eyes not in (1, 2):
+        raise SettingsError(f"eyes is {eyes}; give 1 or 2")
 
 
 def _begin(folder: Path) -> Path:
@@ -142,17 +149,18 @@ def _write(
 ) -> None:
     truths: list[SceneTruth] = []
     size = scene.rig.size
-    with (
-        VideoWriter(folder / "left.mp4", size, scene.fps) as left,
-        VideoWriter(folder / "right.mp4", size, scene.fps) as right,
-    ):
+    with contextlib.ExitStack() as open_files:
+        videos = [
+            open_files.enter_context(VideoWriter(folder / f"{side}.mp4", size, scene.fps))
+            for side in _SIDES[: scene.eyes]
+        ]
         for number in range(scene.frames):
             if cancelled is not None and cancelled():
                 raise CancelledError("rendering was stopped; nothing was kept")
             frame, truth = scene.frame(number)
-            left.write(frame.left)
-            if frame.right is not None:
-                right.write(frame.right)
+            for video, image in zip(videos, (frame.left, frame.right), strict=False):
+                if image is not None:
+                    video.write(image)
             truths.append(truth)
             if progress is not None:
                 progress(number + 1, scene.frames)
@@ -165,7 +173,7 @@ def _write_descriptions(folder: Path, scene: Scene, seed: int) -> None:
     manifest = Manifest(
         name=f"{scene.spec.name} {seed}",
         left="left.mp4",
-        right="right.mp4",
+        right="right.mp4" if scene.eyes == 2 else None,
         fps=scene.fps,
         calibration=("calibration.yaml",),
         ground=scene.rig.view.ground,
