@@ -5,6 +5,7 @@ from tracking.people.observation import Observation, Overlays
 from tracking.people.perception import StereoPerception
 from tracking.people.ranging import RangedShare
 from tracking.people.settings import PeopleSettings
+from tracking.people.single_camera import SingleCameraPerception
 
 __all__ = [
     "Detections",
@@ -12,5 +13,6 @@ __all__ = [
     "Overlays",
     "PeopleSettings",
     "RangedShare",
+    "SingleCameraPerception",
     "StereoPerception",
 ]

@@ -32,9 +32,13 @@ class Observation:
         time_s: seconds since the recording's first frame.
         people: who is seen.
         overlays: for the views.
+        picture: (height, width, 3) BGR, what single-camera perception looked at: the left (or only)
+            eye as recorded, in whose pixels everything else is; None where perception does not
+            hand it on.
     """
 
     frame: int
     time_s: float
     people: Detections
     overlays: Overlays
+    picture: NDArray[np.uint8] | None = None
