@@ -28,6 +28,8 @@ from tracking.trackers import (
 )
 from tracking.tracks.columns import (
     DETECTION_COLUMNS,
+    PART_COLUMNS,
+    PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
@@ -213,9 +215,18 @@ def run_of_steps(
         frames=(start, start + len(steps)),
         tracks=_joined([step.tracks for step in steps], TRACK_COLUMNS),
         detections=_joined([step.detections for step in steps], DETECTION_COLUMNS),
-        particles=_joined_particles(steps, recording.frame_count),
+        particles=_joined_particles(
+            steps, [step.particles for step in steps], PARTICLE_COLUMNS, recording.frame_count
+        ),
         associations=_joined([step.associations for step in steps], ASSOCIATION_COLUMNS),
         signals=_joined([step.signals for step in steps], SIGNAL_COLUMNS),
+        parts=_joined([step.parts for step in steps], PART_COLUMNS),
+        part_particles=_joined_particles(
+            steps,
+            [step.part_particles for step in steps],
+            PART_PARTICLE_COLUMNS,
+            recording.frame_count,
+        ),
         software=f"trackwright {tracking.__version__}",
         known_tracks=resume.highest_track if resume is not None else 0,
     )
@@ -236,9 +247,14 @@ def _joined(parts: Sequence[Columns], columns: Mapping[str, np.dtype[Any]]) -> C
     return {name: np.concatenate([part[name] for part in parts]) for name in columns}
 
 
-def _joined_particles(results: Sequence[StepResult], frame_count: int) -> Particles:
+def _joined_particles(
+    steps: Sequence[StepResult],
+    parts: Sequence[Columns],
+    columns: Mapping[str, np.dtype[Any]],
+    frame_count: int,
+) -> Particles:
     """The particles of all steps, with one offset per frame of the recording."""
     counts = np.zeros(frame_count + 1, np.int64)
-    for result in results:
-        counts[result.frame + 1] = len(result.particles["track"])
-    return Particles(np.cumsum(counts), _joined([r.particles for r in results], PARTICLE_COLUMNS))
+    for step, part in zip(steps, parts, strict=True):
+        counts[step.frame + 1] = len(part["track"])
+    return Particles(np.cumsum(counts), _joined(parts, columns))

@@ -15,6 +15,8 @@ from tracking.errors import TrackwrightError
 from tracking.trackers import ASSOCIATION_COLUMNS, StepResult
 from tracking.tracks import (
     DETECTION_COLUMNS,
+    PART_COLUMNS,
+    PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
@@ -22,13 +24,15 @@ from tracking.tracks import (
 )
 
 _HEAD = struct.Struct("<BQ")  # kind, bytes that follow
-_STEP = struct.Struct("<6q")  # frame, rows of each table
+_STEP = struct.Struct("<8q")  # frame, rows of each table
 _TABLES: tuple[Mapping[str, np.dtype[Any]], ...] = (
     TRACK_COLUMNS,
     DETECTION_COLUMNS,
     PARTICLE_COLUMNS,
     ASSOCIATION_COLUMNS,
     SIGNAL_COLUMNS,
+    PART_COLUMNS,
+    PART_PARTICLE_COLUMNS,
 )
 
 
@@ -111,7 +115,10 @@ def unpacked_error(payload: bytes) -> Exception:
 
 
 def _packed(step: StepResult) -> Iterator[bytes]:
-    tables = (step.tracks, step.detections, step.particles, step.associations, step.signals)
+    tables = (
+        *(step.tracks, step.detections, step.particles, step.associations, step.signals),
+        *(step.parts, step.part_particles),
+    )
     firsts = (next(iter(types)) for types in _TABLES)
     rows = [len(table[first]) for table, first in zip(tables, firsts, strict=True)]
     yield _STEP.pack(step.frame, *rows)

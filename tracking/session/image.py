@@ -29,7 +29,6 @@ from tracking.session.reference import RecordingReference
 from tracking.session.runs import StoredRun
 from tracking.tracks import (
     CORRECTED_COLUMNS,
-    PARTICLE_COLUMNS,
     Columns,
     Labels,
     ParticleColumn,
@@ -163,8 +162,9 @@ def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
     for name, columns in tables.items():
         types = RUN_TABLES[name]
         packer.table(group, name, types, _by_frame_and_track(columns or empty(types)))
-    particles = packer.table(group, "particles", PARTICLE_COLUMNS, run.particles.columns)
-    packer.column(particles, "start", run.particles.start, np.dtype(np.int64))
+    for name, particles in (("particles", run.particles), ("part_particles", run.part_particles)):
+        table = packer.table(group, name, RUN_TABLES[name], particles.columns)
+        packer.column(table, "start", particles.start, np.dtype(np.int64))
 
 
 def _by_frame_and_track(columns: Columns) -> Columns:

@@ -29,8 +29,10 @@ if __name__ == "__main__":
 from tracking.session.layout import (
     FORMAT,
     LATER_COLUMNS,
+    LATER_RUN_COLUMNS,
     LATER_RUN_TABLES,
     LATER_TABLES,
+    PARTICLE_TABLES,
     RUN_TABLES,
     TABLES,
     TEXT,
@@ -47,7 +49,9 @@ _LARGEST_ATTRIBUTE = 16 << 20
 _MOST_ATTRIBUTES = 64
 _MOST_BYTES = 16 << 30
 """Of all tables together, unpacked; particles are never read whole and do not count."""
-_PARTICLE_COLUMN = re.compile(rf"runs/\d+/particles/({'|'.join(RUN_TABLES['particles'])})")
+_PARTICLE_COLUMN = re.compile(
+    "|".join(rf"runs/\d+/{table}/({'|'.join(RUN_TABLES[table])})" for table in PARTICLE_TABLES)
+)
 _BEST_RATIO = 1100
 """DEFLATE packs at most 1032 bytes into one."""
 _FILTERS = frozenset({h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE})
@@ -172,12 +176,7 @@ def _check_tables(file: h5py.File, datasets: Mapping[str, h5py.Dataset]) -> None
     for name, types in TABLES.items():
         if name in LATER_TABLES and name not in file:
             continue
-        later = LATER_COLUMNS.get(name, frozenset())
-        there = {column for column in later if f"{name}/{column}" in datasets}
-        missing = later - there if not there else frozenset()
-        _check_table(
-            datasets, name, {column: types[column] for column in types if column not in missing}
-        )
+        _check_table(datasets, name, _expected(datasets, name, types, LATER_COLUMNS.get(name, ())))
     for name in ("recording/manifest", "recording/calibration"):
         if name not in datasets or datasets[name].ndim or datasets[name].dtype.kind != "O":
             raise Refused(f"has no text at {name}")
@@ -189,9 +188,26 @@ def _check_tables(file: h5py.File, datasets: Mapping[str, h5py.Dataset]) -> None
         for name, types in RUN_TABLES.items():
             if name in LATER_RUN_TABLES and name not in runs[number]:
                 continue
-            _check_table(datasets, f"runs/{number}/{name}", types)
-        if f"runs/{number}/particles/start" not in datasets:
-            raise Refused(f"does not say which particles of run {number} belong to which frame")
+            table, later = f"runs/{number}/{name}", LATER_RUN_COLUMNS.get(name, ())
+            _check_table(datasets, table, _expected(datasets, table, types, later))
+            if name in PARTICLE_TABLES and f"{table}/start" not in datasets:
+                raise Refused(f"does not say which {name} of run {number} belong to which frame")
+
+
+def _expected(
+    datasets: Mapping[str, h5py.Dataset],
+    table: str,
+    types: Mapping[str, np.dtype[Any]],
+    later: tuple[frozenset[str], ...],
+) -> Mapping[str, np.dtype[Any]]:
+    """The columns a table must have: of those that came together later all or none."""
+    missing = {
+        column
+        for together in later
+        if not any(f"{table}/{name}" in datasets for name in together)
+        for column in together
+    }
+    return {column: dtype for column, dtype in types.items() if column not in missing}
 
 
 def _check_table(

@@ -14,13 +14,14 @@ from tracking.tracks import (
     CORRECTED_COLUMNS,
     DETECTION_COLUMNS,
     PART_COLUMNS,
+    PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
 )
 
 FORMAT = "trackwright-session"
-VERSION = (1, 1)
+VERSION = (1, 2)
 """Major: older programs cannot read it. Minor: they can, and miss something."""
 
 CHUNK_ROWS = 65_536
@@ -109,19 +110,28 @@ RUN_TABLES: Mapping[str, Types] = MappingProxyType(
         "associations": ASSOCIATION_COLUMNS,
         "parts": PART_COLUMNS,
         "signals": SIGNAL_COLUMNS,
+        "part_particles": PART_PARTICLE_COLUMNS,
     }
 )
 
 LATER_TABLES = frozenset({"labels/lines", "labels/regions", "labels/verdicts", "edits/touched"})
 """Tables that sessions of format 1.0 do not have."""
 
-LATER_COLUMNS: Mapping[str, frozenset[str]] = MappingProxyType(
+LATER_COLUMNS: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
     {
-        "edits": frozenset({"undoes"}),
-        "labels/parts": frozenset({"sure", "left", "top", "width", "height", "source"}),
+        "edits": (frozenset({"undoes"}),),
+        "labels/parts": (frozenset({"sure", "left", "top", "width", "height", "source"}),),
     }
 )
-"""Columns that tables of format 1.0 do not have."""
+"""Columns that tables of format 1.0 do not have: those that came together, all or none."""
 
-LATER_RUN_TABLES = frozenset({"signals"})
-"""Tables of a run that sessions of format 1.0 do not have."""
+LATER_RUN_TABLES = frozenset({"signals", "part_particles"})
+"""Tables of a run that sessions of format 1.0 do not have; the last one came with 1.2."""
+
+LATER_RUN_COLUMNS: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
+    {"parts": (frozenset({"entropy", "particles", "occluded"}),)}
+)
+"""The same of a run's tables; these came with format 1.2."""
+
+PARTICLE_TABLES = ("particles", "part_particles")
+"""Tables of a run that stay in the file, with the column `start`: an offset a frame."""

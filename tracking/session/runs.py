@@ -17,11 +17,11 @@ from tracking.errors import EditError, SessionError
 from tracking.session.copying import copy_group
 from tracking.session.hdf5 import opened, read_columns, text_attribute
 from tracking.session.image_file import ImageFile
-from tracking.session.layout import CHUNK_ROWS, RUN_TABLES
+from tracking.session.layout import CHUNK_ROWS, LATER_RUN_COLUMNS, PARTICLE_TABLES, RUN_TABLES
 from tracking.session.stamping import now
 from tracking.tracks import (
     LARGEST_NUMBER,
-    PARTICLE_COLUMNS,
+    PART_PARTICLE_COLUMNS,
     Columns,
     Particles,
     Run,
@@ -48,9 +48,9 @@ class StoredRun:
         with opened(self.path) as file:
             group = file[f"runs/{self.number}"]
             tables = {
-                name: read_columns(group[name], types)
-                for name, types in RUN_TABLES.items()
-                if name in group and name != "particles"
+                name: _read_table(group[name], name)
+                for name in RUN_TABLES
+                if name in group and name not in PARTICLE_TABLES
             }
             first, stop = (int(frame) for frame in group.attrs["frames"])
             _check_run(tables["tracks"], (first, stop))
@@ -61,10 +61,13 @@ class StoredRun:
                 frames=(first, stop),
                 tracks=tables["tracks"],
                 detections=tables["detections"],
-                particles=self._particles(group["particles"]),
+                particles=self._particles(group, "particles"),
                 associations=tables.get("associations", {}),
                 parts=tables.get("parts", {}),
                 signals=tables.get("signals", {}),
+                part_particles=self._particles(group, "part_particles")
+                if "part_particles" in group
+                else Particles.none(PART_PARTICLE_COLUMNS),
                 software=text_attribute(group, "software"),
                 detector=text_attribute(group, "detector"),
                 known_tracks=_known_tracks(group),
@@ -78,22 +81,40 @@ class StoredRun:
         """
         copy_group(self.path, f"runs/{self.number}", image, target)
 
-    def _particles(self, group: h5py.Group) -> Particles:
+    def _particles(self, run: h5py.Group, table: str) -> Particles:
+        group = run[table]
         start = group["start"][()]
         rows = len(group["track"])
         if not len(start) or start[0] != 0 or start[-1] != rows or bool((np.diff(start) < 0).any()):
             raise SessionError(
-                f"{self.path}: the particles of run {self.number} are not one frame's after "
+                f"{self.path}: the {table} of run {self.number} are not one frame's after "
                 "another's; the file is damaged"
             )
-        name = f"runs/{self.number}/particles"
+        name = f"runs/{self.number}/{table}"
         return Particles(
             start,
             {
                 column: StoredColumn(self.path, f"{name}/{column}", rows, dtype)
-                for column, dtype in PARTICLE_COLUMNS.items()
+                for column, dtype in RUN_TABLES[table].items()
             },
         )
+
+
+def _read_table(group: h5py.Group, name: str) -> Columns:
+    """A run's table; columns that came with a later format are filled where they are missing."""
+    types = RUN_TABLES[name]
+    later = {
+        column
+        for together in LATER_RUN_COLUMNS.get(name, ())
+        for column in together
+        if column not in group
+    }
+    columns = read_columns(group, {n: kind for n, kind in types.items() if n not in later})
+    rows = len(columns["frame"])
+    for column in later:
+        unknown = np.nan if types[column].kind == "f" else 0
+        columns[column] = np.full(rows, unknown, types[column])
+    return {column: columns[column] for column in types}
 
 
 def _known_tracks(group: h5py.Group) -> int:

@@ -12,7 +12,13 @@ import numpy as np
 from tracking.people.observation import Observation
 from tracking.recording.frame import StereoFrame
 from tracking.trackers.resuming import Resume
-from tracking.tracks.columns import SIGNAL_COLUMNS, Columns, empty
+from tracking.tracks.columns import (
+    PART_COLUMNS,
+    PART_PARTICLE_COLUMNS,
+    SIGNAL_COLUMNS,
+    Columns,
+    empty,
+)
 
 ASSOCIATION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
     {
@@ -39,6 +45,9 @@ class StepResult:
         associations: `ASSOCIATION_COLUMNS`; a row for each match.
         signals: `SIGNAL_COLUMNS`, a row for each row of `tracks`; empty where the tracker notices
             nothing beside them.
+        parts: `PART_COLUMNS` of this frame, sorted by track then part; empty where the tracker
+            follows people whole.
+        part_particles: `PART_PARTICLE_COLUMNS` of this frame, grouped by track then part.
     """
 
     frame: int
@@ -47,6 +56,8 @@ class StepResult:
     particles: Columns
     associations: Columns
     signals: Columns = field(default_factory=lambda: empty(SIGNAL_COLUMNS))
+    parts: Columns = field(default_factory=lambda: empty(PART_COLUMNS))
+    part_particles: Columns = field(default_factory=lambda: empty(PART_PARTICLE_COLUMNS))
 
 
 class Perception(Protocol):

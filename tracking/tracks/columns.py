@@ -69,8 +69,21 @@ PART_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
         "height": np.dtype(np.float64),
         "vx": np.dtype(np.float64),  # px a frame
         "vy": np.dtype(np.float64),
-        "failed": np.dtype(np.bool_),
-        "score": np.dtype(np.float64),
+        "failed": np.dtype(np.bool_),  # the failure detector's verdict, before any adjustment
+        "score": np.dtype(np.float64),  # of the detector, above 0: failed; NaN: not judged
+        "entropy": np.dtype(np.float32),  # of the weights, 1: all alike; NaN: not filtered
+        "particles": np.dtype(np.int32),  # how many this frame; 0: not filtered
+        "occluded": np.dtype(np.bool_),  # motion only, the colours learnt are frozen
+    }
+)
+
+PART_PARTICLE_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {
+        "track": np.dtype(np.int32),
+        "part": np.dtype(np.uint8),
+        "u": np.dtype(np.float32),  # px of the left image as recorded: a rectangle's centre
+        "v": np.dtype(np.float32),
+        "weight": np.dtype(np.float32),  # sums to 1 over a part's particles that are kept
     }
 )
 

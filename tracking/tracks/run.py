@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tracking.tracks.columns import (
     ASSOCIATION_COLUMNS,
     PART_COLUMNS,
+    PART_PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
     Columns,
     empty,
@@ -36,12 +37,18 @@ class Particles:
     Attributes:
         start: (frames + 1,) int64; the particles of frame i (counted from the recording's first
             frame) are the rows start[i] to start[i + 1].
-        columns: `PARTICLE_COLUMNS`; of a run read from a session they stay in the file and are
-            read as they are asked for, by slices. `numpy.asarray` reads a whole one.
+        columns: `PARTICLE_COLUMNS`, or `PART_PARTICLE_COLUMNS` where they are of parts; of a run
+            read from a session they stay in the file and are read as they are asked for, by
+            slices. `numpy.asarray` reads a whole one.
     """
 
     start: NDArray[np.int64]
     columns: Mapping[str, ParticleColumn]
+
+    @classmethod
+    def none(cls, columns: Mapping[str, np.dtype[Any]]) -> Particles:
+        """No particles in any frame, with these columns."""
+        return cls(np.zeros(1, np.int64), empty(columns))
 
     def of_frame(self, frame: int) -> dict[str, NDArray[Any]]:
         """The columns of one frame's particles; empty where the frame was not tracked."""
@@ -66,6 +73,7 @@ class Run:
             total, margin (total cost of the next best choice less this one's); NaN where a cue was
             not used.
         parts: `PART_COLUMNS` of a tracker that follows parts; empty from others.
+        part_particles: in the picture, of such a tracker; see `PART_PARTICLE_COLUMNS`.
         signals: `SIGNAL_COLUMNS`, a row for each row of the tracks; empty in runs of programs that
             did not notice them, and in imported ones.
         software: name and version that made it.
@@ -85,6 +93,9 @@ class Run:
     associations: Columns = field(default_factory=partial(empty, ASSOCIATION_COLUMNS))
     parts: Columns = field(default_factory=partial(empty, PART_COLUMNS))
     signals: Columns = field(default_factory=partial(empty, SIGNAL_COLUMNS))
+    part_particles: Particles = field(
+        default_factory=partial(Particles.none, PART_PARTICLE_COLUMNS)
+    )
     software: str = ""
     detector: str = ""
     known_tracks: int = 0

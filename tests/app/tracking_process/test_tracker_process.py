@@ -43,7 +43,8 @@ def _in_this_process(recording):
 
 def _tables(run):
     yield from (run.tracks, run.detections, run.particles.columns, run.associations, run.signals)
-    yield {"start": run.particles.start}
+    yield from (run.parts, run.part_particles.columns)
+    yield {"start": run.particles.start, "part_start": run.part_particles.start}
 
 
 def _assert_same_runs(one, other):
