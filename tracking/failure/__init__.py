@@ -1,0 +1,37 @@
+"""Which body parts a tracker has lost: features, samples, the detector, its training."""
+
+from tracking.failure.detector import FALSE_ALARMS, Detector, Judgement, Origin
+from tracking.failure.features import FEATURE_NAMES, FEATURE_SPAN_S, STATE_NAMES, part_features
+from tracking.failure.machines import Machine, Machines
+from tracking.failure.operating import Curve
+from tracking.failure.past import PastStates, states_before
+from tracking.failure.preparation import Preparation
+from tracking.failure.samples import (
+    SAMPLE_COLUMNS,
+    SAMPLE_SOURCES,
+    Samples,
+    joined,
+    no_samples,
+)
+
+__all__ = [
+    "FALSE_ALARMS",
+    "FEATURE_NAMES",
+    "FEATURE_SPAN_S",
+    "SAMPLE_COLUMNS",
+    "SAMPLE_SOURCES",
+    "STATE_NAMES",
+    "Curve",
+    "Detector",
+    "Judgement",
+    "Machine",
+    "Machines",
+    "Origin",
+    "PastStates",
+    "Preparation",
+    "Samples",
+    "joined",
+    "no_samples",
+    "part_features",
+    "states_before",
+]

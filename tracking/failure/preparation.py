@@ -1,0 +1,66 @@
+"""What is done to features before a machine sees them: it belongs to the detector, not to them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracking.failure.features import FEATURES, Floats
+
+_CENTRES = [0, 1, 6, 7, 12, 13]
+"""Columns of the parts' relative centres."""
+_LEAST_PX = 1.0
+"""Three parts on one point have no size to measure by."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Preparation:
+    """Measures features in bodies if asked, standardises them, and draws far-off values in.
+
+    A part lost at the other end of the picture lies far outside of everything learnt, where a
+    kernel machine knows nothing and falls back to its constant. So numbers beyond the usual are
+    drawn in by the inverse hyperbolic sine: a straight line for the usual, a logarithm far out.
+    The paper does not say how it scales.
+
+    Attributes:
+        by_size: whether features are divided by how far the parts lie apart, with the logarithm
+            of that as one number more. In pixels, near and far people differ.
+        centre, scale: (36 or 37,) of the usual values; scale > 0.
+    """
+
+    by_size: bool
+    centre: Floats
+    scale: Floats
+
+    def of(self, features: Floats) -> Floats:
+        """(n, 36 or 37) what the machines see of features (n, 36)."""
+        prepared = _sized(features) if self.by_size else features - self.centre
+        if self.by_size:
+            prepared -= self.centre
+        prepared /= self.scale
+        return np.arcsinh(prepared, out=prepared)
+
+
+def fitted_preparation(features: Floats, *, by_size: bool) -> Preparation:
+    """The preparation that makes the usual of these features (n, 36) zero and one.
+
+    Median and half the range of the middle two thirds, since parts that failed may be anywhere.
+    """
+    values = _sized(features) if by_size else features
+    low, centre, high = np.quantile(values, (1 / 6, 1 / 2, 5 / 6), axis=0)
+    spread = (high - low) / 2
+    return Preparation(by_size, centre, np.where(spread > 0, spread, 1.0))
+
+
+def numbers_seen(*, by_size: bool) -> int:
+    """How many numbers the machines see."""
+    return FEATURES + by_size
+
+
+def _sized(features: Floats) -> Floats:
+    """(n, 37) features in sizes of the person, and the logarithm of the size in px."""
+    centres = features[:, _CENTRES]
+    size = np.sqrt(np.einsum("nc,nc->n", centres, centres))
+    size = np.maximum(size, _LEAST_PX)[:, None]
+    return np.concatenate((features / size, np.log(size)), axis=1)
