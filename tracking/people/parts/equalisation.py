@@ -63,4 +63,4 @@ def bhattacharyya(one: Floats, other: Floats) -> Floats:
         one, other: (..., 24), each channel summing to 1 (or to 0: nothing was seen).
     """
     together = np.einsum("...u,...u->...", np.sqrt(one), np.sqrt(other))
-    return np.asarray(together / CHANNELS, np.float32)
+    return np.asarray(np.minimum(together / CHANNELS, 1), np.float32)
