@@ -9,7 +9,7 @@ from typing import Any
 from app.cli.output import print_json
 from tracking.errors import SessionError
 from tracking.recording.wording import counted
-from tracking.session import Generation, Session, list_generations
+from tracking.session import Generation, Session, check_generation, list_generations
 
 
 def run_restore(path: Path, number: int, *, only_list: bool, as_json: bool) -> None:
@@ -22,8 +22,9 @@ def run_restore(path: Path, number: int, *, only_list: bool, as_json: bool) -> N
         _print(path, as_json=as_json)
         return
     with closing(Session.open(path)) as session:
+        check_generation(session.path or path, number)
         if session.read_only:
-            raise SessionError(f"{path} cannot be restored: {session.notes[0]}")
+            raise SessionError(f"{path} cannot be restored: {session.why_read_only}")
         with closing(session.restore(number)) as restored:
             edits = sum(not entry.undone for entry in restored.history)
     if as_json:

@@ -9,17 +9,22 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from made_up_sessions import FRAMES
 
 from tracking.editing import (
     plan_delete,
+    plan_draw_box,
     plan_label_part,
+    plan_mark_reviewed,
     plan_rename,
+    plan_set_attribute,
     plan_set_notes,
     plan_swap,
+    plan_verdict,
 )
 from tracking.errors import OutputError
 from tracking.session import Session, read_history, write_log_csv, write_log_json
-from tracking.tracks import CORRECTED_COLUMNS, PartLabel
+from tracking.tracks import CORRECTED_COLUMNS, PartLabel, Verdict
 
 
 @pytest.fixture
@@ -48,9 +53,33 @@ def test_csv_has_a_line_an_edit(edited: Session, tmp_path: Path) -> None:
     assert [row["undoes"] for row in rows] == ["", "", "", "1", ""]
     assert {row["author"] for row in rows} == {"ada"}
     assert rows[0]["tracks"] == "1 2"
-    assert rows[0]["before"] == "1 in frames 10 to 39; 2 in frames 10 to 39"
-    assert rows[0]["after"] == "2 in frames 10 to 39; 1 in frames 10 to 39"
-    assert rows[4]["before"].endswith("rows")
+    assert rows[0]["before"] == "track 1 in frames 10 to 39; track 2 in frames 10 to 39"
+    assert rows[0]["after"] == "track 2 in frames 10 to 39; track 1 in frames 10 to 39"
+    assert [row["frames"] for row in rows] == ["10:", "", "", "", "0:20"]
+
+
+def test_csv_says_what_was_and_what_is_so_that_people_can_read_it(
+    edited: Session, tmp_path: Path
+) -> None:
+    edited.apply(plan_set_attribute(edited.tracks, edited.labels, 3, "hair", "brown"))
+    edited.apply(plan_draw_box(edited.tracks, 2, FRAMES + 1, (10.0, 20.0, 30.0, 60.0)))
+    edited.apply(plan_mark_reviewed(edited.labels, 0, 5, 6))
+    edited.apply(plan_verdict(edited.labels, Verdict("likely swap", (1, 2), 7, "dismissed")))
+    edited.apply(plan_label_part(edited.labels, PartLabel(3, 1, 0, (1.0, 2.0, 3.5, 4.0), None)))
+    write_log_csv(edited.history, tmp_path / "log.csv")
+    said = [(row["before"], row["after"]) for row in rows_of(tmp_path / "log.csv")]
+    assert said[1] == ("track 3: no name", "track 3: name -red, coat")
+    assert said[2] == ("track 3: no notes", "track 3: notes =HYPERLINK(1)")
+    assert said[4][0].startswith("track 4: ")
+    assert "boxes in frames" in said[4][0]
+    assert [before for before, _ in said[6:]] == ["nothing"] * 4
+    assert said[5] == ("track 3: no hair", "track 3: hair = brown")
+    assert [after for _, after in said[6:]] == [
+        "track 2: box 30.0 x 60.0 px at 10.0, 20.0 in frame 41",
+        "everybody reviewed in frame 5",
+        "likely swap of 1 and 2 in frame 7: dismissed",
+        "head of 1 in frame 3: unsure",
+    ]
 
 
 @pytest.mark.parametrize("name", ["=1+1", "+1", "-1", "@SUM(A1)", "\tx", "\rx"])
@@ -75,7 +104,14 @@ def test_json_has_all_rows_and_labels_of_both_sides(edited: Session, tmp_path: P
     x = np.array([np.nan if value is None else value for value in rows["x"]])
     assert x.tobytes() == told["x"].tobytes()
     assert log[1]["after"]["labels"]["tracks"]["3"]["name"] == "-red, coat"
-    assert log[5]["after"]["labels"]["parts"] == [[3, 1, 0, 1.0, 2.0, 3.5, 4.0, None, "person"]]
+    (part,) = log[5]["after"]["labels"]["parts"]
+    box = {"left": 1.0, "top": 2.0, "width": 3.5, "height": 4.0}
+    told = {"frame": 3, "track": 1, "part": "head", "on_part": None, "source": "person"}
+    assert part.items() >= {**told, **box}.items()
+    assert (log[0]["scope"], log[4]["scope"]) == (
+        {"start": 10, "end": None},
+        {"start": 0, "end": 20},
+    )
 
 
 def test_an_empty_log_is_a_log(session: Session, tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from tracking.session.edit_log import log_as_json, write_log_csv, write_log_json
 from tracking.session.errors import RecordingMissing
 from tracking.session.info import describe
 from tracking.session.known import KnownRecordings
-from tracking.session.older import Generation, list_generations
+from tracking.session.older import Generation, check_generation, list_generations
 from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import Runs
@@ -23,6 +23,7 @@ __all__ = [
     "Session",
     "SourceFingerprint",
     "author_named",
+    "check_generation",
     "describe",
     "generations",
     "list_generations",

@@ -6,27 +6,29 @@ import csv
 import json
 import math
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from tracking.editing import Change, Entry, History, State
-from tracking.editing.log.label_text import labels_as_json
+from tracking.editing import Change, Entry, History, LabelState, State
 from tracking.errors import EditError
 from tracking.formats.replacing import replacing
+from tracking.session.edit_words import in_words
+from tracking.tracks import PART_NAMES, PartLabel
 
 LOG_COLUMNS = (
-    *("id", "time", "author", "kind", "text", "frame", "tracks"),
+    *("id", "time", "author", "kind", "text", "frame", "frames", "tracks"),
     *("undone", "undoes", "before", "after"),
 )
 Progress = Callable[[int, int], None]
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n")
-_MOST_NAMED = 4
 
 
 def write_log_csv(history: History, path: Path, progress: Progress | None = None) -> None:
     """Write the log as CSV (UTF-8), a line an edit, oldest first; what it changed in words.
 
-    Columns are `LOG_COLUMNS`: times are UTC, frames count from 0; `undone` says what became of an
+    Columns are `LOG_COLUMNS`: times are UTC, frames count from 0; `frames` is the range
+    an edit was made for, "834:900" half-open, "834:" from there on. `undone` says what became of an
     edit that is not in force, `undoes` names the older edit that this one takes back alone. Text
     that a spreadsheet would take for a formula (it begins with = + - @ or a blank of another kind)
     stands behind an apostrophe. The file appears whole or not at all.
@@ -42,7 +44,8 @@ def write_log_csv(history: History, path: Path, progress: Progress | None = None
 def write_log_json(history: History, path: Path, progress: Progress | None = None) -> None:
     """Write the log as JSON, a list of edits with all rows and labels of both sides.
 
-    NaN is null. The file appears whole or not at all.
+    Labels are objects of named fields, ranges are half-open, NaN is null.
+    The file appears whole or not at all.
     Raises OutputError where it cannot be written.
     """
     with replacing(path) as stream:
@@ -68,12 +71,14 @@ def _told(history: History, progress: Progress | None) -> Iterator[Entry]:
 def _row(history: History, entry: Entry) -> Iterable[object]:
     try:
         change = entry.change
-        said = (" ".join(map(str, change.tracks)), _words(change.before), _words(change.after))
+        tracks, sides = " ".join(map(str, change.tracks)), (change.before, change.after)
+        said = (tracks, in_words(*sides), in_words(*reversed(sides)))
     except EditError as why:  # a damaged line does not keep the others from being read
         said = ("", str(why), str(why))
     tracks, before, after = said
-    what = (entry.id, entry.time, entry.author, entry.kind, entry.text, entry.frame, tracks)
-    return (*what, _fate(history, entry), entry.undoes or "", before, after)
+    what = (entry.id, entry.time, entry.author, entry.kind, entry.text, entry.frame)
+    frames = entry.scope.as_text if entry.scope else ""
+    return (*what, frames, tracks, _fate(history, entry), entry.undoes or "", before, after)
 
 
 def _cell(value: object) -> object:
@@ -93,36 +98,11 @@ def _fate(history: History, entry: Entry) -> str:
     return f"taken back by {taker}" if taker else ""
 
 
-def _words(state: State) -> str:
-    """One side of an edit in a line."""
-    stretches = [
-        f"{track} in frames {start} to {end - 1}" for track, start, end in state.stretches.tolist()
-    ]
-    labels = state.labels
-    said = [
-        f"{track} {label.name!r} {dict(label.attributes)} {label.notes!r}"
-        for track, label in labels.tracks.items()
-    ]
-    counted = (
-        *((len(state.rows["frame"]), "rows"), (len(labels.parts), "part labels")),
-        *((len(labels.reviewed), "reviewed ranges"), (len(labels.verdicts), "verdicts")),
-        *((len(labels.occluders), "occluders"), (len(labels.lines), "counting lines")),
-        (len(labels.regions), "regions"),
-    )
-    numbers = [f"{count} {what}" for count, what in counted if count]
-    return "; ".join([*_few(stretches), *_few(said), *numbers])
-
-
-def _few(words: list[str]) -> list[str]:
-    if len(words) <= _MOST_NAMED:
-        return words
-    return [*words[:_MOST_NAMED], f"{len(words) - _MOST_NAMED} more"]
-
-
 def _document(history: History, entry: Entry) -> dict[str, Any]:
     document: dict[str, Any] = {
         **{name: getattr(entry, name) for name in ("id", "time", "author", "kind", "text")},
         **{name: getattr(entry, name) for name in ("frame", "undone", "abandoned")},
+        "scope": asdict(entry.scope) if entry.scope else None,
         "undoes": entry.undoes or None,
         "taken_back_by": history.taken_back_by(entry.id) or None,
     }
@@ -148,8 +128,25 @@ def _side(state: State) -> dict[str, Any]:
             for track, start, end in state.stretches.tolist()
         ],
         "rows": {name: [_number(value) for value in rows[name].tolist()] for name in rows},
-        "labels": labels_as_json(state.labels),
+        "labels": _labels(state.labels),
     }
+
+
+def _labels(labels: LabelState) -> dict[str, Any]:
+    """Every label as an object of named fields; kinds of which there are none are left out."""
+    groups = ("occluders", "reviewed", "lines", "regions", "verdicts")
+    said: dict[str, Any] = {
+        "tracks": {str(track): asdict(label) for track, label in labels.tracks.items()},
+        **{name: [asdict(one) for one in getattr(labels, name)] for name in groups},
+        "parts": [_part(label) for label in labels.parts],
+    }
+    return {name: group for name, group in said.items() if group}
+
+
+def _part(label: PartLabel) -> dict[str, Any]:
+    box = dict(zip(("left", "top", "width", "height"), label.box, strict=True))
+    fields = {name: value for name, value in asdict(label).items() if name != "box"}
+    return {**fields, "part": PART_NAMES[label.part], **box}
 
 
 def _number(value: float) -> float | None:

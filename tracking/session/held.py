@@ -32,6 +32,7 @@ class Held:
         self._store: Store | None = None
         self._pending: PendingSave | None = None
         self._notes: list[str] = []
+        self._why_read_only = ""
         self._recovered = 0
         # What changed is counted; saved says which count the file holds, base which one the
         # journal builds on.
@@ -100,6 +101,11 @@ class Held:
     def read_only(self) -> bool:
         """Whether it cannot be saved under its name; `notes` says why."""
         return self._path is not None and self._store is None
+
+    @property
+    def why_read_only(self) -> str:
+        """Why it is open for reading only, in a line; "" where it is not."""
+        return self._why_read_only if self.read_only else ""
 
     @property
     def recovered(self) -> int:

@@ -183,12 +183,15 @@ def _write_labels(packer: Packer, file: h5py.File, labels: Labels) -> None:
 
 
 def _edit_columns(edits: Sequence[Entry]) -> dict[str, Any]:
-    return {
+    columns: dict[str, Any] = {
         name: [getattr(entry, name) for entry in edits]
         if dtype == TEXT
         else np.array([getattr(entry, name) for entry in edits], dtype)
         for name, dtype in EDIT_COLUMNS.items()
+        if name != "scope"
     }
+    scopes = [entry.scope.as_text if entry.scope else "" for entry in edits]
+    return {**columns, "scope": scopes}
 
 
 class Trajectory:

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
-from tracking.editing import Entry
-from tracking.errors import OutputError, SessionError
+from tracking.editing import Entry, Scope
+from tracking.errors import EditError, OutputError, SessionError
 from tracking.session.lock import identity
 
 Act = Literal["apply", "undo", "redo"]
@@ -21,12 +21,13 @@ CREATE TABLE IF NOT EXISTS origin (session TEXT NOT NULL, save TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS steps (
     number INTEGER PRIMARY KEY, act TEXT NOT NULL, edit INTEGER NOT NULL, time TEXT NOT NULL,
     author TEXT NOT NULL, kind TEXT NOT NULL, text TEXT NOT NULL, frame INTEGER NOT NULL,
-    before TEXT NOT NULL, after TEXT NOT NULL, undoes INTEGER NOT NULL DEFAULT 0);
+    before TEXT NOT NULL, after TEXT NOT NULL, undoes INTEGER NOT NULL DEFAULT 0,
+    scope TEXT NOT NULL DEFAULT '');
 COMMIT;
 """
-_UNDOES = "ALTER TABLE steps ADD COLUMN undoes INTEGER NOT NULL DEFAULT 0"
-"""For a journal that an older program left behind."""
-_STEP_TYPES = (int, str, int, str, str, str, str, int, str, str, int)
+_LATER_COLUMNS = {"undoes": "INTEGER NOT NULL DEFAULT 0", "scope": "TEXT NOT NULL DEFAULT ''"}
+"""What a journal that an older program left behind lacks, in this order."""
+_STEP_TYPES = (int, str, int, str, str, str, str, int, str, str, int, str)
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,13 +56,18 @@ class Journal:
             self._base.execute("PRAGMA journal_mode=WAL")
             self._base.execute("PRAGMA synchronous=FULL")
             self._base.executescript(_TABLES)
-            if "undoes" not in [row[1] for row in self._base.execute("PRAGMA table_info(steps)")]:
-                self._base.execute(_UNDOES)
+            self._bring_up_to_date()
             last = self._base.execute("SELECT max(number) FROM steps").fetchone()[0]
             origin = self._base.execute("SELECT session, save FROM origin").fetchone()
             self._file = identity(path)
         self._last = int(last or 0)
         self._origin = None if origin is None else (str(origin[0]), str(origin[1]))
+
+    def _bring_up_to_date(self) -> None:
+        known = [row[1] for row in self._base.execute("PRAGMA table_info(steps)")]
+        for name, kind in _LATER_COLUMNS.items():
+            if name not in known:
+                self._base.execute(f"ALTER TABLE steps ADD COLUMN {name} {kind}")
 
     @classmethod
     def begun(cls, path: Path, session: str, save: str) -> Journal:
@@ -106,11 +112,18 @@ class Journal:
         with _telling(self._path, "read"):
             rows = self._base.execute("SELECT * FROM steps ORDER BY number").fetchall()
         for row in rows:
-            number, act, *said, undoes = row
+            number, act, *said, undoes, scope = row
             types = tuple(type(value) for value in row)
             if types != _STEP_TYPES or act not in ("apply", "undo", "redo"):
                 raise SessionError(f"{self._path}: a step of the journal is damaged")
-            yield Step(number, act, replace(Entry(*said), undoes=undoes))
+            entry = replace(Entry(*said), undoes=undoes, scope=self._scope(scope))
+            yield Step(number, act, entry)
+
+    def _scope(self, text: str) -> Scope | None:
+        try:
+            return Scope.of_text(text)
+        except EditError as why:
+            raise SessionError(f"{self._path}: a step of the journal is damaged: {why}") from why
 
     def append(self, act: Act, entry: Entry) -> None:
         """Write a step; it is on disk when this returns. Raises OutputError where it is not."""
@@ -119,7 +132,7 @@ class Journal:
             *(self._last + 1, act, entry.id, entry.time, entry.author, entry.kind),
             *(entry.text, entry.frame),
             *((entry.before, entry.after) if applied else ("", "")),
-            entry.undoes,
+            *(entry.undoes, entry.scope.as_text if entry.scope else ""),
         )
         marks = ", ".join("?" * len(row))
         with _telling(self._path, "written"):

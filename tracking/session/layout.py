@@ -49,6 +49,7 @@ EDIT_COLUMNS: Types = MappingProxyType(
         "undone": np.dtype(np.bool_),
         "abandoned": np.dtype(np.bool_),  # undone and not to be redone
         "undoes": np.dtype(np.int64),  # the older edit that this one takes back alone; 0: none
+        "scope": TEXT,  # the frames it was made for, "834:900" or "834:"; "": none
     }
 )
 TRACK_LABEL_COLUMNS: Types = MappingProxyType(
@@ -119,7 +120,7 @@ LATER_TABLES = frozenset({"labels/lines", "labels/regions", "labels/verdicts", "
 
 LATER_COLUMNS: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
     {
-        "edits": (frozenset({"undoes"}),),
+        "edits": (frozenset({"undoes"}), frozenset({"scope"})),
         "labels/parts": (frozenset({"sure", "left", "top", "width", "height", "source"}),),
     }
 )

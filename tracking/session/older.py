@@ -52,16 +52,22 @@ def list_generations(path: Path) -> tuple[Generation, ...]:
     )
 
 
+def check_generation(path: Path, number: int) -> None:
+    """Raise SessionError where no older generation of that number is kept."""
+    count = len(generations(path))
+    if not 1 <= number <= count:
+        kept = f"there are {count}, 1 is the newest" if count else "none is kept yet"
+        raise SessionError(f"{path} has no older generation {number} ({kept})")
+
+
 def read_generation(path: Path, number: int) -> tuple[Path, Snapshot]:
     """The file of an older generation and what it says.
 
     Raises SessionError where there is none of that number, where it cannot be read, and where a
     newer program made it.
     """
+    check_generation(path, number)
     files = generations(path)
-    if not 1 <= number <= len(files):
-        kept = f"there are {len(files)}, 1 is the newest" if files else "none is kept yet"
-        raise SessionError(f"{path} has no older generation {number} ({kept})")
     snapshot = reading.read_session(files[number - 1])
     if snapshot.newer:
         raise SessionError(

@@ -14,7 +14,7 @@ from typing import Any
 
 import h5py
 
-from tracking.editing import TOUCHED_COLUMNS, Entry, History, TouchIndex, touched
+from tracking.editing import TOUCHED_COLUMNS, Entry, History, Scope, TouchIndex, touched
 from tracking.errors import EditError, SessionError
 from tracking.session import inspection
 from tracking.session.hdf5 import opened, read_columns, text_attribute
@@ -155,8 +155,11 @@ def read_edits(file: h5py.File) -> tuple[Entry, ...]:
     types = {name: dtype for name, dtype in EDIT_COLUMNS.items() if name in group}
     columns = read_columns(group, types)
     lists = [column if isinstance(column, list) else column.tolist() for column in columns.values()]
-    rows = zip(*lists, strict=True)
-    return tuple(Entry(**dict(zip(types, row, strict=True))) for row in rows)
+    return tuple(_entry(dict(zip(types, row, strict=True))) for row in zip(*lists, strict=True))
+
+
+def _entry(row: dict[str, Any]) -> Entry:
+    return Entry(**{**row, "scope": Scope.of_text(row.get("scope", ""))})
 
 
 def _read_touched(group: h5py.Group, edits: Sequence[Entry]) -> TouchIndex:

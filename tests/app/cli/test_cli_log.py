@@ -81,6 +81,9 @@ def test_restore_tells_what_is_wrong(
         status, _, said = trackwright("restore", edited)
         assert (status, len(said.splitlines())) == (1, 1)
         assert "open in process" in said
+        status, _, said = trackwright("restore", edited, "--generation", "9")
+        assert (status, len(said.splitlines())) == (1, 1)
+        assert "no older generation 9" in said
     status, _, said = trackwright("restore", edited, "--generation", "9")
     assert (status, "no older generation 9" in said) == (1, True)
     status, _, said = trackwright("restore", tmp_path / "none.h5", "--list")

@@ -8,7 +8,7 @@ import numpy as np
 
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.stretches import spanned
-from tracking.editing.change import Change, State, no_rows
+from tracking.editing.change import Change, Scope, State, no_rows
 from tracking.editing.scope import checked_tracks, frames_text, scope_text, tracks_text
 from tracking.editing.selection import Rows, rows_in, stacked
 from tracking.errors import EditError
@@ -46,7 +46,7 @@ def plan_fill_gap(
         raise EditError(f"frame {frame} lies in no gap of track {track}; go to one first")
     text = f"Fill the gap of {track} {scope_text(*gap)}"
     rows = _filling(table, track, [gap], Way(how, view, fps))
-    return Change("fill", text, gap[0], State(), State(rows=rows))
+    return Change("fill", text, gap[0], State(), State(rows=rows), Scope(*gap))
 
 
 def plan_fill_gaps(

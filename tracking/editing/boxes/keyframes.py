@@ -15,7 +15,7 @@ from tracking.editing.boxes.stretches import (
     stands_fast,
     with_row,
 )
-from tracking.editing.change import Change, State
+from tracking.editing.change import Change, Scope, State
 from tracking.editing.scope import check_scope, frames_text, scope_text
 from tracking.editing.selection import Rows, differing, picked, stacked
 from tracking.errors import EditError
@@ -156,7 +156,8 @@ def plan_interpolate(
         )
     text = f"Interpolate {track} {scope_text(first, last + 1)}, {_way_text(way)}"
     text += f"between {len(ends['frame'])} keyframes"
-    return Change("interpolate", text, first, State(rows=before), State(rows=after))
+    scope = Scope(first, last + 1)
+    return Change("interpolate", text, first, State(rows=before), State(rows=after), scope)
 
 
 def _way_text(way: Way) -> str:

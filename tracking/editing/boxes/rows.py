@@ -18,7 +18,7 @@ from tracking.editing.boxes.standing import (
     places_of,
     standing_box,
 )
-from tracking.editing.change import Change, State
+from tracking.editing.change import Change, Scope, State
 from tracking.editing.scope import check_id, check_scope, checked_tracks, scope_text, tracks_text
 from tracking.editing.selection import Rows, stacked
 from tracking.errors import EditError
@@ -70,7 +70,8 @@ def plan_delete_tracks(
     text = f"Delete {who} {scope_text(start, None if end is None or end >= stop else end)}"
     if start <= first and (end is None or end >= stop):
         text = f"Delete track {who}" if len(touched) == 1 else f"Delete tracks {who}"
-    return Change("delete", text, int(rows["frame"][0]), State(rows=rows), State())
+    frame = int(rows["frame"][0])
+    return Change("delete", text, frame, State(rows=rows), State(), Scope(start, end))
 
 
 def plan_move_box(

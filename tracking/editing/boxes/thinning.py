@@ -8,7 +8,7 @@ from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.keyframes import vouch_for
 from tracking.editing.boxes.standing import Floats, boxes_of, places_of
 from tracking.editing.boxes.stretches import Flags, replaced, spanned
-from tracking.editing.change import Change, State
+from tracking.editing.change import Change, Scope, State
 from tracking.editing.scope import check_scope, scope_text
 from tracking.editing.selection import Rows, picked, stacked
 from tracking.errors import EditError
@@ -62,7 +62,8 @@ def plan_thin(
         raise EditError(f"track {track}: no row can be left out; allow a larger tolerance")
     count = len(old["frame"])
     text = f"Thin {track} {scope_text(start, end)} to {int(keys.sum())} keyframes of {count} boxes"
-    return Change("thin", text, int(old["frame"][0]), State(rows=before), State(rows=after))
+    frame, scope = int(old["frame"][0]), Scope(start, end)
+    return Change("thin", text, frame, State(rows=before), State(rows=after), scope)
 
 
 def _kept(rows: Columns, way: Way, tolerances: tuple[float, float]) -> Flags:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from tracking.editing.change import Change, State
+from tracking.editing.change import Change, Scope, State
 from tracking.editing.scope import check_scope, checked_tracks, scope_text, tracks_text
 from tracking.editing.selection import picked, stacked
 from tracking.errors import EditError
@@ -39,4 +39,5 @@ def plan_mark_occluded(
     new = picked(old, slice(None))
     new["visibility"][:] = wanted
     text = f"Mark {who} as {state} {where}"
-    return Change("occluded", text, int(old["frame"][0]), State(rows=old), State(rows=new))
+    frame, scope = int(old["frame"][0]), Scope(start, end)
+    return Change("occluded", text, frame, State(rows=old), State(rows=new), scope)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, State, Stretches
+from tracking.editing.change import Change, Scope, State, Stretches
 from tracking.editing.scope import check_id, check_scope, scope_text
 from tracking.errors import EditError
 from tracking.tracks import TrackTable, between, check_known, next_track
@@ -29,7 +29,7 @@ def plan_swap(table: TrackTable, a: int, b: int, start: int, end: int | None = N
     after = before.copy()
     after[:, 0] = np.where(before[:, 0] == a, b, a)
     text = f"Swap {a} and {b} {scope_text(start, end)}"
-    return Change("swap", text, start, State(before), State(after))
+    return Change("swap", text, start, State(before), State(after), Scope(start, end))
 
 
 def plan_split(table: TrackTable, track: int, frame: int) -> Change:
@@ -47,7 +47,8 @@ def plan_split(table: TrackTable, track: int, frame: int) -> Change:
     new = next_track(table)
     before = _stretch(table, track, frame, end)
     text = f"Split {track} at frame {frame}; the rest is {new}"
-    return Change("split", text, frame, State(before), State(given_to(before, new)))
+    after = State(given_to(before, new))
+    return Change("split", text, frame, State(before), after, Scope(frame))
 
 
 def plan_reassign(
@@ -76,7 +77,8 @@ def plan_reassign(
         )
     before = stretches_of(track, moving, staying)
     text = f"Give {track} to {to} {scope_text(start, end)}"
-    return Change("reassign", text, int(moving[0]), State(before), State(given_to(before, to)))
+    first, after = int(moving[0]), State(given_to(before, to))
+    return Change("reassign", text, first, State(before), after, Scope(start, end))
 
 
 def _stop(table: TrackTable, start: int, end: int | None, *tracks: int) -> int:

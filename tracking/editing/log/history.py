@@ -9,11 +9,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change
+from tracking.editing.change import Change, Scope
 from tracking.editing.log.text import state_as_text, state_from_text
 from tracking.editing.log.touch_index import TouchIndex
 from tracking.editing.log.touched import touched
-from tracking.editing.log.traces import Trace
+from tracking.editing.log.traces import Trace, parts_at_its_frame
 from tracking.errors import EditError
 
 
@@ -30,6 +30,7 @@ class Entry:
         undone: whether it is taken back.
         abandoned: taken back, and then something else was done: it cannot be redone.
         undoes: the older edit that this one takes back alone; 0: none, it is an edit of its own.
+        scope: the frames it was made for; None: none, or a program that did not keep it made it.
     """
 
     id: int
@@ -43,6 +44,7 @@ class Entry:
     undone: bool = False
     abandoned: bool = False
     undoes: int = 0
+    scope: Scope | None = None
 
     @property
     def change(self) -> Change:
@@ -51,7 +53,7 @@ class Entry:
         Raises EditError where the text is no change, as in a damaged file.
         """
         before, after = state_from_text(self.before), state_from_text(self.after)
-        return Change(self.kind, self.text, self.frame, before, after)
+        return Change(self.kind, self.text, self.frame, before, after, self.scope)
 
 
 class History:
@@ -124,7 +126,8 @@ class History:
         found = self._traces.get(number)
         if found is None:
             entry = self.entry(number)
-            found = Trace.of_texts(entry.kind, entry.text, entry.before, entry.after)
+            is_cut = parts_at_its_frame(entry.kind, entry.text, entry.scope)
+            found = Trace.of_texts(entry.before, entry.after, is_cut=is_cut)
             found = self._traces[number] = found or Trace.of(entry.change)
         return found
 
@@ -194,7 +197,9 @@ class History:
         """The entry a change will have once it is added."""
         before, after = state_as_text(change.before), state_as_text(change.after)
         number, what = len(self._entries) + 1, (change.kind, change.text, int(change.frame))
-        return Entry(number, time, author, *what, before, after, undoes=undoes)
+        return Entry(
+            *(number, time, author, *what, before, after), undoes=undoes, scope=change.scope
+        )
 
     def add(self, entry: Entry, change: Change | None = None) -> None:
         """Log a change that was made; what was undone before cannot be redone any more.

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, no_rows
+from tracking.editing.change import Change, Scope, no_rows
 from tracking.editing.log.text import cells_in_text, stretches_in_text
 from tracking.tracks import Columns
 
@@ -16,6 +16,7 @@ Handed = tuple[int, int, int, int]
 Placed = tuple[int, int, int]
 
 _FROM_HERE_ON = re.compile(r"\bfrom frame \d+ on\b")
+"""What logs that keep no scope say of a swap from here on."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,12 +46,14 @@ class Trace:
         old, new = cells_of(before), cells_of(after)
         replaced = np.isin(old, new)
         gone = {name: column[~replaced] for name, column in before.items()}
-        return cls(handed, _cut(change.kind, change.text, handed), _stretches(new), gone)
+        is_cut = parts_at_its_frame(change.kind, change.text, change.scope)
+        return cls(handed, _tracks_of(handed) if is_cut else (), _stretches(new), gone)
 
     @classmethod
-    def of_texts(cls, kind: str, text: str, before: str, after: str) -> Trace | None:
+    def of_texts(cls, before: str, after: str, *, is_cut: bool) -> Trace | None:
         """The trace of a change by its two sides as text, without reading more than it takes.
 
+        is_cut: see `parts_at_its_frame`.
         None: it can be told of the change only. Raises EditError where a side is no change.
         """
         sides = (before, after)
@@ -64,7 +67,7 @@ class Trace:
         given, taken = (stretches_in_text(side) for side in sides)
         handed = tuple((one[0], to[0], *one[1:]) for one, to in zip(given, taken, strict=False))
         placed = () if cells is None else _stretches(cells)
-        return cls(handed, _cut(kind, text, handed), placed, NO_TRACE.gone)
+        return cls(handed, _tracks_of(handed) if is_cut else (), placed, NO_TRACE.gone)
 
 
 NO_TRACE = Trace()
@@ -75,11 +78,18 @@ def cells_of(rows: Columns) -> NDArray[np.int64]:
     return (rows["track"].astype(np.int64) << 32) | rows["frame"].astype(np.int64)
 
 
-def _cut(kind: str, text: str, handed: tuple[Handed, ...]) -> tuple[int, ...]:
-    """The tracks parted at the edit's frame, where nothing is meant by what comes later."""
-    if kind == "split" or (kind == "swap" and _FROM_HERE_ON.search(text) is not None):
-        return tuple({track for each in handed for track in each[:2]})
-    return ()
+def parts_at_its_frame(kind: str, text: str, scope: Scope | None) -> bool:
+    """Whether an edit is a swap or a split "from here on": nothing is meant by what comes later.
+
+    scope: None where an older program kept none; then its text, which that program made, tells.
+    """
+    if kind != "swap":
+        return kind == "split"
+    return _FROM_HERE_ON.search(text) is not None if scope is None else scope.end is None
+
+
+def _tracks_of(handed: tuple[Handed, ...]) -> tuple[int, ...]:
+    return tuple({track for each in handed for track in each[:2]})
 
 
 def _stretches(cells: NDArray[np.int64]) -> tuple[Placed, ...]:
