@@ -6,6 +6,7 @@ import json
 import shutil
 import sqlite3
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
@@ -33,7 +34,7 @@ PARTS = (
     PartLabel(3, 2, 0, BOX, True, "person"),
     PartLabel(3, 2, 1, BOX, False, "tracker"),
     PartLabel(3, 2, 2, BOX, None, "truth"),
-    PartLabel(700, 1, 0, BOX, None, "person"),
+    PartLabel(700, 1, 0, BOX, None, "person", "José", "the score is near the threshold"),
 )
 
 
@@ -92,6 +93,23 @@ def test_on_part_says_yes_and_sure_tells_no_from_unsure(copy: Path) -> None:
         assert file["labels/parts/on_part"][()].tolist() == [True, False, False, False]
         assert file["labels/parts/sure"][()].tolist() == [True, True, False, False]
         assert file["labels/parts/source"][()].tolist() == [1, 0, 2, 1]
+
+
+def test_part_labels_of_format_1_1_have_no_author(copy: Path) -> None:
+    with h5py.File(copy, "a") as file:
+        file.attrs["format_version"] = "1.1"
+        del file["labels/parts/author"], file["labels/parts/reason"]
+    session = Session.open(copy)
+    labels = session.labels.parts
+    session.close()
+    assert tuple(labels.values()) == tuple(replace(label, author="", reason="") for label in PARTS)
+
+
+def test_a_table_with_authors_but_no_reasons_is_refused(copy: Path) -> None:
+    with h5py.File(copy, "a") as file:
+        del file["labels/parts/reason"]
+    with pytest.raises(SessionError, match="no column reason in labels/parts"):
+        Session.open(copy)
 
 
 def as_format_1_0(path: Path) -> Path:

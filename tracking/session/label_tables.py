@@ -107,15 +107,17 @@ def _part_rows(parts: PartLabels) -> Rows:
         "sure": [label.on_part is not None for label in labels],
         **dict(zip(("left", "top", "width", "height"), boxes.T, strict=True)),
         "source": [PART_SOURCES.index(label.source) for label in labels],
+        **_fields(labels, ("author", "reason")),
     }
 
 
 def _rows(group: h5py.Group, name: str) -> Iterator[tuple[Any, ...]]:
-    """The rows of a table; of one that older files do not have, none."""
+    """The rows of a table, less columns that older files lack; of a table they lack, none."""
     if name not in group:
         return iter(())
-    types = TABLES[f"labels/{name}"]
-    columns = read_columns(group[name], types)
+    held = group[name]
+    types = {column: dtype for column, dtype in TABLES[f"labels/{name}"].items() if column in held}
+    columns = read_columns(held, types)
     values = (columns[column] for column in types)
     return zip(*(v if isinstance(v, list) else v.tolist() for v in values), strict=True)
 
@@ -160,11 +162,13 @@ def _read_parts(group: h5py.Group) -> PartLabels:
     if not len(group["parts/frame"]):  # programs of format 1.0 made the table, and never a label
         return PartLabels()
     labels = []
-    for frame, track, part, on_part, sure, *box, source in _rows(group, "parts"):
+    for frame, track, part, on_part, sure, *rest in _rows(group, "parts"):
+        left, top, width, height, source, *who = rest
         if source >= len(PART_SOURCES):
             raise ValueError(f"a part label's source is {source}")
         said = on_part if sure else None
-        label = PartLabel(frame, track, part, tuple(box), said, PART_SOURCES[source])
+        box = (left, top, width, height)
+        label = PartLabel(frame, track, part, box, said, PART_SOURCES[source], *who)
         check_part_label(label)
         labels.append(label)
     parts = PartLabels(labels)

@@ -67,6 +67,8 @@ PART_LABEL_COLUMNS: Types = MappingProxyType(
         "width": np.dtype(np.float64),
         "height": np.dtype(np.float64),
         "source": np.dtype(np.uint8),  # of the rectangle: 0 tracker, 1 person, 2 truth
+        "author": TEXT,
+        "reason": TEXT,  # why it was suggested; "": it was not
     }
 )
 LINE_COLUMNS: Types = MappingProxyType(
@@ -121,7 +123,10 @@ LATER_TABLES = frozenset({"labels/lines", "labels/regions", "labels/verdicts", "
 LATER_COLUMNS: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
     {
         "edits": (frozenset({"undoes"}), frozenset({"scope"})),
-        "labels/parts": (frozenset({"sure", "left", "top", "width", "height", "source"}),),
+        "labels/parts": (
+            frozenset({"sure", "left", "top", "width", "height", "source"}),
+            frozenset({"author", "reason"}),
+        ),
     }
 )
 """Columns that tables of format 1.0 do not have: those that came together, all or none."""

@@ -41,6 +41,11 @@ def check_part_label(label: PartLabel) -> None:
         raise EditError(f"{what}: box {label.box} is none; a positive width and height are needed")
     if label.source not in PART_SOURCES:
         raise EditError(f"{what}: source {label.source!r}; it is {', '.join(PART_SOURCES)}")
+    for field, text in (("author", label.author), ("reason", label.reason)):
+        if len(text) > LONGEST_NAME or not text.isprintable():
+            raise EditError(
+                f"{what}: its {field} is no line of text of at most {LONGEST_NAME} characters"
+            )
 
 
 def check_verdict(verdict: Verdict) -> None:

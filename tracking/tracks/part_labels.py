@@ -28,6 +28,8 @@ class PartLabel:
         box: left, top, width, height in pixels of the left image as recorded.
         on_part: whether the rectangle lies on its part; None: unsure.
         source: who drew the rectangle, one of `PART_SOURCES`.
+        author: who said it; "" where nobody knows.
+        reason: why it was suggested to them; "" where they chose it themselves.
     """
 
     frame: int
@@ -36,6 +38,8 @@ class PartLabel:
     box: Box
     on_part: bool | None = True
     source: str = "person"
+    author: str = ""
+    reason: str = ""
 
     @property
     def key(self) -> PartKey:

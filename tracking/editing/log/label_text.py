@@ -97,15 +97,19 @@ def _track_from_json(label: Mapping[str, Any]) -> TrackLabel:
 
 
 def _part_as_json(label: PartLabel) -> list[Any]:
-    return [label.frame, label.track, label.part, *label.box, label.on_part, label.source]
+    said = [label.frame, label.track, label.part, *label.box, label.on_part, label.source]
+    return said + [label.author, label.reason] if label.author or label.reason else said
 
 
 def _part_from_json(values: Sequence[Any]) -> PartLabel:
-    frame, track, part, left, top, width, height, on_part, source = values
+    """Logs of format 1.1 end with the source."""
+    frame, track, part, left, top, width, height, on_part, source, *who = values
+    author, reason = who or ("", "")
     box = (float(left), float(top), float(width), float(height))
     if not (on_part is None or isinstance(on_part, bool)):
         raise ValueError(f"on part is {on_part!r}; it is true, false or null")
-    return PartLabel(int(frame), int(track), int(part), box, on_part, str(source))
+    said = (int(frame), int(track), int(part), box, on_part)
+    return PartLabel(*said, str(source), str(author), str(reason))
 
 
 def _corners(polygon: Sequence[Sequence[Any]]) -> tuple[tuple[float, float], ...]:
