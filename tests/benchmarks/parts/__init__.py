@@ -1,0 +1,1 @@
+"""How well body parts are tracked: scenes, the paper's measures, the report."""
