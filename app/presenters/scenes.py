@@ -11,6 +11,7 @@ from enum import Enum, IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.parts.part_curve import LaneScore
 from tracking.recording.frame import Image
 
 Colour = tuple[int, int, int]
@@ -195,6 +196,7 @@ class Lane:
         spans: (k, 3) int64 rows of first frame, end frame (half-open), `SpanKind`; ascending.
         marks: by frame. keyframes: (n,) int64 frames whose row a person made, ascending.
         reviewed: half-open ranges of frames a person has looked at in this track alone.
+        score: how a part of the person went, drawn above the bar.
     """
 
     track: int
@@ -205,6 +207,7 @@ class Lane:
     marks: tuple[TimelineMark, ...] = ()
     keyframes: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
     reviewed: tuple[tuple[int, int], ...] = ()
+    score: LaneScore | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from parted import with_parts
 from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 from pytestqt.qtbot import QtBot
 
@@ -95,3 +96,14 @@ def window(qtbot: QtBot, no_threads_left: None, remembered: Remembered) -> Itera
     window.close()
     window.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def parted_session(tiny_recording: Path, tiny_run: Run, tmp_path: Path) -> Path:
+    """A saved session of a run that has body parts, fresh for each test."""
+    path = tmp_path / "parted.h5"
+    with open_recording(tiny_recording) as recording:
+        session = Session.create(recording, [with_parts(tiny_run)], path)
+        opening.remember_place(session, recording)
+        session.close()
+    return path

@@ -6,6 +6,7 @@ from typing import Final
 
 from app.presenters.commands import (
     correct_menu,
+    detector_menu,
     edit_menu,
     file_menu,
     help_menu,
@@ -30,6 +31,7 @@ MENUS: Final = (
     "Correct",
     "Labels",
     "Review",
+    "Detector",
     "Help",
 )
 COMMANDS: Final[tuple[Command, ...]] = (
@@ -41,6 +43,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
     *correct_menu.COMMANDS,
     *labels_menu.COMMANDS,
     *review_menu.COMMANDS,
+    *detector_menu.COMMANDS,
     *help_menu.COMMANDS,
 )
 

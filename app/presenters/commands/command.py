@@ -19,6 +19,8 @@ class Situation:
             edit would put it right. watched: a stretch was just watched.
         comparing: two versions of the tracks are compared. unkept: what a tracker found is in
             memory alone.
+        parts: body parts were tracked. part_truth: where they really are is known.
+        trained: a detector was trained here.
         stereo, truth: the recording has a right eye, a truth file.
         can_track: a tracker exists for the recording; else `why_no_tracking` says why.
         read_only: the session cannot be saved under its name, e.g. as another window has it open.
@@ -41,6 +43,9 @@ class Situation:
     busy: bool = False
     can_undo: bool = False
     can_redo: bool = False
+    parts: bool = False
+    part_truth: bool = False
+    trained: bool = False
     stereo: bool = False
     truth: bool = False
     calibrated: bool = False

@@ -31,6 +31,16 @@ COMMANDS: Final = (
         True,
     ),
     Command("view.labels", "View", "Labels on the picture", ("U",), recording, True),
+    Command("view.parts", "View", "Body parts on the picture", ("Q",), recording, True),
+    Command(
+        "view.part_particles",
+        "View",
+        "Particles of the chosen part on the picture",
+        ("Shift+O",),
+        recording,
+        True,
+    ),
+    Command("view.curves", "View", "Parts over time", ("Shift+Q",), recording, True),
     Command(
         "view.time_in",
         "View",

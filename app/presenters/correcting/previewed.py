@@ -53,9 +53,23 @@ class PreviewedTracks:
 
     def particles(self, frame: int) -> Columns:
         """The frame's particles in the hands of whom they would belong to."""
-        particles = self._tracks.particles(frame)
-        track = handed_over(particles["track"], np.int64(frame), self._change)
-        return {**particles, "track": track}
+        return self._handed_over(self._tracks.particles(frame), frame)
+
+    def parts(self, frame: int) -> Columns:
+        """The frame's parts in the hands of whom they would belong to."""
+        return self._handed_over(self._tracks.parts(frame), frame)
+
+    def part_particles(self, frame: int) -> Columns:
+        """Their particles, likewise."""
+        return self._handed_over(self._tracks.part_particles(frame), frame)
+
+    def parts_of_track(self, track: int) -> Columns:
+        """As before."""
+        return self._tracks.parts_of_track(track)
+
+    def _handed_over(self, rows: Columns, frame: int) -> Columns:
+        track = handed_over(rows["track"], np.int64(frame), self._change)
+        return {**rows, "track": track}
 
     def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
         """As before."""

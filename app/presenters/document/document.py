@@ -22,6 +22,7 @@ from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.document.setting import Instant
 from app.presenters.document.shown import ShownTracks
 from app.presenters.panels import EditMarks, HistoryList, track_card
+from app.presenters.parts.part_curve import LaneScore
 from app.presenters.pictures.overhead import OverheadPresenter
 from app.presenters.pictures.pictures import PicturePresenter
 from app.presenters.pictures.trails import floor_points
@@ -147,11 +148,15 @@ class Document:
     # what the views show
 
     def instant(self, frame: int) -> Instant:
-        """The frame as all views show it; with an edit that waits as it would be after it."""
+        """The frame as the pictures and the floor show it: with what is compared, too."""
+        return self._compared(self._corrected(frame))
+
+    def _corrected(self, frame: int) -> Instant:
+        """The corrected tracks; with an edit that waits as they would be after it."""
         planned, flow = self.planned, self.flow
         change = planned.change if planned is not None else None
         shown = planned is not None and change is not None
-        shown_now = Instant(
+        return Instant(
             frame=frame,
             tracks=PreviewedTracks(self._tracks, change) if change else self._tracks,
             names=self._names(),
@@ -166,18 +171,27 @@ class Document:
             movable=self.correcting.can_place,
             drawing=flow is not None and flow.drawing,
         )
-        return shown_now if shown else self._compared(shown_now)
 
     def _compared(self, instant: Instant) -> Instant:
-        """The instant with the people in question as the run has them that is compared."""
+        """The instant with the ways of the people in question in both versions.
+
+        Where two runs are compared, its people are those of the one that is drawn solid.
+        """
         comparison, frame = self.comparison, instant.frame
-        if comparison is None or comparison.current is None:
+        if comparison is None or self.planned is not None:
             return instant
+        if comparison.solid is not None:
+            asked = comparison.current
+            instant = Instant(
+                frame,
+                comparison.solid,
+                selected=asked.track if asked is not None else 0,
+                other=asked.other if asked is not None else 0,
+            )
         return replace(
             instant,
             preview=comparison.trails(frame, floor_points),
             picture_preview=comparison.trails(frame, self.pictures.left_foot_points),
-            replaced=comparison.dashed_rows(frame),
         )
 
     def _emphasised(self, change: Change | None) -> tuple[int, ...]:
@@ -198,11 +212,15 @@ class Document:
         """
         cut = self.flow.cut if self.flow is not None and self.flow.has_cut else None
         marked = self.correcting.range_shown
-        return self._timeline.scene(playhead, self.instant(frame), loaded, cut, no_lanes, marked)
+        return self._timeline.scene(playhead, self._corrected(frame), loaded, cut, no_lanes, marked)
 
     def take_suspicions(self, suspicions: Sequence[TimelineMark]) -> None:
         """Mark on the timeline what may be wrong, instead of what was marked before."""
         self._timeline.take_suspicions(suspicions)
+
+    def take_score(self, score: LaneScore | None) -> None:
+        """Show on the timeline how a part of the selected person went; None: nothing."""
+        self._timeline.take_score(score)
 
     def card(self) -> TrackCard | None:
         """The selected track in words."""

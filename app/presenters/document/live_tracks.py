@@ -10,7 +10,15 @@ from numpy.typing import NDArray
 
 from app.presenters.document.shown import ShownTracks, Spans, joined
 from tracking.trackers import StepResult
-from tracking.tracks import DETECTION_COLUMNS, PARTICLE_COLUMNS, TRACK_COLUMNS, Columns, empty
+from tracking.tracks import (
+    DETECTION_COLUMNS,
+    PART_COLUMNS,
+    PART_PARTICLE_COLUMNS,
+    PARTICLE_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+    empty,
+)
 
 
 class LiveTracks:
@@ -22,6 +30,7 @@ class LiveTracks:
         self._spans: dict[int, list[list[int]]] = {}
         self._made: dict[int, Spans] = {}  # of tracks that did not change since they were asked for
         self._people = array("H")
+        self._parts: tuple[int, int, Columns] = (0, 0, empty(PART_COLUMNS))  # track, steps taken
 
     def extend(self, results: Iterable[StepResult]) -> None:
         """Take further frames."""
@@ -73,6 +82,33 @@ class LiveTracks:
         """The frame's particles."""
         step = self._step(frame)
         return empty(PARTICLE_COLUMNS) if step is None else step.particles
+
+    def parts(self, frame: int) -> Columns:
+        """The frame's parts."""
+        step = self._step(frame)
+        return empty(PART_COLUMNS) if step is None else step.parts
+
+    def part_particles(self, frame: int) -> Columns:
+        """The particles of the frame's parts."""
+        step = self._step(frame)
+        return empty(PART_PARTICLE_COLUMNS) if step is None else step.part_particles
+
+    def parts_of_track(self, track: int) -> Columns:
+        """The parts of a track so far."""
+        known, until, rows = self._parts
+        if known != track:
+            until, rows = 0, empty(PART_COLUMNS)
+        if until < len(self._steps):
+            new = [step.parts for step in self._steps[until:] if len(step.parts["track"])]
+            mine = [part["track"] == track for part in new]
+            rows = {
+                name: np.concatenate(
+                    [column, *(part[name][own] for part, own in zip(new, mine, strict=True))]
+                )
+                for name, column in rows.items()
+            }
+        self._parts = (track, len(self._steps), rows)
+        return rows
 
     def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
         """The stretches so far."""
@@ -165,6 +201,21 @@ class ContinuedTracks:
     def particles(self, frame: int) -> Columns:
         """The frame's particles."""
         return self._part(frame).particles(frame)
+
+    def parts(self, frame: int) -> Columns:
+        """The frame's parts."""
+        return self._part(frame).parts(frame)
+
+    def part_particles(self, frame: int) -> Columns:
+        """The particles of the frame's parts."""
+        return self._part(frame).part_particles(frame)
+
+    def parts_of_track(self, track: int) -> Columns:
+        """The parts of a track."""
+        rows = self._before.parts_of_track(track)
+        early = rows["frame"] < self._frame
+        late = self._live.parts_of_track(track)
+        return {name: np.concatenate((rows[name][early], late[name])) for name in late}
 
     def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
         """The stretches of every track, or of some."""

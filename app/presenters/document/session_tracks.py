@@ -9,9 +9,12 @@ from numpy.typing import NDArray
 
 from app.presenters.document.belonging import ids_after_edits, renamed
 from app.presenters.document.shown import Spans, joined
+from app.presenters.parts.history import parts_behind
 from app.presenters.scenes import SpanKind
 from tracking.tracks import (
     DETECTION_COLUMNS,
+    PART_COLUMNS,
+    PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
     TRACK_COLUMNS,
     Columns,
@@ -32,6 +35,8 @@ class SessionTracks:
         self._stop = (-1, 0)  # revision of the table, one past its last frame
         self._recent: tuple[tuple[int, int, int], Columns] = ((-1, 0, 0), empty(TRACK_COLUMNS))
         self._whole: tuple[tuple[int, int], Columns] = ((-1, 0), empty(TRACK_COLUMNS))
+        self._parts: tuple[tuple[int, int], Columns] = ((-1, 0), empty(PART_COLUMNS))
+        self._ids: tuple[tuple[int, int], dict[int, int]] = ((-1, 0), {})
 
     @property
     def frames(self) -> tuple[int, int]:
@@ -90,16 +95,44 @@ class SessionTracks:
         """
         if self._run is None:
             return empty(PARTICLE_COLUMNS)
-        particles = self._run.particles.of_frame(frame)
-        ids = renamed(particles["track"], self._after_edits(frame))
+        return self._owned(self._run.particles.of_frame(frame), frame)
+
+    def parts(self, frame: int) -> Columns:
+        """What the run saw of the parts of people who are there, by their ids after the edits."""
+        if self._run is None or not len(self._run.parts["frame"]):
+            return empty(PART_COLUMNS)
+        return self._owned(_of_frame(self._run.parts, frame), frame)
+
+    def part_particles(self, frame: int) -> Columns:
+        """The run's particles of parts, likewise."""
+        if self._run is None:
+            return empty(PART_PARTICLE_COLUMNS)
+        return self._owned(self._run.part_particles.of_frame(frame), frame)
+
+    def parts_of_track(self, track: int) -> Columns:
+        """The parts of a track, kept until another's are asked for."""
+        if self._run is None or not len(self._run.parts["frame"]):
+            return empty(PART_COLUMNS)
+        asked = (self._table.revision, track)
+        if self._parts[0] != asked:
+            self._parts = (asked, parts_behind(self.of_track(track), self._run))
+        return self._parts[1]
+
+    def _owned(self, rows: Columns, frame: int) -> Columns:
+        """Rows of a frame of the run with the ids of now, less those of who was taken out."""
+        ids = renamed(rows["track"], self._after_edits(frame))
         kept = ids >= 0
-        return {name: column[kept] for name, column in {**particles, "track": ids}.items()}
+        return {name: column[kept] for name, column in {**rows, "track": ids}.items()}
 
     def _after_edits(self, frame: int) -> dict[int, int]:
-        """The ids of the run's tracks in a frame by now."""
+        """The ids of the run's tracks in a frame by now; several views ask one after the other."""
         if self._run is None:
             return {}
-        return ids_after_edits(_of_frame(self._run.tracks, frame), self._table.of_frame(frame))
+        asked = (self._table.revision, frame)
+        if self._ids[0] != asked:
+            made, now = _of_frame(self._run.tracks, frame), self._table.of_frame(frame)
+            self._ids = (asked, ids_after_edits(made, now))
+        return self._ids[1]
 
     def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
         """The stretches of every track, or of some."""

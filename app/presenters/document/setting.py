@@ -16,7 +16,7 @@ from tracking.tracks import Columns
 
 @dataclass(frozen=True, slots=True)
 class Pictured:
-    """What is laid over the pictures: the user's choice."""
+    """What is laid over the pictures, and what is plotted below: the user's choice."""
 
     grid: bool = False
     particles: bool = False
@@ -24,6 +24,9 @@ class Pictured:
     foreground: bool = False
     disparity: bool = False
     labels: bool = True
+    parts: bool = True
+    part_particles: bool = False
+    curves: bool = False
 
     @property
     def kinds(self) -> Kinds:

@@ -43,6 +43,15 @@ class ShownTracks(Protocol):
     def particles(self, frame: int) -> Columns:
         """`PARTICLE_COLUMNS` of a frame, grouped by track."""
 
+    def parts(self, frame: int) -> Columns:
+        """`PART_COLUMNS` of a frame; none from trackers that follow people whole."""
+
+    def part_particles(self, frame: int) -> Columns:
+        """`PART_PARTICLE_COLUMNS` of a frame."""
+
+    def parts_of_track(self, track: int) -> Columns:
+        """`PART_COLUMNS` of a track, sorted by frame."""
+
     def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
         """For each track, or each of some, the stretches in which its rows are of one kind."""
 

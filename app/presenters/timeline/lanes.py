@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from app.presenters.document.setting import Instant
 from app.presenters.document.shown import ShownTracks, Spans
 from app.presenters.palette import colour_of_track
+from app.presenters.parts.part_curve import LaneScore
 from app.presenters.scenes import Lane, TimelineMark, TimelineScene
 from tracking.tracks import ReviewedRange
 
@@ -45,6 +46,7 @@ class TimelinePresenter:
         self._row: dict[int, int] = {}
         self._lanes: tuple[Lane, ...] = ()
         self._chosen: tuple[int, ...] | None = None
+        self._score: LaneScore | None = None
 
     def take(self, tracks: ShownTracks, marks: Marks) -> None:
         """Take all lanes anew."""
@@ -100,6 +102,11 @@ class TimelinePresenter:
             by_track.setdefault(seen.track, []).append((seen.start, seen.end))
         self._reviewed_of = {track: tuple(ranges) for track, ranges in by_track.items()}
         self._stale |= _differing(before, self._reviewed_of)
+
+    def take_score(self, score: LaneScore | None) -> None:
+        """Draw over a selected lane how a part of its person went."""
+        if score is not self._score:
+            self._score, self._chosen = score, None
 
     def scene(
         self,
@@ -185,7 +192,8 @@ class TimelinePresenter:
         for track in chosen:
             if track in self._row:
                 row = self._row[track]
-                lanes[row] = replace(lanes[row], selected=True)
+                score = self._score if self._score and self._score.track == track else None
+                lanes[row] = replace(lanes[row], selected=True, score=score)
         return tuple(lanes)
 
 

@@ -18,6 +18,7 @@ from app.views.correcting.editing import Editing
 from app.views.desk.workspace import Workspace
 from app.views.history.history import HistoryWalk
 from app.views.labelling.labelling import Labelling
+from app.views.parts.parts import Parts
 from app.views.pictures.overlaying import Overlaying
 from app.views.playing.playback import Playback
 from app.views.reviewing.reviewing import Reviewing
@@ -52,6 +53,7 @@ class Desk(QObject):
         self.overlaying = Overlaying(document, self.playback, self)
         self.walk = HistoryWalk(document, self.playback, workspace.history, self)
         self.labelling = Labelling(document, self.playback, workspace, self)
+        self.parts = Parts(document, self.playback, workspace, self.labelling, self)
         self.live = LiveTracking(document.recording, self)
         self.comparing = Comparing(document, self.playback, self.editing, workspace, self)
         panel = workspace.review
@@ -84,6 +86,8 @@ class Desk(QObject):
             one.failed.connect(self.failed)
             one.said.connect(self.said)
         self.overlaying.failed.connect(self.failed)
+        self.parts.changed.connect(self.draw)
+        self.parts.said.connect(self.said)
         self.live.tracked.connect(self._take_live)
         self.live.finished.connect(self._end_live)
         self.live.failed.connect(self._fail_live)
@@ -128,6 +132,7 @@ class Desk(QObject):
         self.comparing.close()
         self.overlaying.close()
         self.labelling.close()
+        self.parts.close()
         self.playback.close()
         if self.document.session is not None:
             self.document.session.close()
@@ -152,6 +157,7 @@ class Desk(QObject):
             selected=bool(document.selection),
             editing=document.flow is not None,
             labelling=self.labelling.tool is not None,
+            parts=self.parts.presenter.any_tracked,
             placing=document.flow is not None and document.flow.places,
             live=self.live.running,
             can_undo=session is not None and session.history.next_undo is not None,
@@ -303,6 +309,7 @@ class Desk(QObject):
         """Lay other things over the pictures."""
         self.pictured = pictured
         self.draw_instant()
+        self.draw_playhead()
         self.changed.emit()
 
     def draw(self) -> None:
@@ -336,12 +343,14 @@ class Desk(QObject):
             view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
         view.overhead.show_scene(document.overhead.scene(instant))
         self.labelling.draw(self.eyes == "both", self.pictured.labels)
+        self.parts.draw(instant, self.pictured, self.eyes == "anaglyph")
         self.drawn.emit()
 
     def draw_playhead(self) -> None:
         """Draw the timeline and the transport line."""
         clock, document, tracker = self.playback.clock, self.document, self._tracker_state()
         frame, loaded = self.playback.number, self.playback.loaded
+        document.take_score(self.parts.presenter.score() if self.pictured.parts else None)
         self._workspace.timeline.show_scene(
             document.timeline(clock.frame, frame, loaded, tracker.no_lanes)
         )

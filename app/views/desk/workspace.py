@@ -23,6 +23,7 @@ from app.views.correcting.edit_panel import EditPanel
 from app.views.correcting.track_panel import TrackPanel
 from app.views.history.history_panel import HistoryPanel
 from app.views.labelling.labelling_panel import LabellingPanel
+from app.views.parts.curves_panel import CurvesPanel
 from app.views.pictures.eye_switch import EyeSwitch
 from app.views.pictures.overhead import OverheadView
 from app.views.pictures.picture import PictureView
@@ -43,6 +44,7 @@ class Workspace(QWidget):
         self.right = PictureView(Eye.RIGHT, self)
         self.eye_switch = EyeSwitch(self)
         self.overhead = OverheadView(self)
+        self.curves = CurvesPanel(self)
         self.review = ReviewPanel(self)
         self.card = TrackPanel(self)
         self.history = HistoryPanel(self)
@@ -53,6 +55,7 @@ class Workspace(QWidget):
         self.transport = TransportBar(self)
         self.timeline = TimelineView(self)
         self._splitters: dict[str, QSplitter] = {}
+        self.timeline.area.axis_changed.connect(self.curves.plot.show_axis)
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -86,9 +89,8 @@ class Workspace(QWidget):
         beside.addWidget(self.compare)
         beside.addWidget(panels, 1)
         beside.addWidget(self.differences, 1)
-        top = self._split(
-            "top", Qt.Orientation.Horizontal, (eyes, self.overhead, right), (9, 10, 6)
-        )
+        floor = self._split("floor", Qt.Orientation.Vertical, (self.overhead, self.curves), (5, 4))
+        top = self._split("top", Qt.Orientation.Horizontal, (eyes, floor, right), (9, 10, 6))
         upper = QWidget(self)
         column = QVBoxLayout(upper)
         column.setContentsMargins(0, 0, 0, 0)

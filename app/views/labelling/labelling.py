@@ -25,6 +25,7 @@ from app.presenters.labelling.labelling_scene import (
     PictureLabels,
     Tool,
 )
+from app.presenters.parts.picturing import part_name
 from app.presenters.scenes import Eye
 from app.presenters.words import tr
 from app.views.desk.workspace import Workspace
@@ -114,6 +115,11 @@ class Labelling(QObject):
         """What is being labelled."""
         return self._presenter.choice.tool
 
+    @property
+    def part(self) -> int:
+        """The part that is looked at, labelled or not."""
+        return self._presenter.choice.part
+
     def toggle(self, tool: Tool) -> None:
         """Begin with a tool, or leave it where it is at work already."""
         if self.tool is tool:
@@ -149,9 +155,9 @@ class Labelling(QObject):
     # body parts
 
     def choose_part(self, part: int) -> None:
-        """The part the next answer is about."""
-        self._need_parts()
+        """The part that is looked at, and that the next answer is about."""
         self._presenter.choice.part = part
+        self.said.emit(tr("Part: {part}", part=part_name(part)))
         self.changed.emit()
 
     def say_of(self, part: int, on_part: bool | None) -> None:

@@ -10,9 +10,11 @@ from PySide6.QtWidgets import QWidget
 
 from app.presenters.comparing.agreement_scene import OtherMark
 from app.presenters.labelling.labelling_scene import PictureLabels
+from app.presenters.parts.parts_scene import PicturedParts
 from app.presenters.scenes import Eye, PersonMark, PictureScene
 from app.views.labelling.marks import draw_outlines, draw_parts
 from app.views.look.theme import Theme, scaled_font
+from app.views.parts.marks import draw_part_boxes, draw_part_particles, part_box_at
 from app.views.pictures.box_handles import Grip, cursor_of, draw_handles, handle_at
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_boxes
@@ -31,6 +33,7 @@ class PictureView(Canvas):
         track_picked(int): a person was clicked, the nearest where boxes lie over each other;
             0 for a click beside all people.
         track_added(int): the same with Shift.
+        part_picked(int): a body part of the selected person was clicked.
         picture_clicked(float, float): where a click was, in pixels as recorded.
         box_grabbed(), box_dragged(object), box_dropped(): the box with handles, or one that is
             being drawn, is taken hold of, is now (left, top, width, height), is let go.
@@ -42,11 +45,13 @@ class PictureView(Canvas):
     box_dragged = Signal(object)
     box_dropped = Signal()
     picture_clicked = Signal(float, float)
+    part_picked = Signal(int)
 
     def __init__(self, eye: Eye, parent: QWidget | None = None) -> None:
         super().__init__(upward=False, parent=parent)
         self._scene = PictureScene(eye, 0, None)
         self._labels = PictureLabels()
+        self._parts = PicturedParts()
         self._others: tuple[OtherMark, ...] = ()
         self._image = QImage()
         self._overlay = QImage()
@@ -73,6 +78,11 @@ class PictureView(Canvas):
     def show_labels(self, labels: PictureLabels) -> None:
         """Draw what people drew and said at this instant."""
         self._labels = labels
+        self.update()
+
+    def show_parts(self, parts: PicturedParts) -> None:
+        """Draw where a tracker saw the body parts."""
+        self._parts = parts
         self.update()
 
     def show_others(self, others: tuple[OtherMark, ...]) -> None:
@@ -106,6 +116,9 @@ class PictureView(Canvas):
         """Report who and where."""
         if self._image.isNull():
             return
+        part = part_box_at(self._parts.boxes, at, self.viewport)
+        if part is not None and part.track == self.track_at(at) and not extend:
+            self.part_picked.emit(part.part)
         (self.track_added if extend else self.track_picked).emit(self.track_at(at))
         place = self.viewport.to_content(at)
         self.picture_clicked.emit(place.x(), place.y())
@@ -195,6 +208,9 @@ class PictureView(Canvas):
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
         draw_other_boxes(painter, self._others, self.viewport, theme)
         draw_people(painter, self._scene.people, self.viewport, shown)
+        size = (self.width(), self.height())
+        draw_part_particles(painter, self._parts, self.viewport, size)
+        draw_part_boxes(painter, self._parts.boxes, self.viewport, shown)
         draw_parts(painter, self._labels.parts, self.viewport, shown)
         movable = self._movable()
         if movable is not None and not self._labels.labelling:

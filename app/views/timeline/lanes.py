@@ -13,9 +13,11 @@ from app.presenters.scenes import Lane, SpanKind
 from app.views.look.theme import Theme, faded
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.lane_marks import draw_ends, draw_keyframes, draw_marks
+from app.views.timeline.lane_score import draw_score
 from app.views.timeline.strips import covered, covered_by_kind, dotted, draw_strip, opacity
 
 _BAR, _DOTS = 0.52, 0.2  # of a lane's height
+_BELOW_SCORE = 0.2  # the bar, where a curve stands above it
 _RAIL_PX = 1.5
 _BETWEEN_RAILS = 0.22
 _REVIEWED = 0.16
@@ -41,7 +43,13 @@ def draw_lane(
         draw_reviewed(painter, lane.reviewed, axis, row, theme)
     bar = QRectF(axis.left, row.top(), axis.width, _BAR * row.height())
     bar.moveCenter(QPointF(bar.center().x(), row.center().y()))
+    if lane.score is not None:
+        bar = QRectF(axis.left, 0, axis.width, _BELOW_SCORE * row.height())
+        bar.moveBottom(row.bottom() - 1)
     _draw_bar(painter, lane, bar, row.height(), axis, theme)
+    if lane.score is not None:
+        above = QRectF(axis.left, row.top() + 1, axis.width, bar.top() - row.top() - 2)
+        draw_score(painter, lane.score, above, axis, theme)
     draw_ends(painter, lane, row, axis, tracked, theme)
     draw_keyframes(painter, lane, row, axis, theme)
     draw_marks(painter, lane.marks, row, axis, theme)

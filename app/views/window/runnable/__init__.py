@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from app.views.window.runnable.correcting import CORRECTING
+from app.views.window.runnable.detecting import DETECTING
 from app.views.window.runnable.labelling import LABELLING
 from app.views.window.runnable.on_desk import OnDesk
 from app.views.window.runnable.playing import PLAYING
@@ -22,7 +23,8 @@ __all__ = ["runnable_commands"]
 def runnable_commands(window: MainWindow) -> dict[str, Callable[[], None]]:
     """For each command of the catalogue what it does."""
     commands = of_the_window(window)
-    for name, run in {**PLAYING, **VIEWING, **CORRECTING, **REVIEWING, **LABELLING}.items():
+    on_desk = {**PLAYING, **VIEWING, **CORRECTING, **REVIEWING, **LABELLING, **DETECTING}
+    for name, run in on_desk.items():
         commands[name] = _on_desk(window, run)
     return commands
 

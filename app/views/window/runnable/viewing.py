@@ -41,4 +41,7 @@ VIEWING: dict[str, OnDesk] = {
     "view.lanes_up": _on_lanes(lambda lanes: lanes.scroll_lanes(-8)),
     "view.lanes_down": _on_lanes(lambda lanes: lanes.scroll_lanes(8)),
     "view.labels": _toggle("labels"),
+    "view.parts": _toggle("parts"),
+    "view.part_particles": _toggle("part_particles"),
+    "view.curves": _toggle("curves"),
 }

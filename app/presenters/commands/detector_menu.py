@@ -1,0 +1,21 @@
+"""The commands of the Detector menu: labels of parts, training, and which detector is used."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from app.presenters.commands.checks import session
+from app.presenters.commands.command import Command, Situation
+from app.presenters.words import tr
+
+
+def _parts(now: Situation) -> str:
+    """Body parts must have been tracked."""
+    said = tr("no parts were tracked: track with three-part (Ctrl+T) first")
+    return session(now) or ("" if now.parts else said)
+
+
+COMMANDS: Final = (
+    Command("detector.next", "Detector", "Next part failure", ("F3",), _parts),
+    Command("detector.previous", "Detector", "Previous part failure", ("Shift+F3",), _parts),
+)

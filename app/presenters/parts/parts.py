@@ -1,0 +1,114 @@
+"""The body parts of the open document: which is looked at, and what the views show of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from app.presenters.document.belonging import ids_after_edits
+from app.presenters.document.document import Document
+from app.presenters.document.setting import Instant, Pictured
+from app.presenters.parts.failures import PartFailures
+from app.presenters.parts.part_curve import LaneScore, PartCurve
+from app.presenters.parts.parts_scene import (
+    CurvesScene,
+    Failure,
+    PartBox,
+    PicturedParts,
+)
+from app.presenters.parts.picturing import (
+    curves_of,
+    curves_scene,
+    pictured_boxes,
+    with_particles,
+)
+from tracking.tracks import Columns, Run, between
+
+_NO_CURVES: tuple[PartCurve, ...] = ()
+
+
+class PartsPresenter:
+    """Makes the scenes of parts; it changes nothing but where the walk of failures is.
+
+    `chosen` tells which part is looked at: the same one that is labelled.
+    """
+
+    def __init__(self, document: Document, chosen: Callable[[], int]) -> None:
+        self._document = document
+        self._chosen = chosen
+        self._curves: tuple[Columns | None, tuple[PartCurve, ...]] = (None, _NO_CURVES)
+        self._score: LaneScore | None = None
+        self._failures: PartFailures | None = None
+        self._last: Failure | None = None
+
+    @property
+    def run(self) -> Run | None:
+        """The run the corrected tracks began as."""
+        session = self._document.session
+        if session is None or session.adopted_run is None:
+            return None
+        return session.runs[session.adopted_run]
+
+    @property
+    def any_tracked(self) -> bool:
+        """Whether the run holds parts at all."""
+        run = self.run
+        return run is not None and len(run.parts["frame"]) > 0
+
+    def picture(self, instant: Instant, pictured: Pictured, labelling: bool) -> PicturedParts:
+        """What is laid over the left eye; the person being labelled is drawn by labelling."""
+        boxes: tuple[PartBox, ...] = ()
+        if pictured.parts:
+            boxes = pictured_boxes(instant, self._chosen())
+            if labelling:
+                boxes = tuple(box for box in boxes if not box.selected)
+        if not pictured.part_particles or not instant.selected:
+            return PicturedParts(boxes)
+        return with_particles(boxes, instant, self._chosen())
+
+    def curves(self, instant: Instant) -> CurvesScene:
+        """The plots of the selected person."""
+        recording, curves = self._document.recording, self._curves_now()
+        part = self._chosen()
+        return curves_scene(instant, curves, part, recording.frame_count, recording.fps)
+
+    def score(self) -> LaneScore | None:
+        """How the chosen part of the selected person went; None where it was not tracked.
+
+        The very same value as before while nothing changed.
+        """
+        track, part, curves = self._document.selection.track, self._chosen(), self._curves_now()
+        curve = curves[part] if curves else None
+        now = self._score
+        if curve is None or not len(curve.frames):
+            self._score = None
+        elif now is None or (now.track, now.part) != (track, part) or now.curve is not curve:
+            self._score = LaneScore(track, part, curve)
+        return self._score
+
+    def _curves_now(self) -> tuple[PartCurve, ...]:
+        """Of the selected person; the same curves as before while their parts are the same."""
+        track = self._document.selection.track
+        if not track:
+            return _NO_CURVES
+        rows = self._document.tracks.parts_of_track(track)
+        if self._curves[0] is not rows:
+            self._curves = (rows, curves_of(rows))
+        return self._curves[1]
+
+    def next_failure(self, frame: int, step: int) -> Failure | None:
+        """The next (1) or previous (-1) failure of the selected person, or of anybody."""
+        run, session = self.run, self._document.session
+        if run is None or session is None:
+            return None
+        if self._failures is None or self._failures.parts is not run.parts:
+            self._failures, self._last = PartFailures(run.parts), None
+
+        def ids(at: int) -> dict[int, int]:
+            here = between(run.tracks["frame"], at, at + 1)
+            rows = {name: column[here] for name, column in run.tracks.items()}
+            return ids_after_edits(rows, session.tracks.of_frame(at))
+
+        track = self._document.selection.track
+        found = self._failures.walk(frame, step, ids, track, self._last)
+        self._last = found or self._last
+        return found

@@ -1,0 +1,87 @@
+"""Body parts as the views show them: rectangles, particles, and how they went over time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.parts.part_curve import PartCurve
+from app.presenters.scenes import Colour
+
+Box = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class PartBox:
+    """A part's rectangle as the tracker had it.
+
+    Attributes:
+        track, part: whose, and 0 head, 1 torso, 2 hip-leg.
+        box: left, top, width, height in pixels of the left eye as recorded.
+        colour: the person's.
+        failed: the detector says it is off its part. occluded: hidden; it follows motion alone.
+        text: what is said of it, e.g. "torso: off, 1.32".
+        selected: of the selected person. chosen: the part that is looked at, too.
+    """
+
+    track: int
+    part: int
+    box: Box
+    colour: Colour
+    failed: bool
+    occluded: bool
+    text: str
+    selected: bool = False
+    chosen: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class PicturedParts:
+    """All parts in the left eye at an instant.
+
+    Attributes:
+        boxes: those of the selected person last.
+        particles: (n, 2) pixels as recorded, of the part that is looked at; none where not asked.
+        weights: (n,) 0 to 1, relative to the heaviest. colour: theirs.
+    """
+
+    boxes: tuple[PartBox, ...] = ()
+    particles: NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 2)))
+    weights: NDArray[np.float32] = field(default_factory=lambda: np.zeros(0, np.float32))
+    colour: Colour = (255, 255, 255)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CurvesScene:
+    """The plots of one person's parts.
+
+    Attributes:
+        title: e.g. "Parts of 4 red coat".
+        curves: of head, torso and hip-leg; none where there is nothing to show.
+        names: of the parts. chosen: the one looked at.
+        frame: at the playhead. frame_count, fps: of the recording.
+        said: a line a part, its figures at the playhead.
+        message: what to do, where there are no curves.
+    """
+
+    title: str
+    curves: tuple[PartCurve, ...] = ()
+    names: tuple[str, ...] = ()
+    chosen: int = 0
+    frame: int = 0
+    frame_count: int = 1
+    fps: float = 1.0
+    said: tuple[str, ...] = ()
+    message: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """Where a part begins to fail; `place` is its number among all of the run."""
+
+    frame: int
+    track: int
+    part: int
+    place: int

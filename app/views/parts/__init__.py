@@ -1,0 +1,1 @@
+"""Body parts drawn and plotted, and the failure detector that judges them."""
