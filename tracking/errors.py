@@ -35,6 +35,10 @@ class FormatError(TrackwrightError):
     """A file of another format cannot be read or written."""
 
 
+class TrainingError(TrackwrightError):
+    """The samples are too few or too alike to train a detector from."""
+
+
 class OutputError(TrackwrightError):
     """A result cannot be written where it was asked for."""
 

@@ -2,6 +2,7 @@
 
 from tracking.failure.detector import FALSE_ALARMS, Detector, Judgement, Origin
 from tracking.failure.features import FEATURE_NAMES, FEATURE_SPAN_S, STATE_NAMES, part_features
+from tracking.failure.labelled import part_states, samples_of
 from tracking.failure.machines import Machine, Machines
 from tracking.failure.operating import Curve
 from tracking.failure.past import PastStates, states_before
@@ -13,6 +14,7 @@ from tracking.failure.samples import (
     joined,
     no_samples,
 )
+from tracking.failure.training import Trained, TrainingPlan, TrainingReport, train
 
 __all__ = [
     "FALSE_ALARMS",
@@ -30,8 +32,14 @@ __all__ = [
     "PastStates",
     "Preparation",
     "Samples",
+    "Trained",
+    "TrainingPlan",
+    "TrainingReport",
     "joined",
     "no_samples",
     "part_features",
+    "part_states",
+    "samples_of",
     "states_before",
+    "train",
 ]

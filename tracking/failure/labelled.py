@@ -1,0 +1,168 @@
+"""Labels of body parts and what a tracker saw of them, as samples of the failure detector."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.failure.features import NUMBERS, PARTS, Floats, part_features
+from tracking.failure.past import states_before
+from tracking.failure.samples import Samples, no_samples, samples_from_rows
+from tracking.tracks import Columns, PartLabel
+from tracking.tracks.part_labels import Box
+
+HELD = 0.5
+"""A rectangle is right while less than half of it is of other objects [ZhaoLee2009] 5.2."""
+
+_STATE = ("cx", "cy", "width", "height", "vx", "vy")
+_SOURCES = {"tracker": "label", "person": "correction", "truth": "truth"}
+"""What a sample's source is called, by that of the label."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PartStates:
+    """The parts of a run by person and frame, where all three are known; n rows.
+
+    Attributes:
+        track, frame: (n,), sorted by both.
+        states: (n, 3, 6), see `STATE_NAMES`: velocities in px/s.
+    """
+
+    track: NDArray[np.int64]
+    frame: NDArray[np.int64]
+    states: Floats
+
+    def row_of(self, track: int, frame: int) -> int:
+        """The row; -1 where there is none."""
+        first, last = np.searchsorted(self.track, (track, track + 1))
+        at = int(first + np.searchsorted(self.frame[first:last], frame))
+        return at if at < last and self.frame[at] == frame else -1
+
+
+def part_states(parts: Columns, fps: float) -> PartStates:
+    """The states in `PART_COLUMNS` rows of any order, at a frame rate; incomplete ones left out."""
+    keys = parts["track"].astype(np.int64) << 32 | parts["frame"].astype(np.int64)
+    known, row = np.unique(keys, return_inverse=True)
+    states = np.full((len(known), PARTS, NUMBERS), np.nan)
+    values = np.stack([parts[name].astype(float) for name in _STATE], axis=1)
+    values[:, 4:] *= fps
+    states[row.reshape(-1), parts["part"]] = values
+    whole = np.isfinite(states).all(axis=(1, 2))
+    return PartStates(known[whole] >> 32, known[whole] & 0xFFFFFFFF, states[whole])
+
+
+def samples_of(labels: Iterable[PartLabel], parts: Columns, fps: float, recording: str) -> Samples:
+    """What labels teach the failure detector, each with the state its tracker was in.
+
+    A label says of a rectangle whether it lies on its part; the sample is the tracker's state in
+    that frame with this rectangle in place of its own. Unsure ones are dropped. A rectangle
+    somebody put where the part is teaches twice: theirs lies on the part, and the tracker's off
+    it, unless at least half of it lies within theirs. The state half a second before is as the
+    tracker had it; for a rectangle put right, with what else was put right. Labels of people
+    whose three parts the tracker did not follow in that frame give no sample.
+
+    Args:
+        labels: of one recording. parts: `PART_COLUMNS` of the run they were given on, with its
+            tracks under the ids that the labels use.
+        fps: of the recording. recording: its name.
+
+    Returns:
+        Samples by frame, track and part; those of one instant and part: the tracker's first.
+    """
+    given = sorted(labels, key=lambda label: label.key)
+    seen = part_states(parts, fps)
+    rows = [seen.row_of(label.track, label.frame) for label in given]
+    told = [(label, row) for label, row in zip(given, rows, strict=True) if row >= 0]
+    if not told:
+        return no_samples()
+    right = _put_right(seen, told)
+    drafts = [draft for label, row in told for draft in _drafts(label, row, seen, right)]
+    if not drafts:
+        return no_samples()
+    now = np.stack([draft.state for draft in drafts])
+    asked = np.array([draft.row for draft in drafts], np.int64)
+    mended = np.array([draft.mended for draft in drafts])[:, None, None]
+    times = seen.frame / fps
+    before = np.where(
+        mended,
+        states_before(times, seen.track, right, asked, now),
+        states_before(times, seen.track, seen.states, asked, now),
+    )
+    named = [(recording, *draft.named) for draft in drafts]
+    return samples_from_rows(named, part_features(now, before))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Draft:
+    """A sample without its past.
+
+    Attributes:
+        row: of the run. state: (3, 6). mended: whether somebody put the part there.
+        named: what `SAMPLE_COLUMNS` say after the recording.
+    """
+
+    row: int
+    state: Floats
+    mended: bool
+    named: tuple[int, int, int, int, str, str, str]
+
+
+def _drafts(label: PartLabel, row: int, seen: PartStates, right: Floats) -> list[_Draft]:
+    """What one label teaches."""
+    if label.on_part is None:
+        return []
+    tracked = seen.states[row]
+    if label.source != "person":
+        return [_draft(label, row, _with_box(tracked, label), label.on_part)]
+    if not label.on_part:
+        return [_draft(label, row, _with_box(tracked, label), False)]
+    mended = _draft(label, row, right[row], True, mended=True)
+    if share_within(_box(tracked[label.part]), label.box) >= HELD:
+        return [mended]
+    return [_draft(label, row, tracked, False), mended]
+
+
+def _draft(label: PartLabel, row: int, state: Floats, on: bool, *, mended: bool = False) -> _Draft:
+    place = (label.track, label.frame, label.part, int(on))
+    return _Draft(row, state, mended, (*place, label.author, label.reason, _SOURCES[label.source]))
+
+
+def _put_right(seen: PartStates, told: Iterable[tuple[PartLabel, int]]) -> Floats:
+    """The states with every rectangle in its place that somebody put there."""
+    right = seen.states.copy()
+    for label, row in told:
+        if label.source == "person" and label.on_part:
+            right[row] = _with_box(right[row], label)
+    return right
+
+
+def _with_box(state: Floats, label: PartLabel) -> Floats:
+    """A person's state (3, 6) with the label's rectangle for its part.
+
+    One that moved goes with the other two parts: how fast the lost one went says nothing of it.
+    """
+    left, top, width, height = label.box
+    moved = state.copy()
+    box = (left + width / 2, top + height / 2, width, height)
+    if not np.allclose(box, state[label.part, :4]):
+        moved[label.part, :4] = box
+        moved[label.part, 4:] = np.delete(state[:, 4:], label.part, axis=0).mean(axis=0)
+    return moved
+
+
+def _box(state: Floats) -> Box:
+    x, y, width, height = state[:4].tolist()
+    return x - width / 2, y - height / 2, width, height
+
+
+def share_within(box: Box, other: Box) -> float:
+    """The share of a box (left, top, width, height) that lies within another."""
+    size = [
+        max(0.0, min(box[at] + box[at + 2], other[at] + other[at + 2]) - max(box[at], other[at]))
+        for at in (0, 1)
+    ]
+    area = box[2] * box[3]
+    return size[0] * size[1] / area if area > 0 else 0.0

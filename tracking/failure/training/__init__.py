@@ -1,0 +1,16 @@
+"""From samples to a detector: folds by person, grid search, operating points, report."""
+
+from tracking.failure.training.fitting import GRID, Candidate
+from tracking.failure.training.report import Mistake, QuestionReport, TrainingReport
+from tracking.failure.training.training import Trained, TrainingPlan, train
+
+__all__ = [
+    "GRID",
+    "Candidate",
+    "Mistake",
+    "QuestionReport",
+    "Trained",
+    "TrainingPlan",
+    "TrainingReport",
+    "train",
+]

@@ -1,0 +1,105 @@
+"""What a detector learns: is the head, the torso, the hip-leg lost; and one part or several."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import TrainingError
+from tracking.failure.features import PARTS, Floats
+from tracking.failure.samples import Samples
+
+NAMES = ("head", "torso", "hip-leg", "several")
+SEVERAL = PARTS
+LEAST_SAMPLES = 10
+"""Of each answer to a question; fewer say nothing of people who were held out."""
+LEAST_PEOPLE = 2
+"""For each answer: one is learnt from, the other one held out."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Question:
+    """One yes-or-no question and the samples that answer it; n rows.
+
+    Attributes:
+        number: place in `NAMES`.
+        rows: (n,) of the samples.
+        features: (n, 36). yes: (n,) part lost, or several lost. people: (n,) who, by number.
+    """
+
+    number: int
+    rows: NDArray[np.int64]
+    features: Floats
+    yes: NDArray[np.bool_]
+    people: NDArray[np.int64]
+
+    @property
+    def name(self) -> str:
+        """Of the part, or "several"."""
+        return NAMES[self.number]
+
+    def __len__(self) -> int:
+        """How many samples answer it."""
+        return len(self.rows)
+
+    def of(self, rows: NDArray[np.int64]) -> Question:
+        """The same with some of its rows."""
+        features, yes, people = self.features[rows], self.yes[rows], self.people[rows]
+        return Question(self.number, self.rows[rows], features, yes, people)
+
+
+def questions_of(samples: Samples) -> list[Question]:
+    """The questions that samples can answer: the three parts, then one-or-several if possible.
+
+    Raises TrainingError where a part has too few samples, of too few people.
+    """
+    people, part = samples.people(), samples.columns["part"]
+    lost = samples.columns["label"] == 0
+    asked = [
+        Question(number, rows, samples.features[rows], lost[rows], people[rows])
+        for number in range(PARTS)
+        for rows in [np.flatnonzero(part == number)]
+    ]
+    for question in asked:
+        why = shortage(question)
+        if why:
+            raise TrainingError(why)
+    several = one_or_several(samples, people)
+    return asked if shortage(several) else [*asked, several]
+
+
+def one_or_several(samples: Samples, people: NDArray[np.int64]) -> Question:
+    """Instants at which it is known whether one part was lost or several.
+
+    Two labels off their part say several; one says one where the other two are known to be on
+    theirs. Of an instant the features of the first label off its part are taken: those of a
+    rectangle somebody put right belong to another state.
+    """
+    lost = samples.columns["label"] == 0
+    instants = np.column_stack((people, samples.columns["frame"]))
+    which = np.unique(instants, axis=0, return_inverse=True)[1].reshape(-1)
+    off = np.zeros((int(which.max(initial=-1)) + 1, PARTS), bool)
+    on = np.zeros_like(off)
+    off[which[lost], samples.columns["part"][lost]] = True
+    on[which[~lost], samples.columns["part"][~lost]] = True
+    several = off.sum(axis=1) > 1
+    one = (off.sum(axis=1) == 1) & ((on & ~off).sum(axis=1) == PARTS - 1)
+    first = np.flatnonzero(lost)
+    first = first[np.unique(which[first], return_index=True)[1]]
+    rows = first[(several | one)[which[first]]]
+    return Question(SEVERAL, rows, samples.features[rows], several[which[rows]], people[rows])
+
+
+def shortage(question: Question) -> str:
+    """What is missing to learn the answer, in one line; "" where nothing is."""
+    for yes, side in ((True, "off"), (False, "on")):
+        chosen = question.yes == yes
+        samples, people = int(chosen.sum()), len(np.unique(question.people[chosen]))
+        if samples < LEAST_SAMPLES or people < LEAST_PEOPLE:
+            return (
+                f"{question.name}: {samples} samples {side} the part, of {people} people; "
+                f"label at least {LEAST_SAMPLES} of {LEAST_PEOPLE} people or more"
+            )
+    return ""

@@ -1,0 +1,107 @@
+"""The grid search: which parameters find most failures of people who were held out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.failure.features import PARTS, Floats
+from tracking.failure.machines import Machines
+from tracking.failure.operating import Curve
+from tracking.failure.preparation import Preparation
+from tracking.failure.training.fitting import Candidate, fitted
+from tracking.failure.training.questions import Question
+from tracking.failure.training.steps import Steps
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tried:
+    """How well some parameters did.
+
+    Attributes:
+        question: number of it. by_size: of the preparation.
+        worth: mean share of failures found while false alarms are few.
+    """
+
+    question: int
+    by_size: bool
+    candidate: Candidate
+    worth: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Choice:
+    """What the search chose: one preparation for all, parameters for each question."""
+
+    by_size: bool
+    candidates: tuple[Candidate, ...]
+
+
+def search(
+    questions: Sequence[Question],
+    folds: NDArray[np.int64],
+    preparations: Mapping[bool, Sequence[Preparation]],
+    grid: Sequence[Candidate],
+    most_false_alarms: float,
+    steps: Steps,
+) -> tuple[Choice, list[Tried]]:
+    """Try everything; gives the choice and all results.
+
+    Args:
+        folds: of each person. preparations: by whether they measure in bodies, one a fold.
+        most_false_alarms: how far the operating points of interest reach.
+    """
+    tried = [
+        Tried(question.number, by_size, candidate, area)
+        for by_size, of_folds in preparations.items()
+        for question in questions
+        for candidate, scores in zip(
+            grid, held_out_scores(question, folds, of_folds, grid, steps), strict=True
+        )
+        for area in [curve_of(question, scores).area(most_false_alarms)]
+    ]
+    return _best(tried, len(questions)), tried
+
+
+def held_out_scores(
+    question: Question,
+    folds: NDArray[np.int64],
+    preparations: Sequence[Preparation],
+    grid: Sequence[Candidate],
+    steps: Steps,
+) -> Floats:
+    """(candidates, n) scores of each sample by machines that never saw its person."""
+    fold = folds[question.people]
+    scores = np.full((len(grid), len(question)), np.nan)
+    for held, preparation in enumerate(preparations):
+        inside, outside = fold != held, fold == held
+        values = preparation.of(question.features[inside])
+        asked = preparation.of(question.features[outside])
+        for at, candidate in enumerate(grid):
+            machine = fitted(values, question.yes[inside], candidate)
+            scores[at, outside] = Machines((machine,)).decide(asked)[:, 0]
+            steps.take()
+    return scores
+
+
+def curve_of(question: Question, scores: Floats) -> Curve:
+    """The operating points of held-out scores (n,)."""
+    return Curve(np.sort(scores[~question.yes]), np.sort(scores[question.yes]))
+
+
+def _best(tried: Sequence[Tried], questions: int) -> Choice:
+    """For each preparation the best candidate of each question; then the better preparation.
+
+    Of equals the first in the grid: it has the wider kernel and the lower cost.
+    """
+    chosen: dict[bool, list[Tried]] = {}
+    for by_size in (False, True):
+        for question in range(questions):
+            of_it = [one for one in tried if (one.question, one.by_size) == (question, by_size)]
+            chosen.setdefault(by_size, []).append(max(of_it, key=lambda one: one.worth))
+    total = {by_size: sum(one.worth for one in best[:PARTS]) for by_size, best in chosen.items()}
+    by_size = total[True] >= total[False]
+    return Choice(by_size, tuple(one.candidate for one in chosen[by_size]))
