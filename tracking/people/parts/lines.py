@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-START = (0.165, 0.49)
+START = (0.15, 0.48)
 """Where neck and hip are before anything is seen, as shares of the person's height."""
 _FARTHEST = (0.04, 0.08)
 """A line that strays farther from its start goes back to it; shares of the height."""

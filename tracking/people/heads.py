@@ -1,0 +1,86 @@
+"""Heads as peaks of a silhouette's upper contour."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.signal import find_peaks
+
+from tracking.people.standing import Bodies, Standing
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+_RISES = 0.07
+"""A head rises over the valleys beside it by this share of the person's height at least."""
+_APART = 0.5
+"""Heads are this many breadths of a person apart at least."""
+_REACHES_DOWN = 0.5
+"""Under a head a body is seen for this share of its height at least."""
+_HEAD_WIDTH = 0.05
+"""Under its top a head is this broad at least, as a share of the height; a raised hand is not."""
+
+
+def bodies_in(own: Bools, left: int, top: int, standing: Standing) -> Bodies:
+    """The bodies whose heads rise over a silhouette's contour, one at least.
+
+    Args:
+        own: (height, width) the silhouette in its box.
+        left, top: of the box, working px.
+        standing: sizes of people.
+    """
+    contour = np.where(own.any(axis=0), own.argmax(axis=0), own.shape[0]).astype(np.float64)
+    padded = np.concatenate(([own.shape[0]], contour, [own.shape[0]])).astype(np.float64)
+    peaks, found = find_peaks(-padded, prominence=1.0, plateau_size=1)
+    columns = np.clip(peaks - 1, 0, own.shape[1] - 1)
+    head = np.column_stack((columns + left, contour[columns] + top)).astype(np.float64)
+    bodies = standing.below(head, _lowest(own, columns) + float(top))
+    good = found["prominences"] >= _RISES * bodies.height
+    good &= _broad(own, columns, contour, bodies.height)
+    seen = _lowest(own, columns) - contour[columns]
+    good &= seen >= _REACHES_DOWN * bodies.height
+    if not good.any():
+        good[contour[columns].argmin()] = True
+    rows = np.flatnonzero(good)
+    return bodies.chosen(_distinct(bodies, rows[np.argsort(contour[columns[rows]], kind="stable")]))
+
+
+def _lowest(own: Bools, columns: NDArray[np.intp]) -> Floats:
+    """(n,) the lowest row of the silhouette near each column."""
+    reach = max(2, own.shape[0] // 12)
+    lowest = own.shape[0] - 1 - own[::-1].argmax(axis=0)
+    lowest = np.where(own.any(axis=0), lowest, 0)
+    near = [lowest[max(u - reach, 0) : u + reach + 1].max() for u in columns.tolist()]
+    return np.array(near, np.float64) + 1
+
+
+def _broad(own: Bools, columns: NDArray[np.intp], contour: Floats, height: Floats) -> Bools:
+    """Which peaks are as broad as a head a little below their tops."""
+    down = np.minimum(contour[columns] + np.maximum(2, _RISES * height), own.shape[0] - 1)
+    found = [
+        _run(own[v], u) >= _HEAD_WIDTH * h
+        for u, v, h in zip(
+            columns.tolist(), down.astype(int).tolist(), height.tolist(), strict=True
+        )
+    ]
+    return np.array(found, np.bool_)
+
+
+def _run(row: Bools, u: int) -> int:
+    """Length of the run of True round a column."""
+    if not row[u]:
+        return 0
+    before, after = row[u::-1], row[u:]
+    left = len(before) if before.all() else int(before.argmin())
+    right = len(after) if after.all() else int(after.argmin())
+    return left + right - 1
+
+
+def _distinct(bodies: Bodies, order: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Of bodies too close to each other the first in order."""
+    kept: list[int] = []
+    for k in order.tolist():
+        apart = np.abs(bodies.head[kept, 0] - bodies.head[k, 0])
+        if not kept or float(apart.min()) >= _APART * bodies.width[k]:
+            kept.append(k)
+    return np.array(kept, np.intp)

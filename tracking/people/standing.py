@@ -1,0 +1,162 @@
+"""How large people are in one camera's picture, and where on the floor they stand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import View
+from tracking.people.boxes import full_body_boxes, standing_boxes
+from tracking.people.settings import PeopleSettings
+
+Floats = NDArray[np.float64]
+
+_SLENDER = 0.29
+"""Breadth of a person over height where nothing is known in metres."""
+_LARGEST = 3.0
+"""A body that should be this many times as high as what is seen: the floor tells nothing here."""
+_STRETCH = 1.8
+_ANKLE_M = 0.08
+_HEIGHTS_M = (0.5, 2.1)
+
+
+@dataclass(frozen=True, slots=True)
+class Bodies:
+    """Upright bodies in working pixels, a row each.
+
+    Attributes:
+        head: (n, 2) the top of the head.
+        foot: (n, 2) between the feet.
+        height, width: (n,) px.
+    """
+
+    head: Floats
+    foot: Floats
+    height: Floats
+    width: Floats
+
+    def __len__(self) -> int:
+        """The number of bodies."""
+        return len(self.head)
+
+    def chosen(self, rows: NDArray[np.bool_] | NDArray[np.intp]) -> Bodies:
+        """Some of the bodies."""
+        return Bodies(self.head[rows], self.foot[rows], self.height[rows], self.width[rows])
+
+
+class Standing:
+    """Sizes and places of people in one camera's picture.
+
+    Args:
+        view: the camera over its floor; None where nothing is known in metres: people are then as
+            high as what is seen of them.
+        shrink: recorded pixels a working pixel is wide.
+        settings: of people.
+    """
+
+    def __init__(self, view: View | None, shrink: int, settings: PeopleSettings) -> None:
+        self._view = view
+        self._shrink = shrink
+        self._settings = settings
+
+    @property
+    def calibrated(self) -> bool:
+        """Whether metres are known."""
+        return self._view is not None
+
+    def below(self, head: Floats, bottom: Floats) -> Bodies:
+        """Bodies of the usual height under the tops of heads.
+
+        Args:
+            head: (n, 2) working px.
+            bottom: (n,) rows of the lowest pixel seen under each head.
+        """
+        seen = np.maximum(bottom - head[:, 1], 1.0)
+        foot = np.column_stack((head[:, 0], bottom))
+        height, width = seen.copy(), seen * _SLENDER
+        if self._view is not None and len(head):
+            settings = self._settings
+            xy = self._view.floor_from_pixel(self.recorded(head), settings.body_height_m)
+            under = self._working(self._view.pixel_from_world(_lifted(xy, 0.0)))
+            high = np.hypot(*(under - head).T)
+            known = np.isfinite(high) & (high < _LARGEST * seen) & (under[:, 1] > head[:, 1])
+            foot[known], height[known] = under[known], high[known]
+            width[known] = high[known] * settings.body_width_m / settings.body_height_m
+        return Bodies(head, foot, height, width)
+
+    def positions(self, top: Floats, foot: Floats, foot_seen: NDArray[np.bool_]) -> Floats:
+        """(n, 3) m on the floor under people, and half their height; NaN without calibration.
+
+        Args:
+            top, foot: (n, 2) working px of the highest and the lowest point of the body's middle.
+            foot_seen: (n,) whether the feet are seen; else the head tells, of a usual body.
+        """
+        found = np.full((len(top), 3), np.nan)
+        if self._view is None or len(top) == 0:
+            return found
+        usual = self._settings.body_height_m
+        by_foot = self._view.floor_from_pixel(self.recorded(foot))
+        by_head = self._view.floor_from_pixel(self.recorded(top), usual)
+        use = foot_seen & np.isfinite(by_foot).all(axis=1)
+        found[:, :2] = np.where(use[:, None], by_foot, by_head)
+        found[:, 2] = np.where(use, self._heights(found[:, :2], top), usual) / 2
+        return found
+
+    def _heights(self, xy: Floats, top: Floats) -> Floats:
+        """(n,) m of bodies that stand at xy and end at a row of the picture."""
+        assert self._view is not None
+        z = np.linspace(*_HEIGHTS_M, 33)
+        points = np.concatenate([_lifted(xy, height)[:, None] for height in z], axis=1)
+        rows = self._working(self._view.pixel_from_world(points.reshape(-1, 3)))[:, 1]
+        apart = np.abs(rows.reshape(len(xy), len(z)) - top[:, 1:])
+        return np.asarray(z[np.nan_to_num(apart, nan=np.inf).argmin(axis=1)], np.float64)
+
+    def metres_per_pixel(self, position: Floats) -> Floats:
+        """(n,) m that a working pixel is wide at half the height of people; NaN where unknown."""
+        if self._view is None or len(position) == 0:
+            return np.full(len(position), np.nan)
+        half_m = np.array((0.5, 0.0, 0.0))
+        right = self._view.pixel_from_world(position + half_m)
+        apart = right - self._view.pixel_from_world(position - half_m)
+        return np.asarray(self._shrink / np.maximum(np.hypot(*apart.T), 1e-6), np.float64)
+
+    def distances(self, position: Floats, boxes: Floats) -> Floats:
+        """(n,) larger for people farther away: metres from the camera, or where feet are."""
+        lowest = -(boxes[:, 1] + boxes[:, 3])
+        if self._view is None:
+            return lowest
+        known = np.hypot(position[:, 0], position[:, 1])
+        return np.where(np.isfinite(known), known, 0.0)
+
+    def whole(self, boxes: Floats, position: Floats, hidden: NDArray[np.bool_]) -> Floats:
+        """(n, 4) boxes in recorded px of whole bodies, from (n, 4) boxes seen in working px.
+
+        Args:
+            boxes: of the regions.
+            position: of `positions`.
+            hidden: (n, 4) bool: left, top, right and bottom side end at somebody nearer or at the
+                picture's edge.
+        """
+        near = self.recorded(boxes[:, :2] - 0.5)
+        seen = np.concatenate((near, boxes[:, 2:] * self._shrink), axis=1)
+        if self._view is None or len(boxes) == 0:
+            return seen
+        width = self._settings.body_width_m
+        height = np.clip(2 * position[:, 2], *_HEIGHTS_M)
+        height = np.where(hidden[:, 1], self._settings.body_height_m, height)
+        standing = standing_boxes(self._view, position[:, :2], height, width)
+        reach = standing_boxes(self._view, position[:, :2], height * 1.1, width * 2 * _STRETCH)
+        return full_body_boxes(seen, standing, reach, hidden)
+
+    def recorded(self, points: Floats) -> Floats:
+        """Recorded pixels of working ones."""
+        return (np.asarray(points, np.float64) + 0.5) * self._shrink - 0.5
+
+    def _working(self, points: Floats) -> Floats:
+        return (points + 0.5) / self._shrink - 0.5
+
+
+def _lifted(xy: Floats, z_m: float) -> Floats:
+    return np.concatenate((xy, np.full((len(xy), 1), z_m)), axis=1)
