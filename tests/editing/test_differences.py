@@ -16,6 +16,7 @@ from tracking.editing import (
     differences,
     plan_take,
 )
+from tracking.errors import CancelledError
 from tracking.tracks import Labels, ReviewedRange, TrackTable
 
 TWO = [(1, 0, 100, 0.0), (2, 0, 100, 1.0)]
@@ -119,14 +120,30 @@ def test_what_is_protected_is_told_apart():
 def test_two_runs_are_compared_in_the_ids_of_the_first():
     first = run_of(TWO, (0, 100))
     second = run_of([(2, 0, 100, 0.0), (1, 0, 80, 1.0), (3, 80, 100, 1.0)], (0, 100))
-    (one,) = compare_runs(first, second, fps=FPS)
+    (one,), own, other = compare_runs(first, second, fps=FPS)
     assert one.text == "2 becomes new track 3 from frame 80 on"
-    assert compare_runs(first, first) == ()
+    assert own.track_ids == (1, 2)
+    assert other.of_frame(0)["x"].tolist() == own.of_frame(0)["x"].tolist()
+    assert compare_runs(first, first)[0] == ()
 
 
 def test_runs_over_other_frames_are_compared_where_both_were():
     first, second = run_of(TWO, (0, 100)), run_of(TWO, (50, 150))
-    assert compare_runs(first, second) == ()
+    assert compare_runs(first, second)[0] == ()
+
+
+def test_comparing_tells_how_far_it_is_and_can_be_stopped():
+    first, second = run_of(TWO, (0, 100)), run_of(TWO, (0, 100))
+    told: list[tuple[int, int]] = []
+    compare_runs(first, second, progress=lambda *step: told.append(step))
+    assert told == [(done, 7) for done in range(8)]
+
+    def stop(done: int, _: int) -> None:
+        if done == 2:
+            raise CancelledError("stopped")
+
+    with pytest.raises(CancelledError):
+        compare_runs(first, second, progress=stop)
 
 
 def test_a_million_rows_are_compared_in_seconds():

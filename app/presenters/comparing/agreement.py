@@ -8,17 +8,12 @@ from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from app.presenters.comparing.agreement_scene import (
     AgreementScene,
     DisagreementRow,
-    OtherMark,
-    OtherPlace,
 )
+from app.presenters.comparing.other_people import OtherPeople
 from app.presenters.palette import colour_of_track
-from app.presenters.pictures.right_eye import boxes_in_right_eye
-from app.presenters.scenes import Eye
 from app.presenters.words import time_text, tr
 from tracking.errors import SessionError
 from tracking.recording import Recording
@@ -30,7 +25,6 @@ Report = Callable[[int, int], None]
 _STEPS = 4
 _GAP_S = 0.5
 """Disagreements of the same two tracks that lie closer together are one stretch."""
-_TRAIL_S = 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,12 +104,17 @@ def _compared(own: Session, a: TrackTable, b: TrackTable, report: Report) -> Agr
 
 
 class AgreementPresenter:
-    """Makes the scenes of another session beside the open one."""
+    """Makes the scenes of another session beside the open one.
+
+    Attributes:
+        people: the other session's people, each in the colour of who they are taken for.
+    """
 
     def __init__(self, recording: Recording, other: OtherSession) -> None:
         self._recording = recording
         self.other = other
         self._own_of = {b: a for a, b in other.agreement.same}
+        self.people = OtherPeople(recording, other.tracks, self._colour)
         self._rows = tuple(self._row(one) for one in other.agreement.disagreements)
 
     def panel(self, revision: int) -> AgreementScene:
@@ -133,37 +132,6 @@ class AgreementPresenter:
             self._rows,
             revision != self.other.revision,
         )
-
-    def picture(self, eye: Eye, frame: int) -> tuple[OtherMark, ...]:
-        """The other session's people in one eye."""
-        rows = self.other.tracks.of_frame(frame)
-        boxes = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
-        if eye is Eye.RIGHT and len(boxes):
-            rectification = self._recording.rectification
-            if rectification is None or self._recording.ground is None:
-                return ()
-            boxes = boxes_in_right_eye(
-                rectification, boxes, np.column_stack((rows["x"], rows["y"]))
-            )
-        return tuple(
-            OtherMark((left, top, width, height), str(track), self._colour(track))
-            for track, (left, top, width, height) in zip(
-                rows["track"].tolist(), boxes.tolist(), strict=True
-            )
-            if math.isfinite(left + top + width + height)
-        )
-
-    def floor(self, frame: int) -> tuple[OtherPlace, ...]:
-        """Where they come from on the floor."""
-        start = max(0, frame - round(_TRAIL_S * self._recording.fps))
-        places = []
-        for track in self.other.tracks.of_frame(frame)["track"].tolist():
-            rows = self.other.tracks.of_track(track, start, frame + 1)
-            trail = np.column_stack((rows["x"], rows["y"])).astype(np.float64)
-            trail = trail[np.isfinite(trail).all(axis=1)]
-            if len(trail):
-                places.append(OtherPlace(trail, str(track), self._colour(track)))
-        return tuple(places)
 
     def _colour(self, track: int) -> tuple[int, int, int]:
         return colour_of_track(self._own_of.get(track, track))

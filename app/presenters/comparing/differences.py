@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Final
 
@@ -16,6 +15,8 @@ from app.presenters.comparing.differences_scene import (
     Side,
     Sorted,
 )
+from app.presenters.comparing.finding import Found, Report, search_in
+from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.palette import colour_of_track
 from app.presenters.reviewing.review_scene import ReviewPerson
 from app.presenters.scenes import PreviewTrail
@@ -23,17 +24,14 @@ from app.presenters.words import time_text, tr
 from tracking.editing import (
     Change,
     Difference,
-    History,
     differences,
-    differing_rows,
     plan_take,
-    protected_stretches,
 )
 from tracking.editing.tracking_again.alignment import rows_of_table
 from tracking.editing.tracking_again.counterparts import Places, counterparts
 from tracking.errors import EditError
 from tracking.session import Session
-from tracking.tracks import Columns, Labels, Run, TrackTable, between
+from tracking.tracks import Columns, TrackTable
 
 PointsOf = Callable[[Columns], NDArray[np.float64]]
 _KINDS: Final = {
@@ -44,20 +42,6 @@ _KINDS: Final = {
 }
 _AROUND_S = 3.0
 """Trails are shown this long before and after the frame that is shown."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Found:
-    """What comparing gave.
-
-    Attributes:
-        differences: by time. rows: the run's rows under the ids of the other version, by frame.
-        base: the other version.
-    """
-
-    differences: tuple[Difference, ...]
-    rows: Columns
-    base: TrackTable
 
 
 class Comparison:
@@ -84,27 +68,13 @@ class Comparison:
         self._shown: tuple[int, ...] = ()
         self._ticked: set[int] = set()
         self._current: int | None = None
+        self._solid: SessionTracks | None = None
 
     # finding
 
-    def search(self) -> Callable[[], Found]:
+    def search(self) -> Callable[[Report], Found]:
         """What finds the differences of the tracks as they are now; to be called in any thread."""
-        session, fps, frames = self._session, self._fps, self._frames
-        run = session.runs[self.run]
-        if self.base is None:
-            table, labels = session.tracks.snapshot(), session.labels
-            history = session.history.snapshot()
-        else:
-            other = session.runs[self.base]
-            table, labels, history = TrackTable(other.tracks), Labels(), History()
-            frames = _shared(run, other)
-
-        def find() -> Found:
-            protection = protected_stretches(table, labels, history, fps=fps)
-            found, rows = differing_rows(table, run, frames, protection, fps=fps)
-            return Found(tuple(sorted(found, key=lambda one: one.start)), rows, table)
-
-        return find
+        return search_in(self._session, self.run, self.base, self._frames, self._fps)
 
     def take(self, found: Found) -> None:
         """Take what differs by now; ticks and the one that is looked at stay where they can."""
@@ -113,6 +83,8 @@ class Comparison:
         looked_at = _same_place(before[self._current]) if self._current is not None else None
         first = self._found is None
         self._found = found
+        if self.base is not None:
+            self._solid = SessionTracks(found.base, self._session.runs[self.base])
         places = [_same_place(one) for one in found.differences]
         free = [number for number, one in enumerate(found.differences) if not one.protected]
         # At first all is ticked that a run which went on from here would change.
@@ -122,6 +94,16 @@ class Comparison:
         self._list()
 
     # looking
+
+    @property
+    def solid(self) -> SessionTracks | None:
+        """The version that is drawn solid; None where these are the corrected tracks."""
+        return self._solid
+
+    @property
+    def dashed(self) -> TrackTable | None:
+        """The run's rows under the ids of the other version; None until they are known."""
+        return self._found.dashed if self._found is not None else None
 
     @property
     def current(self) -> Difference | None:
@@ -247,27 +229,13 @@ class Comparison:
             for trail in _trails(rows, points_of, solid)
         )
 
-    def dashed_rows(self, frame: int) -> Columns | None:
-        """Where the run has the people in question in a frame; None where nothing is looked at."""
-        looked_at = self.current
-        if looked_at is None or self._found is None:
-            return None
-        rows = self._found.rows
-        inside = between(rows["frame"], frame, frame + 1)
-        mine = np.isin(rows["track"][inside], looked_at.tracks)
-        return {name: column[inside][mine] for name, column in rows.items()}
-
     def _versions(self, one: Difference, start: int, end: int) -> tuple[Columns, Columns]:
         """The rows of its people in both versions, in a half-open range of frames."""
         assert self._found is not None
-        base, rows = self._found.base, self._found.rows
-        parts = [base.of_track(track, start, end) for track in one.tracks]
-        solid = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-        inside = between(rows["frame"], start, end)
-        mine = np.isin(rows["track"][inside], one.tracks)
-        return solid, {name: column[inside][mine] for name, column in rows.items()}
+        found = self._found
+        return _rows_of(found.base, one, start, end), _rows_of(found.dashed, one, start, end)
 
-    def scene(self, doing: str = "") -> DifferencesScene:
+    def scene(self, doing: str = "", share: float | None = None) -> DifferencesScene:
         """The comparison as it stands."""
         found = self._found.differences if self._found is not None else ()
         places = list(self._shown)
@@ -285,6 +253,7 @@ class Comparison:
             takeable=sum(not one.protected for one in found),
             can_drop=self._can_drop,
             doing=doing,
+            share=share,
             text="" if found or doing else self._same_words(),
         )
 
@@ -357,6 +326,6 @@ def _trails(rows: Columns, points_of: PointsOf, solid: bool) -> Iterable[Preview
             yield PreviewTrail(points[mine], colour_of_track(track), solid)
 
 
-def _shared(run: Run, other: Run) -> tuple[int, int]:
-    """The frames that both were run over; an empty range is refused where it is compared."""
-    return max(run.frames[0], other.frames[0]), min(run.frames[1], other.frames[1])
+def _rows_of(table: TrackTable, one: Difference, start: int, end: int) -> Columns:
+    parts = [table.of_track(track, start, end) for track in one.tracks]
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}

@@ -59,7 +59,8 @@ class DifferencesScene:
         people: who differences are about; person: the one the list is narrowed to, 0 for all.
         ticked, takeable: how many are ticked, and could be; of all, not of the listed ones alone.
         can_drop: the dashed version is a run that can be dropped.
-        doing: what goes on, "" at rest. text: said where nothing differs.
+        doing: what goes on, "" at rest. share: how much of it is done, None: not known.
+        text: said where nothing differs.
     """
 
     solid: Side
@@ -73,4 +74,5 @@ class DifferencesScene:
     takeable: int = 0
     can_drop: bool = False
     doing: str = ""
+    share: float | None = None
     text: str = ""

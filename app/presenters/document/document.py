@@ -177,8 +177,8 @@ class Document:
 
         Where two runs are compared, its people are those of the one that is drawn solid.
         """
-        comparison, frame = self.comparison, instant.frame
-        if comparison is None or self.planned is not None:
+        comparison, frame, planned = self.comparison, instant.frame, self.planned
+        if comparison is None or (planned is not None and planned.change is not None):
             return instant
         if comparison.solid is not None:
             asked = comparison.current

@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterable
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Job
-from app.presenters.comparing.differences import Comparison, Found
+from app.presenters.comparing.differences import Comparison
 from app.presenters.comparing.differences_scene import Sorted
+from app.presenters.comparing.finding import Found
+from app.presenters.comparing.other_people import OtherPeople
 from app.presenters.document.document import Document
 from app.presenters.words import tr
 from app.views.correcting.editing import Editing
@@ -42,8 +44,10 @@ class Comparing(QObject):
         self._document, self._playback, self._editing = document, playback, editing
         self._workspace = workspace
         self._comparison: Comparison | None = None
+        self._dashed: OtherPeople | None = None
         self._searched: tuple[object, ...] = ()
         self._job: Job | None = None
+        self._share: float | None = None  # of the search, done by now
         self._connect()
 
     def _connect(self) -> None:
@@ -57,11 +61,17 @@ class Comparing(QObject):
         panel.taken.connect(self._take)
         panel.dropped.connect(self.drop)
         panel.closed.connect(self.close)
+        panel.cancelled.connect(self.cancel)
 
     @property
     def shown(self) -> bool:
         """Whether a comparison is shown."""
         return self._comparison is not None
+
+    @property
+    def dashed(self) -> OtherPeople | None:
+        """The run's people, to be drawn dashed in all views; None where none is compared."""
+        return self._dashed
 
     def open(self, run: int, base: int | None = None) -> None:
         """Compare a run with the corrected tracks, or with another run."""
@@ -80,10 +90,21 @@ class Comparing(QObject):
         """Show the panels again; nothing is changed."""
         self._stop()
         if self._comparison is not None:
-            self._comparison, self._document.comparison = None, None
+            self._comparison = self._dashed = self._document.comparison = None
             self._workspace.show_differences(None)
             self._editing.changed.emit()
             self.changed.emit()
+
+    def end(self) -> None:
+        """Close, and wait for what still runs."""
+        self.close()
+        for job in self.findChildren(Job):
+            job.wait()
+
+    def cancel(self) -> None:
+        """Compare no further; what was found before stays shown."""
+        if self._job is not None:
+            self._job.cancel()
 
     def refresh(self) -> None:
         """Follow the document: look again where its tracks or its labels are others."""
@@ -129,17 +150,23 @@ class Comparing(QObject):
     def _search(self, comparison: Comparison) -> None:
         """Find what differs, off the GUI thread; the newest search wins."""
         self._stop()
-        find = comparison.search()
-        job = Job("differences", lambda _: find(), self)
+        job = Job("differences", comparison.search(), self)
+        job.progressed.connect(self._progress)
         job.done.connect(lambda found: self._found(comparison, found))
         job.failed.connect(self._fail)
-        self._job = job
+        job.cancelled.connect(self._cancelled)
+        self._job, self._share = job, None
         job.start()
+
+    def _progress(self, done: int, total: int) -> None:
+        self._share = done / total if total else None
+        self._show()
 
     def _found(self, comparison: Comparison, found: Found) -> None:
         self._forget_job()
         first = comparison.current is None
         comparison.take(found)
+        self._dashed = OtherPeople(self._document.recording, found.dashed)
         if first:
             self._look_at(comparison.walk(1))
         else:
@@ -150,11 +177,23 @@ class Comparing(QObject):
         self.close()
         self.failed.emit(error)
 
+    def _cancelled(self) -> None:
+        self._forget_job()
+        self.said.emit(tr("Stopped: comparing"))
+        if self._dashed is None:
+            self.close()
+        else:
+            self._show()
+
     def _stop(self) -> None:
+        """Let a search go that nobody waits for: it ends at its next step, and is then deleted."""
         if self._job is not None:
-            self._job.blockSignals(True)
-            self._job.wait()
-            self._forget_job()
+            job, self._job = self._job, None
+            for signal in (job.progressed, job.done, job.failed, job.cancelled):
+                signal.disconnect()
+            for ending in (job.done, job.failed, job.cancelled):
+                ending.connect(job.deleteLater)
+            job.cancel()
 
     def _forget_job(self) -> None:
         if self._job is not None:
@@ -219,4 +258,4 @@ class Comparing(QObject):
     def _show(self) -> None:
         if self._comparison is not None:
             doing = tr("Comparing...") if self._job is not None else ""
-            self._workspace.show_differences(self._comparison.scene(doing))
+            self._workspace.show_differences(self._comparison.scene(doing, self._share))

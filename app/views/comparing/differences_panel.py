@@ -18,6 +18,7 @@ from app.views.look.icons import IconButton
 from app.views.look.theme import scaled_font
 from app.views.pictures.preview_legend import PreviewLegend
 from app.views.widgets.parts import Panel, quiet
+from app.views.widgets.work_line import WorkLine
 
 
 class DifferencesPanel(Panel):
@@ -29,6 +30,7 @@ class DifferencesPanel(Panel):
         all_ticked(bool): all that are listed.
         person_chosen(int): 0 for all. order_chosen(str): the value of a `Sorted`.
         taken(int): take what is ticked: 1 from the dashed version, 0 from the solid one.
+        cancelled(): compare no further.
         dropped(), closed(): forget the run; leave everything as it is.
     """
 
@@ -40,6 +42,7 @@ class DifferencesPanel(Panel):
     taken = Signal(int)
     dropped = Signal()
     closed = Signal()
+    cancelled = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(self.tr("Differences"), parent)
@@ -59,10 +62,11 @@ class DifferencesPanel(Panel):
         body.addLayout(self._build_choices())
         body.addWidget(self._list, 1)
         self._text = QLabel(self)
-        self._doing = quiet("", self, "faint")
-        for label in (self._text, self._doing):
-            label.setWordWrap(True)
-            body.addWidget(label)
+        self._text.setWordWrap(True)
+        body.addWidget(self._text)
+        self._working = WorkLine(self.tr("Cancel comparing"), self)
+        self._working.cancelled.connect(self.cancelled)
+        body.addWidget(self._working)
         body.addLayout(self._build_ticks())
         body.addLayout(self._build_ends())
         body.addStretch(0)
@@ -162,9 +166,9 @@ class DifferencesPanel(Panel):
         listed = bool(scene.items)
         for widget in (self._legend, self._list, self._people, self._orders, *self._tick_line):
             widget.setVisible(listed)
-        for label, text in ((self._text, scene.text), (self._doing, scene.doing)):
-            label.setText(text)
-            label.setVisible(bool(text))
+        self._text.setText(scene.text)
+        self._text.setVisible(bool(scene.text))
+        self._working.show_work(scene.doing, scene.share)
         self._ticks.setText(self.tr("{0} of {1} ticked").format(scene.ticked, scene.takeable))
         self._show_ends(scene)
 

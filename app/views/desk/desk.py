@@ -129,7 +129,7 @@ class Desk(QObject):
         """End all threads and let the recording go."""
         self.live.close()
         self.reviewing.close()
-        self.comparing.close()
+        self.comparing.end()
         self.overlaying.close()
         self.labelling.close()
         self.parts.close()

@@ -14,6 +14,7 @@ from app.presenters.comparing.agreement import (
     compared_again,
     read_other,
 )
+from app.presenters.comparing.other_people import OtherPeople
 from app.presenters.scenes import Eye
 from app.presenters.words import tr
 from app.views.widgets.questions import choose_file
@@ -61,19 +62,26 @@ class Beside(QObject):
         self.draw()
 
     def draw(self) -> None:
-        """Draw the other session's people at the frame that is shown."""
-        view, desk, shown = self._window.workspace, self._window.desk, self._shown
-        if desk is None or shown is None or desk.document.session is None:
-            view.compare.show_scene(None)
+        """Draw other people at the frame that is shown; those of a compared run go first."""
+        desk, shown = self._window.desk, self._shown
+        session = desk.document.session if desk is not None else None
+        panel = shown.panel(session.tracks.revision) if shown and session is not None else None
+        self._window.workspace.compare.show_scene(panel)
+        compared = desk.comparing.dashed if desk is not None else None
+        self._draw_people(desk, compared or (shown.people if shown and panel else None))
+
+    def _draw_people(self, desk: Desk | None, people: OtherPeople | None) -> None:
+        """Draw a run's or the other session's people, dashed; None: nobody else's."""
+        view = self._window.workspace
+        if desk is None or people is None:
             for picture in (view.left, view.right):
                 picture.show_others(())
             view.overhead.show_others(())
             return
         frame = desk.playback.number
-        view.compare.show_scene(shown.panel(desk.document.session.tracks.revision))
-        view.left.show_others(shown.picture(Eye.LEFT, frame))
-        view.right.show_others(shown.picture(Eye.RIGHT, frame) if desk.eyes == "both" else ())
-        view.overhead.show_others(shown.floor(frame))
+        view.left.show_others(people.picture(Eye.LEFT, frame))
+        view.right.show_others(people.picture(Eye.RIGHT, frame) if desk.eyes == "both" else ())
+        view.overhead.show_others(people.floor(frame))
 
     def _show(self, desk: Desk, other: OtherSession) -> None:
         if desk is self._window.desk:

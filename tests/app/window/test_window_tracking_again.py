@@ -1,5 +1,6 @@
 """Tracking again from a frame, what would change, and the runs there are by then."""
 
+import threading
 from dataclasses import replace
 
 import numpy as np
@@ -7,11 +8,12 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
+from app.presenters.comparing.differences import Comparison
 from app.presenters.files import opening
 from app.presenters.runs.runs import CORRECTED
 from app.views.runs.runs_dialog import RunsDialog
 from app.views.runs.track_dialog import TrackDialog
-from tracking.editing import plan_mark_reviewed
+from tracking.editing import plan_delete, plan_mark_reviewed
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import SIGNAL_COLUMNS, empty
@@ -129,14 +131,27 @@ def test_the_keyboard_ticks_too(compared, window, qtbot):
     assert not compared.playback.clock.playing
 
 
-def test_both_versions_are_shown_in_the_pictures_and_on_the_floor(compared, shifted_run):
+def _boxes(marks):
+    return {mark.label: mark.box for mark in marks}
+
+
+def test_both_versions_are_shown_in_the_pictures_and_on_the_floor(
+    compared, shifted_run, window, qtbot
+):
     desk = compared
     instant = desk.document.instant(65)
     assert {trail.after for trail in instant.preview} == {True, False}
     assert {trail.after for trail in instant.picture_preview} == {True, False}
-    assert shifted_run[1] in instant.replaced["track"].tolist()
+    desk.playback.go(65)
+    picture = window.workspace.left
+    qtbot.waitUntil(lambda: picture._scene.frame == 65)
+    run, corrected = _boxes(picture._others), _boxes(picture._scene.people)
+    label = str(shifted_run[1])
+    assert run[label][0] == pytest.approx(corrected[label][0] - 40.0, abs=0.01)
+    assert {place.label for place in window.workspace.overhead._others} == set(run)
     desk.comparing.close()
     assert desk.document.instant(65).preview == ()
+    assert picture._others == ()
 
 
 def test_n_walks_what_differs_while_it_is_compared(compared, window):
@@ -208,6 +223,59 @@ def test_the_better_stretch_is_taken_from_either_of_two_runs(
     assert _place(desk, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
     panel.taken.emit(0)
     assert _place(desk, track, 65) == pytest.approx(wrong, abs=1e-5)
+
+
+def test_the_boxes_of_both_runs_are_shown_and_not_those_of_the_corrected_tracks(
+    window, desk, qtbot, tiny_run, shifted_run
+):
+    label = str(shifted_run[1])
+    session = desk.document.session
+    session.apply(plan_delete(session.tracks, shifted_run[1], 60, 70))
+    session.add_run(tiny_run, adopt=False)
+    desk.comparing.open(1, 0)
+    qtbot.waitUntil(lambda: bool(_items(desk)), timeout=10_000)
+    desk.playback.go(65)
+    picture = window.workspace.left
+    qtbot.waitUntil(lambda: picture._scene.frame == 65)
+    solid, dashed = _boxes(picture._scene.people), _boxes(picture._others)
+    assert dashed[label][0] == pytest.approx(solid[label][0] - 40.0, abs=0.01)
+    assert label in {place.label for place in window.workspace.overhead._others}
+
+
+def test_comparing_tells_how_far_it_is_and_can_be_cancelled(
+    window, desk, qtbot, tiny_run, monkeypatch
+):
+    reached, go_on = threading.Event(), threading.Event()
+
+    def slow(*_, report):
+        report(1, 4)
+        reached.set()
+        go_on.wait(10)
+        report(2, 4)
+
+    monkeypatch.setattr(Comparison, "search", lambda _: lambda report: slow(report=report))
+    desk.document.session.add_run(tiny_run, adopt=False)
+    desk.comparing.open(1)
+    panel = window.workspace.differences
+    qtbot.waitUntil(lambda: panel._working._bar.value() == 250)
+    assert reached.is_set()
+    said = []
+    desk.said.connect(said.append)
+    panel._working._cancel.click()
+    go_on.set()
+    qtbot.waitUntil(lambda: not desk.comparing.shown)
+    assert said == ["Stopped: comparing"]
+    assert window.workspace.review.isVisible()
+
+
+def test_closing_a_comparison_does_not_wait_for_it(window, desk, qtbot, tiny_run, monkeypatch):
+    go_on = threading.Event()
+    monkeypatch.setattr(Comparison, "search", lambda _: lambda _: go_on.wait(10))
+    desk.document.session.add_run(tiny_run, adopt=False)
+    desk.comparing.open(1)
+    window.workspace.differences.closed.emit()
+    assert not desk.comparing.shown
+    go_on.set()
 
 
 def test_the_last_run_is_dropped_from_the_list_but_not_the_one_that_was_corrected(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,10 +17,13 @@ from tracking.tracks import Columns, Labels, Run, TrackTable
 
 Flags = NDArray[np.bool_]
 Integers = NDArray[np.integer]
+Progress = Callable[[int, int], None]
 
 _JOINED_FRAMES = 5
 """Differences of one kind with no more frames between them are told as one."""
 _USUAL_FPS = 20.0
+_STEPS = 7
+"""Of comparing, each told: the run laid over the table, sorted, four kinds, folded."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,21 +81,19 @@ def differences(
 
 
 def compare_runs(
-    run_a: Run,
-    run_b: Run,
-    frames: tuple[int, int] | None = None,
-    *,
-    fps: float | None = None,
-) -> tuple[Difference, ...]:
-    """What run b says otherwise than run a, in a's ids; None: the frames that both were run over.
+    run_a: Run, run_b: Run, *, fps: float | None = None, progress: Progress | None = None
+) -> tuple[tuple[Difference, ...], TrackTable, TrackTable]:
+    """What run b says otherwise than run a in the frames of both, and both as tables in a's ids.
 
+    progress: as of `differing_rows`.
     Raises EditError where the two were not run over the same frames.
     """
     shared = max(run_a.frames[0], run_b.frames[0]), min(run_a.frames[1], run_b.frames[1])
     if not (run_a.known_tracks and run_b.known_tracks):
         run_b = replace(run_b, known_tracks=0)
     table = TrackTable(run_a.tracks, highest_track=run_a.known_tracks)
-    return _told(aligned(table, run_b, frames or shared, Protection()), table, fps)
+    found, rows = differing_rows(table, run_b, shared, Protection(), fps=fps, progress=progress)
+    return found, table, TrackTable(rows)
 
 
 def differing_rows(
@@ -102,23 +103,39 @@ def differing_rows(
     protection: Protection,
     *,
     fps: float | None = None,
+    progress: Progress | None = None,
 ) -> tuple[tuple[Difference, ...], Columns]:
     """What a run says otherwise than a table, and the run's rows under the table's ids, by frame.
 
+    progress: is told how many steps of how many are done; what it raises ends the work.
     Raises EditError where the run was not run over any of these frames.
     """
+    report = progress or _nobody
+    report(0, _STEPS)
     both = aligned(table, run, frames, protection)
+    report(1, _STEPS)
     order = np.lexsort((both.found["track"], both.found["frame"]))
     rows = {name: column[order] for name, column in both.found.items()}
-    return _told(both, table, fps), rows
+    report(2, _STEPS)
+    return _told(both, table, fps, report), rows
 
 
-def _told(found: Alignment, table: TrackTable, fps: float | None) -> tuple[Difference, ...]:
+def _nobody(_done: int, _steps: int) -> None:
+    """Nobody asked how far it is."""
+
+
+def _told(
+    found: Alignment, table: TrackTable, fps: float | None, report: Progress = _nobody
+) -> tuple[Difference, ...]:
     """The differences of a run laid over the table, by frame and track."""
     gap = _JOINED_FRAMES if fps is None else max(1, round(_JOINED_FRAMES * fps / _USUAL_FPS))
     taken = exchanged(found)
-    kinds = (_changed_ids, _moved, _added, _removed)
-    every = folded((one for kind in kinds for one in kind(found, taken, gap)), fps)
+    parts: list[Stretch] = []
+    for done, kind in enumerate((_changed_ids, _moved, _added, _removed), 3):
+        report(done, _STEPS)
+        parts += kind(found, taken, gap)
+    every = folded(parts, fps)
+    report(_STEPS, _STEPS)
     ends = Ends(table, found.frames, fps)
     told = [
         Difference(

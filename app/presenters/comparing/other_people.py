@@ -1,0 +1,61 @@
+"""The people of another version of the tracks, as the views draw them in front of one's own."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from app.presenters.comparing.agreement_scene import OtherMark, OtherPlace
+from app.presenters.palette import colour_of_track
+from app.presenters.pictures.right_eye import boxes_in_right_eye
+from app.presenters.scenes import Colour, Eye
+from tracking.recording import Recording
+from tracking.tracks import TrackTable
+
+_TRAIL_S = 2.0
+
+
+class OtherPeople:
+    """Makes the marks of everybody another version has in a frame."""
+
+    def __init__(
+        self,
+        recording: Recording,
+        tracks: TrackTable,
+        colour_of: Callable[[int], Colour] = colour_of_track,
+    ) -> None:
+        self._recording = recording
+        self._tracks = tracks
+        self._colour_of = colour_of
+
+    def picture(self, eye: Eye, frame: int) -> tuple[OtherMark, ...]:
+        """Everybody in one eye."""
+        rows = self._tracks.of_frame(frame)
+        boxes = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
+        if eye is Eye.RIGHT and len(boxes):
+            rectification = self._recording.rectification
+            if rectification is None or self._recording.ground is None:
+                return ()
+            places = np.column_stack((rows["x"], rows["y"]))
+            boxes = boxes_in_right_eye(rectification, boxes, places)
+        return tuple(
+            OtherMark((left, top, width, height), str(track), self._colour_of(track))
+            for track, (left, top, width, height) in zip(
+                rows["track"].tolist(), boxes.tolist(), strict=True
+            )
+            if math.isfinite(left + top + width + height)
+        )
+
+    def floor(self, frame: int) -> tuple[OtherPlace, ...]:
+        """Where they come from on the floor."""
+        start = max(0, frame - round(_TRAIL_S * self._recording.fps))
+        places = []
+        for track in self._tracks.of_frame(frame)["track"].tolist():
+            rows = self._tracks.of_track(track, start, frame + 1)
+            trail = np.column_stack((rows["x"], rows["y"])).astype(np.float64)
+            trail = trail[np.isfinite(trail).all(axis=1)]
+            if len(trail):
+                places.append(OtherPlace(trail, str(track), self._colour_of(track)))
+        return tuple(places)
