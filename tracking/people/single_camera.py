@@ -7,8 +7,9 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover
+from tracking.foreground import PERHAPS, BackgroundModel, ForegroundSettings, ShadowRemover
 from tracking.geometry import View
+from tracking.people import upright
 from tracking.people.describing import Describer
 from tracking.people.detections import Detections
 from tracking.people.observation import Observation, Overlays
@@ -50,12 +51,19 @@ class SingleCameraPerception:
         """What is seen in the frame. Frames come in order."""
         seen = self._background.subtract(frame.left)
         shadow = self._shadows.shadows(seen)
-        body = np.where(shadow == 255, np.uint8(0), seen.mask)
-        people = self._find(body, seen.picture)
+        people = self._find(_kinds(seen.mask, shadow), seen.picture)
         self._background.update(seen, (people.regions > 0).view(np.uint8))
         overlays = Overlays(np.where(shadow == 255, np.uint8(127), seen.mask), None)
         return Observation(frame.number, frame.time_s, people, overlays, frame.left)
 
-    def _find(self, body: Mask, picture: Image) -> Detections:
-        regions = people_regions(body, self._standing)
+    def _find(self, kind: Mask, picture: Image) -> Detections:
+        regions = people_regions(kind, self._standing)
         return self._describer.describe(regions, picture)
+
+
+def _kinds(mask: Mask, shadow: Mask) -> Mask:
+    """(height, width) the kinds of foreground of `tracking.people.upright`, 0 in the background."""
+    kind = mask.copy()
+    kind[shadow == PERHAPS] = upright.PERHAPS
+    kind[shadow == 255] = upright.SHADOW
+    return kind

@@ -1,0 +1,60 @@
+"""What of the foreground is a body and what its shadow, once it is known where bodies stand."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people.splitting import Placed
+
+Bools = NDArray[np.bool_]
+
+BODY, PERHAPS, SHADOW = 255, 1, 127
+"""Kinds of foreground: neither shadow nor like one, shadow if it lies on the floor, shadow."""
+
+_HAIR, _HAIR_ACROSS = (-0.09, 0.16), 0.24
+"""Dark hair over a dark wall looks like shadow, but shadows lie on floors: along and across."""
+_CHEST, _CHEST_ACROSS = (0.12, 0.55), 0.4
+_LEGS, _LEGS_ACROSS = (0.5, 0.94), 0.5
+_LOW, _LOW_ACROSS = 0.86, 0.35
+"""From here on down what looks a little like shadow, and is not under the body, is shadow."""
+_LOWEST = 1.13
+"""Nobody goes on below the feet of somebody this much taller than usual."""
+_LEGS_SEEN = 0.5
+"""With fewer pixels of legs than this share of those like shadow, trousers look like shadow."""
+
+
+def body_pixels(kind: NDArray[np.uint8], place: Placed, count: int, metric: bool) -> Bools:
+    """(n,) which pixels are people.
+
+    A picture alone does not tell a shadow from dull clothes. Where bodies stand does: shadows lie
+    on the floor, so what looks like shadow in the middle of a head or a chest is none, and what
+    looks only a little like it beside the feet is one.
+
+    Args:
+        kind: (n,) `BODY`, `PERHAPS` or `SHADOW`.
+        place: of the pixels on `count` bodies.
+        metric: whether the bodies' heights are known from metres, not from what is seen.
+    """
+    along, across = place.along, place.across
+    shadow = kind == SHADOW
+    restored = _within(along, _HAIR) & (across < _HAIR_ACROSS)
+    restored |= _within(along, _CHEST) & (across < _CHEST_ACROSS)
+    legs = _within(along, _LEGS) & (across < _LEGS_ACROSS)
+    restored |= legs & _without_legs(legs, shadow, place, count)[place.body]
+    own = ~shadow | restored
+    own &= (kind != PERHAPS) | (along < _LOW) | (across < _LOW_ACROSS)
+    if metric:
+        own &= along < _LOWEST
+    return np.asarray(own, np.bool_)
+
+
+def _without_legs(legs: Bools, shadow: Bools, place: Placed, count: int) -> Bools:
+    """(count,) bodies whose legs are nearly all taken for shadow."""
+    like = np.bincount(place.body[legs & shadow], minlength=count)
+    unlike = np.bincount(place.body[legs & ~shadow], minlength=count)
+    return np.asarray(unlike < _LEGS_SEEN * like, np.bool_)
+
+
+def _within(values: NDArray[np.float32], bounds: tuple[float, float]) -> Bools:
+    return np.asarray((values > bounds[0]) & (values < bounds[1]), np.bool_)
