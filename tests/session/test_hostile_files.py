@@ -17,7 +17,8 @@ from made_up_sessions import make_session, state_of
 from tracking.editing import plan_delete, plan_rename
 from tracking.errors import SessionError, TrackwrightError
 from tracking.session import Session, describe
-from tracking.session.inspection import Refused, _limit, inspect
+from tracking.session.inspection import inspect
+from tracking.untrusted import Refused, limit
 
 
 @pytest.fixture
@@ -244,7 +245,7 @@ def test_a_system_that_refuses_limits_still_looks_files_over(
         raise ValueError("current limit exceeds maximum limit")
 
     monkeypatch.setattr(resource, "setrlimit", refusing)
-    _limit()
+    limit()
 
 
 def test_particles_that_do_not_add_up_are_told_when_they_are_looked_at(copy: Path) -> None:

@@ -2,7 +2,7 @@
 
 from tracking.formats.catalogue import FORMATS, TrackFormat, format_named
 from tracking.formats.mot import as_truth, read_mot, write_mot
-from tracking.formats.replacing import replacing
+from tracking.replacing import replacing
 
 __all__ = [
     "FORMATS",

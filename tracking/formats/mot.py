@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.replacing import replacing
+from tracking.replacing import replacing
 from tracking.tracks.columns import Columns
 
 MAX_BYTES = 1 << 30

@@ -12,7 +12,7 @@ from typing import Any
 
 from tracking.editing import Change, Entry, History, LabelState, State
 from tracking.errors import EditError
-from tracking.formats.replacing import replacing
+from tracking.replacing import replacing
 from tracking.session.edit_words import in_words
 from tracking.tracks import PART_NAMES, PartLabel
 

@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
-import os
-import subprocess
-import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -25,6 +21,7 @@ from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.session.saving import generations
 from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, TrackTable
+from tracking.untrusted import verdicts_of
 
 _MOST_FPS, _WIDEST = 1e6, 1 << 20
 
@@ -73,49 +70,13 @@ def check_files(paths: Sequence[Path]) -> list[str]:
 
 def verdicts_on(paths: Sequence[Path]) -> list[dict[str, Any]]:
     """What the other program says of each file; one that it does not survive is damaged."""
-    verdicts: list[dict[str, Any]] = []
-    while len(verdicts) < len(paths):
-        verdicts += _looked_over(paths[len(verdicts) :])
-        if len(verdicts) < len(paths):
-            verdicts.append({"refused": ": the session file is damaged: it cannot be read safely"})
-    return verdicts
-
-
-def _looked_over(paths: Sequence[Path]) -> list[dict[str, Any]]:
-    """The verdicts on the first of the files, up to where the other program ended."""
-    command = [sys.executable, "-P", inspection.__file__, *(str(path.resolve()) for path in paths)]
-    try:
-        done = subprocess.run(
-            command,
-            env={**os.environ, "PYTHONPATH": _search_path(), "OPENBLAS_NUM_THREADS": "1"},
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            timeout=inspection.SECONDS * 2,
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-            check=False,
-        )
-        said = done.stdout
-    except subprocess.TimeoutExpired as why:
-        said = why.stdout or b""
-    verdicts = []
-    for line in said.splitlines():
-        try:
-            verdicts.append(json.loads(line))
-        except ValueError:  # it ended within the line
-            break
-    return verdicts
+    return verdicts_of(inspection.__file__, "session", paths)
 
 
 def _older_copy(path: Path) -> str:
     """Where the session stands as it was saved before, for the end of a message."""
     older = generations(path)
     return f"; as it was saved before it stands in {older[0]}" if older else ""
-
-
-def _search_path() -> str:
-    """Where the other program finds this package, whatever folder it is started in."""
-    root = str(Path(__file__).parents[2])
-    return os.pathsep.join(filter(None, [root, os.environ.get("PYTHONPATH", "")]))
 
 
 def _read_version_1(file: h5py.File, path: Path) -> Snapshot:

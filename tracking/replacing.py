@@ -12,6 +12,17 @@ from typing import TextIO
 from tracking.errors import OutputError
 
 
+def replace_with(path: Path, data: bytes) -> None:
+    """Have the bytes at `path`, whole or not at all; what stood there before stays until then.
+
+    Raises OutputError as `replacing`.
+    """
+    with _part_of(path) as part, part.open("wb") as stream:
+        stream.write(data)
+        stream.flush()
+        os.fsync(stream.fileno())
+
+
 @contextmanager
 def replacing(path: Path) -> Iterator[TextIO]:
     """A text file that takes the place of `path` when the block ends without an error.
@@ -22,16 +33,26 @@ def replacing(path: Path) -> Iterator[TextIO]:
     Raises:
         OutputError: the folder is missing or not writable, the disk is full, `path` is a folder.
     """
+    with (
+        _part_of(path) as part,
+        part.open("w", encoding="utf-8", newline="\n") as stream,
+    ):
+        yield stream
+        stream.flush()
+        os.fsync(stream.fileno())
+
+
+@contextmanager
+def _part_of(path: Path) -> Iterator[Path]:
+    """The hidden file beside `path` that takes its place in the end."""
     try:
         handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
     except OSError as error:
         raise _told(path, error) from error
+    os.close(handle)
     part = Path(name)
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-            yield stream
-            stream.flush()
-            os.fsync(stream.fileno())
+        yield part
         part.chmod(0o666 & ~_umask())
         part.replace(path)
     except OSError as error:

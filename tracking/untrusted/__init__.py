@@ -1,0 +1,24 @@
+"""Files from elsewhere are checked before they are read."""
+
+from tracking.untrusted.program import limit, say_verdicts, verdict_by, verdicts_of
+from tracking.untrusted.walk import (
+    Kind,
+    Refused,
+    Walk,
+    check_attributes,
+    check_signature,
+    version_of,
+)
+
+__all__ = [
+    "Kind",
+    "Refused",
+    "Walk",
+    "check_attributes",
+    "check_signature",
+    "limit",
+    "say_verdicts",
+    "verdict_by",
+    "verdicts_of",
+    "version_of",
+]

@@ -1,0 +1,97 @@
+"""Looking files over in a program of its own, since reading some of them can crash it.
+
+Such a program takes file names and prints one line of JSON a file, as soon as it is found:
+{"version": [major, minor]}, or {"refused": why} in words that follow the file's name.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from tracking.untrusted.walk import Refused
+
+MEMORY_BYTES = 4 << 30
+SECONDS = 10
+
+
+def say_verdicts(inspect: Callable[[Path], tuple[int, int]]) -> None:
+    """The program: print the verdict on each file named on the command line, within limits."""
+    limit()
+    for name in sys.argv[1:]:
+        print(json.dumps(verdict_by(inspect, Path(name))), flush=True)
+
+
+def verdict_by(inspect: Callable[[Path], tuple[int, int]], path: Path) -> dict[str, Any]:
+    """The verdict of one file."""
+    try:
+        return {"version": inspect(path)}
+    except Refused as why:
+        return {"refused": f" {why}"}
+    except Exception as why:  # whatever the library says of a damaged file
+        reason = " ".join(str(why).split())
+        return {"refused": f" is damaged or cut short ({reason})"}
+
+
+def limit() -> None:
+    """Where the system knows limits: a file that makes reading run away ends this program only."""
+    try:
+        import resource
+    except ImportError:  # Windows
+        return
+    for kind, most in ((resource.RLIMIT_AS, MEMORY_BYTES), (resource.RLIMIT_CPU, SECONDS)):
+        _, hard = resource.getrlimit(kind)
+        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        with contextlib.suppress(OSError, ValueError):  # macOS knows RLIMIT_AS but may refuse it
+            resource.setrlimit(kind, (most, hard))
+
+
+def verdicts_of(program: str, name: str, paths: Sequence[Path]) -> list[dict[str, Any]]:
+    """What a program, a file of Python, says of each file; one it does not survive is damaged.
+
+    Args:
+        name: what people call such a file.
+    """
+    verdicts: list[dict[str, Any]] = []
+    while len(verdicts) < len(paths):
+        verdicts += _looked_over(program, paths[len(verdicts) :])
+        if len(verdicts) < len(paths):
+            verdicts.append({"refused": f": the {name} file is damaged: it cannot be read safely"})
+    return verdicts
+
+
+def _looked_over(program: str, paths: Sequence[Path]) -> list[dict[str, Any]]:
+    """The verdicts on the first of the files, up to where the other program ended."""
+    command = [sys.executable, "-P", program, *(str(path.resolve()) for path in paths)]
+    try:
+        done = subprocess.run(
+            command,
+            env={**os.environ, "PYTHONPATH": _search_path(), "OPENBLAS_NUM_THREADS": "1"},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=SECONDS * 2,
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+            check=False,
+        )
+        said = done.stdout
+    except subprocess.TimeoutExpired as why:
+        said = why.stdout or b""
+    verdicts = []
+    for line in said.splitlines():
+        try:
+            verdicts.append(json.loads(line))
+        except ValueError:  # it ended within the line
+            break
+    return verdicts
+
+
+def _search_path() -> str:
+    """Where the other program finds this package, whatever folder it is started in."""
+    root = str(Path(__file__).parents[2])
+    return os.pathsep.join(filter(None, [root, os.environ.get("PYTHONPATH", "")]))

@@ -1,0 +1,165 @@
+"""HDF5 files from elsewhere, looked over before any of their data is touched.
+
+A file can be made to crash the HDF5 library, to name other files, or to fill the memory. What is
+walked here is structure alone: links, types, sizes, filters and attributes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+_DEEPEST = 8
+_MOST_OBJECTS = 20_000
+_LARGEST_CHUNK = 64 << 20
+_LARGEST_ATTRIBUTE = 16 << 20
+_MOST_ATTRIBUTES = 64
+_BEST_RATIO = 1100
+"""DEFLATE packs at most 1032 bytes into one."""
+_FILTERS = frozenset({h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE})
+_SIGNATURE = b"\x89HDF\r\n\x1a\n"
+
+
+class Refused(Exception):  # noqa: N818 - a verdict, told to whoever asked
+    """The file is not taken; the message says why, in words that follow the file's name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """Which files are expected.
+
+    Attributes:
+        name: what people call one. format, version: as its root attributes say.
+        most_bytes: of all its data together, unpacked.
+        dimensions: of its arrays, at most. compound: the only type of rows it may have.
+        free: whether what stands at a path does not count as data that is read whole.
+    """
+
+    name: str
+    format: str
+    version: tuple[int, int]
+    most_bytes: int
+    dimensions: int = 1
+    compound: np.dtype[np.void] | None = None
+    free: Callable[[str], object] = lambda _: False
+
+    @property
+    def choose(self) -> str:
+        """What to do instead."""
+        return f"choose a {self.name} that trackwright saved"
+
+
+def check_signature(path: Path, kind: Kind) -> None:
+    """Refuse what is no HDF5 file. Raises Refused and OSError."""
+    with path.open("rb") as raw:
+        start = raw.read(len(_SIGNATURE))
+    if start != _SIGNATURE:
+        raise Refused(f"is {'not an HDF5 file' if start else 'empty'}; {kind.choose}")
+
+
+def version_of(file: h5py.File, kind: Kind) -> tuple[int, int]:
+    """The file's format version; raises Refused for another format and for a newer one."""
+    check_attributes(file, kind)
+    if file.attrs.get("format") != kind.format:
+        raise Refused(
+            f"is HDF5, but of another program: it is no trackwright {kind.name}; {kind.choose}"
+        )
+    said = str(file.attrs.get("format_version"))
+    try:
+        major, minor = (int(part) for part in said.split("."))
+    except ValueError:
+        raise Refused(
+            f"names {said!r} as its format version, not like 1.0; {kind.choose}"
+        ) from None
+    if major > kind.version[0]:
+        raise Refused(f"has format {said}, made by a newer trackwright; update to open it")
+    if major < 1:
+        raise Refused(f"has format {said}, which never was")
+    return major, minor
+
+
+class Walk:
+    """Goes through all objects of a file once, refusing what such a file never has."""
+
+    def __init__(self, file_bytes: int, kind: Kind) -> None:
+        self._file_bytes, self._kind = file_bytes, kind
+        self._stored = self._unpacked = 0
+        self._objects = 0
+        self._datasets: dict[str, h5py.Dataset] = {}
+
+    def datasets_of(self, file: h5py.File) -> dict[str, h5py.Dataset]:
+        """All arrays by path. Raises Refused."""
+        self._group(file, "", 0)
+        return self._datasets
+
+    def _group(self, group: h5py.Group, path: str, depth: int) -> None:
+        if depth > _DEEPEST:
+            raise Refused(f"has groups nested deeper than any {self._kind.name}")
+        if len(group) > _MOST_OBJECTS:
+            raise Refused(f"holds more objects than any {self._kind.name}")
+        check_attributes(group, self._kind)
+        for name in group:
+            self._objects += 1
+            if self._objects > _MOST_OBJECTS:
+                raise Refused(f"holds more objects than any {self._kind.name}")
+            where = f"{path}/{name}".lstrip("/")
+            if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+                raise Refused(f"has a link to somewhere else at {where}")
+            node = group[name]
+            if isinstance(node, h5py.Group):
+                self._group(node, where, depth + 1)
+            elif isinstance(node, h5py.Dataset):
+                self._dataset(node, where)
+            else:
+                raise Refused(f"has something at {where} that is no table")
+
+    def _dataset(self, dataset: h5py.Dataset, where: str) -> None:
+        check_attributes(dataset, self._kind)
+        self._check_type(dataset, where)
+        layout = dataset.id.get_create_plist()
+        if dataset.is_virtual or layout.get_external_count():
+            raise Refused(f"keeps {where} in other files")
+        for at in range(layout.get_nfilters()):
+            if layout.get_filter(at)[0] not in _FILTERS:
+                raise Refused(f"packs {where} with a filter of its own")
+        if dataset.chunks and np.prod(dataset.chunks) * dataset.dtype.itemsize > _LARGEST_CHUNK:
+            raise Refused(f"packs {where} in pieces larger than any {self._kind.name}'s")
+        stored = dataset.id.get_storage_size()
+        self._stored += stored
+        if self._stored > self._file_bytes:
+            raise Refused("says it stores more than the file holds")
+        unpacked = dataset.size * dataset.dtype.itemsize
+        if unpacked > stored * _BEST_RATIO:
+            raise Refused(f"says {where} has {dataset.size} rows, which {stored} bytes cannot hold")
+        self._unpacked += 0 if self._kind.free(where) else unpacked
+        if self._unpacked > self._kind.most_bytes:
+            raise Refused("holds more rows than fit into memory")
+        self._datasets[where] = dataset
+
+    def _check_type(self, dataset: h5py.Dataset, where: str) -> None:
+        dtype = dataset.dtype
+        if dtype.kind == "O":
+            if h5py.check_string_dtype(dtype) is None:
+                raise Refused(f"keeps references or lists in {where}")
+        elif dtype.kind not in "iufb" and (
+            self._kind.compound is None or dtype != self._kind.compound
+        ):
+            raise Refused(f"keeps {dtype} in {where}; numbers or text are expected")
+        if dataset.ndim > self._kind.dimensions:
+            raise Refused(f"has a table of {dataset.ndim} dimensions at {where}")
+
+
+def check_attributes(node: h5py.Group | h5py.Dataset, kind: Kind) -> None:
+    """Refuse attributes that are many, large, or neither numbers nor text."""
+    if len(node.attrs) > _MOST_ATTRIBUTES:
+        raise Refused(f"has more attributes than any {kind.name}")
+    for name in node.attrs:
+        attribute = node.attrs.get_id(name)
+        if attribute.get_storage_size() > _LARGEST_ATTRIBUTE or attribute.dtype.kind not in "iufbO":
+            raise Refused(f"has an attribute {name!r} like no {kind.name}'s")
+        if attribute.dtype.kind == "O" and h5py.check_string_dtype(attribute.dtype) is None:
+            raise Refused(f"has an attribute {name!r} like no {kind.name}'s")
