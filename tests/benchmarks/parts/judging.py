@@ -5,7 +5,8 @@ the box of that very part of that very person counts as something else, be it an
 another person or the floor. The paper says "regions of other objects" and judges by eye; exact
 truth leaves no room, so ours is the stricter reading. Two things the paper leaves open:
 
-- a rectangle that covers less than a tenth of the part is wrong: a dot inside holds nothing else;
+- a rectangle that covers less than a twentieth of the part is wrong: a dot inside holds nothing
+  else; the inner rectangle of a part seen exactly covers a tenth to a third of its box;
 - a person's first frame is the first in which all of the person is in the picture, at least seven
   tenths seen, and a track stands on the person. That track is followed whatever its rectangles do;
   another id on the same person is worth nothing. Who has no track within a second counts as wrong
@@ -29,7 +30,7 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 LEAST_SEEN = 0.7
-LEAST_COVERED = 0.1
+LEAST_COVERED = 0.05
 LATEST_START_S = 1.0
 
 

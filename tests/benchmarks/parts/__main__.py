@@ -1,0 +1,100 @@
+"""Body parts: `python -m tests.benchmarks.parts [--report] [--only SECTION ...] [--clips DIR]`.
+
+Without --report: the rates on a few scenes for choosing settings, as a table. With it: all sections
+on the scenes reported, kept one by one in docs/results.json, and the page made of them. --rewrite
+only makes the page and its pictures anew.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+_DOCS = Path(__file__).parents[3] / "docs"
+_DATA = Path(__file__).parents[4] / "shared" / "data"
+SECTIONS = ("rates", "crouching", "equalisation", "detector", "real", "speed")
+
+
+def main() -> None:
+    """Measure and write."""
+    for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+        os.environ[variable] = "1"
+    asked = _asked()
+    import cv2
+
+    cv2.setNumThreads(1)
+    if asked.rewrite:
+        _write(json.loads((_DOCS / "results.json").read_text(encoding="utf-8")))
+    elif asked.report:
+        _report(asked.only or SECTIONS, asked.clips, asked.data)
+    else:
+        _tune(asked.clips)
+
+
+def _asked() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="python -m tests.benchmarks.parts",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--report", action="store_true", help="measure and write docs/results.md")
+    parser.add_argument("--rewrite", action="store_true", help="write it from docs/results.json")
+    parser.add_argument("--only", nargs="+", choices=SECTIONS, help="these sections anew")
+    parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
+    parser.add_argument("--data", type=Path, default=_data(), help="folder of real recordings")
+    return parser.parse_args()
+
+
+def _data() -> Path:
+    named = os.environ.get("TRACKWRIGHT_DATA")
+    return Path(named) if named else _DATA
+
+
+def _report(sections: tuple[str, ...] | list[str], clips: Path | None, data: Path) -> None:
+    from tests.benchmarks.parts import clips as known
+    from tests.benchmarks.parts import measuring
+
+    measures: dict[str, Callable[[], Any]] = {
+        "rates": lambda: measuring.rates(known.REPORTED, clips),
+        "crouching": lambda: measuring.crouching(known.REPORTED_CROUCHING, clips),
+        "equalisation": measuring.equalisation,
+        "detector": lambda: measuring.detector(known.REPORTED, clips),
+        "real": lambda: measuring.real(data),
+        "speed": measuring.speed,
+    }
+    path = _DOCS / "results.json"
+    figures = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+    for name in sections:
+        figures[name] = measures[name]()
+        path.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
+        _write(figures)
+
+
+def _write(figures: dict[str, Any]) -> None:
+    from tests.benchmarks.parts import report
+
+    if "rates" in figures:
+        (_DOCS / "parts-rates.svg").write_text(
+            report.rates_picture(figures["rates"]), encoding="utf-8"
+        )
+    if "detector" in figures:
+        (_DOCS / "detector-roc.svg").write_text(
+            report.roc_picture(figures["detector"]), encoding="utf-8"
+        )
+    (_DOCS / "results.md").write_text(report.results(figures), encoding="utf-8")
+
+
+def _tune(clips: Path | None) -> None:
+    from tests.benchmarks.parts import clips as known
+    from tests.benchmarks.parts import measuring, report
+
+    print(report.rates_tables(measuring.rates(known.TUNED, clips)))
+    print(report.crouching_table(measuring.crouching(known.TUNED_CROUCHING, clips)))
+
+
+if __name__ == "__main__":
+    main()
