@@ -1,6 +1,7 @@
 """Which body parts a tracker has lost: features, samples, the detector, its training."""
 
 from tracking.failure.detector import FALSE_ALARMS, Detector, Judgement, Origin
+from tracking.failure.detector_file import built_in_detector, load_detector, save_detector
 from tracking.failure.features import FEATURE_NAMES, FEATURE_SPAN_S, STATE_NAMES, part_features
 from tracking.failure.labelled import part_states, samples_of
 from tracking.failure.machines import Machine, Machines
@@ -35,11 +36,14 @@ __all__ = [
     "Trained",
     "TrainingPlan",
     "TrainingReport",
+    "built_in_detector",
     "joined",
+    "load_detector",
     "no_samples",
     "part_features",
     "part_states",
     "samples_of",
+    "save_detector",
     "states_before",
     "train",
 ]

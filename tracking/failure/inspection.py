@@ -1,0 +1,63 @@
+"""Look detector files over before their data is touched: `python inspection.py FILE...`.
+
+See `tracking.untrusted.program` for why this is a program of its own, and what it prints.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import h5py
+
+if __name__ == "__main__":
+    # This program needs a few names of the package: loading all of it would take longer.
+    bare = ModuleType("tracking.failure")
+    bare.__path__ = [str(Path(__file__).parent)]
+    sys.modules[bare.__name__] = bare
+
+from tracking.failure.detector_layout import FORMAT, MACHINES, MOST_BYTES, PARTS, VERSION
+from tracking.untrusted import (
+    Kind,
+    Refused,
+    Walk,
+    check_signature,
+    say_verdicts,
+    version_of,
+)
+
+_KIND = Kind("detector", FORMAT, VERSION, MOST_BYTES, dimensions=2)
+
+
+def inspect(path: Path) -> tuple[int, int]:
+    """The file's format version. Raises Refused where it is not a detector safe to read."""
+    check_signature(path, _KIND)
+    with h5py.File(path, "r", locking=False) as file:
+        version = version_of(file, _KIND)
+        datasets = Walk(path.stat().st_size, _KIND).datasets_of(file)
+        several = MACHINES[-1] in file.get("machines", ())
+        for name, dimensions, kind in _expected(several):
+            dataset = datasets.get(name)
+            if dataset is None:
+                raise Refused(f"has no array {name}; {_KIND.choose}")
+            if dataset.ndim != dimensions or dataset.dtype.kind != kind:
+                raise Refused(f"has {dataset.dtype} in {dataset.ndim} dimensions at {name}")
+        datasets["origin/recordings"].asstr(errors="replace")[()]
+    return version
+
+
+def _expected(several: bool) -> list[tuple[str, int, str]]:
+    """Path, dimensions and kind of number of each array."""
+    machines = MACHINES if several else PARTS
+    return [
+        *(("preparation/centre", 1, "f"), ("preparation/scale", 1, "f")),
+        *((f"machines/{name}/support", 2, "f") for name in machines),
+        *((f"machines/{name}/coefficient", 1, "f") for name in machines),
+        *((f"operating/{name}/{side}", 1, "f") for name in machines for side in ("on", "off")),
+        *(("origin/counts", 2, "i"), ("origin/instants", 1, "i"), ("origin/recordings", 1, "O")),
+    ]
+
+
+if __name__ == "__main__":
+    say_verdicts(inspect)
