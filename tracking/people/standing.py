@@ -45,6 +45,11 @@ class Bodies:
         """Some of the bodies."""
         return Bodies(self.head[rows], self.foot[rows], self.height[rows], self.width[rows])
 
+    def with_others(self, others: Bodies) -> Bodies:
+        """These and other bodies."""
+        names = ("head", "foot", "height", "width")
+        return Bodies(*(np.concatenate((getattr(self, n), getattr(others, n))) for n in names))
+
 
 class Standing:
     """Sizes and places of people in one camera's picture.
@@ -85,6 +90,16 @@ class Standing:
             foot[known], height[known] = under[known], high[known]
             width[known] = high[known] * settings.body_width_m / settings.body_height_m
         return Bodies(head, foot, height, width)
+
+    def above(self, foot: Floats) -> Bodies:
+        """Bodies of the usual height over feet (n, 2), working px; needs a calibration."""
+        assert self._view is not None
+        settings = self._settings
+        xy = self._view.floor_from_pixel(self.recorded(foot))
+        head = self._working(self._view.pixel_from_world(_lifted(xy, settings.body_height_m)))
+        high = np.hypot(*(foot - head).T)
+        width = high * settings.body_width_m / settings.body_height_m
+        return Bodies(head, foot, high, width)
 
     def positions(self, top: Floats, foot: Floats, foot_seen: NDArray[np.bool_]) -> Floats:
         """(n, 3) m on the floor under people, and half their height; NaN without calibration.

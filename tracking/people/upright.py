@@ -16,15 +16,17 @@ _HAIR, _HAIR_ACROSS = (-0.09, 0.16), 0.24
 """Dark hair over a dark wall looks like shadow, but shadows lie on floors: along and across."""
 _CHEST, _CHEST_ACROSS = (0.12, 0.55), 0.4
 _LEGS, _LEGS_ACROSS = (0.5, 0.94), 0.5
-_LOW, _LOW_ACROSS = 0.86, 0.35
-"""From here on down what looks a little like shadow, and is not under the body, is shadow."""
+_LOW = 0.8
+"""From here on down what looks a little like shadow, and is not over a shoe, is shadow."""
 _LOWEST = 1.13
 """Nobody goes on below the feet of somebody this much taller than usual."""
 _LEGS_SEEN = 0.5
 """With fewer pixels of legs than this share of those like shadow, trousers look like shadow."""
 
 
-def body_pixels(kind: NDArray[np.uint8], place: Placed, count: int, metric: bool) -> Bools:
+def body_pixels(
+    kind: NDArray[np.uint8], place: Placed, column: NDArray[np.intp], count: int, metric: bool
+) -> Bools:
     """(n,) which pixels are people.
 
     A picture alone does not tell a shadow from dull clothes. Where bodies stand does: shadows lie
@@ -34,6 +36,7 @@ def body_pixels(kind: NDArray[np.uint8], place: Placed, count: int, metric: bool
     Args:
         kind: (n,) `BODY`, `PERHAPS` or `SHADOW`.
         place: of the pixels on `count` bodies.
+        column: (n,) of the pixels, from 0.
         metric: whether the bodies' heights are known from metres, not from what is seen.
     """
     along, across = place.along, place.across
@@ -43,10 +46,18 @@ def body_pixels(kind: NDArray[np.uint8], place: Placed, count: int, metric: bool
     legs = _within(along, _LEGS) & (across < _LEGS_ACROSS)
     restored |= legs & _without_legs(legs, shadow, place, count)[place.body]
     own = ~shadow | restored
-    own &= (kind != PERHAPS) | (along < _LOW) | (across < _LOW_ACROSS)
+    low = along > _LOW
+    own &= (kind != PERHAPS) | ~low | _over(along, column, low & (kind == BODY))
     if metric:
         own &= along < _LOWEST
     return np.asarray(own, np.bool_)
+
+
+def _over(along: NDArray[np.float32], column: NDArray[np.intp], body: Bools) -> Bools:
+    """Which pixels have some of the body below them in their column."""
+    lowest = np.full(int(column.max(initial=0)) + 1, -np.inf, np.float32)
+    np.maximum.at(lowest, column[body], along[body])
+    return np.asarray(along < lowest[column], np.bool_)
 
 
 def _without_legs(legs: Bools, shadow: Bools, place: Placed, count: int) -> Bools:
