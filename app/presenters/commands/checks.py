@@ -61,6 +61,11 @@ def waiting(now: Situation) -> str:
     return "" if now.editing else tr("no edit is waiting")
 
 
+def reaching(now: Situation) -> str:
+    """Something must be done whose reach can be chosen: an edit that waits, labels of parts."""
+    return "" if now.saying else waiting(now)
+
+
 def placing(now: Situation) -> str:
     """An edit of a box must wait for Enter."""
     return "" if now.placing else tr("no box is being moved")

@@ -14,7 +14,8 @@ class Situation:
         recording, session: open. tracks: there is something to select. selected: somebody is.
         editing: a preview waits for Enter. placing: it is one of a box.
         live: a tracker is at work. busy: other long work is.
-        labelling: something is being labelled.
+        labelling: something is being labelled. saying: it is body parts. suggesting: those of
+            which the detector is least sure are walked.
         suspicions: the review queue lists some. suspicion: one of them is looked at; fixable: an
             edit would put it right. watched: a stretch was just watched.
         comparing: two versions of the tracks are compared. unkept: what a tracker found is in
@@ -32,6 +33,8 @@ class Situation:
     selected: bool = False
     editing: bool = False
     labelling: bool = False
+    saying: bool = False
+    suggesting: bool = False
     suspicions: bool = False
     suspicion: bool = False
     fixable: bool = False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import drawable, on_floor, placing, selected, waiting
+from app.presenters.commands.checks import drawable, on_floor, placing, reaching, selected, waiting
 from app.presenters.commands.command import Command
 
 _PEOPLE: Final = (
@@ -152,7 +152,7 @@ _WAITING: Final = (
         "Correct",
         "How far the edit goes",
         ("R",),
-        waiting,
+        reaching,
         submenu="Change the edit shown",
     ),
     Command(

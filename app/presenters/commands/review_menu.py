@@ -11,7 +11,7 @@ from app.presenters.words import tr
 
 def _listed(now: Situation) -> str:
     """Something must be left in the queue, or be compared."""
-    if now.suspicions or now.comparing:
+    if now.suspicions or now.comparing or now.suggesting:
         return ""
     return session(now) or tr("nothing is left to look at")
 

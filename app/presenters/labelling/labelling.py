@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,22 +12,18 @@ from app.presenters.labelling.drawn import Drawn, DrawnLabels
 from app.presenters.labelling.labelling_scene import (
     FloorLabels,
     LabellingScene,
-    PartLine,
     PartMark,
     PictureLabels,
     RangeLine,
     Tool,
 )
-from app.presenters.labelling.parts import Box, parts_of
+from app.presenters.labelling.part_labelling import SAID, PartLabelling
+from app.presenters.labelling.parts import Box
+from app.presenters.parts.picturing import part_name
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.scenes import Eye
 from app.presenters.words import tr
-from tracking.editing import Change, plan_label_part, plan_unlabel_part
-from tracking.errors import EditError
-from tracking.tracks import PART_NAMES, Labels, PartLabel, PartLabels
-
-_SAID: dict[bool | None, str] = {True: "on", False: "off", None: "unsure"}
-_Counts = Counter[tuple[int, bool | None]]
+from tracking.tracks import Labels, PartLabel
 
 
 @dataclass(slots=True)
@@ -36,15 +31,12 @@ class Choice:
     """What the user has chosen while labelling.
 
     Attributes:
-        tool: at work, None for none. part: that the keys speak of.
+        tool: at work, None for none.
         picked: number of the thing drawn that is chosen, -1 for none.
-        step: frames to go on after the last part; 0 stays.
     """
 
     tool: Tool | None = None
-    part: int = 0
     picked: int = -1
-    step: int = 1
 
 
 class LabellingPresenter:
@@ -53,8 +45,8 @@ class LabellingPresenter:
     def __init__(self, document: Document) -> None:
         self._document = document
         self.choice = Choice()
+        self.parts = PartLabelling(document)
         self._drawn = DrawnLabels(document.recording)
-        self._counted: tuple[PartLabels, _Counts] = (PartLabels(), Counter())
 
     @property
     def labels(self) -> Labels:
@@ -66,40 +58,6 @@ class LabellingPresenter:
     def track(self) -> int:
         """The selected track; 0 for nobody."""
         return self._document.selection.track
-
-    # body parts
-
-    def parts(self, frame: int) -> dict[int, tuple[PartLabel, bool]]:
-        """The parts of the selected person and whether somebody labelled them."""
-        session = self._document.session
-        if session is None or not self.track:
-            return {}
-        adopted = session.adopted_run
-        run = session.runs[adopted] if adopted is not None else None
-        return parts_of(session.labels, session.tracks, run, self.track, frame)
-
-    def plan_say(self, frame: int, on_part: bool | None) -> Change:
-        """Say whether the chosen part's rectangle lies on its part.
-
-        Raises EditError where the person has no rectangle in the frame.
-        """
-        there = self.parts(frame).get(self.choice.part)
-        if there is None:
-            raise EditError(
-                tr("{track} has no box in frame {frame}: draw one", track=self.track, frame=frame)
-            )
-        return plan_label_part(self.labels, replace(there[0], on_part=on_part))
-
-    def plan_box(self, frame: int, part: int, box: Box) -> Change:
-        """Put a part's rectangle where a person drew it: it lies on its part, or is unsure."""
-        there = self.parts(frame).get(part)
-        unsure = there is not None and there[1] and there[0].on_part is None
-        drawn = PartLabel(frame, self.track, part, box, None if unsure else True, "person")
-        return plan_label_part(self.labels, drawn)
-
-    def plan_forget(self, frame: int) -> Change:
-        """Take back what was said of the chosen part in the frame."""
-        return plan_unlabel_part(self.labels, (frame, self.track, self.choice.part))
 
     # what the views show
 
@@ -121,14 +79,14 @@ class LabellingPresenter:
         """Those of the selected person while they are labelled; else what was said of anybody."""
         labelling = self.choice.tool is Tool.PARTS
         if labelling:
-            shown = list(self.parts(frame).values())
+            shown = list(self.parts.parts(frame).values())
         else:
             shown = [(label, True) for label in self.labels.parts.of_frame(frame)]
         marks = []
         for label, given in shown:
             box = label.box if eye is not Eye.RIGHT else self._in_right_eye(label)
             if box is not None:
-                chosen = labelling and label.part == self.choice.part
+                chosen = labelling and label.part == self.parts.choice.part
                 text = _mark_text(label, given)
                 marks.append(PartMark(label.part, box, text, given, label.on_part, chosen))
         return tuple(marks)
@@ -163,38 +121,19 @@ class LabellingPresenter:
         return LabellingScene(tool, title, hint, names=names, picked=self.choice.picked)
 
     def _parts_scene(self, frame: int) -> LabellingScene:
+        of_parts = self.parts
+        step, scope = of_parts.choice.step, of_parts.scope_row()
         if not self.track:
             title, hint = tr("Body parts"), tr("Click a person to label their parts.")
-            return LabellingScene(Tool.PARTS, title, hint, step=self.choice.step)
-        there, counts = self.parts(frame), self._counts()
-        lines = tuple(
-            PartLine(
-                tr(name),
-                _SAID[there[part][0].on_part] if part in there and there[part][1] else "",
-                part == self.choice.part,
-                (counts[part, True], counts[part, False], counts[part, None]),
-            )
-            for part, name in enumerate(PART_NAMES)
-        )
+            return LabellingScene(Tool.PARTS, title, hint, step=step)
         title = tr("Body parts of {who}", who=self._who())
         hint = (
             tr("Say whether each rectangle lies on its part, or drag it there; Esc leaves.")
-            if there
+            if of_parts.parts(frame)
             else tr("Nobody is tracked here: draw the part, or go to another frame; Esc leaves.")
         )
-        return LabellingScene(Tool.PARTS, title, hint, lines, self.choice.step)
-
-    def _counts(self) -> _Counts:
-        """How often each part was said to be on, off and unsure; counted on from the last time."""
-        before, counts = self._counted
-        parts = self.labels.parts
-        if parts is not before:
-            gone, come = before.unlike(parts)
-            counts = Counter(counts)
-            counts.subtract((label.part, label.on_part) for label in gone)
-            counts.update((label.part, label.on_part) for label in come)
-            self._counted = (parts, counts)
-        return counts
+        lines = of_parts.lines(frame)
+        return LabellingScene(Tool.PARTS, title, hint, lines, step, scope=scope)
 
     def _reviewed_scene(self, frame: int) -> LabellingScene:
         names = self.labels
@@ -226,8 +165,8 @@ class LabellingPresenter:
 
 
 def _mark_text(label: PartLabel, given: bool) -> str:
-    name = tr(PART_NAMES[label.part])
-    said = tr(_SAID[label.on_part])
+    name = part_name(label.part)
+    said = tr(SAID[label.on_part])
     return tr("{part}: {said}", part=name, said=said) if given else name
 
 

@@ -7,7 +7,8 @@ from enum import Enum
 
 import numpy as np
 
-from app.presenters.scenes import Colour, Points
+from app.presenters.scenes import ChoiceRow, Colour, Points
+from tracking.tracks import PartKey
 
 PART_COLOURS: tuple[Colour, ...] = ((230, 159, 0), (86, 180, 233), (204, 121, 167))
 """Of head, torso and hip-leg: told apart also by the colour-blind."""
@@ -103,6 +104,23 @@ class PartLine:
 
 
 @dataclass(frozen=True, slots=True)
+class Suggested:
+    """A part that is worth labelling.
+
+    Attributes:
+        key: frame, track and part. reason: why, as it is kept with the label.
+        title: the part in words. label: of the person. colour: theirs. when: e.g. "00:41.70".
+    """
+
+    key: PartKey
+    reason: str
+    title: str
+    label: str
+    colour: Colour
+    when: str
+
+
+@dataclass(frozen=True, slots=True)
 class RangeLine:
     """One reviewed range in the panel; track 0 stands for all."""
 
@@ -120,6 +138,9 @@ class LabellingScene:
         tool: what is labelled. title: e.g. "Body parts of 4 red coat".
         hint: what to do, in a line.
         parts: head, torso, hip-leg; only of `Tool.PARTS`. step: frames to go on after the last.
+        scope: how far an answer goes. suggestions: what is worth labelling, the best first; None:
+            they are not asked for. doing: said while they are looked for, or why there are none.
+        current: the number of the one looked at; -1: none.
         names: what was drawn, of the tools that draw. picked: number of the one chosen, -1: none.
         ranges: reviewed ranges. proposed: start and end (last frame) for a further one.
         selected: the selected track in words; "" for nobody.
@@ -135,3 +156,7 @@ class LabellingScene:
     ranges: tuple[RangeLine, ...] = ()
     proposed: tuple[int, int] = (0, 0)
     selected: str = ""
+    scope: ChoiceRow | None = None
+    suggestions: tuple[Suggested, ...] | None = None
+    current: int = -1
+    doing: str = ""

@@ -8,10 +8,12 @@ from collections.abc import Mapping
 import numpy as np
 
 from app.presenters.document.belonging import ids_after_edits
-from tracking.tracks import PART_NAMES, Labels, PartLabel, Run, TrackTable
+from app.presenters.parts.history import parts_behind
+from tracking.tracks import PART_NAMES, Columns, Labels, PartLabel, Run, TrackTable
 
 Box = tuple[float, float, float, float]
 
+_BOX = ("left", "top", "width", "height")
 _SHARES = ((0.00, 0.15, 0.50), (0.15, 0.52, 0.95), (0.52, 1.00, 0.85))
 """Top and bottom of head, torso and hip-leg as shares of a standing body's height from the top,
 and their widths as shares of the box: chin at 0.87, hip at 0.53 and crotch at 0.47 of the height
@@ -46,8 +48,54 @@ def parts_of(
     }
 
 
+def parts_over(
+    labels: Labels,
+    table: TrackTable,
+    run: Run | None,
+    person: tuple[int, int],
+    frames: tuple[int, int],
+) -> list[PartLabel]:
+    """A track's part (both in `person`) in each of some frames, as `parts_of` gives it.
+
+    Where the tracker saw the person's parts, frames in which it did not are left out: nobody can
+    say of many frames at once whether a mere guess is right.
+    """
+    track, part = person
+    rows = table.of_track(track, *frames)
+    given = {one.frame: one for one in labels.parts.of_track(track, *frames) if one.part == part}
+    seen = _boxes_seen(parts_behind(rows, run), part)
+    guessed = (
+        {label.frame: label for label in seen}
+        if seen
+        else {
+            frame: _from_box({name: rows[name][at : at + 1] for name in _BOX}, track, frame)[part]
+            for at, frame in enumerate(rows["frame"].tolist())
+            if all(math.isfinite(rows[name][at]) for name in _BOX)
+        }
+    )
+    everything = {**guessed, **given}
+    return [everything[frame] for frame in sorted(everything)]
+
+
+def _boxes_seen(parts: Columns, part: int) -> list[PartLabel]:
+    """One part's rectangles in `PART_COLUMNS`, where they are any."""
+    numbers = np.column_stack([parts[name] for name in ("cx", "cy", "width", "height")])
+    good = np.isfinite(numbers).all(axis=1) & (numbers[:, 2:] > 0).all(axis=1)
+    return [
+        PartLabel(
+            int(parts["frame"][at]),
+            int(parts["track"][at]),
+            part,
+            (u - width / 2, v - height / 2, width, height),
+            source="tracker",
+        )
+        for at in np.flatnonzero(good & (parts["part"] == part)).tolist()
+        for u, v, width, height in [numbers[at].tolist()]
+    ]
+
+
 def _from_box(rows: Mapping[str, np.ndarray], track: int, frame: int) -> dict[int, PartLabel]:
-    left, top, width, height = (float(rows[name][0]) for name in ("left", "top", "width", "height"))
+    left, top, width, height = (float(rows[name][0]) for name in _BOX)
     if not math.isfinite(left + top + width + height):
         return {}
     return {

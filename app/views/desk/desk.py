@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.commands import Situation
 from app.presenters.document.document import Document
 from app.presenters.document.setting import Pictured
+from app.presenters.labelling.labelling_scene import Tool
 from app.presenters.runs.tracker_state import TrackerState, TrackerWords
 from app.presenters.scenes import Eye, TransportScene
 from app.presenters.words import tr
@@ -157,6 +158,8 @@ class Desk(QObject):
             selected=bool(document.selection),
             editing=document.flow is not None,
             labelling=self.labelling.tool is not None,
+            saying=self.labelling.tool is Tool.PARTS,
+            suggesting=self.labelling.keys.suggesting.asked,
             parts=self.parts.presenter.any_tracked,
             placing=document.flow is not None and document.flow.places,
             live=self.live.running,

@@ -22,20 +22,20 @@ from app.presenters.labelling.labelling_scene import (
     LINE_COLOUR,
     OCCLUDER_COLOUR,
     REGION_COLOUR,
+    LabellingScene,
     PictureLabels,
     Tool,
 )
-from app.presenters.parts.picturing import part_name
 from app.presenters.scenes import Eye
 from app.presenters.words import tr
 from app.views.desk.workspace import Workspace
 from app.views.labelling.labelling_panel import LabellingPanel
+from app.views.labelling.part_keys import PartKeys
 from app.views.labelling.part_labels import PartsLayer
 from app.views.labelling.shapes import ShapesLayer
 from app.views.playing.playback import Playback
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
-from tracking.tracks import PART_NAMES
 
 _COLOURS = {
     Tool.OCCLUDERS: OCCLUDER_COLOUR,
@@ -66,12 +66,15 @@ class Labelling(QObject):
         self._parts = PartsLayer(workspace.left)
         self._on_picture = ShapesLayer(workspace.left)
         self._on_floor = ShapesLayer(workspace.overhead)
+        self.keys = PartKeys(document, playback, self._presenter.parts, self._do, self)
+        self.keys.changed.connect(self.changed)
+        self.keys.said.connect(self.said)
         self._connect_layers()
         self._connect_panel()
 
     def _connect_layers(self) -> None:
         self._parts.part_chosen.connect(self.choose_part)
-        self._parts.part_drawn.connect(self._put_box)
+        self._parts.part_drawn.connect(self.keys.put_box)
         self._parts.picked.connect(self._pick_person)
         self._parts.left.connect(self.leave)
         for layer in (self._on_picture, self._on_floor):
@@ -85,9 +88,11 @@ class Labelling(QObject):
         """Each connection ends with this object."""
         labelling, panel = self, self._panel
         panel.left.connect(labelling.leave)
-        panel.parts.said.connect(labelling.say_of)
+        panel.parts.said.connect(labelling._say_of)
         panel.parts.chosen.connect(labelling.choose_part)
-        panel.parts.step_chosen.connect(labelling.set_step)
+        panel.parts.step_chosen.connect(labelling.keys.set_step)
+        panel.parts.scope_chosen.connect(labelling.keys.choose_scope)
+        panel.parts.suggestion_chosen.connect(labelling.keys.go_to)
         panel.drawn.picked.connect(labelling._pick)
         panel.drawn.renamed.connect(labelling._rename)
         panel.drawn.removed.connect(labelling._remove)
@@ -97,6 +102,7 @@ class Labelling(QObject):
 
     def close(self) -> None:
         """Take the layers off the views, which outlive the document."""
+        self.keys.suggesting.close()
         for layer in self._layers:
             layer.hide()
             layer.setParent(None)
@@ -115,11 +121,6 @@ class Labelling(QObject):
         """What is being labelled."""
         return self._presenter.choice.tool
 
-    @property
-    def part(self) -> int:
-        """The part that is looked at, labelled or not."""
-        return self._presenter.choice.part
-
     def toggle(self, tool: Tool) -> None:
         """Begin with a tool, or leave it where it is at work already."""
         if self.tool is tool:
@@ -129,6 +130,7 @@ class Labelling(QObject):
         self._document.correcting.leave()
         self._presenter.choice.tool = tool
         self._presenter.choice.picked = -1
+        self.keys.end_suggestions()
         for layer in self._layers:
             layer.hide()
         used = self._layer_of(tool)
@@ -140,6 +142,7 @@ class Labelling(QObject):
         """Leave the tool; what was drawn and said stays."""
         self._presenter.choice.tool = None
         self._presenter.choice.picked = -1
+        self.keys.end_suggestions()
         for layer in self._layers:
             layer.hide()
         self._workspace.left.setFocus()
@@ -154,46 +157,35 @@ class Labelling(QObject):
 
     # body parts
 
+    @property
+    def part(self) -> int:
+        """The part that is looked at, labelled or not."""
+        return self.keys.part
+
     def choose_part(self, part: int) -> None:
-        """The part that is looked at, and that the next answer is about."""
-        self._presenter.choice.part = part
-        self.said.emit(tr("Part: {part}", part=part_name(part)))
-        self.changed.emit()
+        """Look at a part; the next answer is about it."""
+        self.keys.choose(part)
 
-    def say_of(self, part: int, on_part: bool | None) -> None:
-        """One of the panel's answers was clicked."""
-        self._presenter.choice.part = part
-        self.say(on_part)
-
-    def say(self, on_part: bool | None) -> None:
-        """Say whether the chosen part's rectangle lies on its part, then go on to the next one."""
+    def say(self, on_part: bool | None, part: int | None = None) -> None:
+        """Say whether a part's rectangle lies on its part, then go on to the next one."""
         self._need_parts()
-        frame = self._playback.number
-        if self._do(lambda: self._presenter.plan_say(frame, on_part)):
-            self._go_on()
+        self.keys.say(on_part, part)
 
-    def _go_on(self) -> None:
-        choice = self._presenter.choice
-        choice.part = (choice.part + 1) % len(PART_NAMES)
-        if choice.part == 0 and choice.step:
-            self._playback.step(choice.step)
-        self.changed.emit()
-
-    def forget(self) -> None:
-        """Take back what was said of the chosen part in the frame."""
-        self._do(lambda: self._presenter.plan_forget(self._playback.number))
-
-    def set_step(self, frames: int) -> None:
-        """Frames to go on after the last part."""
-        self._presenter.choice.step = frames
+    def suggest(self) -> None:
+        """Begin to label where the detector is least sure, or leave that."""
+        if self.keys.suggesting.asked and self.tool is Tool.PARTS:
+            self.leave()
+            return
+        self._need_parts()
+        self.keys.begin_suggestions()
 
     def _need_parts(self) -> None:
         if self.tool is not Tool.PARTS:
             self.toggle(Tool.PARTS)
 
-    def _put_box(self, part: int, box: tuple[float, float, float, float]) -> None:
-        self._presenter.choice.part = part
-        self._do(lambda: self._presenter.plan_box(self._playback.number, part, box))
+    def _say_of(self, part: int, on_part: bool | None) -> None:
+        """One of the panel's answers was clicked."""
+        self.say(on_part, part)
 
     def _pick_person(self, at: QPointF) -> None:
         """A click beside all rectangles: maybe on another person."""
@@ -271,13 +263,16 @@ class Labelling(QObject):
         right = presenter.picture(Eye.RIGHT, frame) if shown and both else nothing
         self._show(left, right)
         if self.tool is Tool.PARTS:
-            self._parts.show_parts(left.parts, presenter.choice.part)
+            self._parts.show_parts(left.parts, presenter.parts.choice.part)
         elif self.tool in _COLOURS:
             layer = self._on_floor if self.tool.on_floor else self._on_picture
             shapes = [corners_of(item) for item in drawn_with(self.tool, presenter.labels)]
             closed = self.tool is not Tool.LINES
             layer.show_shapes(shapes, closed=closed, colour=_COLOURS[self.tool])
-        self._panel.show_scene(presenter.scene(frame))
+        self._panel.show_scene(self._with_suggestions(presenter.scene(frame)))
+
+    def _with_suggestions(self, scene: LabellingScene | None) -> LabellingScene | None:
+        return self.keys.suggesting.shown(scene) if scene is not None else None
 
     def _show(self, left: PictureLabels, right: PictureLabels) -> None:
         self._workspace.left.show_labels(left)

@@ -16,7 +16,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.labelling.labelling_scene import PART_COLOURS, LabellingScene
+from app.views.labelling.balance import BalanceBar
+from app.views.labelling.suggestions import SuggestionsList
 from app.views.look.theme import current_theme, scaled_font
+from app.views.widgets.choices import ChoiceButtons
 from app.views.widgets.parts import Swatch, quiet
 from tracking.tracks import PART_NAMES
 
@@ -31,11 +34,15 @@ class PartsGrid(QWidget):
         said(int, object): a part and True, False or None.
         chosen(int): a part's name was clicked.
         step_chosen(int): frames to go on after the last part.
+        scope_chosen(int): which of the ways how far an answer goes.
+        suggestion_chosen(int): the number of the suggestion that was clicked.
     """
 
     said = Signal(int, object)
     chosen = Signal(int)
     step_chosen = Signal(int)
+    scope_chosen = Signal(int)
+    suggestion_chosen = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -50,14 +57,23 @@ class PartsGrid(QWidget):
         self._swatches: list[Swatch] = []
         self._names: list[QToolButton] = []
         self._answers: dict[tuple[int, bool | None], QToolButton] = {}
+        self._balances: list[BalanceBar] = []
         for part in range(len(PART_NAMES)):
             self._build_line(grid, part)
+        self._scope = ChoiceButtons(self)
+        self._scope.chosen.connect(self.scope_chosen)
+        rows.addWidget(self._scope)
         self._keys = quiet(
             self.tr("4 on, 5 off, 6 unsure; then the next part. 7, 8, 9 choose a part."), self
         )
         self._keys.setWordWrap(True)
         rows.addWidget(self._keys)
-        rows.addLayout(self._build_step())
+        self._step_line = QWidget(self)
+        self._step_line.setLayout(self._build_step())
+        rows.addWidget(self._step_line)
+        self._suggestions = SuggestionsList(self)
+        self._suggestions.chosen.connect(self.suggestion_chosen)
+        rows.addWidget(self._suggestions)
 
     def _build_line(self, grid: QGridLayout, part: int) -> None:
         swatch, name = Swatch(self), QToolButton(self)
@@ -77,9 +93,13 @@ class PartsGrid(QWidget):
             button.clicked.connect(partial(self.said.emit, part, answer))
             grid.addWidget(button, part, column)
             self._answers[part, answer] = button
+        balance = BalanceBar(self)
+        grid.addWidget(balance, part, len(_ANSWERS) + 2)
+        self._balances.append(balance)
 
     def _build_step(self) -> QHBoxLayout:
         line = QHBoxLayout()
+        line.setContentsMargins(0, 0, 0, 0)
         line.addWidget(QLabel(self.tr("After the last part go on"), self))
         self._step = QSpinBox(self)
         self._step.setRange(0, _LONGEST_STEP)
@@ -110,9 +130,15 @@ class PartsGrid(QWidget):
                         told.format(line.name, words[answer], line.counts[number])
                     )
                     button.setToolTip(button.accessibleName())
+            self._balances[part].setVisible(there)
             if there:
                 self._name_line(scene, part)
+                line = scene.parts[part]
+                self._balances[part].show_counts(line.name, line.counts[0], line.counts[1])
         self._keys.setVisible(bool(scene.parts))
+        self._scope.show_scene(scene.scope if scene.parts else None)
+        self._step_line.setVisible(scene.suggestions is None)
+        self._suggestions.show_scene(scene)
         self._step.blockSignals(True)
         self._step.setValue(scene.step)
         self._step.blockSignals(False)

@@ -191,6 +191,8 @@ class MainWindow(QMainWindow):
         if self.desk is not None:
             pictured = self.desk.pictured
             on.add(f"view.{self.desk.eyes}")
+            if self.desk.labelling.keys.suggesting.asked:
+                on.add("detector.suggest")
             if self.desk.reviewing.plays:
                 on.add("review.plays")
             on |= {f"view.{name}" for name, is_on in asdict(pictured).items() if is_on}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.presenters.correcting import EditKind, Scope
+from app.presenters.labelling.labelling_scene import Tool
 from app.views.desk.desk import Desk
 from app.views.window.runnable.on_desk import OnDesk
 
@@ -31,6 +32,14 @@ def _vertical(down: int, *, far: bool = False, resize: bool = False) -> OnDesk:
             desk.editing.next_proposal(down)
 
     return go
+
+
+def _next_scope(desk: Desk) -> None:
+    """R: how far the edit that waits goes, else an answer about a body part."""
+    if desk.document.flow is None and desk.labelling.tool is Tool.PARTS:
+        desk.labelling.keys.next_scope()
+    else:
+        desk.editing.next_choice(0)
 
 
 CORRECTING: dict[str, OnDesk] = {
@@ -68,7 +77,7 @@ CORRECTING: dict[str, OnDesk] = {
     "tracks.range_end": lambda desk: desk.editing.mark(end=True),
     "tracks.no_range": lambda desk: desk.editing.unmark(),
     "tracks.confirm": lambda desk: desk.editing.confirm(),
-    "tracks.scope": lambda desk: desk.editing.next_choice(0),
+    "tracks.scope": _next_scope,
     "tracks.way": lambda desk: desk.editing.next_choice(1),
     "tracks.down": _vertical(1),
     "tracks.up": _vertical(-1),

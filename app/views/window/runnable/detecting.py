@@ -7,4 +7,5 @@ from app.views.window.runnable.on_desk import OnDesk
 DETECTING: dict[str, OnDesk] = {
     "detector.next": lambda desk: desk.parts.jump(1),
     "detector.previous": lambda desk: desk.parts.jump(-1),
+    "detector.suggest": lambda desk: desk.labelling.suggest(),
 }

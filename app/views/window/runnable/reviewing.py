@@ -8,11 +8,16 @@ from app.views.window.runnable.on_desk import OnDesk
 
 
 def _walk(step: int) -> OnDesk:
-    """N and P: through what differs while two versions are compared, else through the queue."""
+    """N and P: through what differs while two versions are compared, else through the queue.
+
+    While parts are labelled where the detector is least sure: through these.
+    """
 
     def walk(desk: Desk) -> None:
         if desk.comparing.shown:
             desk.comparing.walk(step)
+        elif desk.labelling.keys.suggesting.asked:
+            desk.labelling.keys.walk(step)
         else:
             desk.reviewing.walk(step)
 

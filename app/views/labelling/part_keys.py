@@ -1,0 +1,153 @@
+"""Labelling body parts by keys: an answer each, then on to the next part, frame or suggestion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Signal
+
+from app.presenters.correcting import Scope
+from app.presenters.document.document import Document
+from app.presenters.labelling.labelling_scene import Suggested
+from app.presenters.labelling.part_labelling import PartLabelling
+from app.presenters.parts.picturing import part_name
+from app.presenters.words import tr
+from app.views.labelling.suggesting import Suggesting
+from app.views.playing.playback import Playback
+from tracking.editing import Change
+from tracking.tracks import PART_NAMES
+
+Do = Callable[[Callable[[], Change]], bool]
+"""Does what is planned; whether it was done."""
+Box = tuple[float, float, float, float]
+
+
+class PartKeys(QObject):
+    """What is said of the parts of the selected person.
+
+    Signals: `changed()`, another part, person or scope; `said(text)`.
+    """
+
+    changed = Signal()
+    said = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        playback: Playback,
+        presenter: PartLabelling,
+        do: Do,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._playback = document, playback
+        self._presenter, self._do = presenter, do
+        self.suggesting = Suggesting(document, self)
+        self.suggesting.changed.connect(self._follow)
+
+    @property
+    def part(self) -> int:
+        """The part that is looked at."""
+        return self._presenter.choice.part
+
+    def choose(self, part: int) -> None:
+        """Look at a part; the next answer is about it."""
+        self._presenter.choice.part = part
+        self.said.emit(tr("Part: {part}", part=part_name(part)))
+        self.changed.emit()
+
+    def say(self, on_part: bool | None, part: int | None = None) -> None:
+        """Say whether a part's rectangle lies on its part, then go on."""
+        choice, frame = self._presenter.choice, self._playback.number
+        if part is not None:
+            choice.part = part
+        suggested = self._at_suggested(frame)
+        if self._do(lambda: self._presenter.plan_say(frame, on_part)):
+            self._go_on(suggested)
+
+    def put_box(self, part: int, box: Box) -> None:
+        """A rectangle was drawn, or dragged to where the part is."""
+        self._presenter.choice.part = part
+        frame = self._playback.number
+        suggested = self._at_suggested(frame)
+        if self._do(lambda: self._presenter.plan_box(frame, part, box)) and suggested:
+            self._go_on(suggested)
+
+    def forget(self) -> None:
+        """Take back what was said of the part in the frame, or in the range."""
+        self._do(lambda: self._presenter.plan_forget(self._playback.number))
+
+    def set_step(self, frames: int) -> None:
+        """Frames to go on after the last part."""
+        self._presenter.choice.step = frames
+
+    def next_scope(self) -> None:
+        """R: this frame, or the range that is set."""
+        self._presenter.next_scope()
+        self.changed.emit()
+
+    def choose_scope(self, number: int) -> None:
+        """One of both was clicked."""
+        if number != self._presenter.scope_row().chosen:
+            self.next_scope()
+
+    def _go_on(self, suggested: bool) -> None:
+        """To the next suggestion from one of them, else to the next part, and after the last."""
+        if suggested:
+            self.walk(1)
+            return
+        choice = self._presenter.choice
+        choice.part = (choice.part + 1) % len(PART_NAMES)
+        if choice.part == 0 and choice.step and choice.scope is Scope.FRAME:
+            self._playback.step(choice.step)
+        self.changed.emit()
+
+    def _at_suggested(self, frame: int) -> bool:
+        """Whether what an answer is about now is what was suggested."""
+        suggested = self._presenter.choice.suggested
+        here = (frame, self._document.selection.track, self.part)
+        return suggested is not None and suggested.key == here
+
+    # suggestions
+
+    def begin_suggestions(self) -> None:
+        """List what is worth labelling, and go to the first as soon as it is found."""
+        self.suggesting.look()
+        self.changed.emit()
+
+    def end_suggestions(self) -> None:
+        """List nothing any more."""
+        self.suggesting.stop()
+        self._presenter.choice.suggested = None
+
+    def walk(self, step: int) -> None:
+        """N (1) or P (-1) while suggestions are walked."""
+        session = self._document.session
+        if session is not None:
+            self.suggesting.queue.take_labels(session.labels.parts)
+        self._look_at(self.suggesting.queue.walk(step))
+
+    def go_to(self, number: int) -> None:
+        """A suggestion was clicked."""
+        self._look_at(self.suggesting.queue.choose(number))
+
+    def _follow(self) -> None:
+        """Suggestions were found."""
+        queue = self.suggesting.queue
+        if queue.open and queue.current is None:
+            self._look_at(queue.walk(1))
+        else:
+            self.changed.emit()
+
+    def _look_at(self, suggested: Suggested | None) -> None:
+        choice = self._presenter.choice
+        choice.suggested = suggested
+        if suggested is None:
+            self.said.emit(tr("Nothing suggested is left to label"))
+        else:
+            frame, track, choice.part = suggested.key
+            choice.scope = Scope.FRAME
+            self._playback.pause()
+            self._document.selection.choose(track)
+            self._playback.go(frame)
+        self.changed.emit()

@@ -1,0 +1,183 @@
+"""Parts labelled by keys where the detector is least sure, and over a range."""
+
+import numpy as np
+import pytest
+from correcting_desk import CROWDED, CTRL, Hands, opened_desk
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+
+Key = Qt.Key
+ALT = Qt.KeyboardModifier.AltModifier
+
+
+@pytest.fixture
+def hands(window, qtbot, parted_session):
+    return Hands(window, opened_desk(window, qtbot, parted_session), qtbot)
+
+
+@pytest.fixture
+def labels(hands):
+    return lambda: hands.desk.document.session.labels.parts
+
+
+@pytest.fixture
+def suggested(hands, qtbot):
+    """Alt+6 was pressed and the first suggestion is looked at."""
+    hands.press(Key.Key_6, ALT)
+    queue = lambda: hands.desk.labelling.keys.suggesting.queue  # noqa: E731
+    qtbot.waitUntil(lambda: queue().current is not None)
+    wait_there(hands, qtbot)
+    return queue
+
+
+def wait_there(hands, qtbot):
+    playback = hands.desk.playback
+    qtbot.waitUntil(lambda: playback.number == playback.clock.frame)
+
+
+def test_suggestions_begin_where_the_detector_is_least_sure(hands, suggested):
+    rows = hands.desk.document.session.runs[0].parts
+    doubt = {
+        (int(f), int(t), int(p)): abs(float(s))
+        for f, t, p, s in zip(
+            *(rows[name] for name in ("frame", "track", "part", "score")), strict=True
+        )
+    }
+    walked = [doubt[one.key] for one in suggested().open]
+    assert walked == sorted(walked)
+    hidden = rows["occluded"]
+    assert walked[0] == pytest.approx(np.abs(rows["score"][~hidden]).min())
+    frame, track, part = suggested().open[0].key
+    assert hands.desk.playback.number == frame
+    assert hands.desk.document.selection.track == track
+    assert hands.desk.labelling.part == part
+
+
+def test_an_answer_goes_on_to_the_next_suggestion_and_keeps_who_said_it_and_why(
+    hands, suggested, labels, qtbot
+):
+    first, second = suggested().open[:2]
+    hands.press(Key.Key_5)
+    wait_there(hands, qtbot)
+    label = labels()[first.key]
+    assert label.on_part is False
+    assert label.source == "tracker"
+    assert label.author == hands.desk.document.session.author != ""
+    assert label.reason == first.reason
+    assert "unsure" in label.reason
+    assert suggested().current == second
+    assert hands.desk.playback.number == second.key[0]
+    hands.press(Key.Key_4)
+    assert labels()[second.key].on_part is True
+    assert suggested().current.key not in labels()
+
+
+def test_n_and_p_walk_the_suggestions_without_labelling(hands, suggested, labels, qtbot):
+    first, second, third = suggested().open[:3]
+    hands.press(Key.Key_N)
+    hands.press(Key.Key_N)
+    wait_there(hands, qtbot)
+    assert suggested().current == third
+    hands.press(Key.Key_P)
+    assert suggested().current == second
+    hands.press(Key.Key_P)
+    assert suggested().current == first
+    assert len(labels()) == 0
+
+
+def test_undo_brings_a_suggestion_back(hands, suggested, labels, window):
+    first = suggested().open[0]
+    count = len(suggested().open)
+    hands.press(Key.Key_6)
+    assert len(suggested().open) == count - 1
+    hands.press(Key.Key_Z, CTRL)
+    assert len(labels()) == 0
+    hands.desk.draw()
+    assert suggested().open[0] == first
+    shown = window.workspace.labelling.parts._suggestions
+    assert shown._model.rowCount() == len(suggested().open)
+
+
+def test_an_answer_elsewhere_goes_on_from_there(hands, suggested, labels, qtbot):
+    first = suggested().open[0]
+    track = first.key[1]
+    frame = next(f for f in hands.frames(track) if abs(f - first.key[0]) > 10)
+    hands.go(frame)
+    hands.press(Key.Key_7)
+    hands.press(Key.Key_4)
+    assert labels()[frame, track, 0].reason == ""
+    assert hands.desk.labelling.part == 1
+    assert hands.desk.playback.clock.frame == frame
+
+
+def test_moving_a_suggested_rectangle_labels_it_where_it_was_put(hands, suggested, labels, qtbot):
+    frame, track, part = suggested().open[0].key
+    layer = hands.desk.labelling._parts
+    mark = next(one for one in layer._marks if one.part == part)
+    rect = layer.canvas.viewport.rect(QRectF(*mark.box))
+    hands.drag(layer, rect.center(), rect.center() + QPointF(25, 4))
+    label = labels()[frame, track, part]
+    scale = layer.canvas.viewport.scale
+    assert label.box[0] == pytest.approx(mark.box[0] + 25 / scale, abs=1.5 / scale)
+    assert (label.source, label.on_part) == ("person", True)
+    assert "unsure" in label.reason
+    assert suggested().current.key != (frame, track, part)
+
+
+def test_a_range_is_labelled_with_one_key_and_taken_back_with_one(hands, labels, window):
+    track = hands.people()[0]
+    hands.desk.editing.pick(track)
+    hands.press(Key.Key_1, ALT)
+    hands.press(Key.Key_BracketLeft)
+    hands.go(CROWDED + 6)
+    hands.press(Key.Key_BracketRight)
+    hands.press(Key.Key_R)
+    row = window.workspace.labelling.parts._scope
+    assert row._group.checkedButton().text() == f"frames {CROWDED} to {CROWDED + 6}"
+    hands.press(Key.Key_8)
+    hands.press(Key.Key_5)
+    said = {key: label.on_part for key, label in labels().items()}
+    frames = [f for f in hands.frames(track) if CROWDED <= f <= CROWDED + 6]
+    assert said == {(frame, track, 1): False for frame in frames}
+    assert {label.source for label in labels().values()} == {"tracker"}
+    assert len(frames) == 7
+    hands.press(Key.Key_Z, CTRL)
+    assert len(labels()) == 0
+
+
+def test_a_range_that_is_not_set_is_asked_for(hands, labels, window):
+    hands.desk.editing.pick(hands.people()[0])
+    hands.press(Key.Key_1, ALT)
+    hands.press(Key.Key_R)
+    hands.press(Key.Key_4)
+    assert len(labels()) == 0
+    assert window.notice.isVisible()
+    assert "No range is set" in window.notice._text.text()
+
+
+def test_the_balance_of_a_part_is_told(hands, window):
+    hands.desk.editing.pick(hands.people()[0])
+    hands.press(Key.Key_1, ALT)
+    for key in (Key.Key_4, Key.Key_5, Key.Key_5, Key.Key_4, Key.Key_4, Key.Key_4):
+        hands.press(key)
+        hands.qtbot.waitUntil(lambda: hands.desk.playback.number == hands.desk.playback.clock.frame)
+    told = [bar.accessibleName() for bar in window.workspace.labelling.parts._balances]
+    assert told[0] == "head: 100 % of 2 labels say on its part, 0 % off"
+    assert told[1] == "torso: 50 % of 2 labels say on its part, 50 % off"
+
+
+def test_without_a_judgement_it_is_said_what_to_do(hands, window, qtbot):
+    run = hands.desk.document.session.runs[0]
+    run.parts["score"][:] = np.nan
+    hands.press(Key.Key_6, ALT)
+    shown = window.workspace.labelling.parts._suggestions
+    qtbot.waitUntil(lambda: "No detector has judged" in shown._told.text())
+    assert not shown._list.isVisible()
+
+
+def test_a_suggestion_is_clicked(hands, suggested, window, qtbot):
+    third = suggested().open[2]
+    shown = window.workspace.labelling.parts._suggestions
+    rect = shown._list.visualRect(shown._model.index(2))
+    hands.click(shown._list.viewport(), QPointF(rect.center() + QPoint(1, 1)))
+    assert suggested().current == third
+    assert hands.desk.playback.clock.frame == third.key[0]
