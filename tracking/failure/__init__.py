@@ -15,7 +15,14 @@ from tracking.failure.samples import (
     joined,
     no_samples,
 )
+from tracking.failure.suggesting import Suggestion, suggest
 from tracking.failure.training import Trained, TrainingPlan, TrainingReport, train
+from tracking.failure.true_parts import (
+    TRUE_PARTS,
+    TrueParts,
+    labels_from_truth,
+    read_true_parts,
+)
 
 __all__ = [
     "FALSE_ALARMS",
@@ -24,6 +31,7 @@ __all__ = [
     "SAMPLE_COLUMNS",
     "SAMPLE_SOURCES",
     "STATE_NAMES",
+    "TRUE_PARTS",
     "Curve",
     "Detector",
     "Judgement",
@@ -33,17 +41,22 @@ __all__ = [
     "PastStates",
     "Preparation",
     "Samples",
+    "Suggestion",
     "Trained",
     "TrainingPlan",
     "TrainingReport",
+    "TrueParts",
     "built_in_detector",
     "joined",
+    "labels_from_truth",
     "load_detector",
     "no_samples",
     "part_features",
     "part_states",
+    "read_true_parts",
     "samples_of",
     "save_detector",
     "states_before",
+    "suggest",
     "train",
 ]

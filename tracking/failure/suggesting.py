@@ -1,0 +1,133 @@
+"""What to label next: where the detector is least sure, spread over people and time."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.failure.detector import Detector
+from tracking.failure.features import PARTS, Floats, part_features
+from tracking.failure.labelled import PartStates, part_states
+from tracking.failure.past import states_before
+from tracking.tracks import Columns, PartKey
+
+MOST = 200
+_APART_S = 0.5
+"""Between two suggestions of one person: in frames that follow each other a person says the same
+thing twice."""
+_TAKING_TURNS = 0.1
+"""What each suggestion of a person adds to how unsure their next one must be, in spreads."""
+_BLOCK = 4096
+
+
+@dataclass(frozen=True, slots=True)
+class Suggestion:
+    """A rectangle worth labelling.
+
+    Attributes:
+        frame, track, part: whose, as in the parts that were given.
+        reason: why, for the label. score: the detector's, as in `Judgement`.
+    """
+
+    frame: int
+    track: int
+    part: int
+    reason: str
+    score: float
+
+    @property
+    def key(self) -> PartKey:
+        """As labels are found by."""
+        return self.frame, self.track, self.part
+
+
+def suggest(
+    parts: Columns, fps: float, detector: Detector, labelled: Container[PartKey], most: int = MOST
+) -> list[Suggestion]:
+    """Rectangles to label, the one the detector is least sure of first.
+
+    Least sure is the smallest distance to the operating point, measured in the spread of the
+    part's scores. No two of one person are less than half a second apart, people take turns, and
+    what is labelled or was occluded is left out.
+
+    Args:
+        parts: `PART_COLUMNS` of a run, tracks under the ids of the labels. fps: of the recording.
+        labelled: keys of the labels there are.
+        most: suggestions.
+    """
+    seen = part_states(parts, fps)
+    scores = scores_of(seen, fps, detector)
+    scores[hidden_rows(seen, parts)] = np.nan
+    unsure = np.abs(scores) / _spreads(detector)
+    lists = [
+        _of_person(rows, unsure, scores, seen, fps, labelled, most)
+        for rows in np.split(np.arange(len(seen.track)), np.flatnonzero(np.diff(seen.track)) + 1)
+    ]
+    return _in_turns([list(of_one) for of_one in lists], most)
+
+
+def scores_of(seen: PartStates, fps: float, detector: Detector) -> Floats:
+    """(n, 3) the detector's scores of all states of a run."""
+    everything = np.arange(len(seen.track))
+    before = states_before(seen.frame / fps, seen.track, seen.states, everything)
+    features = part_features(seen.states, before)
+    blocks = [
+        detector.judge(features[start : start + _BLOCK]).score
+        for start in range(0, len(features), _BLOCK)
+    ]
+    return np.concatenate([np.zeros((0, PARTS)), *blocks])
+
+
+def hidden_rows(seen: PartStates, parts: Columns) -> NDArray[np.bool_]:
+    """(n,) where a part of the person was occluded: nobody looks for failures there."""
+    if "occluded" not in parts:
+        return np.zeros(len(seen.track), bool)
+    hidden = parts["occluded"]
+    keys = parts["track"][hidden].astype(np.int64) << 32 | parts["frame"][hidden]
+    return np.isin(seen.track << 32 | seen.frame, keys)
+
+
+def _spreads(detector: Detector) -> Floats:
+    """(3,) how far the scores of each part spread among samples held out."""
+    each = [np.concatenate((curve.on, curve.off)) for curve in detector.curves[:PARTS]]
+    spreads = np.array([scores.std() if len(scores) else 1.0 for scores in each])
+    return np.where(spreads > 0, spreads, 1.0)
+
+
+def _of_person(
+    rows: NDArray[np.int64],
+    unsure: Floats,
+    scores: Floats,
+    seen: PartStates,
+    fps: float,
+    labelled: Container[PartKey],
+    most: int,
+) -> Iterator[tuple[float, Suggestion]]:
+    """Those of one person, least sure first, with how unsure."""
+    apart = _APART_S * fps
+    taken: list[int] = []
+    flat = unsure[rows].reshape(-1)
+    for place in np.argsort(flat, kind="stable").tolist():
+        row, part = int(rows[place // PARTS]), place % PARTS
+        frame, track = int(seen.frame[row]), int(seen.track[row])
+        if len(taken) == most or np.isnan(flat[place]):
+            return
+        if (frame, track, part) in labelled or any(abs(frame - one) < apart for one in taken):
+            continue
+        taken.append(frame)
+        score = float(scores[row, part])
+        reason = f"the detector is unsure: score {score:+.2f}"
+        yield float(flat[place]), Suggestion(frame, track, part, reason, score)
+
+
+def _in_turns(lists: list[list[tuple[float, Suggestion]]], most: int) -> list[Suggestion]:
+    """All of them, by how unsure and how many of the same person come before."""
+    ranked = [
+        (unsure + _TAKING_TURNS * turn, one.frame, one.track, one)
+        for of_one in lists
+        for turn, (unsure, one) in enumerate(of_one)
+    ]
+    return [one for *_, one in sorted(ranked, key=lambda each: each[:3])[:most]]
