@@ -14,7 +14,8 @@ from tracking.session.inspection import verdict_on
 
 @pytest.fixture(autouse=True)
 def look_over(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Look files over in this process: the same check, without waiting for another Python."""
+    """Look all files over, in this process: the same check, without waiting for another Python."""
+    monkeypatch.setattr(reading, "is_sealed", lambda _: False)
     monkeypatch.setattr(reading, "verdicts_on", lambda paths: [verdict_on(path) for path in paths])
 
 

@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tracking.session.seal import beside, seal
+
 if TYPE_CHECKING:
     from h5py import Dataset
 
@@ -101,6 +103,13 @@ class ImageFile:
         dataset.id.write_direct_chunk((start,), piece)
         self._awaited = None
         return self._place
+
+    def seal(self) -> None:
+        """End the file with the user's seal on everything but the packed pieces."""
+        pieces = list(_joined([(place, place + size) for place, size, _ in self._digests]))
+        structure = (self._held_between(*part) for part in beside(pieces, self._size))
+        self.seek(self._size)
+        self.write(seal(self._size, pieces, structure))
 
     def finish(self) -> None:
         """Write what is held, and see to it that all is on the disk. Raises OSError."""

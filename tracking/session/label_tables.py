@@ -9,7 +9,7 @@ from typing import Any
 import h5py
 import numpy as np
 
-from tracking.session.hdf5 import read_columns
+from tracking.session.hdf5 import is_empty, read_columns
 from tracking.session.layout import TABLES, Types
 from tracking.tracks import (
     PART_SOURCES,
@@ -159,7 +159,7 @@ def _read_verdicts(group: h5py.Group) -> dict[VerdictKey, Verdict]:
 
 
 def _read_parts(group: h5py.Group) -> PartLabels:
-    if not len(group["parts/frame"]):  # programs of format 1.0 made the table, and never a label
+    if is_empty(group, "parts/frame"):  # programs of format 1.0 made the table, and never a label
         return PartLabels()
     labels = []
     for frame, track, part, on_part, sure, *rest in _rows(group, "parts"):

@@ -13,13 +13,15 @@ import h5py
 from tracking.editing import TOUCHED_COLUMNS, Entry, History, Scope, TouchIndex, touched
 from tracking.errors import EditError, SessionError
 from tracking.session import inspection
-from tracking.session.hdf5 import opened, read_columns, text_attribute
+from tracking.session.hdf5 import begin_columns, opened, read_columns, text_attribute
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.label_tables import read_labels
 from tracking.session.layout import EDIT_COLUMNS, SOURCE_COLUMNS, VERSION
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.session.saving import generations
+from tracking.session.seal import holds as is_sealed
+from tracking.session.unpacking import Unpacking
 from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, TrackTable
 from tracking.untrusted import verdicts_of
 
@@ -46,12 +48,15 @@ def saved_as(path: Path) -> tuple[str, str]:
 def check_file(path: Path) -> tuple[int, int]:
     """Have the file looked over by a program of its own; gives its format version.
 
+    One that bears this user's seal need not be: its structure is as it was saved.
     Raises SessionError with the verdict where it is not safe to read.
     """
     if path.is_dir():
         raise SessionError(f"{path}: this is a folder; name a session file")
     if not path.is_file():
         raise SessionError(f"{path}: there is no such session; check the path")
+    if is_sealed(path):
+        return VERSION
     verdict = verdicts_on([path])[0]
     if "refused" in verdict:
         raise SessionError(f"{path}{verdict['refused']}{_older_copy(path)}")
@@ -61,11 +66,10 @@ def check_file(path: Path) -> tuple[int, int]:
 
 def check_files(paths: Sequence[Path]) -> list[str]:
     """Why each of the files is not safe to read; "" where it is. One other program for all."""
-    verdicts = verdicts_on(paths)
-    return [
-        f"{path}{verdict['refused']}" if "refused" in verdict else ""
-        for path, verdict in zip(paths, verdicts, strict=True)
-    ]
+    asked = [path for path in paths if not is_sealed(path)]
+    verdicts = dict(zip(asked, verdicts_on(asked), strict=True))
+    refused = {path: verdict.get("refused") for path, verdict in verdicts.items()}
+    return [f"{path}{why}" if (why := refused.get(path)) else "" for path in paths]
 
 
 def verdicts_on(paths: Sequence[Path]) -> list[dict[str, Any]]:
@@ -82,13 +86,14 @@ def _older_copy(path: Path) -> str:
 def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
     tracks = file["tracks"]
     try:
-        table = TrackTable(
-            read_columns(tracks, CORRECTED_COLUMNS),
-            highest_track=int(tracks.attrs["highest_track"]),
-        )
-        labels, edits = read_labels(file), read_edits(file)
-        touches = _read_touched(file["edits"], edits)
-        History(edits, touches)
+        with Unpacking() as unpacking:
+            columns = begin_columns(tracks, CORRECTED_COLUMNS, unpacking)
+            labels, edits = read_labels(file), read_edits(file)
+            touches = _read_touched(file["edits"], edits)
+            History(edits, touches)
+            recording = read_recording(file["recording"])
+            unpacking.finish()
+        table = TrackTable(columns, highest_track=int(tracks.attrs["highest_track"]))
     except EditError as why:
         raise SessionError(f"{path}: the session file is damaged: {why}") from why
     adopted = int(tracks.attrs["run"])
@@ -96,7 +101,7 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
         raise ValueError(f"the tracks began as run {adopted}, which is not there")
     return Snapshot(
         stamps=_read_stamps(file),
-        recording=read_recording(file["recording"]),
+        recording=recording,
         runs=tuple(StoredRun(path, number) for number in range(len(file["runs"]))),
         tracks=table,
         adopted=None if adopted < 0 else adopted,

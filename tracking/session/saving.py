@@ -63,6 +63,7 @@ def replace_verified(
         try:
             with contextlib.closing(ImageFile(beside)) as image:
                 write(image)
+                image.seal()
                 image.finish()
                 image.verify()
             with contextlib.suppress(OSError):  # whoever could read the old one, and nobody else

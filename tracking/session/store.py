@@ -85,7 +85,7 @@ class Store:
         if written is None:
             return True
         written.close()
-        journal = Journal(self._folder / JOURNAL)
+        journal = self._made()
         self._doubted = False
         if journal.continues(written):
             self._journal = journal
@@ -108,14 +108,21 @@ class Store:
         if self.has_journal:
             return
         with_one = ThreadPoolExecutor(1, "journal")
-        self._begun = with_one.submit(Journal.begun, self._folder / JOURNAL, session, save)
+        self._begun = with_one.submit(self._begin, session, save)
         with_one.shutdown(wait=False)
+
+    def _begin(self, session: str, save: str) -> Journal:
+        sync_folder(self._path.parent)  # what is journalled must not vanish with its new folder
+        return Journal.begun(self._folder / JOURNAL, session, save)
 
     def journal(self) -> Journal:
         """The journal, made where there is none."""
-        journal = self._opened() or Journal(self._folder / JOURNAL)
-        self._journal = journal
-        return journal
+        self._journal = self._opened() or self._made()
+        return self._journal
+
+    def _made(self) -> Journal:
+        sync_folder(self._path.parent)
+        return Journal(self._folder / JOURNAL)
 
     def _opened(self) -> Journal | None:
         """The journal that is open, waited for where it is being made."""
@@ -158,7 +165,6 @@ def _locked(path: Path) -> SessionLock:
     folder = companions(path)
     if not folder.exists():
         folder.mkdir(exist_ok=True)
-        sync_folder(path.parent)  # what is journalled in it must not vanish with it
     lock = SessionLock(folder / "lock")
     if not lock.acquire():
         raise SessionError(f"{path}: the session is open in {lock.holder()}; close it there first")
