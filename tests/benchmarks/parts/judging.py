@@ -130,7 +130,7 @@ def judge(truth: Truth, tracked: Tracked, fps: float) -> list[Judged]:
             continue
         first, end = int(begins[0]), _end(whole[:, row], int(begins[0]))
         latest = min(first + round(LATEST_START_S * fps) + 1, end)
-        track, start = _begin(tracked.person, people[:, row], first, latest)
+        track, start = _begin(tracked.person, people, row, first, latest)
         judged.append(_judged(int(person), row, track, (start, end), truth, tracked))
     return judged
 
@@ -141,13 +141,19 @@ def _end(whole: Bools, first: int) -> int:
     return first + int(out[0]) if len(out) else len(whole)
 
 
-def _begin(tracks: Mapping[int, Floats], true: Floats, first: int, latest: int) -> tuple[int, int]:
-    """The track that stands on a person earliest, best if several do, and since when; or 0."""
+def _begin(
+    tracks: Mapping[int, Floats], people: Floats, row: int, first: int, latest: int
+) -> tuple[int, int]:
+    """The track that stands on a person earliest, best if several do, and since when; or 0.
+
+    A track stands on whomever it overlaps most: behind each other, people share rectangles.
+    """
     for frame in range(first, latest):
-        fits = {track: _overlap(boxes[frame], true[frame]) for track, boxes in tracks.items()}
-        fits = {
-            t: fit for t, fit in fits.items() if fit > 0 and right(tracks[t][frame], true[frame])
-        }
+        fits = {}
+        for track, boxes in tracks.items():
+            overlaps = [_overlap(boxes[frame], person) for person in people[frame]]
+            if overlaps[row] == max(overlaps) and right(boxes[frame], people[frame, row]):
+                fits[track] = overlaps[row]
         if fits:
             return max(fits, key=lambda track: fits[track]), frame
     return 0, first

@@ -82,6 +82,18 @@ def test_another_id_on_the_same_person_is_worth_nothing() -> None:
     assert not one.parts[10:].any()
 
 
+def test_a_track_belongs_to_whom_it_overlaps_most() -> None:
+    front = _truth()
+    shift = np.array([14.0, 0, 14, 0])
+    parts = np.concatenate((front.parts, front.parts + shift), axis=1)
+    both = Truth(np.array([7, 8], np.int32), parts, np.ones((FRAMES, 2)), (200, 200))
+    late = _exact() + shift
+    late[:3] = np.nan
+    one, other = judge(both, _tracked({1: _exact(), 2: late}), 20.0)
+    assert (one.track, one.first_frame) == (1, 0)
+    assert (other.track, other.first_frame) == (2, 3)
+
+
 def test_a_part_that_is_off_for_a_while_is_wrong_then_and_breaks_the_strict_curve() -> None:
     table = _exact()
     table[8:12, 0] += 40.0
