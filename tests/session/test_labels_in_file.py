@@ -171,7 +171,8 @@ def test_edits_waiting_in_a_journal_of_format_1_0_come_back(older: Path) -> None
     after = state_of(session)
     session.close()
     base = sqlite3.connect(companions(older) / "journal.sqlite")
-    base.execute("ALTER TABLE steps DROP COLUMN undoes")
+    for column in ("scope", "undoes"):
+        base.execute(f"ALTER TABLE steps DROP COLUMN {column}")
     base.close()
     again = Session.open(older)
     assert (again.recovered, state_of(again)) == (1, after)
