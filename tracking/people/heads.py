@@ -34,10 +34,10 @@ def bodies_in(own: Bools, left: int, top: int, standing: Standing) -> Bodies:
     peaks, found = find_peaks(-padded, prominence=1.0, plateau_size=1)
     columns = np.clip(peaks - 1, 0, own.shape[1] - 1)
     head = np.column_stack((columns + left, contour[columns] + top)).astype(np.float64)
-    bodies = standing.below(head, _lowest(own, columns) + float(top))
+    bodies = standing.below(head, lowest(own, columns) + float(top))
     good = found["prominences"] >= _RISES * bodies.height
     good &= _broad(own, columns, contour, bodies.height)
-    seen = _lowest(own, columns) - contour[columns]
+    seen = lowest(own, columns) - contour[columns]
     good &= seen >= _REACHES_DOWN * bodies.height
     if not good.any():
         good[contour[columns].argmin()] = True
@@ -45,12 +45,12 @@ def bodies_in(own: Bools, left: int, top: int, standing: Standing) -> Bodies:
     return bodies.chosen(_distinct(bodies, rows[np.argsort(contour[columns[rows]], kind="stable")]))
 
 
-def _lowest(own: Bools, columns: NDArray[np.intp]) -> Floats:
+def lowest(own: Bools, columns: NDArray[np.intp]) -> Floats:
     """(n,) the lowest row of the silhouette near each column."""
     reach = max(2, own.shape[0] // 12)
-    lowest = own.shape[0] - 1 - own[::-1].argmax(axis=0)
-    lowest = np.where(own.any(axis=0), lowest, 0)
-    near = [lowest[max(u - reach, 0) : u + reach + 1].max() for u in columns.tolist()]
+    low = own.shape[0] - 1 - own[::-1].argmax(axis=0)
+    low = np.where(own.any(axis=0), low, 0)
+    near = [low[max(u - reach, 0) : u + reach + 1].max() for u in columns.tolist()]
     return np.array(near, np.float64) + 1
 
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.people.heads import bodies_in
+from tracking.people.heads import bodies_in, lowest
 from tracking.people.silhouettes import Box, Labels, silhouettes
 from tracking.people.splitting import placed
-from tracking.people.standing import Bodies, Standing
+from tracking.people.standing import Bodies, Standing, nobody
 from tracking.people.upright import BODY, SHADOW, body_pixels
 
 _LEAST_HEIGHT = 1 / 16
@@ -24,6 +24,11 @@ _ABOVE = 0.1
 _UNEXPLAINED = 1.13
 """Pixels so far down a body, its height being 1, belong to somebody who stands nearer."""
 _MOST_NEARER = 2
+_BODY_AREA = 0.19
+"""Pixels of a body over the square over its height."""
+_LIMB_AREA, _LIMB_ACROSS, _LIMB_INSIDE = 0.4, 0.7, 0.6
+"""A fragment is a limb if it is smaller than this share of a body and this share of it lies within
+so many breadths of the body's axis."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,13 +56,31 @@ def people_regions(kind: NDArray[np.uint8], standing: Standing) -> Labels:
     certain = np.where(kind == SHADOW, np.uint8(0), kind)
     labels, boxes = silhouettes(certain)
     regions = np.zeros_like(labels)
-    count = 0
+    everybody = nobody()
     # From the top down: a head without a chest finds it before its own feet look for one.
     for k in sorted(range(len(boxes)), key=lambda k: boxes[k][1]):
+        if _absorbed(regions, labels, k + 1, boxes[k], everybody):
+            continue
         found = _silhouette(labels, k + 1, boxes[k], standing)
-        if _paint(regions, kind, labels, found, count, standing.calibrated):
-            count += len(found.bodies)
+        if _paint(regions, kind, labels, found, len(everybody), standing.calibrated):
+            everybody = everybody.with_others(found.bodies)
     return regions
+
+
+def _absorbed(regions: Labels, labels: Labels, label: int, box: Box, everybody: Bodies) -> bool:
+    """Whether a fragment is a limb of somebody found already; its pixels are painted so."""
+    if len(everybody) == 0:
+        return False
+    left, top, width, height = box
+    inside = np.s_[top : top + height, left : left + width]
+    v, u = np.nonzero(labels[inside] == label)
+    place = placed(u + left, v + top, everybody)
+    limb = (place.across < _LIMB_ACROSS) & (place.along > 0) & (place.along < _UNEXPLAINED)
+    whole = _BODY_AREA * everybody.height[np.bincount(place.body).argmax()] ** 2
+    if limb.mean() < _LIMB_INSIDE or len(v) > _LIMB_AREA * whole:
+        return False
+    regions[inside][v[limb], u[limb]] = place.body[limb] + 1
+    return True
 
 
 def _silhouette(labels: Labels, label: int, box: Box, standing: Standing) -> Silhouette:
@@ -65,6 +88,7 @@ def _silhouette(labels: Labels, label: int, box: Box, standing: Standing) -> Sil
     own = labels[top : top + height, left : left + width] == label
     bodies = bodies_in(own, left, top, standing)
     if standing.calibrated:
+        bodies = _beheaded(bodies, own, box, labels.shape[0], standing)
         v, u = np.nonzero(own)
         for _ in range(_MOST_NEARER):
             nearer = _nearer(u + left, v + top, bodies, standing)
@@ -72,6 +96,20 @@ def _silhouette(labels: Labels, label: int, box: Box, standing: Standing) -> Sil
                 break
             bodies = bodies.with_others(nearer)
     return Silhouette(label, box, bodies)
+
+
+def _beheaded(
+    bodies: Bodies, own: NDArray[np.bool_], box: Box, rows: int, standing: Standing
+) -> Bodies:
+    """The bodies, those whose heads are above the picture's edge measured from their feet."""
+    if box[1] > 1 or box[1] + box[3] >= rows - 1:
+        return bodies
+    cut = np.flatnonzero(bodies.head[:, 1] <= 1)
+    column = (bodies.head[cut, 0] - box[0]).astype(np.intp)
+    foot = np.column_stack((bodies.head[cut, 0], lowest(own, column) + (box[1] - 1)))
+    taller = standing.above(foot)
+    cut, taller = cut[taller.head[:, 1] < 0], taller.chosen(taller.head[:, 1] < 0)
+    return bodies.chosen(np.setdiff1d(np.arange(len(bodies)), cut)).with_others(taller)
 
 
 def _nearer(

@@ -51,6 +51,11 @@ class Bodies:
         return Bodies(*(np.concatenate((getattr(self, n), getattr(others, n))) for n in names))
 
 
+def nobody() -> Bodies:
+    """No bodies."""
+    return Bodies(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(0))
+
+
 class Standing:
     """Sizes and places of people in one camera's picture.
 
