@@ -29,7 +29,6 @@ from platformdirs import user_data_path
 from tracking import untrusted
 from tracking.session import inspection
 from tracking.session.layout import RUN_TABLES, TABLES, VERSION
-from tracking.untrusted import walk
 
 _MARK = b"twseal01"
 _DIGEST_BYTES = KEY_BYTES = 32
