@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing import TOUCHED_COLUMNS, Entry, History, TouchIndex
+from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS
 from tracking.session.image_file import ImageFile
 from tracking.session.label_tables import tables_of
 from tracking.session.layout import (
@@ -19,6 +20,7 @@ from tracking.session.layout import (
     EDIT_COLUMNS,
     FORMAT,
     RUN_TABLES,
+    SAMPLE_TABLE,
     SOURCE_COLUMNS,
     TEXT,
     TRAJECTORY_TYPE,
@@ -27,6 +29,7 @@ from tracking.session.layout import (
 from tracking.session.packing import Packer
 from tracking.session.reference import RecordingReference
 from tracking.session.runs import StoredRun
+from tracking.session.samples import samples_from
 from tracking.tracks import (
     CORRECTED_COLUMNS,
     Columns,
@@ -113,7 +116,7 @@ def write_image(snapshot: Snapshot, image: ImageFile) -> None:
         _write_labels(packer, file, snapshot.labels)
         packer.table(file, "edits", EDIT_COLUMNS, _edit_columns(snapshot.edits))
         packer.table(file, "edits/touched", TOUCHED_COLUMNS, snapshot.touched)
-        file.create_group("samples")
+        _write_samples(packer, file, snapshot)
         rows = Trajectory(columns)
         trajectory = packer.column(file, "trajectory", rows, TRAJECTORY_TYPE)
         trajectory.attrs["fps"] = snapshot.recording.fps
@@ -180,6 +183,26 @@ def _by_frame_and_track(columns: Columns) -> Columns:
 def _write_labels(packer: Packer, file: h5py.File, labels: Labels) -> None:
     for path, types, columns in tables_of(labels):
         packer.table(file, path, types, columns)
+
+
+def _write_samples(packer: Packer, file: h5py.File, snapshot: Snapshot) -> None:
+    run = snapshot.runs[snapshot.adopted] if snapshot.adopted is not None else None
+    if not len(snapshot.labels.parts) or run is None:
+        file.create_group("samples")
+        return
+    run = run.load() if isinstance(run, StoredRun) else run
+    recording = snapshot.recording
+    samples = samples_from(snapshot.labels, snapshot.tracks, run, recording.fps, recording.name)
+    if not len(samples):
+        file.create_group("samples")
+        return
+    texts = {name for name, dtype in SAMPLE_COLUMNS.items() if dtype == TEXT}
+    columns = {
+        name: column.tolist() if name in texts else column
+        for name, column in samples.columns.items()
+    }
+    features = dict(zip(FEATURE_NAMES, samples.features.T, strict=True))
+    packer.table(file, "samples", SAMPLE_TABLE, {**columns, **features})
 
 
 def _edit_columns(edits: Sequence[Entry]) -> dict[str, Any]:

@@ -18,8 +18,8 @@ import h5py
 import numpy as np
 
 if __name__ == "__main__":
-    # This program needs a few names of two packages: loading all of them would take seconds.
-    for name in ("session", "editing"):
+    # This program needs a few names of three packages: loading all of them would take seconds.
+    for name in ("session", "editing", "failure"):
         bare = ModuleType(f"tracking.{name}")
         bare.__path__ = [str(Path(__file__).parents[1] / name)]
         sys.modules[bare.__name__] = bare
@@ -32,6 +32,7 @@ from tracking.session.layout import (
     LATER_TABLES,
     PARTICLE_TABLES,
     RUN_TABLES,
+    SAMPLE_TABLE,
     TABLES,
     TEXT,
     TRAJECTORY_TYPE,
@@ -77,6 +78,8 @@ def _check_tables(file: h5py.File, datasets: Mapping[str, h5py.Dataset]) -> None
         if name in LATER_TABLES and name not in file:
             continue
         _check_table(datasets, name, _expected(datasets, name, types, LATER_COLUMNS.get(name, ())))
+    if any(path.startswith("samples/") for path in datasets):
+        _check_table(datasets, "samples", SAMPLE_TABLE)
     for name in ("recording/manifest", "recording/calibration"):
         if name not in datasets or datasets[name].ndim or datasets[name].dtype.kind != "O":
             raise Refused(f"has no text at {name}")

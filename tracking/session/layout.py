@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS
+from tracking.failure.features import FEATURE_NAMES
+from tracking.failure.samples import SAMPLE_COLUMNS
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     CORRECTED_COLUMNS,
@@ -71,6 +73,11 @@ PART_LABEL_COLUMNS: Types = MappingProxyType(
         "reason": TEXT,  # why it was suggested; "": it was not
     }
 )
+SAMPLE_TABLE: Types = MappingProxyType(
+    {**SAMPLE_COLUMNS, **dict.fromkeys(FEATURE_NAMES, np.dtype(np.float64))}
+)
+"""What the part labels teach the failure detector, made anew at every save. Without samples the
+group is empty; files before format 1.2 never have any."""
 LINE_COLUMNS: Types = MappingProxyType(
     {"name": TEXT, **{name: np.dtype(np.float64) for name in ("x1", "y1", "x2", "y2")}}
 )

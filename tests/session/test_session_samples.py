@@ -1,0 +1,100 @@
+"""The samples in a session: made of labels, tracks and run, under the ids people have by now."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from made_up_sessions import make_recording, make_run
+
+from tracking.editing import plan_label_part, plan_swap
+from tracking.errors import SessionError
+from tracking.failure import FEATURE_NAMES
+from tracking.session import Session
+from tracking.session.samples import session_samples
+from tracking.tracks import PART_COLUMNS, PartLabel
+
+
+def parts_of(tracks) -> dict[str, np.ndarray]:
+    """Three parts for each row of a run's tracks, each at a place of its own."""
+    rows = len(tracks["frame"])
+    columns = {name: np.zeros(rows * 3, dtype) for name, dtype in PART_COLUMNS.items()}
+    for name in ("frame", "track"):
+        columns[name][:] = np.repeat(tracks[name], 3)
+    columns["part"][:] = np.tile(np.arange(3), rows)
+    columns["cx"][:] = np.arange(rows * 3) % 97
+    columns["cy"][:] = 50 + 40.0 * columns["part"] + np.arange(rows * 3) % 7
+    columns["width"][:], columns["height"][:] = 10, 12
+    return columns
+
+
+@pytest.fixture
+def session(tmp_path: Path) -> Session:
+    run = make_run()
+    run = replace(run, parts=parts_of(run.tracks))
+    made = Session.create(make_recording(tmp_path / "yard"), [run], tmp_path / "s.h5")
+    yield made
+    made.close()
+
+
+def label(session: Session, frame: int, track: int, part: int, on: bool) -> PartLabel:
+    parts = session.runs[0].parts
+    at = (parts["frame"] == frame) & (parts["track"] == track) & (parts["part"] == part)
+    x, y, width, height = (float(parts[n][at][0]) for n in ("cx", "cy", "width", "height"))
+    box = (x - width / 2, y - height / 2, width, height)
+    return PartLabel(frame, track, part, box, on, "tracker", "Ann", "unsure")
+
+
+def frames_of_both(session: Session) -> list[int]:
+    one, two = (session.tracks.frames_of_track(track).tolist() for track in (1, 2))
+    return sorted(set(one) & set(two))
+
+
+def test_labels_are_samples_in_the_file(session: Session) -> None:
+    frame = frames_of_both(session)[20]
+    labels = [label(session, frame, 1, part, part > 0) for part in range(3)]
+    session.apply(plan_label_part(session.labels, labels))
+    with h5py.File(session.save()) as file:
+        kept = {name: file["samples"][name][()] for name in file["samples"]}
+    samples = session_samples(session)
+    assert kept["label"].tolist() == [0, 1, 1]
+    assert kept["author"].tolist() == [b"Ann"] * 3
+    assert kept["recording"].tolist() == [b"Lobby, camera 3"] * 3
+    assert kept["frame"].tolist() == [frame] * 3
+    features = np.stack([kept[name] for name in FEATURE_NAMES], axis=1)
+    assert np.array_equal(features, samples.features)
+    assert np.isfinite(features).all()
+
+
+def test_samples_of_two_who_were_swapped_go_with_the_person(session: Session) -> None:
+    frame = frames_of_both(session)[20]
+    session.apply(plan_label_part(session.labels, label(session, frame, 1, 1, False)))
+    before = session_samples(session)
+    session.apply(plan_swap(session.tracks, 1, 2, frames_of_both(session)[2]))
+    after = session_samples(session)
+    assert after.columns["track"].tolist() == [2]
+    assert np.array_equal(after.features, before.features)
+
+
+def test_a_session_without_labels_has_no_samples_and_opens(session: Session) -> None:
+    path = session.save()
+    with h5py.File(path) as file:
+        assert not len(file["samples"])
+    session.close()
+    again = Session.open(path)
+    assert len(session_samples(again)) == 0
+    again.close()
+
+
+def test_a_file_with_half_a_table_of_samples_is_refused(session: Session) -> None:
+    frame = frames_of_both(session)[20]
+    session.apply(plan_label_part(session.labels, label(session, frame, 1, 1, False)))
+    path = session.save()
+    session.close()
+    with h5py.File(path, "a") as file:
+        del file["samples/head_x"]
+    with pytest.raises(SessionError, match="no column head_x in samples"):
+        Session.open(path)
