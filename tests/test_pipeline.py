@@ -162,7 +162,7 @@ def test_a_range_outside_the_recording_is_refused(recording: Recording, frames: 
         track(recording, frames=frames)
 
 
-@pytest.mark.parametrize("name", ["three-part", "spheroid", "flow"])
+@pytest.mark.parametrize("name", ["spheroid", "flow"])
 def test_a_tracker_that_is_not_built_yet_is_refused_with_what_there_is(name: str):
     with pytest.raises(SettingsError, match="not built yet: available are stereo-direction"):
         tracker_named(name)
@@ -173,23 +173,21 @@ def test_an_unknown_tracker_is_refused_with_what_there_is():
         tracker_named("sort")
 
 
-def test_one_camera_has_no_tracker_yet(rendered: Path):
-    with (
-        open_recording(rendered / "left.mp4") as alone,
-        pytest.raises(RecordingError, match="one camera"),
-    ):
-        best_tracker(alone)
+def test_one_camera_is_tracked_by_body_parts_and_not_in_stereo(rendered: Path):
+    with open_recording(rendered / "left.mp4") as alone:
+        assert best_tracker(alone) == "three-part"
+        with pytest.raises(RecordingError, match="one camera"):
+            track(alone, "stereo-direction")
 
 
-def test_two_cameras_without_calibration_are_refused(rendered: Path, tmp_path: Path):
+def test_two_cameras_without_calibration_are_tracked_by_one(rendered: Path, tmp_path: Path):
     for eye in ("left.mp4", "right.mp4"):
         shutil.copy(rendered / eye, tmp_path / eye)
     eyes = OpenOptions(left=tmp_path / "left.mp4", right=tmp_path / "right.mp4")
-    with (
-        open_recording(tmp_path, eyes) as bare,
-        pytest.raises(CalibrationError, match="has no calibration"),
-    ):
-        track(bare)
+    with open_recording(tmp_path, eyes) as bare:
+        assert best_tracker(bare) == "three-part"
+        with pytest.raises(CalibrationError, match="has no calibration"):
+            track(bare, "stereo-direction")
 
 
 @pytest.fixture(scope="module")

@@ -19,8 +19,10 @@ from tracking.trackers import (
     Perception,
     Resume,
     StepResult,
+    Tracker,
     TrackerSpec,
     best_tracker,
+    detector_of,
     require,
     settings_values,
     smoothed,
@@ -119,6 +121,7 @@ class Tracking:
         self._settings = settings
         self._seed = seed
         self._resume = resume
+        self._tracker: Tracker | None = None
         self._results: list[StepResult] = []
         self._ranged = RangedShare()
         self._steps = self._work()
@@ -159,13 +162,16 @@ class Tracking:
     @property
     def notes(self) -> tuple[str, ...]:
         """What the user should be told of the frames tracked so far, a line each."""
+        told = self._tracker.notes if self._tracker is not None else ()
         followed = any(len(result.tracks["track"]) for result in self._results)
-        if followed or not self._ranged.is_too_small:
-            return ()
-        return (f"{self._recording.name}: no distance for what moves: are the eyes swapped?",)
+        if followed or not self._spec.needs_stereo or not self._ranged.is_too_small:
+            return told
+        swapped = f"{self._recording.name}: no distance for what moves: are the eyes swapped?"
+        return (*told, swapped)
 
     def _work(self) -> Generator[StepResult]:
         perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
+        self._tracker = tracker
         self._timed("learn", _learn, perception, self._recording)
         if self._resume is not None:
             seen = (perception.observe(self._recording.read(n)) for n in self._resume.looks)
@@ -228,6 +234,7 @@ def run_of_steps(
             recording.frame_count,
         ),
         software=f"trackwright {tracking.__version__}",
+        detector=detector_of(tracker, settings),
         known_tracks=resume.highest_track if resume is not None else 0,
     )
     if not settings.get("smooth") or recording.view is None:

@@ -170,6 +170,9 @@ def track(
     ] = None,
     seed: options.Seed = 0,
     detector: Annotated[Path | None, typer.Option(help="A failure detector made by train.")] = None,
+    occluders: Annotated[
+        Path | None, typer.Option(help="A session in which what hides people is drawn.")
+    ] = None,
     again: options.Again = None,
     start: options.From = None,
     until: options.Until = None,
@@ -193,7 +196,7 @@ def track(
     from app.cli.track_again import asked_again, run_track_again
 
     eyes = Bare(left, right, calibration, height, tilt, roll, fps, layout, first, allow_outside)
-    order = Order(tracker, tuple(setting or ()), frames, seed, detector)
+    order = Order(tracker, tuple(setting or ()), frames, seed, detector, occluders)
     if (wish := asked_again(again, start, until, accept=accept)) is not None:
         wish = replace(wish, recording=recording, out=out, allow_outside=allow_outside)
         run_track_again(wish, order, force=force, as_json=json)

@@ -10,10 +10,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import typer
-
 from app.cli.destination import check_file
 from app.cli.output import print_json, progress, say
+from app.cli.part_options import settings_texts
 from app.cli.recordings import Bare, opened
 from app.cli.tracks import is_session
 from app.presenters.files.opening import remember_place
@@ -24,7 +23,7 @@ from tracking.session import Session
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
 from tracking.tracks import Run
 
-BYTES_A_FRAME = 16 << 10
+BYTES_A_FRAME = 32 << 10
 """Of a session with its particles, at most."""
 
 
@@ -35,7 +34,7 @@ class Order:
     Attributes:
         tracker: name; None: the best one for the recording.
         settings: KEY=VALUE each. frames: A:B; None: all. seed: of all random numbers.
-        detector: of part failures.
+        detector: of part failures. occluders: a session in which they are drawn.
     """
 
     tracker: str | None = None
@@ -43,14 +42,13 @@ class Order:
     frames: str | None = None
     seed: int = 0
     detector: Path | None = None
+    occluders: Path | None = None
 
 
 def run_track(
     path: Path | None, bare: Bare, out: Path, order: Order, *, force: bool, as_json: bool
 ) -> None:
     """Track and print where the session is."""
-    if order.detector is not None:
-        raise typer.BadParameter("failure detectors are not built yet", param_hint="--detector")
     with opened(path, bare) as recording:
         check_file(out, recording.frame_count * BYTES_A_FRAME)
         refuse_to_lose(out, force=force)
@@ -79,7 +77,7 @@ def tracked(recording: Recording, order: Order) -> Run:
         RecordingError, CalibrationError: the tracker cannot work on this recording.
     """
     spec = tracker_named(order.tracker or best_tracker(recording))
-    settings = parsed_settings(spec, order.settings)
+    settings = parsed_settings(spec, settings_texts(spec, order))
     frames = _range(order.frames, recording.frame_count)
     with track(recording, spec.name, settings, order.seed, frames) as work:
         return run_of(work, recording, f"tracking with {spec.name}")

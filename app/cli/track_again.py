@@ -13,6 +13,7 @@ import typer
 
 from app.cli.destination import check_file
 from app.cli.output import print_json, say
+from app.cli.part_options import settings_texts
 from app.cli.track import BYTES_A_FRAME, Order, parsed_settings, refuse_to_lose, run_of
 from app.presenters.files.opening import open_path, remember_place
 from tracking.editing import Change, Difference, differences, plan_take
@@ -145,10 +146,11 @@ def _tracker(session: Session, recording: Recording, order: Order) -> tuple[str,
     before = session.runs[session.adopted_run or 0] if len(session.runs) else None
     known = before if before is not None and before.tracker in TRACKERS else None
     spec = tracker_named(order.tracker or (known.tracker if known else best_tracker(recording)))
-    typed = parsed_settings(spec, order.settings)
+    texts = settings_texts(spec, order)
+    typed = parsed_settings(spec, texts)
     if known is None or known.tracker != spec.name:
         return spec.name, typed
-    named = {text.partition("=")[0].strip() for text in order.settings}
+    named = {text.partition("=")[0].strip() for text in texts}
     values = {k: v for k, v in settings_values(typed).items() if k in named}
     return spec.name, settings_from(spec.settings_type, {**known.settings, **values})
 

@@ -1,7 +1,8 @@
 """The particle filter, batched over people, and smoothers for what it found.
 
 The particles of all people stand in one array (people, N, 2) of metres on the floor, with their
-weights (people, N) beside it. Nothing here loops over particles or people.
+weights (people, N) beside it. Particles that are rectangles in the picture stand in flat arrays,
+as their number differs; see `Clouds`. Nothing here loops over particles or people.
 """
 
 from tracking.filtering.association import Association, associate, margins
@@ -18,6 +19,19 @@ from tracking.filtering.particles import (
     weigh,
     weighted_mean,
 )
+from tracking.filtering.rectangles import (
+    Clouds,
+    drifted,
+    entropies,
+    joined_clouds,
+    mean_states,
+    no_clouds,
+    particle_counts,
+    redrawn,
+    restarted,
+    scattered,
+    weighed_by,
+)
 from tracking.filtering.smoothing import (
     Chains,
     robust_levels,
@@ -31,25 +45,36 @@ from tracking.filtering.smoothing import (
 __all__ = [
     "Association",
     "Chains",
+    "Clouds",
     "associate",
     "bhattacharyya_distance",
     "cloud_shapes",
     "direction_cost",
+    "drifted",
     "effective_share",
+    "entropies",
     "hiding_reach",
+    "joined_clouds",
     "likelihood",
     "margins",
+    "mean_states",
     "move",
+    "no_clouds",
     "out_of_hiding",
+    "particle_counts",
+    "redrawn",
     "resample",
+    "restarted",
     "robust_levels",
     "robust_paths",
     "scatter",
+    "scattered",
     "slopes",
     "smooth_levels",
     "smooth_paths",
     "trust",
     "turning_angle",
     "weigh",
+    "weighed_by",
     "weighted_mean",
 ]

@@ -5,6 +5,7 @@ from tracking.trackers.catalogue import (
     TRACKERS,
     TrackerSpec,
     best_tracker,
+    detector_of,
     parse_settings,
     require,
     tracker_named,
@@ -13,6 +14,7 @@ from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Perception, StepResu
 from tracking.trackers.resuming import Resume
 from tracking.trackers.settings import SettingField, settings_fields, settings_from, settings_values
 from tracking.trackers.smoothing import smoothed
+from tracking.trackers.three_part import occluders_as_setting
 
 __all__ = [
     "ASSOCIATION_COLUMNS",
@@ -26,6 +28,8 @@ __all__ = [
     "Tracker",
     "TrackerSpec",
     "best_tracker",
+    "detector_of",
+    "occluders_as_setting",
     "parse_settings",
     "require",
     "settings_fields",

@@ -12,6 +12,18 @@ from tracking.recording import Recording
 from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.protocol import Perception, Tracker
 from tracking.trackers.settings import settings_from_text
+from tracking.trackers.three_part import (
+    ThreePartSettings,
+    WholeBodySettings,
+    build_three_part,
+    build_three_part_joint,
+    build_whole_body,
+    detector_fingerprint,
+)
+
+
+def _no_detector(settings: Mapping[str, Any]) -> str:  # noqa: ARG001 - of trackers that use one
+    return ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +37,8 @@ class TrackerSpec:
         needs_stereo, needs_calibration: of the recording.
         settings_type: a frozen dataclass; see `settings_fields`.
         build: (recording, settings, seed) -> perception and tracker, both at their start.
+        detector: (settings by their dotted names) -> fingerprint of the failure detector they
+            name; "" for none.
     """
 
     name: str
@@ -34,6 +48,7 @@ class TrackerSpec:
     needs_calibration: bool
     settings_type: type
     build: Callable[[Recording, Any, int], tuple[Perception, Tracker]]
+    detector: Callable[[Mapping[str, Any]], str] = _no_detector
 
 
 _BUILT = (
@@ -55,12 +70,41 @@ _BUILT = (
         settings_type=stereo_colour.StereoColourSettings,
         build=stereo_colour.build,
     ),
+    TrackerSpec(
+        name="three-part",
+        title="One camera: a particle filter each for head, torso and hip-leg, failures adjusted",
+        paper="ZhaoLee2009",
+        needs_stereo=False,
+        needs_calibration=False,
+        settings_type=ThreePartSettings,
+        build=build_three_part,
+        detector=detector_fingerprint,
+    ),
+    TrackerSpec(
+        name="three-part-joint",
+        title="One camera: one particle filter for all three parts, impossible poses left out",
+        paper="ZhaoLee2009",
+        needs_stereo=False,
+        needs_calibration=False,
+        settings_type=ThreePartSettings,
+        build=build_three_part_joint,
+        detector=detector_fingerprint,
+    ),
+    TrackerSpec(
+        name="whole-body",
+        title="One camera: a particle filter for the whole person, to compare with",
+        paper="ZhaoLee2009",
+        needs_stereo=False,
+        needs_calibration=False,
+        settings_type=WholeBodySettings,
+        build=build_whole_body,
+    ),
 )
 
 TRACKERS: Mapping[str, TrackerSpec] = MappingProxyType({spec.name: spec for spec in _BUILT})
 """The trackers that can be run, the best first."""
 
-_ANNOUNCED = ("three-part", "spheroid", "flow")
+_ANNOUNCED = ("spheroid", "flow")
 
 
 def tracker_named(name: str) -> TrackerSpec:
@@ -72,13 +116,15 @@ def tracker_named(name: str) -> TrackerSpec:
 
 
 def best_tracker(recording: Recording) -> str:
-    """The name of the best tracker for a recording.
+    """The name of the best tracker: for two eyes over a known floor a stereo one, else for one."""
+    measured = recording.rectification is not None and recording.ground is not None
+    return "stereo-direction" if recording.is_stereo and measured else "three-part"
 
-    Raises `RecordingError` or `CalibrationError` where no tracker can work on it.
-    """
-    best = TRACKERS["stereo-direction"]
-    require(best, recording)
-    return best.name
+
+def detector_of(name: str, settings: Mapping[str, Any]) -> str:
+    """Fingerprint of the failure detector a run of that tracker used; "" for none."""
+    spec = TRACKERS.get(name)
+    return spec.detector(settings) if spec is not None else ""
 
 
 def require(spec: TrackerSpec, recording: Recording) -> None:
@@ -89,8 +135,7 @@ def require(spec: TrackerSpec, recording: Recording) -> None:
     """
     if spec.needs_stereo and not recording.is_stereo:
         raise RecordingError(
-            f"recording {recording.name} has one camera: {spec.name} needs two, and trackers for "
-            "one camera are not built yet"
+            f"recording {recording.name} has one camera: {spec.name} needs two; choose three-part"
         )
     if spec.needs_calibration and recording.calibration is None:
         raise CalibrationError(

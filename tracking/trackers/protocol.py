@@ -86,3 +86,7 @@ class Tracker(Protocol):
     @property
     def settings(self) -> Any:
         """The frozen settings in force."""
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should be told of how it works, a line each."""

@@ -90,6 +90,11 @@ class StereoTracker:
         """The settings in force."""
         return self._settings
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Nothing is to be told."""
+        return ()
+
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""
         self._people, self._time_s = resumed(

@@ -94,13 +94,13 @@ def test_a_session_of_bare_videos_opens_whole(
     assert (facts["stereo"], facts["calibrated"]) == (True, True)
 
 
-def test_a_detector_cannot_be_given_yet(
+def test_a_tracker_of_people_whole_takes_no_detector(
     trackwright: Trackwright, footage: Path, tmp_path: Path
 ) -> None:
     words = ["-o", tmp_path / "s.h5", "--detector", "d.h5"]
     status, _, err = trackwright("track", footage, *words)
-    assert status == 2
-    assert "not built yet" in err
+    assert status == 1
+    assert "tracker stereo-direction knows no detector" in err
 
 
 @pytest.mark.parametrize(("line", "reason"), [("[calibration]", "calib"), ("[ground]", "floor")])
@@ -110,7 +110,8 @@ def test_metres_need_a_calibration_and_a_floor(
     manifest = recording / "recording.toml"
     parts = manifest.read_text().split("\n\n")
     manifest.write_text("\n\n".join(part for part in parts if not part.startswith(line)))
-    status, _, err = trackwright("track", recording, "-o", tmp_path / "s.h5")
+    words = ["-o", tmp_path / "s.h5", "--tracker", "stereo-direction"]
+    status, _, err = trackwright("track", recording, *words)
     assert status == 1
     assert reason in err
     assert not (tmp_path / "s.h5").exists()

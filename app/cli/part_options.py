@@ -1,0 +1,48 @@
+"""Options of `track` that become settings of the trackers of body parts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tracking.errors import SessionError, SettingsError
+from tracking.session import Session
+from tracking.trackers import TrackerSpec, occluders_as_setting, settings_fields
+
+if TYPE_CHECKING:
+    from app.cli.track import Order
+
+
+def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
+    """KEY=VALUE of all settings the order names, by --set or by an option of their own.
+
+    Raises:
+        SettingsError: the tracker has no such setting.
+        SessionError: the occluders' session cannot be read, or nothing is drawn in it.
+    """
+    known = {field.name for field in settings_fields(spec.settings_type)}
+    texts = list(order.settings)
+    for name, value in _named(order):
+        if name not in known:
+            raise SettingsError(
+                f"tracker {spec.name} knows no {name}: leave --{name} out or choose three-part"
+            )
+        texts.append(f"{name}={value}")
+    return tuple(texts)
+
+
+def _named(order: Order) -> Iterator[tuple[str, str]]:
+    if order.detector is not None:
+        yield "detector", str(order.detector)
+    if order.occluders is not None:
+        yield "occluders", _drawn_in(order.occluders)
+
+
+def _drawn_in(path: Path) -> str:
+    with closing(Session.open(path)) as session:
+        occluders = session.labels.occluders
+    if not occluders:
+        raise SessionError(f"{path}: no occluders are drawn in it; draw some or leave it out")
+    return occluders_as_setting(occluders)

@@ -1,0 +1,20 @@
+"""People followed by rectangles in the picture: three parts each, or whole [ZhaoLee2009]."""
+
+from tracking.trackers.three_part.building import (
+    build_three_part,
+    build_three_part_joint,
+    build_whole_body,
+)
+from tracking.trackers.three_part.detectors import detector_fingerprint
+from tracking.trackers.three_part.occlusion import occluders_as_setting
+from tracking.trackers.three_part.settings import ThreePartSettings, WholeBodySettings
+
+__all__ = [
+    "ThreePartSettings",
+    "WholeBodySettings",
+    "build_three_part",
+    "build_three_part_joint",
+    "build_whole_body",
+    "detector_fingerprint",
+    "occluders_as_setting",
+]

@@ -1,0 +1,106 @@
+"""Parts that were lost, put back where the other parts and the foreground say."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people import Detections
+from tracking.people.parts import decompose, inner_rectangle, inner_rectangles
+from tracking.trackers.three_part.claims import Claims
+from tracking.trackers.three_part.followed import Flags, Floats, Followed
+
+HEAD, TORSO, HIP_LEG = range(3)
+_AROUND = 1.2
+"""Where a person is looked for who lost several parts: their box, larger by this."""
+_LEAST_SEEN = 0.15
+"""Share of foreground in that place below which there is nothing to begin anew from."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scene:
+    """What adjustment looks at.
+
+    Attributes:
+        seen: the frame's regions. claims: whose they are.
+        picture: (height, width, 3) of `ycbcr`.
+    """
+
+    seen: Detections
+    claims: Claims
+    picture: NDArray[np.uint8]
+
+
+def adjusted(people: Followed, boxes: Floats, lost: Flags, several: Flags, scene: Scene) -> Floats:
+    """(people, 3, 4) the rectangles where lost parts belong; NaN where nothing says so.
+
+    [ZhaoLee2009] section 4.3.2.
+
+    Args:
+        boxes: (people, 4) left, top, width, height of the people as expected.
+        lost: (people, 3) parts to put back. several: (people,) begin all three anew.
+    """
+    found = np.full((len(people), 3, 4), np.nan)
+    for row in np.flatnonzero(lost.any(axis=1)):
+        mask = _own_foreground(int(row), scene)
+        if several[row]:
+            found[row] = _anew(mask, boxes[row], scene, int(row))
+            continue
+        for part in np.flatnonzero(lost[row]):
+            found[row, part] = _one(int(part), people.rectangles[row], mask)
+    return found
+
+
+def _own_foreground(row: int, scene: Scene) -> Flags:
+    """(height, width) foreground that is not somebody else's alone."""
+    share = scene.claims.share
+    others = np.delete(share, row, axis=0).max(axis=0, initial=0.0)
+    theirs = (others > 0.3) & (share[row] < 0.1)
+    return np.concatenate(([False], ~theirs))[scene.seen.regions]
+
+
+def _one(part: int, rectangles: Floats, mask: Flags) -> Floats:
+    """(4,) the rectangle of a part alone, from the other two and the foreground.
+
+    The torso is the mean of the others [ZhaoLee2009, eq. 4]. The head is the inner rectangle of
+    the foreground within the torso's width to either side of it, from its upper edge up by twice
+    the distance from torso to hip-leg; the hip-leg likewise below.
+    """
+    if part == TORSO:
+        return np.asarray((rectangles[HEAD] + rectangles[HIP_LEG]) / 2)
+    x, y, width, height = rectangles[TORSO]
+    if part == HEAD:
+        reach = 2.0 * max(rectangles[HIP_LEG, 1] - y, height)
+        bottom = y - height / 2
+        return inner_rectangle(mask, np.array((x - width, bottom - reach, 2 * width, reach)))
+    reach = 2.0 * max(y - rectangles[HEAD, 1], height)
+    top = y + height / 2
+    return inner_rectangle(mask, np.array((x - width, top, 2 * width, reach)))
+
+
+def _anew(mask: Flags, box: Floats, scene: Scene, row: int) -> Floats:
+    """(3, 4) all three parts from the foreground around the place expected."""
+    region = scene.claims.region[row]
+    if region >= 0 and scene.claims.alone[row]:
+        own, where = scene.seen.regions == region + 1, scene.seen.box[region]
+    else:
+        own, where = mask, _within(mask, box)
+    if where is None:
+        return np.full((3, 4), np.nan)
+    return inner_rectangles(own, where, decompose(own, scene.picture, where))
+
+
+def _within(mask: Flags, box: Floats) -> Floats | None:
+    """The box (4,) of the foreground around a place; None where there is hardly any."""
+    middle, size = box[:2] + box[2:] / 2, box[2:] * _AROUND
+    low = np.clip(np.rint(middle - size / 2), 0, mask.shape[::-1]).astype(int)
+    high = np.clip(np.rint(middle + size / 2), 0, mask.shape[::-1]).astype(int)
+    crop = mask[low[1] : high[1], low[0] : high[0]]
+    if not crop.size or crop.mean() < _LEAST_SEEN:
+        return None
+    rows, columns = (np.flatnonzero(crop.any(axis=axis)) for axis in (1, 0))
+    left, top = low[0] + columns[0], low[1] + rows[0]
+    width, height = columns[-1] - columns[0] + 1, rows[-1] - rows[0] + 1
+    return np.array((left - 0.5, top - 0.5, width, height), np.float64)

@@ -1,0 +1,92 @@
+"""Who joins the people followed, and who is let go."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from tracking.people import Detections
+from tracking.trackers.three_part.bodies import covered_shares, share_inside
+from tracking.trackers.three_part.claims import Claims
+from tracking.trackers.three_part.followed import Flags, Floats, Followed, Indices
+from tracking.trackers.three_part.settings import WholeBodySettings
+
+_SAME = 0.5
+"""Share of a region's box in an earlier one's from which on it is the same region."""
+_OCCUPIED = 0.25
+"""Share of a region's box in a person's from which on nobody new is in it."""
+_AT_EDGE_S = 1.0
+"""How long a region at the picture's edge is waited for: it is walking in."""
+_SUPPORTED = 0.3
+"""Share of foreground under somebody's parts from which on they are there."""
+_AT_THE_EDGE = 0.9
+_OUT_OF_VIEW = 0.4
+"""Share of a body inside the picture below which somebody not seen has left it."""
+_GONE = 0.15
+"""The same below which nobody is followed."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Newcomers:
+    """Regions nobody followed is in, waited for until they are somebody.
+
+    Attributes:
+        box: (n, 4) left, top, width, height px. seen_s: (n,) for how long.
+        pace: (n, 2) px/s, how the box's middle moves.
+    """
+
+    box: Floats = field(default_factory=lambda: np.zeros((0, 4)))
+    seen_s: Floats = field(default_factory=lambda: np.zeros(0))
+    pace: Floats = field(default_factory=lambda: np.zeros((0, 2)))
+
+
+def free_regions(seen: Detections, claims: Claims, boxes: Floats) -> Indices:
+    """The regions in which nobody followed can be; boxes (people, 4) of those followed."""
+    near = covered_shares(seen.box, boxes).max(axis=1, initial=0.0)
+    return np.flatnonzero(~claims.taken & (near < _OCCUPIED) & ~seen.merged)
+
+
+def waited_for(
+    newcomers: Newcomers, seen: Detections, free: Indices, elapsed_s: float
+) -> Newcomers:
+    """The free regions with how long each has been there, in the order of `free`."""
+    box = seen.box[free]
+    if not len(newcomers.box) or not len(box) or elapsed_s <= 0.0:
+        return Newcomers(box, np.zeros(len(box)), np.zeros((len(box), 2)))
+    same = np.minimum(covered_shares(box, newcomers.box), covered_shares(newcomers.box, box).T)
+    best = same.argmax(axis=1)
+    known = same.max(axis=1) >= _SAME
+    old = newcomers.box[best]
+    step = (box[:, :2] + box[:, 2:] / 2 - old[:, :2] - old[:, 2:] / 2) / elapsed_s
+    seen_s = newcomers.seen_s[best]
+    frames = seen_s / elapsed_s
+    mean = newcomers.pace[best] + (step - newcomers.pace[best]) / (frames[:, None] + 1.0)
+    return Newcomers(
+        box, np.where(known, seen_s + elapsed_s, 0.0), np.where(known[:, None], mean, 0.0)
+    )
+
+
+def somebody(
+    newcomers: Newcomers, seen: Detections, free: Indices, settings: WholeBodySettings
+) -> Indices:
+    """Which of the free regions are people by now, as rows of `free`."""
+    patience_s = np.where(seen.truncated[free], max(_AT_EDGE_S, settings.birth_s), settings.birth_s)
+    return np.flatnonzero(newcomers.seen_s >= patience_s)
+
+
+def supported(claims: Claims) -> Flags:
+    """(people,) whose parts lie on foreground."""
+    return np.asarray(claims.support.mean(axis=1) >= _SUPPORTED)
+
+
+def still_there(
+    people: Followed, boxes: Floats, size: tuple[int, int], settings: WholeBodySettings
+) -> Flags:
+    """(people,) who is followed on."""
+    inside = share_inside(boxes, size)
+    patience_s = np.where(inside < _AT_THE_EDGE, settings.lost_at_edge_s, settings.lost_after_s)
+    patience_s = np.where(people.hidden, settings.lost_hidden_s, patience_s)
+    missed = people.missed_s > 0.0
+    left = (inside < _GONE) | (missed & (inside < _OUT_OF_VIEW))
+    return np.asarray(~left & (people.missed_s <= patience_s))

@@ -1,0 +1,93 @@
+"""People's boxes in the picture, from their parts and from the regions they are seen in."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.trackers.three_part.followed import Flags, Floats
+
+_ROUND = 0.95
+"""An inner rectangle's size, as a share of the half extent of the part it lies in: a part whose
+pixels lie evenly reaches 0.87 of the rectangle's size from its middle, a round one 1.0."""
+_LEGS_BELOW = 1.45
+"""How far below the hip-leg rectangle's middle the soles are: it is the upper half of the legs."""
+_OUTLINE_MEMORY_S = 0.5
+_TRUST = 0.85
+"""Weight of the box seen against the remembered outline."""
+
+
+def parts_boxes(rectangles: Floats) -> Floats:
+    """(people, 4) left, top, right, bottom of bodies, from the parts (people, parts, 4) alone.
+
+    [ZhaoLee2009] takes the bounding box of the inner rectangles. They are smaller than the person
+    by design, so this is the bounding box of the parts they stand for.
+    """
+    reach = _ROUND * rectangles[..., 2:]
+    low, high = rectangles[..., :2] - reach, rectangles[..., :2] + reach
+    box = np.concatenate((low.min(axis=1), high.max(axis=1)), axis=1)
+    if rectangles.shape[1] > 1:
+        box[:, 3] = rectangles[:, -1, 1] + _LEGS_BELOW * rectangles[:, -1, 3]
+    return box
+
+
+def outlined_boxes(rectangles: Floats, outline: Floats) -> Floats:
+    """(people, 4) left, top, width, height: the boxes of the parts with people's own outlines."""
+    box = parts_boxes(rectangles)
+    box = box + outline * _height(box)
+    size = np.maximum(box[:, 2:] - box[:, :2], 1.0)
+    return np.concatenate((box[:, :2], size), axis=1)
+
+
+def outlines_seen(rectangles: Floats, seen: Floats) -> Floats:
+    """(people, 4) the outlines with which the parts' boxes are those seen (people, 4)."""
+    box = parts_boxes(rectangles)
+    corners = np.concatenate((seen[:, :2], seen[:, :2] + seen[:, 2:]), axis=1)
+    return np.clip((corners - box) / _height(box), -0.5, 0.5)
+
+
+def outlines_after(
+    outline: Floats,
+    rectangles: Floats,
+    seen: Floats,
+    alone: Flags,
+    elapsed_s: float,
+    age_s: Floats,
+) -> Floats:
+    """The outlines (people, 4) after a frame, learnt of those seen alone.
+
+    Args:
+        age_s: (people,) since they were begun; at first the outline is the mean of all seen.
+    """
+    share = 1.0 - np.exp(-elapsed_s / _OUTLINE_MEMORY_S)
+    share = np.maximum(share, elapsed_s / np.maximum(age_s + elapsed_s, 1e-6))
+    share = np.where(age_s <= 0.0, 1.0, share)[alone, None]
+    new = outline.copy()
+    own = outlines_seen(rectangles[alone], seen[alone])
+    new[alone] += share * (own - outline[alone])
+    return new
+
+
+def shown_boxes(box: Floats, seen: Floats, alone: Flags) -> Floats:
+    """(people, 4) the boxes to report: what is seen of those alone, steadied by the outline."""
+    trust = np.where(alone, _TRUST, 0.0)[:, None]
+    return box + trust * (np.where(alone[:, None], seen, box) - box)
+
+
+def share_inside(box: Floats, size: tuple[int, int]) -> Floats:
+    """(people,) the share of each box (people, 4) that lies in a picture of this size."""
+    low = np.clip(box[:, :2], 0.0, size)
+    high = np.clip(box[:, :2] + box[:, 2:], 0.0, size)
+    return np.asarray(np.prod(high - low, axis=1) / np.maximum(np.prod(box[:, 2:], axis=1), 1e-9))
+
+
+def covered_shares(box: Floats, other: Floats) -> Floats:
+    """(people, others) the share of each box (people, 4) that lies in each other box."""
+    low = np.maximum(box[:, None, :2], other[None, :, :2])
+    high = np.minimum((box[:, :2] + box[:, 2:])[:, None], (other[:, :2] + other[:, 2:])[None])
+    common = np.prod(np.clip(high - low, 0.0, None), axis=2)
+    return np.asarray(common / np.maximum(np.prod(box[:, 2:], axis=1)[:, None], 1e-9))
+
+
+def _height(box: Floats) -> NDArray[np.float64]:
+    return np.maximum(box[:, 3:] - box[:, 1:2], 1.0)

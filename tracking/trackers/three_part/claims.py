@@ -1,0 +1,74 @@
+"""Which region of the foreground is whose."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people import Detections
+from tracking.trackers.three_part.followed import Flags, Floats, Indices
+
+_GRID = (np.arange(5) + 0.5) / 5 - 0.5
+"""Where a rectangle is probed, across and down, as shares of its size from its middle."""
+_OWN = 0.3
+"""Share of somebody's parts that must lie in a region for it to be theirs."""
+_TAKEN = 0.1
+"""The same for it to be possibly theirs: nobody new is started in it."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Claims:
+    """Regions and people.
+
+    Attributes:
+        share: (people, regions) of the person's parts that lies in the region.
+        support: (people, parts) the share of each part that lies on any foreground; parts outside
+            the picture have none.
+        region: (people,) the one that holds most of somebody; -1 where none holds enough.
+        alone: (people,) whether it holds nobody else and is no larger than a person.
+    """
+
+    share: Floats
+    support: Floats
+    region: Indices
+    alone: Flags
+
+    @property
+    def taken(self) -> Flags:
+        """(regions,) in which somebody followed is, or part of them."""
+        return np.asarray((self.share > _TAKEN).any(axis=0))
+
+
+def claims_of(rectangles: Floats, seen: Detections) -> Claims:
+    """Look up in which regions the parts (people, parts, 4) lie."""
+    people, parts = rectangles.shape[:2]
+    label = _probed(rectangles, seen.regions)
+    count = len(seen) + 1
+    flat = label + (np.arange(people) * count)[:, None, None]
+    votes = np.bincount(flat.ravel(), minlength=people * count).reshape(people, count)
+    share = votes[:, 1:] / (parts * len(_GRID) ** 2)
+    region = share.argmax(axis=1) if len(seen) else np.zeros(people, np.intp)
+    mine = share.max(axis=1, initial=0.0) >= _OWN
+    region = np.where(mine, region, -1)
+    guests = (share >= _OWN / 2).sum(axis=0)
+    alone = mine.copy()
+    alone[mine] = (guests[region[mine]] <= 1) & ~seen.merged[region[mine]]
+    return Claims(share, (label > 0).mean(axis=2), region, alone)
+
+
+def shares_on(mask: NDArray[np.integer], rectangles: Floats) -> Floats:
+    """(people, parts) the share of each rectangle (people, parts, 4) where a mask is not 0."""
+    return np.asarray((_probed(rectangles, mask) > 0).mean(axis=2))
+
+
+def _probed(rectangles: Floats, regions: NDArray[np.integer]) -> NDArray[np.int64]:
+    """(people, parts, points) the regions' labels on a grid in each rectangle; 0 outside."""
+    u = rectangles[..., 0, None] + rectangles[..., 2, None] * np.tile(_GRID, len(_GRID))
+    v = rectangles[..., 1, None] + rectangles[..., 3, None] * np.repeat(_GRID, len(_GRID))
+    column, row = np.rint(u).astype(np.int64), np.rint(v).astype(np.int64)
+    rows, columns = regions.shape
+    inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
+    label = regions[np.clip(row, 0, rows - 1), np.clip(column, 0, columns - 1)]
+    return np.where(inside, label, 0).astype(np.int64)

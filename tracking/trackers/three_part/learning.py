@@ -1,0 +1,74 @@
+"""What is learnt of people in each frame: colours, outlines, places on the floor."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import View
+from tracking.people import Detections
+from tracking.trackers.three_part.appearance import looked_at, resemblance
+from tracking.trackers.three_part.claims import Claims
+from tracking.trackers.three_part.followed import Flags, Floats, Followed
+from tracking.trackers.three_part.settings import WholeBodySettings
+
+_USUAL_MEMORY = 0.9
+_LOOKS_MEMORY = 0.97
+_GOOD_VIEW = 0.6
+"""Share of foreground under a part from which on its colours are the person's."""
+_PLACE_MEMORY_S = 0.12
+
+
+def colours_learnt(
+    people: Followed,
+    picture: NDArray[np.uint8],
+    claims: Claims,
+    settings: WholeBodySettings,
+) -> Followed:
+    """Colour models after a frame: `H_t = 0.9 H_(t-1) + 0.1 Q_t` [ZhaoLee2009] eq. 1.
+
+    Q is taken at the estimate, unequalised. Models of parts that are occluded, or lost and not
+    put back, are frozen.
+    """
+    seen = looked_at(picture, people.rectangles)
+    alike = resemblance(seen, people.model)
+    learnt = ~people.occluded & ~people.failed & (seen.sum(axis=(2, 3)) > 0)
+    model = _blended(people.model, seen, learnt, settings.model_memory)
+    good = learnt & claims.alone[:, None] & (claims.support >= _GOOD_VIEW)
+    looks = _blended(people.looks, seen, good, _LOOKS_MEMORY)
+    usual = people.usual + (1.0 - _USUAL_MEMORY) * learnt * (alike - people.usual)
+    return people.replace(model=model, looks=looks, similarity=alike, usual=usual)
+
+
+def places_learnt(
+    people: Followed,
+    box: Floats,
+    seen: Detections,
+    claims: Claims,
+    elapsed_s: float,
+    view: View | None,
+) -> Followed:
+    """Where people stand on the floor: as perception measured them, else below their box."""
+    if view is None:
+        return people
+    foot = np.column_stack((box[:, 0] + box[:, 2] / 2, box[:, 1] + box[:, 3]))
+    below = view.floor_from_pixel(foot)
+    measured = np.append(seen.position[:, :2], np.full((1, 2), np.nan), axis=0)
+    own = measured[np.where(claims.alone, claims.region, -1)]
+    there = np.where(np.isfinite(own).all(axis=1, keepdims=True), own, below)
+    expected = people.place + people.walk * elapsed_s
+    known = np.isfinite(expected).all(axis=1, keepdims=True)
+    off = np.where(np.isfinite(there).all(axis=1, keepdims=True), there - expected, 0.0)
+    share = 1.0 - np.exp(-elapsed_s / _PLACE_MEMORY_S)
+    turn = share**2 / (2.0 - share) / max(elapsed_s, 1e-3)
+    return people.replace(
+        place=np.where(known, expected + share * off, there),
+        walk=np.where(known, people.walk + turn * off, 0.0),
+    )
+
+
+def _blended(
+    model: NDArray[np.float32], seen: NDArray[np.float32], learnt: Flags, memory: float
+) -> NDArray[np.float32]:
+    share = ((1.0 - memory) * learnt).astype(np.float32)[..., None, None]
+    return model + share * (seen - model)

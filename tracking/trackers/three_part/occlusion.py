@@ -1,0 +1,110 @@
+"""Which parts are hidden: by other people, and by what is drawn in the picture."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import SettingsError
+from tracking.trackers.three_part.followed import Flags, Floats
+from tracking.tracks.labels import Occluder
+
+_TOUCH = 1.25
+"""Parts touch where their inner rectangles, larger by this, overlap."""
+_STAYS = 0.08
+"""By how much less alike somebody in front must look to change places with who was behind."""
+_COVERED = 0.5
+"""Share of a rectangle that a drawn outline must hold for it to hide the part."""
+_SEEN = 0.4
+"""Share of foreground in a covered rectangle from which on the person walks in front."""
+_MOST_CORNERS = 100_000
+
+Polygons = tuple[NDArray[np.float64], ...]
+
+
+def occluders_from(text: str) -> Polygons:
+    """The outlines of the setting `occluders`: each (corners, 2) px as recorded.
+
+    Raises `SettingsError` for what is no list of polygons.
+    """
+    if not text.strip():
+        return ()
+    try:
+        polygons = [np.array(corners, np.float64) for corners in json.loads(text)]
+        good = all(
+            outline.ndim == 2
+            and outline.shape[1] == 2
+            and 3 <= len(outline) <= _MOST_CORNERS
+            and bool(np.isfinite(outline).all())
+            for outline in polygons
+        )
+    except (ValueError, TypeError, RecursionError):
+        good = False
+    if not good:
+        raise SettingsError(
+            "setting occluders: must be outlines of three corners or more, "
+            "like [[[100, 40], [130, 40], [130, 300]]]"
+        )
+    return tuple(polygons)
+
+
+def occluders_as_setting(occluders: Iterable[Occluder]) -> str:
+    """What people drew, as the setting `occluders` has it."""
+    return json.dumps([[list(corner) for corner in one.polygon] for one in occluders])
+
+
+def covered_mask(polygons: Polygons, shape: tuple[int, int]) -> NDArray[np.uint8]:
+    """(height, width) 1 where something drawn stands before the scene, else 0."""
+    mask = np.zeros(shape, np.uint8)
+    for polygon in polygons:
+        cv2.fillPoly(mask, [np.rint(polygon).astype(np.int32)], (1,))
+    return mask
+
+
+def behind_what_is_drawn(cover: Floats, support: Floats) -> Flags:
+    """(people, parts) hidden by what is drawn: covered by it, and nothing of them is seen.
+
+    [ZhaoLee2009] section 4.3.2. A covered part on foreground is before the thing drawn.
+
+    Args:
+        cover: (people, parts) share of each rectangle within an outline.
+        support: (people, parts) share of it on foreground.
+    """
+    return np.asarray((cover >= _COVERED) & (support < _SEEN))
+
+
+def behind_others(rectangles: Floats, alike: Floats, was_behind: Flags) -> Flags:
+    """(people, parts) hidden by somebody else.
+
+    [ZhaoLee2009] section 4.3.1: where parts of two people touch, the one whose parts look less
+    like their models is the occluded one. Where we differ: all touching parts of the two are
+    looked at together, as one is before the other as a whole; and who is behind stays so unless
+    the other looks clearly less like itself, as two alike would change places in every frame.
+
+    Args:
+        rectangles: (people, parts, 4) as predicted.
+        alike: (people, parts) similarity there, less the usual one.
+        was_behind: (people,) who was hidden in the last frame.
+    """
+    touch = _touching(rectangles)
+    own = np.asarray(touch.any(axis=3))  # person, part, other person
+    parts = np.maximum(own.sum(axis=1), 1)
+    look = np.einsum("pk,pkq->pq", alike, own) / parts
+    bias = _STAYS * (was_behind[:, None].astype(float) - was_behind[None, :])
+    behind = own.any(axis=1) & (look - look.T < bias)
+    return np.asarray(np.any(own & behind[:, None, :], axis=2))
+
+
+def _touching(rectangles: Floats) -> Flags:
+    """(people, parts, people, parts) whose rectangles overlap; nobody touches themselves."""
+    people, parts = rectangles.shape[:2]
+    flat = rectangles.reshape(-1, 4)
+    gap = np.abs(flat[:, None, :2] - flat[None, :, :2])
+    reach = _TOUCH * (flat[:, None, 2:] + flat[None, :, 2:]) / 2
+    touch = np.asarray((gap < reach).all(axis=2)).reshape(people, parts, people, parts)
+    touch[np.arange(people), :, np.arange(people), :] = False
+    return np.asarray(touch)

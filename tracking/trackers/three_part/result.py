@@ -1,0 +1,186 @@
+"""A frame of a tracker of rectangles as the columns of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people import Detections, Observation
+from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
+from tracking.trackers.three_part.followed import Flags, Floats, Followed, Indices, Layout
+from tracking.tracks.columns import (
+    CLOTHES,
+    DETECTION_COLUMNS,
+    PART_COLUMNS,
+    PART_PARTICLE_COLUMNS,
+    PARTICLE_COLUMNS,
+    SIGNAL_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+    empty,
+)
+
+_RECTANGLE = ("cx", "cy", "width", "height")
+_STEPS_A_PIXEL = 8
+"""Particles are kept to an eighth of a pixel, which packs to half."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shown:
+    """What a frame says of people besides their parts.
+
+    Attributes:
+        box: (people, 4) left, top, width, height px.
+        inside: (people,) share of that in the picture.
+        region: (people,) the detection they are in; -1: none.
+        alone: (people,) whether nobody else is in it.
+        gone: (people,) nothing of them was seen.
+    """
+
+    box: Floats
+    inside: Floats
+    region: Indices
+    alone: Flags
+    gone: Flags
+
+
+def step_result(
+    observation: Observation,
+    people: Followed,
+    shown: Shown,
+    layout: Layout,
+    fps: float,
+    kept: int,
+) -> StepResult:
+    """The frame's result, sorted by track as the people are.
+
+    Args:
+        kept: particles of a part that go into the result at most.
+    """
+    frame = observation.frame
+    return StepResult(
+        frame=frame,
+        tracks=_tracks(frame, people, shown),
+        detections=_detections(frame, observation.people, people, shown),
+        particles=empty(PARTICLE_COLUMNS),
+        associations=empty(ASSOCIATION_COLUMNS),
+        signals=_signals(frame, observation.people, people, shown),
+        parts=_parts(frame, people, layout, fps),
+        part_particles=_part_particles(people, layout, kept),
+    )
+
+
+def _tracks(frame: int, people: Followed, shown: Shown) -> Columns:
+    in_sight = 1.0 - people.occluded.mean(axis=1)
+    values = {
+        "frame": np.full(len(people), frame),
+        "track": people.track,
+        **_sides(shown.box),
+        "x": people.place[:, 0],
+        "y": people.place[:, 1],
+        "vx": np.where(np.isfinite(people.place[:, 0]), people.walk[:, 0], np.nan),
+        "vy": np.where(np.isfinite(people.place[:, 0]), people.walk[:, 1], np.nan),
+        "confidence": people.similarity.mean(axis=1) * in_sight,
+        "visibility": shown.inside * in_sight,
+        "predicted": shown.gone | people.occluded.all(axis=1),
+    }
+    return _typed(values, TRACK_COLUMNS)
+
+
+def _detections(frame: int, seen: Detections, people: Followed, shown: Shown) -> Columns:
+    track = np.zeros(len(seen), np.int32)
+    own = shown.alone & (shown.region >= 0)
+    track[shown.region[own]] = people.track[own]
+    x, y, z = seen.position.T
+    values = {
+        "frame": np.full(len(seen), frame),
+        **_sides(seen.box),
+        "x": x,
+        "y": y,
+        "z": z,
+        "track": track,
+    }
+    return _typed(values, DETECTION_COLUMNS)
+
+
+def _signals(frame: int, seen: Detections, people: Followed, shown: Shown) -> Columns:
+    """What is noticed of the people beside where they are, from regions they are alone in."""
+    own = np.where(shown.alone, shown.region, -1)
+    height_m = np.append(np.where(seen.truncated, np.nan, seen.size[:, 1]), np.nan)
+    clothes = np.append(seen.clothes.reshape(-1, 6), np.full((1, 6), np.nan), axis=0)
+    values = {
+        "frame": np.full(len(people), frame),
+        "track": people.track,
+        "height_m": height_m[own],
+        **dict(zip(CLOTHES, clothes[own].T, strict=True)),
+        "spread_m": np.full(len(people), np.nan),
+        "split": np.full(len(people), np.nan),
+    }
+    return _typed(values, SIGNAL_COLUMNS)
+
+
+def _parts(frame: int, people: Followed, layout: Layout, fps: float) -> Columns:
+    if layout.parts == 1:
+        return empty(PART_COLUMNS)
+    rows = people.occluded.size
+    count = np.repeat(people.clouds.count, layout.together)
+    filtered = np.isfinite(people.entropy).ravel()
+    values = {
+        "frame": np.full(rows, frame),
+        "track": np.repeat(people.track, layout.parts),
+        "part": np.tile(np.arange(layout.parts), len(people)),
+        **dict(zip(_RECTANGLE, people.rectangles.reshape(-1, 4).T, strict=True)),
+        "vx": people.state[..., 4].ravel() / fps,
+        "vy": people.state[..., 5].ravel() / fps,
+        "failed": people.failed.ravel(),
+        "score": people.score.ravel(),
+        "entropy": people.entropy.ravel(),
+        "particles": np.where(filtered, count, 0),
+        "occluded": people.occluded.ravel(),
+    }
+    return _typed(values, PART_COLUMNS)
+
+
+def _part_particles(people: Followed, layout: Layout, kept: int) -> Columns:
+    """An even choice of every filter's particles, a row for each rectangle they hold.
+
+    Of a person followed whole the part is 0.
+    """
+    clouds = people.clouds
+    few = np.minimum(clouds.count, kept)
+    if not few.any():
+        return empty(PART_PARTICLE_COLUMNS)
+    owner = np.repeat(np.arange(len(few)), few)
+    turn = np.arange(few.sum()) - np.repeat(np.cumsum(few) - few, few)
+    rows = clouds.start[owner] + turn * clouds.count[owner] // few[owner]
+    weight = clouds.weight[rows].astype(np.float64)
+    weight /= np.maximum(np.bincount(owner, weight, len(few)), 1e-30)[owner]
+    place = np.rint(clouds.state[rows, :, :2] * _STEPS_A_PIXEL) / _STEPS_A_PIXEL
+    part = owner[:, None] % layout.filters * layout.together + np.arange(layout.together)
+    order = np.argsort(_part_row(owner, part, layout), axis=None, kind="stable")
+    values = {
+        "track": np.repeat(people.track[owner // layout.filters], layout.together)[order],
+        "part": part.ravel()[order],
+        "u": place[..., 0].ravel()[order],
+        "v": place[..., 1].ravel()[order],
+        "weight": np.repeat(weight, layout.together)[order],
+    }
+    return _typed(values, PART_PARTICLE_COLUMNS)
+
+
+def _part_row(owner: Indices, part: NDArray[np.intp], layout: Layout) -> NDArray[np.intp]:
+    """(particles, together) the number of the part among those of all people."""
+    return np.asarray(owner[:, None] // layout.filters * layout.parts + part)
+
+
+def _sides(box: Floats) -> Columns:
+    return dict(zip(("left", "top", "width", "height"), box.T, strict=True))
+
+
+def _typed(values: Columns, columns: Mapping[str, np.dtype[Any]]) -> Columns:
+    """The values in the columns' order and types."""
+    return {name: np.ascontiguousarray(values[name], dtype) for name, dtype in columns.items()}

@@ -1,0 +1,125 @@
+"""People begun, and parts begun anew: particles, colours and where they come from."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import restarted, scattered
+from tracking.people import Detections
+from tracking.people.parts import decompose, inner_rectangle, inner_rectangles
+from tracking.trackers.three_part.appearance import looked_at
+from tracking.trackers.three_part.followed import Flags, Floats, Followed, Indices, Layout
+
+_START_PARTICLES = 400
+_START_SPREAD = (0.1, 0.1, 0.08, 0.08, 1.0, 1.0)
+"""Of X, Y, W, H in sizes of the part, and of dX, dY in sizes a second."""
+_ALIKE_AT_FIRST = 0.95
+
+
+def regions_rectangles(
+    seen: Detections, rows: Indices, picture: NDArray[np.uint8], layout: Layout
+) -> Floats:
+    """(n, parts, 4) the inner rectangles of some regions; NaN where a part is not seen.
+
+    Args:
+        picture: (height, width, 3) of `ycbcr`.
+    """
+    found = np.full((len(rows), layout.parts, 4), np.nan)
+    for at, row in enumerate(rows):
+        mask, box = seen.regions == row + 1, seen.box[row]
+        if layout.parts == 1:
+            found[at, 0] = inner_rectangle(mask, box)
+        else:
+            found[at] = inner_rectangles(mask, box, decompose(mask, picture, box))
+    return found
+
+
+def begun(
+    track: NDArray[np.int32],
+    rectangles: Floats,
+    pace: Floats,
+    picture: NDArray[np.uint8],
+    layout: Layout,
+    random: np.random.Generator,
+) -> Followed:
+    """People followed from here on.
+
+    Args:
+        track: (n,) ids. rectangles: (n, parts, 4) of their parts. pace: (n, 2) px/s.
+        picture: (height, width, 3) of `ycbcr`, where their colours are learnt.
+    """
+    people, parts = rectangles.shape[:2]
+    state = np.empty((people, parts, 6))
+    state[..., :4], state[..., 4:] = rectangles, pace[:, None]
+    filters = by_filter(state, layout)
+    count = np.full(len(filters), _START_PARTICLES, np.int64)
+    model = looked_at(picture, rectangles)
+    alike = np.full((people, parts), _ALIKE_AT_FIRST)
+    return Followed(
+        track=track,
+        clouds=scattered(filters, _start_spread(filters), count, random),
+        state=state,
+        pace=pace,
+        model=model,
+        looks=model,
+        similarity=alike,
+        usual=alike,
+        entropy=np.full((people, parts), np.nan),
+        occluded=np.zeros((people, parts), bool),
+        failed=np.zeros((people, parts), bool),
+        score=np.full((people, parts), np.nan),
+        outline=np.zeros((people, 4)),
+        place=np.full((people, 2), np.nan),
+        walk=np.zeros((people, 2)),
+        missed_s=np.zeros(people),
+        hidden_s=np.zeros(people),
+        age_s=np.zeros(people),
+    )
+
+
+def begun_anew(
+    people: Followed,
+    rectangles: Floats,
+    picture: NDArray[np.uint8],
+    layout: Layout,
+    random: np.random.Generator,
+) -> Followed:
+    """The people with some parts put elsewhere, particles and colour model re-made there.
+
+    Args:
+        rectangles: (people, parts, 4) where parts are put; NaN: left alone.
+    """
+    which = np.isfinite(rectangles).all(axis=2)
+    if not which.any():
+        return people
+    state, model = people.state.copy(), people.model.copy()
+    state[which, :4] = rectangles[which]
+    state[which, 4:] = np.broadcast_to(people.pace[:, None], (*which.shape, 2))[which]
+    model[which] = looked_at(picture, rectangles[which][:, None])[:, 0]
+    filters = by_filter(state, layout)
+    chosen = which.reshape(-1, layout.together)
+    spread = _start_spread(filters)
+    clouds = restarted(people.clouds, chosen, filters, spread, random)
+    return people.replace(state=state, model=model, clouds=clouds)
+
+
+def by_filter(state: NDArray[Any], layout: Layout) -> NDArray[Any]:
+    """States (people, parts, n) as (filters of all people, parts together, n)."""
+    return state.reshape(-1, layout.together, state.shape[-1])
+
+
+def part_sizes(state: Floats) -> Floats:
+    """(...) px, the side of a square as large as the part; states (..., 6)."""
+    return np.asarray(np.sqrt(np.maximum(state[..., 2] * state[..., 3], 1.0)))
+
+
+def _start_spread(filters: Floats) -> Floats:
+    return np.asarray(part_sizes(filters)[..., None] * np.array(_START_SPREAD))
+
+
+def all_seen(rectangles: Floats) -> Flags:
+    """(n,) of whom all parts (n, parts, 4) are known."""
+    return np.asarray(np.isfinite(rectangles).all(axis=(1, 2)))

@@ -1,0 +1,229 @@
+"""Colour-based particle filters over the parts of people, with failures found and adjusted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.failure import Detector
+from tracking.geometry import View
+from tracking.people import Detections, Observation
+from tracking.people.parts import ycbcr
+from tracking.trackers.protocol import StepResult
+from tracking.trackers.resuming import Resume
+from tracking.trackers.three_part import births
+from tracking.trackers.three_part.adjustment import Scene, adjusted
+from tracking.trackers.three_part.appearance import looked_at, resemblance
+from tracking.trackers.three_part.bodies import (
+    outlined_boxes,
+    outlines_after,
+    share_inside,
+    shown_boxes,
+)
+from tracking.trackers.three_part.claims import Claims, claims_of, shares_on
+from tracking.trackers.three_part.detectors import NO_DETECTOR
+from tracking.trackers.three_part.finding import found_again
+from tracking.trackers.three_part.followed import Flags, Followed, Layout, nobody, together
+from tracking.trackers.three_part.learning import colours_learnt, places_learnt
+from tracking.trackers.three_part.moving import moved, weighed
+from tracking.trackers.three_part.occlusion import (
+    Polygons,
+    behind_others,
+    behind_what_is_drawn,
+    covered_mask,
+)
+from tracking.trackers.three_part.result import Shown, step_result
+from tracking.trackers.three_part.resuming import resumed
+from tracking.trackers.three_part.settings import WholeBodySettings
+from tracking.trackers.three_part.starting import all_seen, begun, begun_anew, regions_rectangles
+from tracking.trackers.three_part.watching import Watch
+
+Picture = NDArray[np.uint8]
+_MISSED_S = 0.2
+"""Who has had no foreground for so long is looked for."""
+
+
+@dataclass(frozen=True, slots=True)
+class Camera:
+    """What the tracker knows of the recording.
+
+    Attributes:
+        size: width and height px. fps: frames a second.
+        view: the camera over its floor; None where that is not known.
+        occluders: outlines of what hides people.
+    """
+
+    size: tuple[int, int]
+    fps: float
+    view: View | None
+    occluders: Polygons = ()
+
+
+class PartTracker:
+    """Follows people by rectangles: three parts, each with a filter of its own, or whole.
+
+    A step of [ZhaoLee2009], for all people at once: predict, see who is occluded, weigh by
+    equalised colours, judge which parts were lost and put them back, learn colours.
+
+    Where we differ from the source and why:
+        - people are found, and let go, by regions of the foreground, which the paper leaves open;
+        - somebody lost behind others is looked for by colours around the place expected;
+        - parts that are occluded move with those of the person that are not;
+        - the box is the person's, learnt from regions seen alone: inner rectangles are smaller.
+    """
+
+    def __init__(
+        self,
+        camera: Camera,
+        settings: WholeBodySettings,
+        layout: Layout,
+        seed: int,
+        detector: Detector | None = None,
+        *,
+        adjust: bool = False,
+    ) -> None:
+        """Nobody is followed yet; all randomness comes from the seed."""
+        self._camera = camera
+        self._settings = settings
+        self._layout = layout
+        self._random = np.random.default_rng(seed)
+        self._adjust = adjust
+        self._watch = Watch(detector)
+        self._cover = covered_mask(camera.occluders, camera.size[::-1])
+        self._people = nobody(layout)
+        self._newcomers = births.Newcomers()
+        self._last_id = 0
+        self._time_s: float | None = None
+
+    @property
+    def settings(self) -> WholeBodySettings:
+        """The settings in force."""
+        return self._settings
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should be told, a line each."""
+        missing = self._adjust and self._watch.detector is None
+        return (NO_DETECTOR,) if missing else ()
+
+    def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
+        """Go on with the people as corrected; those who are new get ids above all there were."""
+        people, time_s = resumed(resume, observations, self._layout, self._random)
+        self._people, self._time_s = people, time_s
+        self._last_id = resume.highest_track
+
+    def step(self, observation: Observation) -> StepResult:
+        """Take one frame further."""
+        assert observation.picture is not None, "perception of one camera hands the picture on"
+        picture = ycbcr(observation.picture)
+        time_s, seen = observation.time_s, observation.people
+        elapsed_s = 0.0 if self._time_s is None else time_s - self._time_s
+        self._time_s = time_s
+        people = self._filtered(seen, picture, elapsed_s)
+        people = self._put_right(people, seen, picture, time_s)
+        claims = claims_of(people.rectangles, seen)
+        people = colours_learnt(people, picture, claims, self._settings)
+        people = self._aged(people, claims, elapsed_s)
+        people = self._with_newcomers(people, claims, seen, picture, elapsed_s)
+        people, shown = self._seen(people, seen, elapsed_s)
+        self._watch.remember(time_s, people)
+        self._people = people
+        layout, settings = self._layout, self._settings
+        return step_result(
+            observation, people, shown, layout, self._camera.fps, settings.kept_particles
+        )
+
+    def _filtered(self, seen: Detections, picture: Picture, elapsed_s: float) -> Followed:
+        """Everybody one frame on."""
+        before, settings, layout = self._people, self._settings, self._layout
+        people = moved(before, elapsed_s, settings, layout, self._random)
+        people = people.replace(occluded=self._occluded(people, seen, picture))
+        return weighed(people, before, picture, elapsed_s, settings, layout)
+
+    def _occluded(self, people: Followed, seen: Detections, picture: Picture) -> Flags:
+        """(people, parts) hidden by others or by what is drawn, at the places predicted."""
+        alike = resemblance(looked_at(picture, people.rectangles), people.model)
+        hidden = behind_others(people.rectangles, alike - people.usual, people.hidden)
+        if self._camera.occluders:
+            cover = shares_on(self._cover, people.rectangles)
+            support = shares_on(seen.regions, people.rectangles)
+            hidden |= behind_what_is_drawn(cover, support)
+        return hidden
+
+    def _put_right(
+        self, people: Followed, seen: Detections, picture: Picture, time_s: float
+    ) -> Followed:
+        """Failures judged and, where that is wanted, adjusted."""
+        if self._layout.parts == 1:
+            return people
+        said = self._watch.judge(time_s, people, ~people.hidden)
+        people = people.replace(failed=said.failed, score=said.score)
+        if not self._adjust or not said.failed.any():
+            return people
+        boxes = outlined_boxes(people.rectangles, people.outline)
+        scene = Scene(seen, claims_of(people.rectangles, seen), picture)
+        places = adjusted(people, boxes, said.failed, said.several, scene)
+        return begun_anew(people, places, picture, self._layout, self._random)
+
+    def _aged(self, people: Followed, claims: Claims, elapsed_s: float) -> Followed:
+        there = births.supported(claims)
+        return people.replace(
+            missed_s=np.where(there, 0.0, people.missed_s + elapsed_s),
+            hidden_s=np.where(people.hidden, people.hidden_s + elapsed_s, 0.0),
+            age_s=people.age_s + elapsed_s,
+        )
+
+    def _with_newcomers(
+        self,
+        people: Followed,
+        claims: Claims,
+        seen: Detections,
+        picture: Picture,
+        elapsed_s: float,
+    ) -> Followed:
+        """The lost found again or let go, and newcomers begun."""
+        boxes = outlined_boxes(people.rectangles, people.outline)
+        free = births.free_regions(seen, claims, boxes)
+        if self._adjust:
+            lost = people.missed_s > _MISSED_S
+            places, free = found_again(people, boxes, lost, seen, free, picture, self._layout)
+            people = begun_anew(people, places, picture, self._layout, self._random)
+            again = all_seen(places)
+            people = people.replace(missed_s=np.where(again, 0.0, people.missed_s))
+        boxes = outlined_boxes(people.rectangles, people.outline)
+        kept = births.still_there(people, boxes, self._camera.size, self._settings)
+        people = people.select(np.flatnonzero(kept), self._layout.filters)
+        self._newcomers = births.waited_for(self._newcomers, seen, free, elapsed_s)
+        ready = births.somebody(self._newcomers, seen, free, self._settings)
+        rectangles = regions_rectangles(seen, free[ready], picture, self._layout)
+        ready, rectangles = ready[all_seen(rectangles)], rectangles[all_seen(rectangles)]
+        if not len(ready):
+            return people
+        track = np.arange(self._last_id + 1, self._last_id + 1 + len(ready), dtype=np.int32)
+        self._last_id += len(ready)
+        pace = self._newcomers.pace[ready]
+        new = begun(track, rectangles, pace, picture, self._layout, self._random)
+        return together(people, new)
+
+    def _seen(self, people: Followed, seen: Detections, elapsed_s: float) -> tuple[Followed, Shown]:
+        """The people with outlines and places brought up to date, and what is shown of them."""
+        claims = claims_of(people.rectangles, seen)
+        own = np.append(seen.box, np.zeros((1, 4)), axis=0)[claims.region]
+        cut = np.append(seen.truncated, True)[claims.region]
+        alone = claims.alone & ~people.hidden
+        outline = outlines_after(
+            people.outline, people.rectangles, own, alone & ~cut, elapsed_s, people.age_s
+        )
+        if self._layout.parts == 1:
+            # The comparison of [ZhaoLee2009]: what one rectangle alone says.
+            outline, alone = np.zeros_like(outline), np.zeros_like(alone)
+        box = outlined_boxes(people.rectangles, outline)
+        people = people.replace(outline=outline)
+        shown = shown_boxes(box, own, alone)
+        people = places_learnt(people, shown, seen, claims, elapsed_s, self._camera.view)
+        gone = claims.support.max(axis=1, initial=0.0) == 0.0
+        inside = share_inside(shown, self._camera.size)
+        return people, Shown(shown, inside, claims.region, claims.alone, gone)
