@@ -40,9 +40,11 @@ class TrackerWords:
 
     def resting(self, session: Session | None) -> TrackerState:
         """While none is."""
-        if session is not None:
-            adopted = session.adopted_run
-            name = session.runs[adopted].tracker if adopted is not None else self.best
+        if session is not None and session.adopted_run is None:
+            nobody = tr("Nobody is labelled yet. Draw a person in the picture (Ins).")
+            return TrackerState("", tr("labelled by hand"), nobody)
+        if session is not None and session.adopted_run is not None:
+            name = session.runs[session.adopted_run].tracker
             return TrackerState(name, tr("tracked"), tr("Nobody was tracked."))
         if not self.best:
             said = tr("No tracks: {why}.", why=self.why_not)

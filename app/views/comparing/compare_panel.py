@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 from app.presenters.comparing.agreement_scene import AgreementScene, DisagreementRow
 from app.presenters.words import counted
 from app.views.look.theme import scaled_font
-from app.views.widgets.parts import quiet
+from app.views.widgets.parts import NOTICE_MARGINS, quiet
 
 _ROWS = 7
 _NO_PARENT = QModelIndex()
@@ -74,7 +74,7 @@ class ComparePanel(QFrame):
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
         rows = QVBoxLayout(self)
-        rows.setContentsMargins(12, 10, 12, 10)
+        rows.setContentsMargins(*NOTICE_MARGINS)
         rows.setSpacing(6)
         self._title = QLabel(self)
         self._title.setFont(scaled_font(self.font(), 1.1, bold=True))

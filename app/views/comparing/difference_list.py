@@ -14,13 +14,13 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QResizeEvent
 from PySide6.QtWidgets import QListView, QStyleOptionViewItem, QWidget
 
 from app.presenters.comparing.differences_scene import DifferenceItem
 from app.views.look.icons import pixmap
 from app.views.look.theme import current_theme
-from app.views.reviewing.queue_list import ITEM, PeopleDelegate
+from app.views.reviewing.queue_list import ITEM, PeopleDelegate, lower_lines
 
 _BOX_PX, _ROOM_PX = 15, 26
 _Index = QModelIndex | QPersistentModelIndex
@@ -50,6 +50,11 @@ class DifferenceModel(QAbstractListModel):
             self.dataChanged.emit(self.index(0), self.index(len(items) - 1))
         else:
             self.endResetModel()
+
+    @property
+    def longest(self) -> str:
+        """The longest words that stand below a first line."""
+        return max((item.locked or item.text for item in self._items), key=len, default="")
 
     def item(self, row: int) -> DifferenceItem:
         """The difference in a row."""
@@ -139,14 +144,29 @@ class DifferenceView(QListView):
 
     def __init__(self, model: DifferenceModel, parent: QWidget) -> None:
         super().__init__(parent)
+        self._model = model
         self.setModel(model)
-        self.setItemDelegate(DifferenceDelegate(self))
+        self._delegate = DifferenceDelegate(self)
+        self.setItemDelegate(self._delegate)
+        model.modelReset.connect(self._fit_rows)
         self.setProperty("rows", True)
         self.setUniformItemSizes(True)
         self.setMouseTracking(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
-    def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+    def _fit_rows(self) -> None:
+        """Give the rows a line more where the longest words need it at this width."""
+        lines = lower_lines(self.font(), self._model.longest, self.viewport().width() - _ROOM_PX)
+        if lines != self._delegate.lower_lines:
+            self._delegate.lower_lines = lines
+            self.scheduleDelayedItemsLayout()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Wrap the words anew."""
+        super().resizeEvent(event)
+        self._fit_rows()
+
+    def sizeHint(self) -> QSize:  # noqa: N802
         """A dozen rows."""
         return QSize(280, 12 * max(20, self.sizeHintForRow(0)))
 

@@ -18,7 +18,7 @@ from app.views.look.theme import scaled_font
 from app.views.pictures.preview_legend import PreviewLegend
 from app.views.widgets.choices import ChoiceButtons, ProposalChips
 from app.views.widgets.id_edit import IdEdit
-from app.views.widgets.parts import quiet
+from app.views.widgets.parts import NOTICE_MARGINS, quiet
 
 _CHOICE_ROWS = 2
 
@@ -52,7 +52,7 @@ class EditPanel(QFrame):
         self.setProperty("notice", True)
         self.setAccessibleName(self.tr("Edit preview"))
         rows = QVBoxLayout(self)
-        rows.setContentsMargins(12, 10, 12, 10)
+        rows.setContentsMargins(*NOTICE_MARGINS)
         rows.setSpacing(8)
         self._title = self._words(rows)
         self._title.setFont(scaled_font(self.font(), 1.1, bold=True))

@@ -18,7 +18,7 @@ from app.presenters.labelling.labelling_scene import LabellingScene, Tool
 from app.views.labelling.lists import DrawnList, RangesList
 from app.views.labelling.verdicts import PartsGrid
 from app.views.look.theme import scaled_font
-from app.views.widgets.parts import quiet
+from app.views.widgets.parts import NOTICE_MARGINS, quiet
 
 
 class LabellingPanel(QFrame):
@@ -40,7 +40,7 @@ class LabellingPanel(QFrame):
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
         rows = QVBoxLayout(self)
-        rows.setContentsMargins(12, 10, 12, 10)
+        rows.setContentsMargins(*NOTICE_MARGINS)
         rows.setSpacing(8)
         self._title = QLabel(self)
         self._title.setFont(scaled_font(self.font(), 1.1, bold=True))

@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPainterPath, QPen
 from app.presenters.labelling.labelling_scene import PART_COLOURS, Outline, PartMark
 from app.presenters.scenes import Colour
 from app.views.look.theme import Theme, faded
-from app.views.pictures.name_plates import draw_plate, place_plates, plate_rect
+from app.views.pictures.name_plates import draw_name, draw_plate, place_plates, plate_rect
 from app.views.pictures.viewport import Points, Viewport
 
 _CASING = QColor(0, 0, 0, 130)
@@ -33,7 +33,7 @@ def draw_outlines(
     wanted = [plate_rect(metrics, one.name, at) for one, at in seen]
     placed = place_plates(wanted, area)
     for (one, _), rect in zip(seen, placed, strict=True):
-        draw_plate(painter, rect, one.name, QColor(*one.colour), one.picked)
+        draw_name(painter, rect, one.name, QColor(*one.colour), theme, one.picked)
 
 
 def draw_outline(painter: QPainter, outline: Outline, viewport: Viewport, colour: QColor) -> None:

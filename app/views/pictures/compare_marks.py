@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.presenters.comparing.agreement_scene import OtherMark, OtherPlace
 from app.views.look.theme import Theme, faded
-from app.views.pictures.name_plates import draw_note, plate_rect
+from app.views.pictures.name_plates import draw_note, place_plates, plate_rect
 from app.views.pictures.viewport import Viewport, polygon
 
 _DASHES = [4.0, 3.0]
@@ -17,11 +17,14 @@ _HALO = QColor(0, 0, 0, 120)
 
 
 def draw_other_boxes(
-    painter: QPainter, people: Sequence[OtherMark], viewport: Viewport, theme: Theme
+    painter: QPainter,
+    people: Sequence[OtherMark],
+    viewport: Viewport,
+    theme: Theme,
+    area: QRectF,
 ) -> None:
-    """Boxes with their ids below them."""
-    metrics = QFontMetricsF(painter.font())
-    painter.setBrush(Qt.BrushStyle.NoBrush)
+    """Boxes with their ids below them, apart from each other."""
+    ends = []
     for person in people:
         rect = viewport.rect(QRectF(*person.box)).adjusted(-3, -3, 3, 3)
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -29,15 +32,19 @@ def draw_other_boxes(
         painter.drawRect(rect)
         painter.setPen(_dashed(QColor(*person.colour)))
         painter.drawRect(rect)
-        plate = plate_rect(metrics, person.label, QPointF(rect.right() - 12, rect.bottom() + 14))
-        draw_note(painter, plate, person.label, theme)
+        ends.append(QPointF(rect.right() - 12, rect.bottom() + 14))
+    _draw_ids(painter, [person.label for person in people], ends, theme, area)
 
 
 def draw_other_places(
-    painter: QPainter, people: Sequence[OtherPlace], viewport: Viewport, theme: Theme
+    painter: QPainter,
+    people: Sequence[OtherPlace],
+    viewport: Viewport,
+    theme: Theme,
+    area: QRectF,
 ) -> None:
     """Trails that end in a ring with the id beside it."""
-    metrics = QFontMetricsF(painter.font())
+    ends = []
     for person in people:
         points = viewport.to_widget(person.trail)
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -45,8 +52,20 @@ def draw_other_places(
         painter.drawPolyline(polygon(points))
         end = QPointF(*points[-1])
         painter.drawEllipse(end, 15, 15)
-        plate = plate_rect(metrics, person.label, end + QPointF(-30, 28))
-        draw_note(painter, plate, person.label, theme)
+        ends.append(end + QPointF(-30, 28))
+    _draw_ids(painter, [person.label for person in people], ends, theme, area)
+
+
+def _draw_ids(
+    painter: QPainter, labels: Sequence[str], corners: Sequence[QPointF], theme: Theme, area: QRectF
+) -> None:
+    """The ids of those in sight, lower left corners given, none on another."""
+    metrics = QFontMetricsF(painter.font())
+    given = zip(labels, corners, strict=True)
+    seen = [(label, corner) for label, corner in given if area.contains(corner)]
+    wanted = [plate_rect(metrics, label, corner) for label, corner in seen]
+    for (label, _), plate in zip(seen, place_plates(wanted, area), strict=True):
+        draw_note(painter, plate, label, theme)
 
 
 def _dashed(colour: QColor) -> QPen:

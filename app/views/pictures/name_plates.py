@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.views.look.theme import Theme, faded, ink_on
 
@@ -66,6 +66,20 @@ def draw_plate(
     painter.setBrush(faded(colour, 1.0 if emphasised else 0.88))
     painter.drawRoundedRect(rect, 4, 4)
     painter.setPen(ink_on(colour))
+    painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def draw_name(
+    painter: QPainter, rect: QRectF, text: str, colour: QColor, theme: Theme, picked: bool = False
+) -> None:
+    """What something that was drawn is called: the theme's ground and ink, framed in its colour.
+
+    People's plates are filled with their colour; these are not, and stand off what they name.
+    """
+    painter.setPen(QPen(colour, 2.6 if picked else 1.4))
+    painter.setBrush(faded(theme.window, 0.94))
+    painter.drawRoundedRect(rect.adjusted(0.7, 0.7, -0.7, -0.7), 4, 4)
+    painter.setPen(theme.text)
     painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, text)
 
 

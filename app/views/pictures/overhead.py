@@ -170,7 +170,7 @@ class OverheadView(Canvas):
         painter.drawPixmap(0, 0, self._floor(scene, theme))
         painter.setFont(scaled_font(self.font(), 0.92))
         draw_outlines(painter, self._labels.outlines, self.viewport, area, theme)
-        draw_other_places(painter, self._others, self.viewport, theme)
+        draw_other_places(painter, self._others, self.viewport, theme, area)
         self._draw_trails(painter, scene, theme)
         self._draw_particles(painter, scene, theme)
         for person in scene.ghosts:

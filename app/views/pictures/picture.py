@@ -206,7 +206,7 @@ class PictureView(Canvas):
         draw_outlines(painter, self._labels.outlines, self.viewport, shown, theme)
         draw_preview(painter, self._scene.preview, self.viewport)
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
-        draw_other_boxes(painter, self._others, self.viewport, theme)
+        draw_other_boxes(painter, self._others, self.viewport, theme, shown)
         draw_people(painter, self._scene.people, self.viewport, shown)
         size = (self.width(), self.height())
         draw_part_particles(painter, self._parts, self.viewport, size)

@@ -66,10 +66,16 @@ def _likely(words: QObject, item: ReviewItem) -> str:
     return words.tr("frame {0}, {1:.0f} % likely").format(item.frame, 100 * item.likelihood)
 
 
-def row_height(font: QFont) -> int:
-    """Two lines, the lower one smaller."""
+def row_height(font: QFont, lower_lines: int = 1) -> int:
+    """A line, and below it so many smaller ones."""
     small = QFontMetrics(scaled_font(font, _SMALL))
-    return QFontMetrics(font).height() + small.height() + 2 * _PAD
+    return QFontMetrics(font).height() + lower_lines * small.height() + 2 * _PAD
+
+
+def lower_lines(font: QFont, text: str, width: float) -> int:
+    """How many lines, 1 or 2, a text takes below the first line of a row so wide."""
+    small = QFontMetricsF(scaled_font(font, _SMALL))
+    return 1 if small.horizontalAdvance(text) <= width - 2 * _SIDE else 2
 
 
 class PeopleDelegate(QStyledItemDelegate):
@@ -77,7 +83,12 @@ class PeopleDelegate(QStyledItemDelegate):
 
     A delegate of a kind says with `below` what stands in the second line, and may draw something
     at the left of both with `lead`.
+
+    Attributes:
+        lower_lines: of how many lines the words below are in every row.
     """
+
+    lower_lines = 1
 
     def below(self, item: Any) -> str:
         """The second line."""
@@ -87,9 +98,9 @@ class PeopleDelegate(QStyledItemDelegate):
         """Draw at the left and move the left edge of what is left."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: _Index) -> QSize:  # noqa: N802
-        """Two lines."""
+        """As many lines as every row has."""
         del index
-        return QSize(64, row_height(option.font))
+        return QSize(64, row_height(option.font, self.lower_lines))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
         """Ground, what leads, time, kind, people, reason."""
@@ -105,7 +116,10 @@ class PeopleDelegate(QStyledItemDelegate):
         self._draw_first(painter, item, line, option.font)
         painter.setFont(scaled_font(option.font, _SMALL))
         painter.setPen(current_theme().text_muted)
-        _draw_elided(painter, inner, self.below(item))
+        if self.lower_lines == 1:
+            _draw_elided(painter, inner, self.below(item))
+        else:
+            painter.drawText(inner, _WRAPPED, self.below(item))
         painter.restore()
 
     def _draw_first(self, painter: QPainter, item: Any, line: QRectF, font: QFont) -> None:
@@ -147,6 +161,7 @@ class ReviewDelegate(PeopleDelegate):
 
 
 _LEFT = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
+_WRAPPED = Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft | Qt.TextFlag.TextWordWrap
 _RIGHT = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight
 
 

@@ -25,7 +25,11 @@ from app.presenters.runs.runs import CORRECTED, RunList, RunRow, RunsScene
 from app.views.widgets.parts import quiet
 
 _FIGURES = 3
-"""Columns that only a truth fills."""
+"""Columns that only a truth fills, the last ones."""
+_NUMBERS = _FIGURES + 1
+"""Columns that hold numbers, the last ones."""
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class RunsDialog(QDialog):
@@ -74,7 +78,10 @@ class RunsDialog(QDialog):
             self.tr("Id switches"),
         ]
         table = QTableWidget(0, len(titles), self)
-        table.setHorizontalHeaderLabels(titles)
+        for column, title in enumerate(titles):
+            heading = QTableWidgetItem(title)
+            heading.setTextAlignment(_RIGHT if column >= len(titles) - _NUMBERS else _LEFT)
+            table.setHorizontalHeaderItem(column, heading)
         table.setAccessibleName(self.tr("Runs of this session"))
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
@@ -85,8 +92,6 @@ class RunsDialog(QDialog):
         table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         table.horizontalHeader().setSectionResizeMode(2, QHeaderView.ResizeMode.Stretch)
         table.horizontalHeader().setHighlightSections(False)
-        left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        table.horizontalHeader().setDefaultAlignment(left)
         table.itemSelectionChanged.connect(self._enable)
         return table
 
@@ -132,10 +137,8 @@ class RunsDialog(QDialog):
             for column, text in enumerate(_texts(shown)):
                 item = QTableWidgetItem(text)
                 item.setToolTip(text)
-                if column >= self._table.columnCount() - _FIGURES - 1:
-                    item.setTextAlignment(
-                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-                    )
+                if column >= self._table.columnCount() - _NUMBERS:
+                    item.setTextAlignment(_RIGHT)
                 self._table.setItem(row, column, item)
         for column in range(self._table.columnCount() - _FIGURES, self._table.columnCount()):
             self._table.setColumnHidden(column, not scene.scored)

@@ -16,6 +16,8 @@ from PySide6.QtWidgets import (
 
 from app.views.look.theme import scaled_font
 
+NOTICE_MARGINS = (16, 10, 20, 10)
+"""Of what stands above the panels: flush with their words, clear of the window's edge."""
 _UNLIMITED = 2**24 - 1
 """The height that Qt takes for no limit at all."""
 

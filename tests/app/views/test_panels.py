@@ -8,6 +8,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QMenu
 
+from app.presenters.comparing.differences_scene import DifferenceItem, DifferencesScene, Side
 from app.presenters.reviewing.review_scene import ReviewScene
 from app.presenters.scenes import ChoiceRow, EditPreview, HistoryItem, Proposal, TrackCard
 from app.views.comparing.differences_panel import DifferencesPanel
@@ -300,3 +301,19 @@ def test_errors_have_a_ground_of_their_own(qtbot, dark, drawn):
         notice.say("The disk is full", is_error=is_error)
         grounds[is_error] = drawn(notice).pixelColor(5, 25).name()
     assert grounds == {True: dark.danger_ground.name(), False: dark.selection.name()}
+
+
+def test_rows_of_differences_take_another_line_where_their_words_do_not_fit(qtbot):
+    panel = DifferencesPanel()
+    qtbot.addWidget(panel)
+    words = "1 stands elsewhere for 3.0 s, by up to 0.6 m, where nobody was before"
+    item = DifferenceItem(0, "Elsewhere", (), "00:04 - 00:07", words, False)
+    side = Side("run 0", "run 0", True)
+    panel.show_scene(DifferencesScene(side, side, (item,)))
+    panel.show()
+    heights = []
+    for width in (280, 900):
+        panel.resize(width, 500)
+        qtbot.wait(1)
+        heights.append(panel._list.sizeHintForRow(0))
+    assert heights[0] > heights[1]
