@@ -20,7 +20,8 @@ import resources
 from tests.benchmarks.parts.clips import TRAINED, TRAINED_CROUCHING
 from tests.benchmarks.parts.labelling import samples_of_clips
 from tests.benchmarks.parts.running import PLAIN, Variant
-from tracking.failure import BUILT_IN_NAME, Samples, joined, save_detector
+from tracking.failure import Samples, joined, save_detector
+from tracking.failure.detector_file import BUILT_IN
 from tracking.failure.training import Trained, TrainingPlan, train
 
 SEED = 4100
@@ -32,7 +33,7 @@ def main() -> None:
         os.environ[variable] = "1"
     cv2.setNumThreads(1)
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.parts.detector")
-    shipped = Path(next(iter(resources.__path__))) / BUILT_IN_NAME
+    shipped = Path(next(iter(resources.__path__))) / BUILT_IN
     parser.add_argument("--out", type=Path, default=shipped, help="the detector's file")
     parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
     asked = parser.parse_args()
