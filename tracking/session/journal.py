@@ -25,6 +25,8 @@ CREATE TABLE IF NOT EXISTS steps (
     scope TEXT NOT NULL DEFAULT '');
 COMMIT;
 """
+_CHECKPOINT_PAGES = 8192
+"""Of 4 KiB: an edit that comes upon it waits for the disk once more, so it shall be seldom."""
 _LATER_COLUMNS = {"undoes": "INTEGER NOT NULL DEFAULT 0", "scope": "TEXT NOT NULL DEFAULT ''"}
 """What a journal that an older program left behind lacks, in this order."""
 _STEP_TYPES = (int, str, int, str, str, str, str, int, str, str, int, str)
@@ -55,6 +57,7 @@ class Journal:
             self._base = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
             self._base.execute("PRAGMA journal_mode=WAL")
             self._base.execute("PRAGMA synchronous=FULL")
+            self._base.execute(f"PRAGMA wal_autocheckpoint={_CHECKPOINT_PAGES}")
             self._base.executescript(_TABLES)
             self._bring_up_to_date()
             last = self._base.execute("SELECT max(number) FROM steps").fetchone()[0]
