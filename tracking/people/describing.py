@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people.boxes import GridBox, hidden_sides, region_boxes
-from tracking.people.colours import clothes_colours, colour_histograms
+from tracking.people.colours import Histogram, clothes_colours, colour_histograms
 from tracking.people.detections import Detections
 from tracking.people.settings import PeopleSettings
 from tracking.people.silhouettes import Labels
@@ -15,73 +15,99 @@ from tracking.people.standing import Standing
 
 Floats = NDArray[np.float64]
 
-_LEFT, _TOP, _RIGHT, _BOTTOM = range(4)
+_BOTTOM = 3
+_STEP = 2
+"""Only every second pixel's colour is looked at."""
 _ONE_WIDE = 1.2
 """A region this many times as broad as high is several people, where nothing is in metres."""
 
 
-class Describer:
-    """Gives regions their boxes, places and colours.
+def described(
+    regions: Labels,
+    picture: NDArray[np.uint8],
+    shape: tuple[int, ...],
+    standing: Standing,
+    settings: PeopleSettings,
+) -> Detections:
+    """The people of one frame, with boxes, places and colours.
 
     Args:
-        standing: sizes of people.
-        settings: of people.
+        regions: (height, width) k + 1 for the pixels of person k.
+        picture: (height, width, 3) BGR, both at the working scale.
+        shape: of the picture as recorded.
+        standing: sizes of people. settings: of people.
     """
+    boxes = region_boxes(regions, int(regions.max(initial=0)))
+    seen = np.array(boxes, np.float64).reshape(len(boxes), 4)
+    position, hidden, truncated = _placed(regions, boxes, seen, standing)
+    size = _sizes(seen, position, standing)
+    upper, lower, middle, clothes = _colours(regions, picture, boxes, settings)
+    return Detections(
+        box=standing.whole(seen, position, hidden),
+        position=position,
+        size=size,
+        merged=_merged(seen, size, settings),
+        truncated=truncated,
+        upper=upper,
+        lower=lower,
+        middle=middle,
+        regions=in_full(regions, shape).astype(np.int32),
+        clothes=clothes,
+    )
 
-    def __init__(self, standing: Standing, settings: PeopleSettings) -> None:
-        self._standing = standing
-        self._settings = settings
 
-    def describe(self, regions: Labels, picture: NDArray[np.uint8]) -> Detections:
-        """The people of one frame.
+def in_full(picture: NDArray[np.uint8], shape: tuple[int, ...]) -> NDArray[np.uint8]:
+    """A picture of labels at the size of the recorded one."""
+    if picture.shape[:2] == shape[:2]:
+        return picture
+    size = (shape[1], shape[0])
+    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_NEAREST), np.uint8)
 
-        Args:
-            regions: (height, width) k + 1 for the pixels of person k.
-            picture: (height, width, 3) BGR.
-        """
-        boxes = region_boxes(regions, int(regions.max(initial=0)))
-        seen = np.array(boxes, np.float64).reshape(len(boxes), 4)
-        top, foot = _ends(regions, boxes)
-        at_edge = seen[:, 1] + seen[:, 3] >= regions.shape[0] - 1
-        position = self._standing.positions(top, foot, ~at_edge)
-        hidden, truncated = self._hidden(regions, boxes, seen, position)
-        position = self._standing.positions(top, foot, ~hidden[:, _BOTTOM])
-        size = self._sizes(seen, position)
-        hsv = np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2HSV), np.uint8)
-        upper, lower, middle = colour_histograms(hsv[..., :2], regions, boxes, self._settings)
-        return Detections(
-            box=self._standing.whole(seen, position, hidden),
-            position=position,
-            size=size,
-            merged=self._merged(seen, size),
-            truncated=truncated,
-            upper=upper,
-            lower=lower,
-            middle=middle,
-            regions=regions.astype(np.int32),
-            clothes=clothes_colours(picture, regions, boxes),
-        )
 
-    def _hidden(
-        self, regions: Labels, boxes: list[GridBox], seen: Floats, position: Floats
-    ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        away = self._standing.distances(position, seen)
-        # Only the order counts: who stands nearer.
-        rank = away.argsort(kind="stable").argsort(kind="stable") + 1.0
-        sight = np.column_stack((np.zeros(len(boxes)), rank)).astype(np.float32)
-        return hidden_sides(regions, boxes, sight)
+def _placed(
+    regions: Labels, boxes: list[GridBox], seen: Floats, standing: Standing
+) -> tuple[Floats, NDArray[np.bool_], NDArray[np.bool_]]:
+    """Positions (n, 3), hidden sides (n, 4) and which touch the picture's edge (n,)."""
+    top, foot = _ends(regions, boxes)
+    at_edge = seen[:, 1] + seen[:, 3] >= regions.shape[0] - 1
+    position = standing.positions(top, foot, ~at_edge)
+    away = standing.distances(position, seen)
+    # Only the order counts: who stands nearer.
+    rank = away.argsort(kind="stable").argsort(kind="stable") + 1.0
+    sight = np.column_stack((np.zeros(len(boxes)), rank)).astype(np.float32)
+    hidden, truncated = hidden_sides(regions, boxes, sight)
+    return standing.positions(top, foot, ~hidden[:, _BOTTOM]), hidden, truncated
 
-    def _sizes(self, seen: Floats, position: Floats) -> Floats:
-        """(n, 2) m width and height."""
-        width = seen[:, 2] * self._standing.metres_per_pixel(position)
-        return np.column_stack((width, 2 * position[:, 2]))
 
-    def _merged(self, seen: Floats, size: Floats) -> NDArray[np.bool_]:
-        """[Kawashita2014] section 3.4: larger than one person by the set ratio."""
-        settings = self._settings
-        wide = size[:, 0] > settings.merged_ratio * 2 * settings.body_width_m
-        flat = np.isnan(size[:, 0]) & (seen[:, 2] > _ONE_WIDE * seen[:, 3])
-        return np.asarray(wide | flat, np.bool_)
+def _sizes(seen: Floats, position: Floats, standing: Standing) -> Floats:
+    """(n, 2) m width and height."""
+    width = seen[:, 2] * standing.metres_per_pixel(position)
+    return np.column_stack((width, 2 * position[:, 2]))
+
+
+def _merged(seen: Floats, size: Floats, settings: PeopleSettings) -> NDArray[np.bool_]:
+    """[Kawashita2014] section 3.4: larger than one person by the set ratio.
+
+    Strides and arms make a silhouette twice as broad as the body that carries them.
+    """
+    wide = size[:, 0] > settings.merged_ratio * 2 * settings.body_width_m
+    flat = np.isnan(size[:, 0]) & (seen[:, 2] > _ONE_WIDE * seen[:, 3])
+    return np.asarray(wide | flat, np.bool_)
+
+
+def _colours(
+    regions: Labels,
+    picture: NDArray[np.uint8],
+    boxes: list[GridBox],
+    settings: PeopleSettings,
+) -> tuple[Histogram, Histogram, Histogram, Histogram]:
+    """Histograms of the upper body, the lower body and the middle, and the clothes' colours."""
+    colours = np.ascontiguousarray(picture[::_STEP, ::_STEP])
+    labels = np.ascontiguousarray(regions[::_STEP, ::_STEP])
+    small = [(a // _STEP, b // _STEP, c // _STEP, d // _STEP) for a, b, c, d in boxes]
+    hsv = np.asarray(cv2.cvtColor(colours, cv2.COLOR_BGR2HSV), np.uint8)
+    upper, lower, middle = colour_histograms(hsv[..., :2], labels, small, settings)
+    return upper, lower, middle, clothes_colours(colours, labels, small)
 
 
 def _ends(regions: Labels, boxes: list[GridBox]) -> tuple[Floats, Floats]:

@@ -11,9 +11,11 @@ from tracking.people.standing import Bodies, Standing
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-_RISES = 0.07
-"""A head rises over the valleys beside it by this share of the person's height at least."""
-_APART = 0.5
+_RISES = 0.045
+_RISES_UNKNOWN = 0.07
+"""A head rises over the valleys beside it by this share of the person's height at least; by more
+where that height is only guessed at."""
+_APART = 0.35
 """Heads are this many breadths of a person apart at least."""
 _REACHES_DOWN = 0.5
 """Under a head a body is seen for this share of its height at least."""
@@ -35,7 +37,8 @@ def bodies_in(own: Bools, left: int, top: int, standing: Standing) -> Bodies:
     columns = np.clip(peaks - 1, 0, own.shape[1] - 1)
     head = np.column_stack((columns + left, contour[columns] + top)).astype(np.float64)
     bodies = standing.below(head, lowest(own, columns) + float(top))
-    good = found["prominences"] >= _RISES * bodies.height
+    rises = _RISES if standing.calibrated else _RISES_UNKNOWN
+    good = found["prominences"] >= rises * bodies.height
     good &= _broad(own, columns, contour, bodies.height)
     seen = lowest(own, columns) - contour[columns]
     good &= seen >= _REACHES_DOWN * bodies.height
@@ -56,7 +59,7 @@ def lowest(own: Bools, columns: NDArray[np.intp]) -> Floats:
 
 def _broad(own: Bools, columns: NDArray[np.intp], contour: Floats, height: Floats) -> Bools:
     """Which peaks are as broad as a head a little below their tops."""
-    down = np.minimum(contour[columns] + np.maximum(2, _RISES * height), own.shape[0] - 1)
+    down = np.minimum(contour[columns] + np.maximum(2, _RISES_UNKNOWN * height), own.shape[0] - 1)
     found = [
         _run(own[v], u) >= _HEAD_WIDTH * h
         for u, v, h in zip(

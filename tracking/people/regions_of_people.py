@@ -11,7 +11,7 @@ from tracking.people.heads import bodies_in, lowest
 from tracking.people.silhouettes import Box, Labels, silhouettes
 from tracking.people.splitting import placed
 from tracking.people.standing import Bodies, Standing, nobody
-from tracking.people.upright import BODY, SHADOW, body_pixels
+from tracking.people.upright import SHADOW, body_pixels
 
 _LEAST_HEIGHT = 1 / 16
 """Of the picture, where nothing is known in metres: what is lower is nobody."""
@@ -53,7 +53,7 @@ def people_regions(kind: NDArray[np.uint8], standing: Standing) -> Labels:
         kind: (height, width) uint8, 0 in the background, else of `tracking.people.upright`.
         standing: sizes of people.
     """
-    certain = np.where(kind == SHADOW, np.uint8(0), kind)
+    certain = np.where((kind > 0) & (kind != SHADOW), np.uint8(255), np.uint8(0))
     labels, boxes = silhouettes(certain)
     regions = np.zeros_like(labels)
     everybody = nobody()
@@ -146,7 +146,6 @@ def _paint(
     v, u = np.nonzero(own | shadow)
     place = placed(u + left, v + top, bodies)
     found = kind[inside][v, u]
-    found[found == 0] = BODY
     kept = body_pixels(found, place, u, len(bodies), metric)
     if not _are_people(v[kept], bodies, labels.shape[0], metric):
         return False

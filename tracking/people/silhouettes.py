@@ -16,29 +16,40 @@ _GAP = 0.3
 """Fragments one above the other belong together over a gap of this share of their height."""
 _COVERED = 0.5
 """And where this share of the narrower one's width lies over the other."""
-_CLOSING = cv2.getStructuringElement(cv2.MORPH_RECT, (3, 7))
+_CLOSING = cv2.getStructuringElement(cv2.MORPH_RECT, (3, 5))
+_HALF_COVERED = 120
 
 
 def silhouettes(body: NDArray[np.uint8]) -> tuple[Labels, list[Box]]:
     """Label the foreground, what is broken across by belts and shadows joined again.
 
+    What belongs together is found at half the resolution, for speed.
+
     Args:
-        body: (height, width) uint8, non-zero in foreground that is no shadow.
+        body: (height, width) uint8, 255 in foreground that is no shadow, else 0.
 
     Returns:
-        labels: (height, width), k + 1 for the pixels of silhouette k, 0 elsewhere.
+        labels: (height, width), k + 1 for the foreground of silhouette k, 0 elsewhere.
         boxes: left, top, width, height of each.
     """
-    closed = cv2.morphologyEx(body, cv2.MORPH_CLOSE, _CLOSING)
+    small = cv2.resize(body, _half_size(body), interpolation=cv2.INTER_AREA)
+    _, small = cv2.threshold(small, _HALF_COVERED, 255, cv2.THRESH_BINARY)
+    closed = cv2.morphologyEx(small, cv2.MORPH_CLOSE, _CLOSING)
     count, labels, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
     largest = np.argsort(-stats[1:, cv2.CC_STAT_AREA], kind="stable")[:_MOST_SILHOUETTES] + 1
-    kept = largest[stats[largest, cv2.CC_STAT_AREA] >= _SPECK * body.size]
-    boxes = [_box(row) for row in stats[kept, :4]]
+    kept = largest[stats[largest, cv2.CC_STAT_AREA] >= _SPECK * small.size]
+    boxes = [_box(2 * row, body.shape) for row in stats[kept, :4]]
     areas = stats[kept, cv2.CC_STAT_AREA].tolist()
     number = np.zeros(count, np.uint8)
     owner = _joined(boxes, areas)
     number[kept] = np.array([owner[k] + 1 for k in range(len(kept))], np.uint8)
-    return number[labels], [_union(boxes, owner, k) for k in range(max(owner, default=-1) + 1)]
+    full = cv2.resize(number[labels], body.shape[::-1], interpolation=cv2.INTER_NEAREST)
+    full = np.where(body > 0, full, np.uint8(0))
+    return full, [_union(boxes, owner, k) for k in range(max(owner, default=-1) + 1)]
+
+
+def _half_size(body: NDArray[np.uint8]) -> tuple[int, int]:
+    return -(-body.shape[1] // 2), -(-body.shape[0] // 2)
 
 
 def _joined(boxes: list[Box], areas: list[int]) -> list[int]:
@@ -83,6 +94,7 @@ def _around(one: Box, other: Box) -> Box:
     return left, top, right - left, bottom - top
 
 
-def _box(row: NDArray[np.int32]) -> Box:
+def _box(row: NDArray[np.int32], shape: tuple[int, ...]) -> Box:
+    """A box of full pixels inside the picture."""
     left, top, width, height = row.tolist()
-    return left, top, width, height
+    return left, top, min(width, shape[1] - left), min(height, shape[0] - top)

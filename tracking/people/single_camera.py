@@ -4,14 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.foreground import PERHAPS, BackgroundModel, ForegroundSettings, ShadowRemover
+from tracking.foreground import (
+    PERHAPS,
+    BackgroundModel,
+    ForegroundSettings,
+    ShadowRemover,
+    Subtraction,
+)
 from tracking.geometry import View
 from tracking.people import upright
-from tracking.people.describing import Describer
-from tracking.people.detections import Detections
+from tracking.people.describing import described, in_full
+from tracking.people.ghosts import without_ghosts
 from tracking.people.observation import Observation, Overlays
 from tracking.people.regions_of_people import people_regions
 from tracking.people.settings import PeopleSettings
@@ -19,6 +26,11 @@ from tracking.people.standing import Standing
 from tracking.recording.frame import Image, StereoFrame
 
 Mask = NDArray[np.uint8]
+
+_WIDEST_PX = 800
+"""Wider pictures are shrunk by a whole number before people are looked for."""
+_PROTECTED = np.ones((17, 17), np.uint8)
+"""Round people the background is not learnt."""
 
 
 class SingleCameraPerception:
@@ -39,26 +51,56 @@ class SingleCameraPerception:
     ) -> None:
         self._background = BackgroundModel(fps, foreground)
         self._shadows = ShadowRemover(foreground)
-        settings = people or PeopleSettings()
-        self._standing = Standing(view, 1, settings)
-        self._describer = Describer(self._standing, settings)
+        self._view = view
+        self._settings = people or PeopleSettings()
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
-        """Learn the background from frames spread over some time, before the first `observe`."""
-        self._background.learn([frame.left for frame in frames])
+        """Learn the background from frames spread over some time, before the first `observe`.
+
+        Not needed, but it spares the ghosts of people who stand in the very first frames.
+        """
+        self._background.learn([self._working(frame.left) for frame in frames])
 
     def observe(self, frame: StereoFrame) -> Observation:
         """What is seen in the frame. Frames come in order."""
-        seen = self._background.subtract(frame.left)
+        eye = frame.left
+        seen = self._background.subtract(self._working(eye))
         shadow = self._shadows.shadows(seen)
-        people = self._find(_kinds(seen.mask, shadow), seen.picture)
-        self._background.update(seen, (people.regions > 0).view(np.uint8))
-        overlays = Overlays(np.where(shadow == 255, np.uint8(127), seen.mask), None)
-        return Observation(frame.number, frame.time_s, people, overlays, frame.left)
+        standing = Standing(self._view, _shrink(eye), self._settings)
+        regions = people_regions(_kinds(seen.mask, shadow), standing)
+        regions = without_ghosts(regions, seen.picture, seen.background)
+        people = described(regions, seen.picture, eye.shape, standing, self._settings)
+        self._remember(seen, regions)
+        overlays = self._overlays(seen.mask, shadow, eye)
+        return Observation(frame.number, frame.time_s, people, overlays, eye)
 
-    def _find(self, kind: Mask, picture: Image) -> Detections:
-        regions = people_regions(kind, self._standing)
-        return self._describer.describe(regions, picture)
+    def overlays(self, frame: StereoFrame) -> Overlays:
+        """What a view may lay over a frame; nothing is remembered, frames come in any order."""
+        seen = self._background.subtract(self._working(frame.left))
+        return self._overlays(seen.mask, self._shadows.shadows(seen), frame.left)
+
+    def _remember(self, seen: Subtraction, regions: Mask) -> None:
+        """Let the background follow what was seen, except where people are."""
+        if self._background.update_is_due:
+            self._background.update(seen, np.asarray(cv2.dilate(regions, _PROTECTED), np.uint8))
+        else:
+            self._background.update(seen)
+
+    def _working(self, eye: Image) -> Image:
+        """The eye at the working scale."""
+        shrink = _shrink(eye)
+        if shrink == 1:
+            return eye
+        size = (eye.shape[1] // shrink, eye.shape[0] // shrink)
+        return np.asarray(cv2.resize(eye, size, interpolation=cv2.INTER_AREA), np.uint8)
+
+    def _overlays(self, mask: Mask, shadow: Mask, eye: Image) -> Overlays:
+        shown = np.where(shadow == 255, np.uint8(127), mask)
+        return Overlays(in_full(shown, eye.shape), None)
+
+
+def _shrink(eye: Image) -> int:
+    return -(-int(eye.shape[1]) // _WIDEST_PX)
 
 
 def _kinds(mask: Mask, shadow: Mask) -> Mask:

@@ -25,8 +25,8 @@ _MOST_PIXELS = 2**16 - 1
 
 
 def ycbcr(picture: Bytes) -> Bytes:
-    """(height, width, 3) Y, Cb, Cr of a picture in blue, green, red."""
-    return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2YCrCb), np.uint8)[..., [0, 2, 1]]
+    """(height, width, 3) a picture in blue, green, red as Y, Cr, Cb, in OpenCV's order."""
+    return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2YCrCb), np.uint8)
 
 
 def level_histograms(picture: Bytes, rectangles: NDArray[np.floating]) -> Floats:

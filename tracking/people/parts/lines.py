@@ -33,66 +33,52 @@ def decompose(
         Boundaries between rows: a row v belongs to the head where v < lines[0].
     """
     left, top, width, height = (float(value) for value in box)
-    rows = _RowColours(mask, picture, (left, top, width, height))
+    first, stop = np.clip((np.floor(top), np.ceil(top + height)), 0, mask.shape[0]).astype(int)
+    across = slice(*np.clip((int(left), int(np.ceil(left + width))), 0, mask.shape[1]))
+    own = (mask[first:stop, across] > 0).astype(np.float32)
+    colours = picture[first:stop, across].astype(np.float32)
+    count = _summed(own.sum(axis=1)[:, None])
+    colour = _summed(np.einsum("vu,vuc->vc", own, colours))
     lines = np.array([top + height * share for share in START])
     for k in (0, 1):
-        lines[k] = rows.climb(k, lines, height)
+        edges = (first, *lines, stop)
+        ends = np.clip(np.rint((edges[k], edges[k + 2])) - first, 0, stop - first).astype(int)
+        difference = _differences(count, colour, int(ends[0]), int(ends[1]))
+        lines[k] = _climbed(difference, float(lines[k]) - first, k, height) + first
     return lines
 
 
-class _RowColours:
-    """Sums of colour over the rows of a person, and the climb of a line over them."""
+def _differences(count: Floats, colour: Floats, above: int, below: int) -> Floats:
+    """(rows + 1,) how far apart the mean colours are on both sides of each boundary.
 
-    def __init__(
-        self,
-        mask: NDArray[np.uint8] | NDArray[np.bool_],
-        picture: NDArray[np.uint8],
-        box: tuple[float, float, float, float],
-    ) -> None:
-        left, top, width, height = box
-        self.top = int(np.clip(np.floor(top), 0, mask.shape[0]))
-        self.bottom = int(np.clip(np.ceil(top + height), self.top, mask.shape[0]))
-        across = slice(*np.clip((int(left), int(np.ceil(left + width))), 0, mask.shape[1]))
-        own = (mask[self.top : self.bottom, across] > 0).astype(np.float32)
-        colours = picture[self.top : self.bottom, across].astype(np.float32)
-        self._count = _summed(own.sum(axis=1)[:, None])
-        self._colour = _summed(np.einsum("vu,vuc->vc", own, colours))
+    Args:
+        count, colour: running sums (rows + 1, 1) and (rows + 1, 3) of pixels and their colours.
+        above, below: the outer boundaries of the two sections.
 
-    def climb(self, k: int, lines: Floats, height: float) -> float:
-        """Where line k comes to rest, the other one standing still."""
-        start = lines[k]
-        reach = max(1.0, _FARTHEST[k] * height)
-        step = max(1, round(_LOOK_AHEAD * height))
-        place = round(float(start))
-        best = self._difference(k, lines, place)
-        while True:
-            around = [v for v in range(place - step, place + step + 1) if v != place]
-            found = [self._difference(k, lines, v) for v in around]
-            if not found or max(found) <= best:
-                return float(place)
-            best = max(found)
-            place = around[found.index(best)]
-            if abs(place - start) > reach:
-                return float(start)
+    Returns:
+        -1 where a side shows nothing.
+    """
+    over, under = count - count[above], count[below] - count
+    apart = (colour - colour[above]) / np.maximum(over, 1)
+    apart -= (colour[below] - colour) / np.maximum(under, 1)
+    seen = (over > 0) & (under > 0)
+    return np.where(seen[:, 0], np.sqrt(np.einsum("vc,vc->v", apart, apart)), -1.0)
 
-    def _difference(self, k: int, lines: Floats, place: int) -> float:
-        """Distance of the mean colours above and below, -1 where a side shows nothing."""
-        edges = [self.top, *lines, self.bottom]
-        edges[k + 1] = place
-        above = self._mean(edges[k], place)
-        below = self._mean(place, edges[k + 2])
-        if above is None or below is None:
-            return -1.0
-        return float(np.linalg.norm(above - below))
 
-    def _mean(self, first: float, stop: float) -> Floats | None:
-        low, high = (
-            int(np.clip(round(float(v)), self.top, self.bottom)) - self.top for v in (first, stop)
-        )
-        count = float(self._count[high, 0] - self._count[low, 0])
-        if high <= low or count <= 0:
-            return None
-        return np.asarray((self._colour[high] - self._colour[low]) / count, np.float64)
+def _climbed(difference: Floats, start: float, k: int, height: float) -> float:
+    """The boundary where line k comes to rest."""
+    step = max(1, round(_LOOK_AHEAD * height))
+    place = round(start)
+    if not 0 <= place < len(difference):
+        return start
+    while True:
+        low = max(place - step, 0)
+        best = low + int(difference[low : place + step + 1].argmax())
+        if difference[best] <= difference[place]:
+            return float(place)
+        place = best
+        if abs(place - start) > max(1.0, _FARTHEST[k] * height):
+            return start
 
 
 def _summed(rows: NDArray[np.float32]) -> Floats:

@@ -42,7 +42,13 @@ def part_regions(people: Detections, picture: NDArray[np.uint8]) -> PartRegions:
     lines = np.zeros((len(people), 2))
     rectangles = np.zeros((len(people), 3, 4))
     for k, box in enumerate(people.box):
-        mask = people.regions == k + 1
-        lines[k] = decompose(mask, picture, box)
-        rectangles[k] = inner_rectangles(mask, box, lines[k])
+        left, top = np.clip(np.floor(box[:2]).astype(int), 0, picture.shape[1::-1])
+        right, bottom = np.maximum(np.ceil(box[:2] + box[2:]).astype(int) + 1, (left, top))
+        inside = np.s_[top:bottom, left:right]
+        mask = people.regions[inside] == k + 1
+        own = box - (left, top, 0, 0)
+        cut = decompose(mask, picture[inside], own)
+        lines[k] = cut + top
+        rectangles[k] = inner_rectangles(mask, own, cut)
+        rectangles[k, :, :2] += (left, top)
     return PartRegions(lines, rectangles)

@@ -1,0 +1,58 @@
+"""Ghosts: where somebody stood when the background was learnt."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people.silhouettes import Labels
+
+_STRONGER = 1.25
+"""A ghost's outline shows this much more in the background than in the picture."""
+_RING = np.ones((5, 5), np.uint8)
+
+
+def without_ghosts(
+    regions: Labels, picture: NDArray[np.uint8], background: NDArray[np.uint8]
+) -> Labels:
+    """The regions less those that are no people but holes people left in the background.
+
+    Along a person's outline the picture has an edge and the background has none; along a ghost's
+    it is the other way round.
+
+    Args:
+        regions: (height, width) k + 1 for the pixels of region k.
+        picture, background: (height, width, 3).
+
+    Returns:
+        The regions that stay, numbered without gaps.
+    """
+    count = int(regions.max(initial=0))
+    number = np.zeros(count + 1, np.uint8)
+    kept = 0
+    for k in range(1, count + 1):
+        if not _is_ghost((regions == k).view(np.uint8), picture, background):
+            kept += 1
+            number[k] = kept
+    return regions if kept == count else number[regions]
+
+
+def _is_ghost(
+    own: NDArray[np.uint8], picture: NDArray[np.uint8], background: NDArray[np.uint8]
+) -> bool:
+    left, top, width, height = cv2.boundingRect(own)
+    inside = np.s_[max(top - 3, 0) : top + height + 3, max(left - 3, 0) : left + width + 3]
+    mask = own[inside]
+    ring = cv2.morphologyEx(mask, cv2.MORPH_GRADIENT, _RING) > 0
+    now, usual = (float(_edges(eye[inside])[ring].mean()) for eye in (picture, background))
+    return usual > _STRONGER * now
+
+
+def _edges(picture: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """(height, width) how steep the brightness is."""
+    light = picture[..., 1].astype(np.float32)
+    down, across = np.zeros_like(light), np.zeros_like(light)
+    down[1:-1] = np.abs(light[2:] - light[:-2])
+    across[:, 1:-1] = np.abs(light[:, 2:] - light[:, :-2])
+    return down + across
