@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from app.cli.commands import program
 from app.cli.failure import MISUSED, told
 
-NOT_BUILT = ("count", "train", "import", "batch")
+NOT_BUILT = ("count", "import", "batch")
 """Commands that are announced; typing one is answered with a line of its own."""
 
 

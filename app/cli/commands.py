@@ -269,7 +269,13 @@ def review(
 def export(
     session: Annotated[Path, typer.Argument(help="A session.")],
     out: Annotated[Path, typer.Option("--out", "-o", help="The file to make.")],
-    file_format: Annotated[str, typer.Option("--format", help="mot.")],
+    file_format: Annotated[
+        str,
+        typer.Option(
+            "--format",
+            help="mot; of body parts: labels (CSV), or samples (OUT ends in .csv, .h5, .libsvm).",
+        ),
+    ],
     run: Annotated[
         int | None,
         typer.Option(min=0, help="A tracker's run, from 0.", show_default="the corrected tracks"),
@@ -280,6 +286,50 @@ def export(
     from app.cli.export import run_export
 
     run_export(session, out, file_format, run, as_json=json)
+
+
+@program.command()
+def train(
+    sources: Annotated[
+        list[Path], typer.Argument(help="Sessions with labelled body parts, or samples as CSV.")
+    ],
+    out: Annotated[Path, typer.Option("--out", "-o", help="The detector to make: NAME.h5.")],
+    report: Annotated[
+        Path | None, typer.Option(help="A folder for a page with curves and mistakes.")
+    ] = None,
+    false_alarms: Annotated[
+        float,
+        typer.Option(min=0.0, max=0.5, help="Share of good parts that may be taken for failed."),
+    ] = 0.02,
+    from_truth: Annotated[
+        bool,
+        typer.Option("--from-truth", help="Label by the truth beside rendered recordings instead."),
+    ] = False,
+    seed: options.Seed = 0,
+    json: options.Json = False,
+) -> None:
+    """Train the detector of lost body parts from labels."""
+    from app.cli.train import Wish, run_train
+
+    wish = Wish(tuple(sources), out, report, false_alarms, seed, from_truth)
+    run_train(wish, as_json=json)
+
+
+@program.command()
+def import_labels(
+    labels: Annotated[
+        Path, typer.Argument(help="CSV: frame, track, part, on, and where known a rectangle.")
+    ],
+    session: Annotated[Path, typer.Argument(help="The session to take them into.")],
+    author: Annotated[
+        str | None, typer.Option(help="Who gave them, where the table does not say.")
+    ] = None,
+    json: options.Json = False,
+) -> None:
+    """Take labels of body parts made elsewhere into a session."""
+    from app.cli.import_labels import run_import_labels
+
+    run_import_labels(labels, session, author, as_json=json)
 
 
 @program.command()

@@ -9,6 +9,7 @@ from pathlib import Path
 from tracking.errors import OutputError
 
 _RESERVE = 8 << 20
+_HDF5 = b"\x89HDF\r\n\x1a\n"
 
 
 def check_file(path: Path, needed_bytes: int = 0) -> None:
@@ -45,6 +46,34 @@ def check_folder(folder: Path, needed_bytes: int = 0) -> None:
             f"folder {folder} has {_readable(free)} of free space and about "
             f"{_readable(needed_bytes + _RESERVE)} are needed; make room or choose another place"
         )
+
+
+def check_replaced(path: Path, replaceable: str) -> None:
+    """Refuse to lose an HDF5 file that is of another kind than what takes its place.
+
+    Args:
+        replaceable: root attribute `format` of what may be replaced.
+
+    Raises:
+        OutputError: what stands there is, say, a session.
+    """
+    if path.exists() and (held := _held_at(path)) not in (None, replaceable):
+        what = held.rpartition("-")[2] or "HDF5 file"
+        raise OutputError(f"{path} is a {what} and would be lost; choose another name with -o")
+
+
+def _held_at(path: Path) -> str | None:
+    """What an HDF5 file says it is, "" where it says nothing; None for any other file."""
+    import h5py  # takes longer to import than most commands take
+
+    try:
+        with path.open("rb") as stream:
+            if stream.read(len(_HDF5)) != _HDF5:
+                return None
+        with h5py.File(path, "r", locking=False) as file:
+            return str(file.attrs.get("format", ""))
+    except (OSError, RuntimeError, ValueError):
+        return ""
 
 
 def _readable(size_bytes: int) -> str:

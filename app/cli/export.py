@@ -5,17 +5,27 @@ from __future__ import annotations
 from contextlib import closing
 from pathlib import Path
 
-from app.cli.destination import check_file
+from app.cli.destination import check_file, check_replaced
 from app.cli.output import print_json
 from app.cli.tracks import is_session
 from app.presenters.files.exporting import exported_tracks
 from tracking.errors import OutputError
-from tracking.formats import format_named
-from tracking.session import Session
+from tracking.formats import format_named, write_part_labels, write_samples
+from tracking.formats.samples import HDF5_FORMAT
+from tracking.session import Session, session_samples
+
+_PARTS = ("samples", "labels")
+"""What is exported of body parts, beside the formats of tracks."""
 
 
 def run_export(path: Path, out: Path, name: str, run: int | None, *, as_json: bool) -> None:
-    """Write the corrected tracks, or those of one run as the tracker left them."""
+    """Write the corrected tracks, or those of one run as the tracker left them.
+
+    Of body parts: samples of the failure detector, or the labels themselves.
+    """
+    if name in _PARTS:
+        _export_parts(path, out, name, run, as_json=as_json)
+        return
     wanted = format_named(name)
     check_file(out)
     if out.exists() and is_session(out):
@@ -27,3 +37,25 @@ def run_export(path: Path, out: Path, name: str, run: int | None, *, as_json: bo
         print_json({"written": str(out), "format": wanted.name, "rows": len(columns["frame"])})
     else:
         print(out)
+
+
+def _export_parts(path: Path, out: Path, name: str, run: int | None, *, as_json: bool) -> None:
+    if run is not None:
+        raise OutputError(f"{name} belong to the corrected tracks; leave --run out")
+    check_file(out)
+    check_replaced(out, HDF5_FORMAT)
+    with closing(Session.open(path)) as session:
+        if name == "labels":
+            labels = list(session.labels.parts.values())
+            write_part_labels(out, labels)
+            made, rows = [out], len(labels)
+        else:
+            samples = session_samples(session)
+            if not len(samples):
+                raise OutputError(f"{path} has no samples; label tracked body parts first")
+            made, rows = write_samples(out, samples), len(samples)
+    if as_json:
+        written = [str(file) for file in made]
+        print_json({"written": written, "format": name, "rows": rows})
+    else:
+        print(*made, sep="\n")

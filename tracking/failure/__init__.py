@@ -16,7 +16,15 @@ from tracking.failure.samples import (
     no_samples,
 )
 from tracking.failure.suggesting import Suggestion, suggest
-from tracking.failure.training import Trained, TrainingPlan, TrainingReport, train
+from tracking.failure.training import (
+    Mistake,
+    QuestionReport,
+    Trained,
+    TrainingPlan,
+    TrainingReport,
+    train,
+    write_report,
+)
 from tracking.failure.true_parts import (
     TRUE_PARTS,
     TrueParts,
@@ -37,9 +45,11 @@ __all__ = [
     "Judgement",
     "Machine",
     "Machines",
+    "Mistake",
     "Origin",
     "PastStates",
     "Preparation",
+    "QuestionReport",
     "Samples",
     "Suggestion",
     "Trained",
@@ -59,4 +69,5 @@ __all__ = [
     "states_before",
     "suggest",
     "train",
+    "write_report",
 ]

@@ -9,6 +9,12 @@ from tracking.session.older import Generation, check_generation, list_generation
 from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import Runs
+from tracking.session.samples import (
+    labels_in_place,
+    parts_as_corrected,
+    samples_from,
+    session_samples,
+)
 from tracking.session.saving import generations
 from tracking.session.stamping import author_named
 from tracking.session.waiting import read_history
@@ -26,9 +32,13 @@ __all__ = [
     "check_generation",
     "describe",
     "generations",
+    "labels_in_place",
     "list_generations",
     "log_as_json",
+    "parts_as_corrected",
     "read_history",
+    "samples_from",
+    "session_samples",
     "write_log_csv",
     "write_log_json",
 ]

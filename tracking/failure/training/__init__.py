@@ -1,6 +1,7 @@
 """From samples to a detector: folds by person, grid search, operating points, report."""
 
 from tracking.failure.training.fitting import GRID, Candidate
+from tracking.failure.training.page import page_of, write_report
 from tracking.failure.training.report import Mistake, QuestionReport, TrainingReport
 from tracking.failure.training.training import Trained, TrainingPlan, train
 
@@ -12,5 +13,7 @@ __all__ = [
     "Trained",
     "TrainingPlan",
     "TrainingReport",
+    "page_of",
     "train",
+    "write_report",
 ]

@@ -1,0 +1,34 @@
+"""`import-labels`: labels of body parts made elsewhere, into a session."""
+
+from __future__ import annotations
+
+from contextlib import closing
+from pathlib import Path
+
+from app.cli.output import print_json
+from tracking.editing import plan_label_part
+from tracking.errors import SessionError
+from tracking.formats import read_part_labels
+from tracking.session import Session, labels_in_place
+
+
+def run_import_labels(path: Path, into: Path, author: str | None, *, as_json: bool) -> None:
+    """Take a table of labels into a session as one edit, and save it.
+
+    Raises FormatError with the line of a label that cannot be meant, SessionError where the
+    session cannot be changed.
+    """
+    with closing(Session.open(into)) as session:
+        if session.read_only:
+            raise SessionError(f"{into} cannot be changed: {session.why_read_only}")
+        given = read_part_labels(path, author if author is not None else session.author)
+        labels = labels_in_place(session, given)
+        new = [label for label in labels if session.labels.parts.get(label.key) != label]
+        if new:
+            session.apply(plan_label_part(session.labels, new))
+            session.save()
+    counts = {"read": len(given), "new": len(new), "session": str(into)}
+    if as_json:
+        print_json(counts)
+    else:
+        print(f"{len(new)} new labels of {len(given)} in {into}")

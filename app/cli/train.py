@@ -1,0 +1,101 @@
+"""`train`: the part-failure detector from labelled samples."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from app.cli.destination import check_file, check_folder, check_replaced, nearest_folder
+from app.cli.mistakes import pictures_of
+from app.cli.output import print_json, progress, say
+from app.cli.taught import Taught, taught_by
+from tracking.errors import TrainingError
+from tracking.failure import (
+    Trained,
+    TrainingPlan,
+    joined,
+    save_detector,
+    train,
+    write_report,
+)
+from tracking.failure.detector_layout import FORMAT
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """What is to be trained.
+
+    Attributes:
+        sources: sessions, and samples as CSV. out: the detector to make.
+        report: a folder for a report; None: none.
+        false_alarms: share of good parts that may be taken for failed. seed: of the folds.
+        from_truth: labels are made from the truth beside rendered recordings.
+    """
+
+    sources: tuple[Path, ...]
+    out: Path
+    report: Path | None
+    false_alarms: float
+    seed: int
+    from_truth: bool
+
+
+def run_train(wish: Wish, *, as_json: bool) -> None:
+    """Train, write the detector and say how good it is.
+
+    Raises TrainingError where the samples are too few.
+    """
+    _check(wish)
+    taught = [one for path in wish.sources for one in [taught_by(path, from_truth=wish.from_truth)]]
+    samples = joined(one.samples for one in _told_apart(taught))
+    if not len(samples):
+        names = ", ".join(map(str, wish.sources))
+        raise TrainingError(f"{names}: no label of a tracked body part; label some parts first")
+    plan = TrainingPlan(false_alarms=wish.false_alarms)
+    with progress("training") as told:
+        made = train(samples, plan, random=np.random.default_rng(wish.seed), progress=told)
+    save_detector(wish.out, made.detector)
+    page = None
+    if wish.report is not None:
+        pictures = pictures_of(made.report, taught)
+        page = write_report(wish.report, made.report, pictures)[0]
+    _print(made, wish, page, as_json=as_json)
+
+
+def _check(wish: Wish) -> None:
+    """Refuse what could not be written in the end, or would be lost."""
+    check_file(wish.out)
+    check_replaced(wish.out, FORMAT)
+    if wish.report is not None:
+        check_folder(nearest_folder(wish.report))
+
+
+def _told_apart(taught: Sequence[Taught]) -> Sequence[Taught]:
+    """The same, where different recordings of one name bear the session's name too.
+
+    Two sessions of one recording keep its name: their people are the same people.
+    """
+    first: dict[str, str] = {}
+    for one in taught:
+        first.setdefault(one.name, one.identity)
+    return [one if first[one.name] == one.identity else one.renamed() for one in taught]
+
+
+def _print(made: Trained, wish: Wish, page: Path | None, *, as_json: bool) -> None:
+    report = made.report
+    if as_json:
+        written = {"written": str(wish.out), "report": str(page) if page else None}
+        print_json({**written, **report.as_json()})
+        return
+    for question in report.questions:
+        say(
+            f"{question.name:<8} {question.found:6.1%} of {question.confusion[1].sum()} found, "
+            f"{question.false_alarms:5.1%} of {question.confusion[0].sum()} false alarms; "
+            f"{question.candidate}"
+        )
+    print(wish.out)
+    if page is not None:
+        print(page)

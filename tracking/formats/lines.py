@@ -1,0 +1,63 @@
+"""Tables as CSV text, read row by row with the lines they stand on."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Collection, Iterator, Mapping
+from pathlib import Path
+
+from tracking.errors import FormatError
+
+_MOST_BYTES = 1 << 30
+
+
+def numbered_rows(
+    path: Path, needed: Collection[str], also: Collection[str] = ()
+) -> Iterator[tuple[int, Mapping[str, str]]]:
+    """The rows of a CSV file with a header, each with its line from 1 on.
+
+    Args:
+        needed: columns it must have. also: columns it may have; others are refused.
+
+    Raises FormatError where the file is missing, no text, or a row has too few or many values.
+    """
+    try:
+        if path.stat().st_size > _MOST_BYTES:
+            raise FormatError(f"{path} is larger than {_MOST_BYTES >> 20} MiB; split it first")
+        with path.open(encoding="utf-8-sig", newline="") as stream:
+            rows = csv.reader(stream, strict=True)
+            header = [name.strip() for name in next(rows, [])]
+            _check_header(path, header, needed, also)
+            for row in rows:
+                if not any(value.strip() for value in row):
+                    continue
+                if len(row) != len(header):
+                    raise FormatError(
+                        f"{place_of(path, rows.line_num)}: {len(row)} values where the header "
+                        f"names {len(header)}; correct or remove the row"
+                    )
+                yield rows.line_num, dict(zip(header, row, strict=True))
+    except OSError as error:
+        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    except UnicodeDecodeError as error:
+        raise FormatError(f"{path} is not text; give a CSV file") from error
+    except csv.Error as error:
+        raise FormatError(f"{path} is not CSV ({error}); write it anew") from error
+
+
+def place_of(path: Path, line: int) -> str:
+    """As messages name it."""
+    return f"{path}, line {line}"
+
+
+def _check_header(
+    path: Path, header: list[str], needed: Collection[str], also: Collection[str]
+) -> None:
+    missing = [name for name in needed if name not in header]
+    if missing:
+        raise FormatError(f"{path}, line 1: there is no column {missing[0]!r}; name the columns")
+    unknown = [name for name in header if name not in (*needed, *also)]
+    if unknown or len(set(header)) < len(header):
+        name = unknown[0] if unknown else next(n for n in header if header.count(n) > 1)
+        what = "is none of ours" if unknown else "stands there twice"
+        raise FormatError(f"{path}, line 1: the column {name!r} {what}; take it out")

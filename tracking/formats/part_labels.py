@@ -1,0 +1,135 @@
+"""Labels of body parts as CSV text: made elsewhere, or for elsewhere."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from tracking.errors import EditError, FormatError
+from tracking.formats.lines import numbered_rows, place_of
+from tracking.replacing import replacing
+from tracking.tracks import PART_NAMES, PartLabel, check_part_label
+from tracking.tracks.part_labels import Box
+
+_NEEDED = ("frame", "track", "part", "on")
+_BOX = ("left", "top", "width", "height")
+_ALSO = (*_BOX, "source", "author", "reason")
+_SAID: Mapping[str, bool | None] = {
+    **dict.fromkeys(("on", "1", "true", "yes"), True),
+    **dict.fromkeys(("off", "0", "false", "no"), False),
+    **dict.fromkeys(("unsure", "", "?"), None),
+}
+_NO_BOX: Box = (0.0, 0.0, 1.0, 1.0)
+"""Stands where a line gives none."""
+_WORDS = {True: "on", False: "off", None: "unsure"}
+
+
+@dataclass(frozen=True, slots=True)
+class GivenLabel:
+    """A label as a line of text gives it.
+
+    Attributes:
+        line: from 1. place: the file and line, as messages name them.
+        label: its box counts only where `has_box`.
+    """
+
+    line: int
+    place: str
+    label: PartLabel
+    has_box: bool
+
+
+def read_part_labels(path: Path, author: str = "") -> list[GivenLabel]:
+    """The labels of a CSV file: `frame, track, part, on` and, where known, what else there is.
+
+    Frames are counted from 0. The part is a name or its number; `on` is on, off or unsure (1, 0
+    and nothing do too). `left, top, width, height` say where the rectangle was, where it is not
+    the tracker's own; `source` who drew it; `author` and `reason` as in `PartLabel`.
+
+    Args:
+        author: of labels whose line does not name one.
+
+    Raises FormatError where the file is no such table; names the line.
+    """
+    given = [_given(path, line, row, author) for line, row in numbered_rows(path, _NEEDED, _ALSO)]
+    seen: dict[tuple[int, int, int], int] = {}
+    for one in given:
+        earlier = seen.setdefault(one.label.key, one.line)
+        if earlier != one.line:
+            raise FormatError(
+                f"{one.place}: line {earlier} speaks of the same part; take one of them out"
+            )
+    return given
+
+
+def write_part_labels(path: Path, labels: Iterable[PartLabel]) -> None:
+    """Write labels with everything they say, so that reading gives the same ones.
+
+    Raises OutputError where the file cannot be written.
+    """
+    with replacing(path) as stream:
+        rows = csv.writer(stream, lineterminator="\n")
+        rows.writerow((*_NEEDED, *_ALSO))
+        for label in labels:
+            box = (repr(float(value)) for value in label.box)
+            place = (label.frame, label.track, PART_NAMES[label.part], _WORDS[label.on_part])
+            rows.writerow((*place, *box, label.source, label.author, label.reason))
+
+
+def _given(path: Path, line: int, row: Mapping[str, str], author: str) -> GivenLabel:
+    place = place_of(path, line)
+    values = {name: value.strip() for name, value in row.items()}
+    try:
+        box = _box_of(values)
+        label = PartLabel(
+            frame=_whole(values, "frame"),
+            track=_whole(values, "track"),
+            part=_part(values["part"]),
+            box=box or _NO_BOX,
+            on_part=_said(values["on"]),
+            source=values.get("source") or ("person" if box else "tracker"),
+            author=row.get("author") or author,
+            reason=row.get("reason", ""),
+        )
+        check_part_label(label)
+    except (ValueError, EditError) as error:
+        raise FormatError(f"{place}: {error}") from error
+    return GivenLabel(line, place, label, box is not None)
+
+
+def _whole(values: Mapping[str, str], name: str) -> int:
+    try:
+        return int(values[name])
+    except ValueError:
+        raise ValueError(f"the {name} {values[name][:40]!r} is no whole number") from None
+
+
+def _part(text: str) -> int:
+    names = {name: at for at, name in enumerate(PART_NAMES)} | {"hip_leg": 2, "hipleg": 2}
+    numbers = {str(at): at for at in range(len(PART_NAMES))}
+    part = {**names, **numbers}.get(text.lower())
+    if part is None:
+        raise ValueError(f"the part {text[:40]!r} is none; {', '.join(PART_NAMES)} are")
+    return part
+
+
+def _said(text: str) -> bool | None:
+    if text.lower() not in _SAID:
+        raise ValueError(f"{text[:40]!r} in column on; write on, off or unsure")
+    return _SAID[text.lower()]
+
+
+def _box_of(values: Mapping[str, str]) -> Box | None:
+    texts = [values.get(name, "") for name in _BOX]
+    if not any(texts):
+        return None
+    try:
+        left, top, width, height = map(float, texts)
+    except ValueError:
+        raise ValueError(f"the box {','.join(texts)[:60]!r} is no four numbers") from None
+    if not all(map(math.isfinite, (left, top, width, height))):
+        raise ValueError(f"the box {','.join(texts)[:60]!r} is no four numbers")
+    return left, top, width, height
