@@ -59,7 +59,7 @@ def lowest(own: Bools, columns: NDArray[np.intp]) -> Floats:
 
 def _broad(own: Bools, columns: NDArray[np.intp], contour: Floats, height: Floats) -> Bools:
     """Which peaks are as broad as a head a little below their tops."""
-    down = np.minimum(contour[columns] + np.maximum(2, _RISES_UNKNOWN * height), own.shape[0] - 1)
+    down = np.minimum(contour[columns] + np.maximum(2, _RISES * height), own.shape[0] - 1)
     found = [
         _run(own[v], u) >= _HEAD_WIDTH * h
         for u, v, h in zip(
