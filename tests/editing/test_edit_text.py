@@ -7,7 +7,7 @@ import json
 import pytest
 from tables_of_people import table_of
 
-from tracking.editing import plan_delete, state_as_text, state_from_text
+from tracking.editing import plan_delete, rows_beyond_the_log, state_as_text, state_from_text
 from tracking.errors import EditError
 
 ROWS = json.loads(state_as_text(plan_delete(table_of({1: [(0, 9)]}), 1).before))["rows"]
@@ -53,3 +53,14 @@ def test_an_edit_that_could_not_be_read_again_is_refused(monkeypatch: pytest.Mon
     monkeypatch.setattr("tracking.editing.log.text.LARGEST_TEXT", longest - 1)
     with pytest.raises(EditError, match="an edit of 9 rows is larger than the log can keep"):
         state_as_text(side)
+
+
+def test_what_the_log_will_not_keep_is_told_before_it_is_tried(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    change = plan_delete(table_of({1: [(0, 90_000)]}), 1)
+    assert rows_beyond_the_log(change) == 0
+    monkeypatch.setattr("tracking.editing.log.text.LARGEST_TEXT", 2 * 90_000)
+    with pytest.raises(EditError, match="larger than the log can keep"):
+        state_as_text(change.before)
+    assert rows_beyond_the_log(change) == rows_beyond_the_log(change.inverse) == 90_000

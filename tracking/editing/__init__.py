@@ -40,7 +40,7 @@ from tracking.editing.labels.reviewing import (
 )
 from tracking.editing.log.alone import plan_undo_alone
 from tracking.editing.log.history import Entry, History
-from tracking.editing.log.text import state_as_text, state_from_text
+from tracking.editing.log.text import rows_beyond_the_log, state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
 from tracking.editing.log.touched import touched
 from tracking.editing.tracking_again.differences import (
@@ -110,6 +110,7 @@ __all__ = [
     "propose_swap_frame",
     "propose_swap_frames",
     "protected_stretches",
+    "rows_beyond_the_log",
     "signals_of",
     "standing_box",
     "state_as_text",

@@ -36,6 +36,7 @@ from tracking.editing import (
     plan_split,
     plan_swap,
     plan_thin,
+    rows_beyond_the_log,
     with_parts_carried,
 )
 from tracking.errors import EditError
@@ -57,7 +58,22 @@ def plan_of(flow: EditFlow, on: Ground) -> Change:
     """
     if flow.needs_other:
         raise EditError(tr("The other person is not picked yet: click on them"))
-    return with_parts_carried(_PLANNERS[flow.kind](flow, on), on.labels)
+    change = with_parts_carried(_PLANNERS[flow.kind](flow, on), on.labels)
+    refuse_too_large(change)
+    return change
+
+
+def refuse_too_large(change: Change) -> None:
+    """Raise EditError where a change is larger than the history can keep: before it is tried."""
+    rows = rows_beyond_the_log(change)
+    if rows:
+        raise EditError(
+            tr(
+                "{n} boxes at once are more than the history can keep: "
+                "choose a shorter range of frames, or fewer people at a time",
+                n=f"{rows:,}",
+            )
+        )
 
 
 def _swap(flow: EditFlow, on: Ground) -> Change:

@@ -16,6 +16,7 @@ from app.presenters.correcting import (
     replaced_rows,
 )
 from app.presenters.correcting.correcting import Correcting
+from app.presenters.correcting.planning import refuse_too_large
 from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
 from app.presenters.document.selection import Selection
 from app.presenters.document.session_tracks import SessionTracks
@@ -300,9 +301,11 @@ class Document:
         """Do a change: on disk first, then shown.
 
         Raises:
-            EditError: the tracks shown are not the session's but those of a tracker at work.
+            EditError: the tracks shown are not the session's but those of a tracker at work, or
+                more would change than the history can keep.
         """
         self._refuse_while_live()
+        refuse_too_large(change)
         if self.session is not None:
             self.session.apply(change)
             self._take_changed(change)

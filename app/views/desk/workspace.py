@@ -162,6 +162,7 @@ class Workspace(QWidget):
         """Keep how the parts are laid out."""
         for name, splitter in self._splitters.items():
             remembered.set_state(f"workspace/{name}", splitter.saveState())
+        self.timeline.area.controls.remember(remembered)
 
     def restore(self, remembered: Remembered) -> None:
         """Lay the parts out as they were."""
@@ -169,3 +170,4 @@ class Workspace(QWidget):
             state = remembered.state(f"workspace/{name}")
             if state is not None:
                 splitter.restoreState(state)
+        self.timeline.area.controls.restore(remembered)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
 
 from app.views.look.icons import IconButton
 from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder
+from app.views.widgets.remembered import Remembered
 
 _ICON_PX, _BUTTON_PX = 16, 24
 _STYLE = "QToolButton { padding: 2px; } QToolButton::menu-indicator { image: none; }"
@@ -63,6 +64,21 @@ class TimelineControls(QWidget):
             self._arrangement = arrangement
             self._check_actions()
             self.arranged.emit(arrangement)
+
+    def remember(self, remembered: Remembered) -> None:
+        """Keep the order and the height of lanes; which are sifted out is of the moment."""
+        remembered.set_text("timeline/order", self._arrangement.order.name)
+        remembered.set_text("timeline/height", self._arrangement.height.name)
+
+    def restore(self, remembered: Remembered) -> None:
+        """Arrange lanes as they were at the last start; what is no choice any more is left."""
+        order, height = remembered.text("timeline/order"), remembered.text("timeline/height")
+        arrangement = self._arrangement
+        if order in LaneOrder.__members__:
+            arrangement = replace(arrangement, order=LaneOrder[order])
+        if height in LaneHeight.__members__:
+            arrangement = replace(arrangement, height=LaneHeight[height])
+        self.arrange(arrangement)
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
         """Hide the buttons there is no room for."""

@@ -61,7 +61,8 @@ class LaneRows:
         if arrangement.in_view_only:
             overlaps = self._lives[:, 0] < axis.start + axis.frames
             overlaps &= self._lives[:, 1] > axis.start
-            overlaps |= [lane.selected for lane in self._lanes]  # never taken out of sight
+            # Who is selected is never taken out of sight.
+            overlaps |= np.array([lane.selected for lane in self._lanes], np.bool_)
             shown = shown[overlaps[shown]]
             shown = shown[[self._is_in_view(self._lanes[at], axis) for at in shown]]
         self._shown = shown

@@ -11,7 +11,8 @@ from PySide6.QtWidgets import QApplication
 
 from app.presenters.scenes import MarkKind, TimelineMark
 from app.views.timeline import TimelineView
-from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder
+from app.views.timeline.axis import TimeAxis
+from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder, LaneRows
 
 LEFT = Qt.MouseButton.LeftButton
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -202,3 +203,10 @@ def test_the_marks_of_a_lane_are_drawn_where_they_are(view, drawn, theme, inked)
     shot = drawn(view.area)
     assert inked(shot, point(view, 2, 500), theme.text)
     assert not inked(shot, point(view, 2, 450), theme.text)
+
+
+def test_only_tracks_in_view_may_be_asked_for_while_there_is_none(qtbot):
+    rows = LaneRows()
+    rows.take(())
+    rows.arrange(Arrangement(in_view_only=True), TimeAxis(0.0, 1.0, 0.0, 1.0, 0))
+    assert len(rows) == 0

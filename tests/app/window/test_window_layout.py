@@ -3,6 +3,8 @@
 import pytest
 
 from app.views.reviewing import review_search
+from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder
+from app.views.window.main_window import MainWindow
 
 
 @pytest.fixture
@@ -38,3 +40,21 @@ def test_the_panel_without_suspicions_takes_its_few_words_and_no_more(window_on_
 def test_six_lanes_are_in_sight(window_on_a_laptop):
     area = window_on_a_laptop.workspace.timeline.area
     assert area.height() - area.ruler_height >= 6 * area.lane_height
+
+
+def test_the_order_and_height_of_lanes_are_remembered_for_the_next_start(window, qtbot, remembered):
+    controls = window.workspace.timeline.area.controls
+    controls.arrange(Arrangement(LaneOrder.NUMBER, True, LaneHeight.HIGH))
+    window.workspace.remember(remembered)
+    again = MainWindow(remembered)
+    arrangement = again.workspace.timeline.area.controls.arrangement
+    again.close()
+    again.deleteLater()
+    assert arrangement == Arrangement(LaneOrder.NUMBER, False, LaneHeight.HIGH)
+
+
+def test_lanes_remembered_in_a_way_that_is_unknown_stand_as_ever(window, remembered):
+    remembered.set_text("timeline/height", "GIGANTIC")
+    controls = window.workspace.timeline.area.controls
+    controls.restore(remembered)
+    assert controls.arrangement == Arrangement()

@@ -2,7 +2,8 @@
 
 import pytest
 
-from tracking.errors import SessionError
+from tracking.editing import plan_delete
+from tracking.errors import EditError, SessionError
 
 
 @pytest.fixture
@@ -52,3 +53,21 @@ def test_a_tracker_does_not_begin_where_its_result_could_not_be_kept(window, des
     desk.document.session._give_up_writing("for the test")
     window.run_command("tracks.track")
     assert "read only" in window.statusBar().currentMessage()
+
+
+def test_an_edit_larger_than_the_history_can_keep_is_told_before_enter(window, desk, monkeypatch):
+    monkeypatch.setattr("tracking.editing.log.text.LARGEST_TEXT", 64)
+    desk.editing.pick(_track(desk))
+    window.run_command("tracks.delete_track")
+    scene = desk.document.planned.scene
+    assert not scene.ready
+    assert "more than the history can keep: choose a shorter range" in scene.details[0]
+    window.run_command("tracks.confirm")
+    assert len(desk.document.session.history) == 0
+
+
+def test_what_is_taken_at_once_is_told_too_where_the_history_cannot_keep_it(desk, monkeypatch):
+    change = plan_delete(desk.document.session.tracks, _track(desk))
+    monkeypatch.setattr("tracking.editing.log.text.LARGEST_TEXT", 64)
+    with pytest.raises(EditError, match="more than the history can keep"):
+        desk.document.apply(change)

@@ -18,12 +18,14 @@ from numpy.typing import NDArray
 
 from tracking.editing.change import Change, State, no_rows, no_stretches
 from tracking.editing.log.label_text import labels_as_json, labels_from_json
+from tracking.editing.log.recent import RecentStates
 from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, check_tracks
 
 LARGEST_TEXT = 2**28
 """Characters: some three million rows that a tracker made."""
 LARGEST_ROWS = 20_000_000
+_RECENT = RecentStates()
 _SAMPLE_ROWS = 20_000
 _ROW_BYTES = sum(dtype.itemsize for dtype in CORRECTED_COLUMNS.values())
 
@@ -47,7 +49,16 @@ def state_as_text(state: State) -> str:
     text = json.dumps(parts, separators=(",", ":"), default=_plain)
     if len(text) > LARGEST_TEXT:
         raise _too_large(count)
+    if count and not labels:
+        _RECENT.put(text, _as_read(state))
     return text
+
+
+def _as_read(state: State) -> State:
+    """The state as its text gives it back, in arrays of its own."""
+    types = CORRECTED_COLUMNS.items()
+    rows = {name: np.array(state.rows[name], dtype) for name, dtype in types}
+    return State(np.array(state.stretches, np.int64).reshape(-1, 3), rows)
 
 
 def rows_beyond_the_log(change: Change) -> int:
@@ -65,8 +76,9 @@ def rows_beyond_the_log(change: Change) -> int:
 def _expected_characters(rows: Columns) -> float:
     """How long the text of rows will be, from a stretch in their middle."""
     count = len(rows["frame"])
-    if count <= _SAMPLE_ROWS:
-        return 0.0
+    longest = count * _ROW_BYTES * 4 / 3  # base64 of what cannot be packed
+    if longest <= LARGEST_TEXT or count <= _SAMPLE_ROWS:
+        return longest
     first = (count - _SAMPLE_ROWS) // 2
     sample = {name: rows[name][first : first + _SAMPLE_ROWS] for name in CORRECTED_COLUMNS}
     return len(_rows_as_json(sample)["columns"]) * count / _SAMPLE_ROWS
@@ -87,7 +99,18 @@ def _too_large(rows: int) -> EditError:
 
 
 def state_from_text(text: str) -> State:
-    """The state a text was made from. Raises EditError where it is none, or absurdly large."""
+    """The state a text was made from, not to be written to.
+
+    Raises EditError where it is none, or absurdly large.
+    """
+    known = _RECENT.get(text)
+    if known is None:
+        known = _read(text)
+        _RECENT.put(text, known)
+    return known
+
+
+def _read(text: str) -> State:
     parts = _parts_of(text)
     try:
         stretches = np.array(parts.get("stretches", no_stretches()), np.int64).reshape(-1, 3)
