@@ -305,13 +305,16 @@ def train(
         bool,
         typer.Option("--from-truth", help="Label by the truth beside rendered recordings instead."),
     ] = False,
+    allow_outside: options.Outside = False,
     seed: options.Seed = 0,
     json: options.Json = False,
 ) -> None:
     """Train the detector of lost body parts from labels."""
+    from app.cli.taught import How
     from app.cli.train import Wish, run_train
 
-    wish = Wish(tuple(sources), out, report, false_alarms, seed, from_truth)
+    how = How(from_truth, allow_outside)
+    wish = Wish(tuple(sources), out, report, false_alarms, seed, how)
     run_train(wish, as_json=json)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.cli.output import say
-from app.cli.taught import Taught
+from app.cli.taught import How, Taught
 from tracking.errors import TrackwrightError
 from tracking.failure import Mistake, TrainingReport
 from tracking.recording import Recording
@@ -24,22 +24,25 @@ _COLOURS = {True: (80, 200, 80), False: (60, 60, 230)}
 """BGR of a rectangle on its part and off it."""
 
 
-def pictures_of(report: TrainingReport, taught: Sequence[Taught]) -> dict[int, bytes]:
-    """PNG images of the mistakes whose recordings can be opened, by the row of the sample."""
+def pictures_of(report: TrainingReport, taught: Sequence[Taught], how: How) -> dict[int, bytes]:
+    """JPEG images of the mistakes whose recordings can be opened, by the row of the sample."""
     mistakes = [one for question in report.questions for one in question.mistakes]
     pictures: dict[int, bytes] = {}
     for one in taught:
         wanted = [mistake for mistake in mistakes if mistake.recording == one.name and one.labels]
         if wanted:
             try:
-                pictures |= _of_recording(one, wanted)
+                pictures |= _of_recording(one, wanted, how)
             except TrackwrightError as error:
                 say(f"no pictures of {one.name}: {error}")
     return pictures
 
 
-def _of_recording(taught: Taught, mistakes: Iterable[Mistake]) -> dict[int, bytes]:
-    with closing(Session.open(taught.path)) as session, session.open_recording() as recording:
+def _of_recording(taught: Taught, mistakes: Iterable[Mistake], how: How) -> dict[int, bytes]:
+    with (
+        closing(Session.open(taught.path)) as session,
+        session.open_recording(allow_outside=how.allow_outside) as recording,
+    ):
         return {
             mistake.sample: picture
             for mistake in sorted(mistakes, key=lambda one: one.frame)
@@ -63,7 +66,7 @@ def _picture(
     if cut.size:
         scale = _HEIGHT_PX / cut.shape[0]
         size = (max(1, round(cut.shape[1] * scale)), _HEIGHT_PX)
-        done, packed = cv2.imencode(".png", cv2.resize(cut, size, interpolation=cv2.INTER_AREA))
+        done, packed = cv2.imencode(".jpg", cv2.resize(cut, size, interpolation=cv2.INTER_AREA))
         if done:
             yield packed.tobytes()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -21,6 +21,19 @@ from tracking.failure import (
 from tracking.formats import read_samples
 from tracking.session import Session, samples_from
 from tracking.tracks import Columns, PartKey, PartLabel
+
+
+@dataclass(frozen=True, slots=True)
+class How:
+    """How labels are come by.
+
+    Attributes:
+        from_truth: they are made from the truth beside rendered recordings.
+        allow_outside: a recording outside of its session's folder may be opened.
+    """
+
+    from_truth: bool = False
+    allow_outside: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,13 +60,24 @@ class Taught:
         return replace(self, name=name, samples=Samples(columns, self.samples.features))
 
 
-def taught_by(path: Path, *, from_truth: bool) -> Taught:
+def told_apart(taught: Sequence[Taught]) -> list[Taught]:
+    """The same, where different recordings of one name bear the session's name too.
+
+    Two sessions of one recording keep its name: their people are the same people.
+    """
+    first: dict[str, str] = {}
+    for one in taught:
+        first.setdefault(one.name, one.identity)
+    return [one if first[one.name] == one.identity else one.renamed() for one in taught]
+
+
+def taught_by(path: Path, how: How) -> Taught:
     """The samples of a session or a table of them.
 
     Raises what reading raises, and TrainingError where labels cannot be made from truth.
     """
     if not is_session(path):
-        if from_truth:
+        if how.from_truth:
             raise TrainingError(f"{path} is a table of samples: truth belongs to sessions")
         return Taught(path, str(path), str(path), read_samples(path), {})
     with closing(Session.open(path)) as session:
@@ -65,8 +89,8 @@ def taught_by(path: Path, *, from_truth: bool) -> Taught:
                 f"{path}: its tracks have no body parts; track it with three-part first"
             )
         identity = " ".join(source.sha256 for source in recording.sources)
-        if from_truth:
-            labels = _true_labels(session, path, run.parts)
+        if how.from_truth:
+            labels = _true_labels(session, path, run.parts, how)
             samples = samples_of(labels, run.parts, recording.fps, recording.name)
             said: Mapping[PartKey, PartLabel] = {label.key: label for label in labels}
         else:
@@ -77,9 +101,9 @@ def taught_by(path: Path, *, from_truth: bool) -> Taught:
         return Taught(path, recording.name, identity, samples, said)
 
 
-def _true_labels(session: Session, path: Path, parts: Columns) -> list[PartLabel]:
+def _true_labels(session: Session, path: Path, parts: Columns, how: How) -> list[PartLabel]:
     """Labels of the run as it was made, by the truth beside its recording."""
-    with session.open_recording() as recording:
+    with session.open_recording(allow_outside=how.allow_outside) as recording:
         truth = recording.folder / TRUE_PARTS
         if not truth.is_file():
             raise TrainingError(f"{path}: beside its recording is no {TRUE_PARTS}; label by hand")

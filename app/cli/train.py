@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,7 +10,7 @@ import numpy as np
 from app.cli.destination import check_file, check_folder, check_replaced, nearest_folder
 from app.cli.mistakes import pictures_of
 from app.cli.output import print_json, progress, say
-from app.cli.taught import Taught, taught_by
+from app.cli.taught import How, taught_by, told_apart
 from tracking.errors import TrainingError
 from tracking.failure import (
     Trained,
@@ -32,7 +31,7 @@ class Wish:
         sources: sessions, and samples as CSV. out: the detector to make.
         report: a folder for a report; None: none.
         false_alarms: share of good parts that may be taken for failed. seed: of the folds.
-        from_truth: labels are made from the truth beside rendered recordings.
+        how: labels are come by.
     """
 
     sources: tuple[Path, ...]
@@ -40,7 +39,7 @@ class Wish:
     report: Path | None
     false_alarms: float
     seed: int
-    from_truth: bool
+    how: How
 
 
 def run_train(wish: Wish, *, as_json: bool) -> None:
@@ -49,8 +48,8 @@ def run_train(wish: Wish, *, as_json: bool) -> None:
     Raises TrainingError where the samples are too few.
     """
     _check(wish)
-    taught = [one for path in wish.sources for one in [taught_by(path, from_truth=wish.from_truth)]]
-    samples = joined(one.samples for one in _told_apart(taught))
+    taught = told_apart([taught_by(path, wish.how) for path in wish.sources])
+    samples = joined(one.samples for one in taught)
     if not len(samples):
         names = ", ".join(map(str, wish.sources))
         raise TrainingError(f"{names}: no label of a tracked body part; label some parts first")
@@ -60,7 +59,7 @@ def run_train(wish: Wish, *, as_json: bool) -> None:
     save_detector(wish.out, made.detector)
     page = None
     if wish.report is not None:
-        pictures = pictures_of(made.report, taught)
+        pictures = pictures_of(made.report, taught, wish.how)
         page = write_report(wish.report, made.report, pictures)[0]
     _print(made, wish, page, as_json=as_json)
 
@@ -71,17 +70,6 @@ def _check(wish: Wish) -> None:
     check_replaced(wish.out, FORMAT)
     if wish.report is not None:
         check_folder(nearest_folder(wish.report))
-
-
-def _told_apart(taught: Sequence[Taught]) -> Sequence[Taught]:
-    """The same, where different recordings of one name bear the session's name too.
-
-    Two sessions of one recording keep its name: their people are the same people.
-    """
-    first: dict[str, str] = {}
-    for one in taught:
-        first.setdefault(one.name, one.identity)
-    return [one if first[one.name] == one.identity else one.renamed() for one in taught]
 
 
 def _print(made: Trained, wish: Wish, page: Path | None, *, as_json: bool) -> None:

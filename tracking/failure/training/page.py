@@ -42,7 +42,7 @@ def write_report(
     """Write the page and its data into a folder, which is made where it is missing.
 
     Args:
-        pictures: PNG images of mistakes, by the row of the sample.
+        pictures: JPEG images of mistakes, by the row of the sample.
 
     Raises OutputError where it cannot be written.
     """
@@ -89,7 +89,8 @@ def _summary(report: TrainingReport) -> str:
         "<table><tr><th></th><th>off its part</th><th>on its part</th><th>failures found</th>"
         f"<th>false alarms</th><th>area under the curve</th></tr>{rows}</table>"
         "<p class=note>Every rate is of people whom the machine that judged them had not seen. "
-        "In the last row: several parts, one part, several found, one taken for several.</p>"
+        "The row several is about instants with a lost part: several lost, one lost, several told, "
+        "and one taken for several.</p>"
     )
 
 
@@ -143,7 +144,7 @@ def _mistake(mistake: Mistake, pictures: Mapping[int, bytes]) -> str:
     image = ""
     if picture is not None:
         data = base64.b64encode(picture).decode()
-        image = f"<img alt='' src='data:image/png;base64,{data}'>"
+        image = f"<img alt='' src='data:image/jpeg;base64,{data}'>"
     return (
         f"<figure>{image}<figcaption>{escape(mistake.recording)}, track {mistake.track}, "
         f"frame {mistake.frame}<br>{said}, {mistake.score:+.2f}</figcaption></figure>"
