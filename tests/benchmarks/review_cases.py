@@ -65,15 +65,25 @@ TUNING = (
     *_footage(30, _USUAL, range(3111, 3117)),
     *_footage(60, [2 * count for count in _USUAL], range(3121, 3127)),
     Footage("uniforms", 180, 24, 3135),
+    Footage("lobby", 90, 24, 3401),
+    Footage("square", 90, 24, 3402),
+    Footage("uniforms", 90, 24, 3405),
 )
-"""Scenes the likelihoods were fitted on."""
+"""Scenes that hazards and likelihoods were fitted on."""
 REPORTED = (
     *_footage(90, _FEW, range(3301, 3307)),
     Footage("lobby", 180, 30, 3321),
     Footage("uniforms", 180, 24, 3325),
     *_footage(30, _USUAL, (3311, 3312, 3333, 3314, 3315, 3316)),
 )
-"""Scenes that nothing was chosen on."""
+"""Scenes that nothing was fitted on; what was tried was compared on them."""
+FRESH = tuple(
+    Footage(scene, 90, 24, seed)
+    for scene, seed in zip(
+        ("lobby", "square", "pillars", "uniforms"), range(3801, 3805), strict=True
+    )
+)
+"""Scenes that were looked at once, when all was done."""
 
 
 @dataclass(frozen=True)
@@ -177,5 +187,5 @@ def _meetings(table: TrackTable, fps: float) -> list[tuple[int, int, int]]:
 def _both_go_on(table: TrackTable, one: int, other: int, frame: int, least: int) -> bool:
     """Whether both tracks have rows enough before and after the frame."""
     sides = [np.searchsorted(table.frames_of_track(track), frame) for track in (one, other)]
-    rows = [table.rows_of_track(track) for track in (one, other)]
+    rows = [len(table.frames_of_track(track)) for track in (one, other)]
     return all(least <= at <= count - least for at, count in zip(sides, rows, strict=True))

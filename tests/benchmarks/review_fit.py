@@ -1,105 +1,160 @@
-"""Fits the likelihoods of suspicions anew: see `tracking.review.likelihood`."""
+"""Fits the hazards of rows and the likelihoods of suspicions anew: see `tracking.review.hazard`."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
+from sklearn.ensemble import HistGradientBoostingClassifier
 
+import resources
 from tests.benchmarks.review_cases import Case
-from tracking.review.crowding import crowding
-from tracking.review.evidence import gathered
-from tracking.review.found import Found
+from tracking.review.evidence import Evidence, gathered
+from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, features
 from tracking.review.joining import Places, Reasons, joined_places, stacked
-from tracking.review.likelihood import LEAST_WEIGHT
+from tracking.review.likelihood import LEAST_WEIGHT, NOTHING, WEIGHTS
 from tracking.review.material import Material
 from tracking.review.reasons import REASONS
 from tracking.review.searching import JOINED_S
-from tracking.review.stretches import stretches
+from tracking.review.stretches import Stretches, stretches
 
 Floats = NDArray[np.float64]
-_ROUNDS = 4
-_SHRINKAGE = 0.5
+Singles = NDArray[np.float32]
+Flags = NDArray[np.bool_]
+_AROUND = 2
+"""Frames from an error within which the rows of its tracks count as going wrong."""
+_NATURAL, _CALM = 3.0, 3.0
+"""How much more rows without swaps on purpose, and rows of calm scenes, count."""
+_KEPT = 0.1
+"""Share of the rows without an error that are fitted on; each then counts for ten."""
+_UNNOTICED = 0.1
+"""Share of the rows told as of a run that noticed nothing."""
+_SMOOTH = 0.2
+"""Share of the wrong rows of tracks swapped on purpose told as of a walk without a jump: where a
+tracker mistakes people, or a person swaps tracks, they do not always jump."""
+_WALK = ("jump", "jump_0.3s", "missed", "missed_0.15s", "turn")
+_TREES, _LEAVES, _RATE, _LEAST_ROWS, _SHRINKAGE = 60, 4, 0.1, 60, 5.0
 _BINS = (0.0, 0.03, 0.1, 0.2, 0.4, 0.7, 0.9, 1.0)
 
 
 def fit(cases: Sequence[Case]) -> None:
-    """Print the table, and how often places of each likelihood were mistakes.
-
-    Weights also decide which reason leads a place, so both are found in turns.
-    """
-    looked = [(case, *_looked(case)) for case in cases]
-    weights = np.ones(len(REASONS))
-    for _ in range(_ROUNDS):
-        strength, mistaken = _examples(looked, weights)
-        fitted = _logistic(strength, mistaken)
-        weights = fitted[3:]
-    _print(fitted)
-    strength, mistaken = _examples(looked, weights)
-    _print_calibration(1.0 / (1.0 + np.exp(-(fitted[0] + strength @ fitted[1:]))), mistaken)
+    """Write the trees into the resources; print the likelihoods' figures for the code."""
+    trees = fitted_trees(cases)
+    path = Path(next(iter(resources.__path__))) / "review" / "hazard.json"
+    path.write_text(trees.as_text(), encoding="utf-8")
+    expected, mistaken = _examples(cases, trees)
+    theta = _logistic(expected, mistaken)
+    print("BASE, EFOLD, ROW =", ", ".join(f"{value:.2f}" for value in theta))
+    _print_calibration(1.0 / (1.0 + np.exp(-_odds(theta, expected))), mistaken)
 
 
-def _looked(case: Case) -> tuple[Material, list[Found]]:
-    evidence = gathered(case.table, case.run, case.fps)
-    material = Material.of(evidence, case.view.camera.size, ())
-    return material, [look(material) for look in REASONS.values()]
+def fitted_trees(cases: Sequence[Case], seed: int = 0) -> Trees:
+    """Trees that tell rows of tracks that go wrong from the others."""
+    random = np.random.default_rng(seed)
+    parts = [_rows(case, random) for case in cases]
+    values, wrong, weight = (np.concatenate(each) for each in zip(*parts, strict=True))
+    model = HistGradientBoostingClassifier(
+        max_iter=_TREES,
+        max_leaf_nodes=_LEAVES,
+        learning_rate=_RATE,
+        min_samples_leaf=_LEAST_ROWS,
+        l2_regularization=_SHRINKAGE,
+        early_stopping=False,
+        random_state=seed,
+    ).fit(values, wrong, sample_weight=weight)
+    base = float(model._baseline_prediction.ravel()[0])
+    return Trees(FEATURES, base, tuple(map(_nodes, model._predictors)))
 
 
-def _examples(
-    looked: Sequence[tuple[Case, Material, list[Found]]], weights: Floats
-) -> tuple[Floats, Floats]:
-    """(k, 2 + kinds) two tracks or one, crowding, and strengths; (k,) 1 for mistakes."""
-    strengths, mistaken = [], []
-    for case, material, found in looked:
-        reasons = stacked(found, np.maximum(weights, LEAST_WEIGHT).tolist())
-        places = joined_places(reasons, material.evidence.frames_of(JOINED_S))
-        two = reasons.second[places.leader] > 0
-        crowd = crowding(material, reasons.frame[places.leader])
-        strengths.append(np.column_stack((two, crowd, places.strength)))
-        mistaken.append(_mistaken(case, reasons, places, material))
-    return np.concatenate(strengths), np.concatenate(mistaken).astype(float)
+def _rows(case: Case, random: np.random.Generator) -> tuple[Singles, Flags, Floats]:
+    """Features of a case's rows that are fitted on, whether they go wrong, and their weights."""
+    material = _material(case)
+    wrong = _going_wrong(case, material.evidence)
+    kept = np.flatnonzero(wrong | (random.random(len(wrong)) < _KEPT))
+    values, wrong = features(material)[kept], wrong[kept]
+    unnoticed = np.flatnonzero(random.random(len(kept)) < _UNNOTICED)
+    values[np.ix_(unnoticed, [FEATURES.index(name) for name in NOTICED])] = np.nan
+    if case.swaps:
+        smooth = np.flatnonzero(wrong & (random.random(len(kept)) < _SMOOTH))
+        walk = [FEATURES.index(name) for name in _WALK]
+        usual = random.choice(np.flatnonzero(~wrong), len(smooth))
+        values[np.ix_(smooth, walk)] = values[np.ix_(usual, walk)]
+    weight = (1.0 if case.swaps else _NATURAL) * (_CALM if case.footage.is_calm else 1.0)
+    return values, wrong, weight * np.where(wrong, 1.0, 1.0 / _KEPT)
 
 
-def _mistaken(
-    case: Case, reasons: Reasons, places: Places, material: Material
-) -> NDArray[np.bool_]:
-    """(k,) whether an error of one of the place's tracks lies in the stretch."""
-    start, end = stretches(reasons, places, material.evidence)
-    one, other = reasons.first[places.leader], reasons.second[places.leader]
-    wrong = np.zeros(len(start), np.bool_)
+def _going_wrong(case: Case, evidence: Evidence) -> Flags:
+    wrong = np.zeros(len(evidence), np.bool_)
     for error in case.errors:
-        named = np.isin(one, error.tracks) | np.isin(other, error.tracks)
-        wrong |= named & (start <= error.frame) & (error.frame < end)
+        near = np.abs(evidence.frame - error.frame) <= _AROUND
+        wrong |= near & np.isin(evidence.track, error.tracks)
     return wrong
 
 
-def _logistic(strength: Floats, mistaken: Floats) -> Floats:
-    """(3 + kinds,) intercept, and weights that are not below 0."""
-
-    def loss(theta: Floats) -> tuple[float, Floats]:
-        odds = theta[0] + strength @ theta[1:]
-        off = 1.0 / (1.0 + np.exp(-odds)) - mistaken
-        value = (np.logaddexp(0.0, odds) - mistaken * odds).sum()
-        gradient = np.concatenate(([off.sum()], strength.T @ off + 2 * _SHRINKAGE * theta[1:]))
-        return float(value + _SHRINKAGE * np.square(theta[1:]).sum()), gradient
-
-    count = strength.shape[1]
-    start = np.concatenate(([-3.0], np.ones(count)))
-    bounds = [(None, None)] + [(0.0, None)] * count
-    return np.asarray(minimize(loss, start, jac=True, bounds=bounds, method="L-BFGS-B").x)
+def _nodes(predictor: Sequence[object]) -> tuple[tuple[float, ...], ...]:
+    """A tree of scikit-learn's in the form of `Trees`."""
+    return tuple(_node(node) for node in predictor[0].nodes)  # type: ignore[attr-defined]  # inner
 
 
-def _print(fitted: Floats) -> None:
-    print(f"ONE, TWO = {fitted[0]:.2f}, {fitted[0] + fitted[1]:.2f}")
-    print(f"CROWD = {fitted[2]:.2f}")
-    for kind, weight in zip(REASONS, fitted[3:], strict=True):
-        print(f'"{kind}": {weight:.2f},')
+def _node(node: np.void) -> tuple[float, ...]:
+    if node["is_leaf"]:
+        return (-1, round(float(node["value"]), 5), 0, 0, 0)
+    low, high = int(node["left"]), int(node["right"])
+    unknown = low if node["missing_go_to_left"] else high
+    return (int(node["feature_idx"]), float(np.float32(node["num_threshold"])), low, high, unknown)
 
 
-def _print_calibration(likely: Floats, mistaken: Floats) -> None:
+def _material(case: Case) -> Material:
+    evidence = gathered(case.table, case.run, case.fps)
+    return Material.of(evidence, case.view.camera.size, ())
+
+
+def _examples(cases: Sequence[Case], trees: Trees) -> tuple[Floats, Flags]:
+    """(k,) hazard expected in each place's stretch; (k,) whether an error lies in it."""
+    expected, mistaken = zip(*_places(cases, trees), strict=True)
+    return np.concatenate(expected), np.concatenate(mistaken)
+
+
+def _places(cases: Sequence[Case], trees: Trees) -> Iterator[tuple[Floats, Flags]]:
+    weights = [max(WEIGHTS[kind], LEAST_WEIGHT) for kind in REASONS]
+    for case in cases:
+        material = _material(case)
+        reasons = stacked([look(material) for look in REASONS.values()], weights)
+        places = joined_places(reasons, material.evidence.frames_of(JOINED_S))
+        watched = stretches(reasons, places, Hazards.of(material, trees))
+        kept = watched.expected > NOTHING
+        yield watched.expected[kept], _mistaken(case, reasons, places, watched)[kept]
+
+
+def _mistaken(case: Case, reasons: Reasons, places: Places, watched: Stretches) -> Flags:
+    """(k,) whether an error of one of the place's tracks lies in the stretch."""
+    one, other = reasons.first[places.leader], reasons.second[places.leader]
+    wrong = np.zeros(len(one), np.bool_)
+    for error in case.errors:
+        named = np.isin(one, error.tracks) | np.isin(other, error.tracks)
+        wrong |= named & (watched.start <= error.frame) & (error.frame < watched.end)
+    return wrong
+
+
+def _odds(theta: Floats, expected: Floats) -> Floats:
+    return np.asarray(theta[0] + theta[1] * np.log(expected) + theta[2] * expected)
+
+
+def _logistic(expected: Floats, mistaken: Flags) -> Floats:
+    """(3,) what makes the mistakes likeliest."""
+
+    def loss(theta: Floats) -> float:
+        odds = _odds(theta, expected)
+        return float((np.logaddexp(0.0, odds) - mistaken * odds).sum())
+
+    return np.asarray(minimize(loss, np.array([-1.0, 0.5, 0.3]), method="Nelder-Mead").x)
+
+
+def _print_calibration(likely: Floats, mistaken: Flags) -> None:
     print("likelihood  places  mean   mistakes")
     for low, high in pairwise(_BINS):
         inside = (likely >= low) & (likely < high)

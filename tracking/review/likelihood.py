@@ -1,11 +1,9 @@
 """How likely a mistake is, from the reasons that speak for it.
 
-A logistic model: log odds of the place and of the crowd, plus a weight for each reason times its
-strength. It was fitted to rendered scenes tracked with both stereo trackers, with their own
-mistakes and with tracks swapped at random where they pass each other:
-`python -m tests.benchmarks.review --fit` renders them, fits the table anew and prints it beside
-how often places of each likelihood were mistakes. A weight of 0 means that the reason tells
-nothing beyond what the others told.
+A logistic model of the hazard of the rows to be watched, see `tracking.review.hazard`: it was
+fitted to rendered scenes tracked with both stereo trackers, with their own mistakes and with tracks
+swapped at random where they pass each other. `python -m tests.benchmarks.review --fit` renders
+them, fits hazards and figures anew and prints how often places of each likelihood were mistakes.
 """
 
 from __future__ import annotations
@@ -18,10 +16,9 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-ONE, TWO = -4.55, -3.0
-"""Log odds of a place of one track and of one of two tracks, whatever speaks for it."""
-CROWD = 1.53
-"""Log odds that being crowded adds."""
+BASE, EFOLD, ROW = -1.17, 0.48, 0.31
+"""Log odds of no hazard at all but for its logarithm, what an e-fold more of it adds, and what
+each row's worth of it adds."""
 
 WEIGHTS: Mapping[str, float] = MappingProxyType(
     {
@@ -44,21 +41,25 @@ WEIGHTS: Mapping[str, float] = MappingProxyType(
         "part": 1.0,  # not fitted: none of these trackers follows parts
     }
 )
-"""Log odds that a reason of full strength adds."""
+"""Which of several reasons for one place leads it: it is said first and tells whom it is about.
 
+How many log odds a reason of full strength adds where nothing but reasons is known; a weight of 0
+means that it tells nothing beyond what the others told.
+"""
+
+NOTHING = 1e-3
+"""Less hazard than this is none: what the same rows of another place have taken."""
 LEAST_WEIGHT = 0.05
 """So that among reasons that tell nothing the stronger one still leads."""
 
 
-def likelihoods(
-    kinds: Sequence[str], strength: Floats, two: NDArray[np.bool_], crowd: Floats
-) -> Floats:
+def likelihoods(kinds: Sequence[str], strength: Floats, expected: Floats) -> Floats:
     """(k,) 0 to 1.
 
     Args:
         kinds: of the columns of strength. strength: (k, kinds) of the strongest reason of a kind.
-        two: (k,) whether a place is about two tracks. crowd: (k,) see `crowding`.
+        expected: (k,) hazards summed over the stretch and its tracks.
     """
-    weights = np.array([WEIGHTS[kind] for kind in kinds])
-    odds = np.where(two, TWO, ONE) + CROWD * crowd + strength @ weights
+    part = WEIGHTS["part"] * strength[:, list(kinds).index("part")]
+    odds = BASE + EFOLD * np.log(np.maximum(expected, NOTHING)) + ROW * expected + part
     return np.asarray(1.0 / (1.0 + np.exp(-odds)))

@@ -8,8 +8,8 @@ import numpy as np
 
 from tracking.geometry import View
 from tracking.review.costs import costs
-from tracking.review.crowding import crowding
 from tracking.review.evidence import gathered
+from tracking.review.hazard.expected import Hazards
 from tracking.review.joining import Reasons, joined_places, stacked
 from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
 from tracking.review.material import Material
@@ -84,13 +84,13 @@ def _suspicions(material: Material, reasons: Reasons) -> list[Suspicion]:
     evidence = material.evidence
     places = joined_places(reasons, evidence.frames_of(JOINED_S))
     leader = places.leader
-    first, second, frame = reasons.first[leader], reasons.second[leader], reasons.frame[leader]
-    likely = likelihoods(reasons.kinds, places.strength, second > 0, crowding(material, frame))
-    start, end = stretches(reasons, places, evidence)
-    cost = costs(material, first, second, frame)
+    watched = stretches(reasons, places, Hazards.of(material))
+    likely = likelihoods(reasons.kinds, places.strength, watched.expected)
+    cost = costs(material, reasons.first[leader], reasons.second[leader], watched.frame)
     told = np.flatnonzero(likely >= _LEAST)
     told = told[np.argsort(-(likely * cost)[told], kind="stable")[:MOST]]
-    figures = (column[told].tolist() for column in (leader, start, end, likely, cost))
+    columns = (leader, watched.frame, watched.start, watched.end, likely, cost)
+    figures = (column[told].tolist() for column in columns)
     speaker = Speaker.of(reasons, places, evidence.fps)
     return [
         _suspicion(speaker, place, *numbers)
@@ -102,12 +102,13 @@ def _suspicion(
     speaker: Speaker,
     place: int,
     leader: int,
+    frame: int,
     start: int,
     end: int,
     likelihood: float,
     cost: float,
 ) -> Suspicion:
-    kind, first, second, frame, _ = speaker.reasons[leader]
+    kind, first, second, _, _ = speaker.reasons[leader]
     text, *others = speaker.said(place, leader)
     return Suspicion(
         kind=kind,

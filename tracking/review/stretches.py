@@ -1,42 +1,114 @@
-"""Which frames to watch: from just before to just after."""
+"""Which frames to watch: those in which most is likely to go wrong near a reason."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from tracking.review.evidence import Evidence, Rows
+from tracking.review.evidence import Evidence, Flags, Floats, Rows
+from tracking.review.hazard.expected import Hazards
 from tracking.review.joining import Places, Reasons
 
-_EXACT = frozenset({"turn", "jump", "lost", "begun", "ended", "drift"})
-"""Kinds of reasons that tell the very frame."""
-_BEFORE_EXACT_S, _BEFORE_S, _AFTER_S = 0.15, 0.3, 0.4
-"""Shown before and after the moment of a reason. Afterwards it takes people a few steps until it
-shows who is who."""
-_OF_LEADER = 0.8
-"""Share of the leader's weight from which on another reason's moment is shown as well."""
+_VAGUE = frozenset({"margin", "shared", "crossing", "spread", "split", "colour", "height"})
+"""Kinds of reasons that tell about when, not the very frame."""
+_SEARCHED_S = 1.2
+"""How far from a vague reason's moment the stretch may reach."""
+_WATCHED_S = 0.6
+_LEAD_S, _TAIL_S = 0.1, 0.2
+"""Within a stretch, what happens so near its start and its end is hardly seen."""
+_AS_LIKELY, _GROWN_S = 0.4, 0.6
+"""Where it goes on being about as likely as that share of the mean, vague stretches grow."""
 _CHANGED_OVER = frozenset({"turn", "exchange"})
 _TOGETHER_M, _TOGETHER_S, _PARTED_S = 0.5, 0.8, 0.15
 """Who is who after two changed over shows only once they part: waited for that long at most."""
+_FOR_NEAR = 1e-3
+"""Of stretches in which about as much goes wrong, that around the reason's moment."""
 
 
-def stretches(reasons: Reasons, places: Places, evidence: Evidence) -> tuple[Rows, Rows]:
-    """(k,), (k,) start and end, half-open, of what shows the weighty reasons of each place."""
-    lead = [_BEFORE_EXACT_S if kind in _EXACT else _BEFORE_S for kind in reasons.kinds]
-    before = reasons.frame - np.array([evidence.frames_of(s) for s in lead])[reasons.kind]
-    after = reasons.frame + evidence.frames_of(_AFTER_S) + 1
-    start, end = before[places.leader], after[places.leader]
-    of_leader = reasons.weight[places.leader][places.place]
-    weighty = reasons.weight[places.reason] >= _OF_LEADER * of_leader
-    place, reason = places.place[weighty], places.reason[weighty]
-    np.minimum.at(start, place, before[reason])
-    np.maximum.at(end, place, after[reason])
-    end = np.maximum(end, _parted(reasons, places, evidence))
-    return np.maximum(start, 0), np.minimum(end, evidence.stop)
+@dataclass(frozen=True, slots=True, eq=False)
+class Stretches:
+    """Of each place what to watch.
+
+    Attributes:
+        start, end: (k,) half-open. frame: (k,) where it happened.
+        expected: (k,) how much goes wrong there: hazards of the place's tracks, summed.
+    """
+
+    start: Rows
+    end: Rows
+    frame: Rows
+    expected: Floats
+
+
+def stretches(reasons: Reasons, places: Places, hazards: Hazards) -> Stretches:
+    """What shows most of what may have gone wrong, for each place."""
+    evidence = hazards.evidence
+    leader = places.leader
+    told = reasons.frame[leader]
+    tracks = np.stack((reasons.first[leader], reasons.second[leader]), axis=1)
+    vague = np.isin(reasons.kind[leader], _numbers(reasons, _VAGUE))
+    start = told + _offsets(hazards, tracks, told, vague)
+    start, end = _grown(hazards, tracks, start, vague)
+    end = np.minimum(np.maximum(end, _parted(reasons, places, evidence)), evidence.stop)
+    start = np.maximum(start, 0)
+    frame = np.where(vague, _worst(hazards, tracks, start, end, told), told)
+    order = np.argsort(-_both(hazards, tracks, start, end), kind="stable")
+    return Stretches(start, end, frame, hazards.once(tracks, start, end, order))
+
+
+def _offsets(hazards: Hazards, tracks: Rows, told: Rows, vague: Flags) -> Rows:
+    """(k,) where stretches begin, told from the moments of their reasons."""
+    evidence = hazards.evidence
+    length, searched = evidence.frames_of(_WATCHED_S), evidence.frames_of(_SEARCHED_S)
+    lead, tail = evidence.frames_of(_LEAD_S), evidence.frames_of(_TAIL_S)
+    usual = -evidence.frames_of(0.15)
+    best = np.full(len(told), usual)
+    most = np.full(len(told), -np.inf)
+    for offset in range(-searched, searched - length + 1):
+        holds = -length + tail < offset <= -lead
+        shown = _both(hazards, tracks, told + offset + lead, told + offset + length - tail)
+        shown = shown * (1.0 - _FOR_NEAR * abs(offset - usual))
+        better = (shown > most) & (vague | holds)
+        most[better], best[better] = shown[better], offset
+    return best
+
+
+def _grown(hazards: Hazards, tracks: Rows, start: Rows, vague: Flags) -> tuple[Rows, Rows]:
+    """(k,), (k,) start and end of stretches; vague ones hold all that is about as likely."""
+    evidence = hazards.evidence
+    length, lead = evidence.frames_of(_WATCHED_S), evidence.frames_of(_LEAD_S)
+    first, end = start + lead, start + length
+    least = _AS_LIKELY * _both(hazards, tracks, start, end) / length
+    back, ahead = vague.copy(), vague.copy()
+    for _ in range(evidence.frames_of(_GROWN_S)):
+        back &= _both(hazards, tracks, first - 1, first) >= least
+        ahead &= _both(hazards, tracks, end, end + 1) >= least
+        first, end = first - back, end + ahead
+    return first - lead, end
+
+
+def _worst(hazards: Hazards, tracks: Rows, start: Rows, end: Rows, told: Rows) -> Rows:
+    """(k,) the frames of greatest hazard in stretches."""
+    evidence = hazards.evidence
+    best = np.clip(told, start, end - 1)
+    most = _both(hazards, tracks, best, best + 1)
+    for step in range(evidence.frames_of(_WATCHED_S + 2 * _GROWN_S)):
+        frame = np.minimum(start + step, end - 1)
+        there = _both(hazards, tracks, frame, frame + 1)
+        better = there > most * (1.0 + 1e-6)
+        most[better], best[better] = there[better], frame[better]
+    return best
+
+
+def _both(hazards: Hazards, tracks: Rows, start: Rows, end: Rows) -> Floats:
+    """(k,) hazards of both tracks, summed over stretches."""
+    return np.asarray(sum(hazards.expected(side, start, end) for side in tracks.T))
 
 
 def _parted(reasons: Reasons, places: Places, evidence: Evidence) -> Rows:
     """(k,) just after the frame in which two who changed over part; 0 where nobody did."""
-    kinds = [number for number, kind in enumerate(reasons.kinds) if kind in _CHANGED_OVER]
+    kinds = _numbers(reasons, _CHANGED_OVER)
     together = np.flatnonzero(np.isin(reasons.kind[places.leader], kinds))
     leader = places.leader[together]
     end = np.zeros(len(places.leader), np.int64)
@@ -50,3 +122,7 @@ def _parted(reasons: Reasons, places: Places, evidence: Evidence) -> Rows:
         together, one, other, frame = together[still], one[still], other[still], frame[still]
         end[together] = frame + step + 1 + evidence.frames_of(_PARTED_S)
     return end
+
+
+def _numbers(reasons: Reasons, kinds: frozenset[str]) -> Rows:
+    return np.array([number for number, kind in enumerate(reasons.kinds) if kind in kinds])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import Floats
+from tracking.review.evidence import Evidence, Floats
 from tracking.review.found import Found, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
@@ -23,9 +23,7 @@ def jumps(material: Material) -> Found:
     """
     evidence = material.evidence
     frames = np.diff(evidence.frame)
-    step = np.diff(evidence.place, axis=0) / np.maximum(frames, 1)[:, None]
-    step[~evidence.goes_on] = np.nan
-    off = np.hypot(*(step - _usual(step)).T) * frames
+    off = steps_off(evidence)
     walked = np.where(frames > 1, frames / evidence.fps * _FASTEST_M_PER_S, 0.0)
     off = np.nan_to_num(off - walked)
     told = np.flatnonzero(off > _LOW_M)
@@ -33,6 +31,17 @@ def jumps(material: Material) -> Found:
     best = peaks(track, frame, off[told], evidence.frames_of(_APART_S))
     metres = off[told][best]
     return of_tracks("jump", track[best], frame[best], ramp(metres, _LOW_M, _HIGH_M), metres)
+
+
+def steps_off(evidence: Evidence) -> Floats:
+    """(n - 1,) m by which the step from each row to the next is another than those around it.
+
+    NaN where the next row is another track's, or too few steps are around it.
+    """
+    frames = np.diff(evidence.frame)
+    step = np.diff(evidence.place, axis=0) / np.maximum(frames, 1)[:, None]
+    step[~evidence.goes_on] = np.nan
+    return np.asarray(np.hypot(*(step - _usual(step)).T) * frames)
 
 
 def _usual(step: Floats) -> Floats:

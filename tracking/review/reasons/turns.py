@@ -21,11 +21,8 @@ def turns(material: Material) -> Found:
     it; compared is by how many metres they miss each other, as they are and changed over.
     """
     evidence, near = material.evidence, material.near
-    back, ahead = _leads(evidence)
     one, other = near.first, near.second
-    kept = _miss(back[one], ahead[one]) + _miss(back[other], ahead[other])
-    changed = _miss(back[one], ahead[other]) + _miss(back[other], ahead[one])
-    gain = kept - changed
+    gain = gains(evidence, one, other)
     told = np.flatnonzero(gain > _LOW_M)
     one, other, gain = one[told], other[told], gain[told]
     first, second, frame = evidence.track[one], evidence.track[other], evidence.frame[one]
@@ -34,7 +31,15 @@ def turns(material: Material) -> Found:
     return of_pairs("turn", first[best], second[best], frame[best], strength, gain[best])
 
 
-def _leads(evidence: Evidence) -> tuple[Floats, Floats]:
+def gains(evidence: Evidence, one: Rows, other: Rows) -> Floats:
+    """(k,) by how many metres two walks, of rows of one frame, agree better changed over there."""
+    back, ahead = leads(evidence)
+    kept = miss(back[one], ahead[one]) + miss(back[other], ahead[other])
+    changed = miss(back[one], ahead[other]) + miss(back[other], ahead[one])
+    return np.asarray(kept - changed)
+
+
+def leads(evidence: Evidence) -> tuple[Floats, Floats]:
     """(n, 4) place and way for each row as of the rows before it, and as of it and those after.
 
     The place is where the walk leads to (comes from) at the cut before the row; the way is what is
@@ -57,7 +62,7 @@ def _line(evidence: Evidence, start: Rows, end: Rows, step: int, at: float) -> F
     return np.where(known, np.concatenate((place, way * step / 2), axis=1), np.nan)
 
 
-def _miss(led: Floats, came: Floats) -> Floats:
+def miss(led: Floats, came: Floats) -> Floats:
     """(k,) m by which two walks miss each other, in place and in way."""
     apart = led - came
     return np.asarray(np.hypot(apart[:, 0], apart[:, 1]) + np.hypot(apart[:, 2], apart[:, 3]))

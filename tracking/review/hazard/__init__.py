@@ -1,0 +1,7 @@
+"""How likely a track goes wrong in each of its rows: what puts suspicions in order and in place."""
+
+from tracking.review.hazard.expected import Hazards
+from tracking.review.hazard.features import FEATURES, NOTICED, features
+from tracking.review.hazard.trees import Trees, built_in_trees
+
+__all__ = ["FEATURES", "NOTICED", "Hazards", "Trees", "built_in_trees", "features"]
