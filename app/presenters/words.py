@@ -34,14 +34,3 @@ def time_text(seconds: float) -> str:
     hours, minutes = divmod(minutes, 60)
     clock = f"{minutes:02d}:{rest // 100:02d}.{rest % 100:02d}"
     return f"{hours}:{clock}" if hours else clock
-
-
-def duration_text(seconds: float) -> str:
-    """A short rounded duration for people who wait: "8 s", "3 min", "1 h 5 min"."""
-    whole = max(1, round(seconds))
-    if whole < 60:
-        return tr("{n} s", n=whole)
-    minutes = round(whole / 60)
-    if minutes < 60:
-        return tr("{n} min", n=minutes)
-    return tr("{h} h {n} min", h=minutes // 60, n=minutes % 60)

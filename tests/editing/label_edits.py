@@ -8,7 +8,6 @@ from hypothesis import strategies as st
 
 from tracking.editing import (
     Change,
-    plan_forget_verdict,
     plan_label_part,
     plan_lines,
     plan_mark_reviewed,
@@ -73,9 +72,6 @@ def label_plans(draw: st.DrawFn, table: TrackTable, labels: Labels) -> list[Call
         lambda: plan_verdict(labels, draw(VERDICTS)),
         lambda: plan_label_part(labels, draw(st.lists(PARTS, min_size=1, max_size=3))),
     ]
-    if labels.verdicts:
-        known = st.sampled_from(sorted(labels.verdicts))
-        plans.append(lambda: plan_forget_verdict(labels, draw(known)))
     if labels.parts:
         keys = st.sampled_from(sorted(labels.parts))
         plans.append(lambda: plan_unlabel_part(labels, draw(keys)))

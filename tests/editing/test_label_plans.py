@@ -17,7 +17,6 @@ from tracking.editing import (
     LabelState,
     apply_change,
     plan_delete,
-    plan_forget_verdict,
     plan_label_part,
     plan_lines,
     plan_mark_reviewed,
@@ -298,16 +297,14 @@ def test_marks_that_change_nothing_are_refused(plan: Callable[[Labels], Change],
         plan(Labels(reviewed=(ReviewedRange(0, 10, 20),)))
 
 
-def test_a_verdict_is_given_changed_and_forgotten() -> None:
+def test_a_verdict_is_given_changed_and_taken_back() -> None:
     change = plan_verdict(Labels(), CROSSING, "4 and 7 cross")
     assert (change.text, change.frame) == ("Dismiss: 4 and 7 cross", 834)
     labels = made(Labels(), change)
     changed = plan_verdict(labels, replace(CROSSING, decision="right"))
     assert changed.text == "Looked at, right: crossing of 4 and 7 in frame 834"
     assert made(labels, changed).verdicts[CROSSING.key].decision == "right"
-    forgotten = plan_forget_verdict(labels, CROSSING.key)
-    assert forgotten.text == "Open again: crossing of 4 and 7 in frame 834"
-    assert made(labels, forgotten) == Labels()
+    assert made(labels, change.inverse) == Labels()
 
 
 @given(VERDICTS)
@@ -327,8 +324,6 @@ def test_verdicts_that_say_nothing_new_are_refused() -> None:
         plan_verdict(labels, replace(CROSSING, decision="maybe"))
     with pytest.raises(EditError, match="needs a name"):
         plan_verdict(labels, replace(CROSSING, kind=""))
-    with pytest.raises(EditError, match="nothing was said of the jump of 1, 2 and 3"):
-        plan_forget_verdict(labels, ("jump", (1, 2, 3), 7))
 
 
 @pytest.mark.parametrize(

@@ -62,7 +62,7 @@ def test_the_table_tells_its_size_and_ranges(table: TrackTable) -> None:
     assert table.track_ids == (1, 2, 4)
     assert table.frame_range(1) == (0, 4)
     assert table.frame_range(9) == (0, 0)
-    assert table.rows_of_track(4) == 2
+    assert len(table.frames_of_track(4)) == 2
     assert table.frame_stop == 4
     assert table.activity(5).tolist() == [2, 1, 0, 3, 0]
     assert 4 in table

@@ -32,7 +32,6 @@ from tracking.editing.labels.part_labelling import (
     with_parts_carried,
 )
 from tracking.editing.labels.reviewing import (
-    plan_forget_verdict,
     plan_mark_reviewed,
     plan_unmark_reviewed,
     plan_verdict,
@@ -83,7 +82,6 @@ __all__ = [
     "plan_draw_box",
     "plan_fill_gap",
     "plan_fill_gaps",
-    "plan_forget_verdict",
     "plan_interpolate",
     "plan_label_part",
     "plan_lines",

@@ -135,10 +135,6 @@ class TrackTable:
         """The frames in which the track stands, ascending; empty for an unknown track."""
         return self._of(track)[1]
 
-    def rows_of_track(self, track: int) -> int:
-        """How many rows the track has."""
-        return len(self._of(track)[0])
-
     def frame_range(self, track: int) -> tuple[int, int]:
         """First frame and one past the last of a track; (0, 0) for an unknown one."""
         frames = self._of(track)[1]

@@ -43,12 +43,6 @@ class Grip:
         return left, top, right - left, bottom - top
 
 
-def box_between(start: QPointF, end: QPointF) -> Box:
-    """The box with two opposite corners."""
-    rect = QRectF(start, end).normalized()
-    return rect.x(), rect.y(), rect.width(), rect.height()
-
-
 def handle_at(rect: QRectF, at: QPointF) -> Handle | None:
     """The handle of a box, given in the widget, at a place of it; None beside the box."""
     near = [(QLineF(_place(rect, handle), at).length(), handle) for handle in handles_of(rect)]

@@ -21,15 +21,6 @@ def test_times_are_said_as_on_a_clock():
     assert words.time_text(3725.5) == "1:02:05.50"
 
 
-def test_durations_are_rounded_for_people_who_wait():
-    assert [words.duration_text(s) for s in (0.2, 42, 180, 3900)] == [
-        "1 s",
-        "42 s",
-        "3 min",
-        "1 h 5 min",
-    ]
-
-
 @pytest.mark.parametrize(("count", "said"), [(0, "0 frames"), (1, "1 frame"), (2, "2 frames")])
 def test_one_is_not_said_in_the_plural(count, said):
     assert words.counted(count, "{n} frame", "{n} frames") == said

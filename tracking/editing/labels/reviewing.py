@@ -13,7 +13,6 @@ from tracking.tracks import (
     Labels,
     ReviewedRange,
     Verdict,
-    VerdictKey,
     check_reviewed,
     check_verdict,
 )
@@ -71,20 +70,6 @@ def plan_verdict(labels: Labels, verdict: Verdict, text: str = "") -> Change:
     named = text or f"{verdict.kind} of {_listed(verdict.tracks)} in frame {verdict.frame}"
     line = f"{_SAID[verdict.decision]}: {' '.join(writable(named).split())}"
     return Change("verdict", line, verdict.frame, State(labels=before), State(labels=after))
-
-
-def plan_forget_verdict(labels: Labels, key: VerdictKey, text: str = "") -> Change:
-    """Take back what was said of a suspicion: it is open again.
-
-    Raises EditError where nothing was said of it.
-    """
-    kind, tracks, frame = key
-    if key not in labels.verdicts:
-        raise EditError(f"nothing was said of the {kind} of {_listed(tracks)} in frame {frame}")
-    named = text or f"{kind} of {_listed(tracks)} in frame {frame}"
-    before = LabelState(verdicts=(labels.verdicts[key],))
-    line = f"Open again: {' '.join(writable(named).split())}"
-    return Change("verdict", line, frame, State(labels=before), State())
 
 
 def with_verdict(change: Change, labels: Labels, verdict: Verdict) -> Change:
