@@ -15,7 +15,7 @@ from tracking.people.upright import SHADOW, body_pixels
 
 _LEAST_HEIGHT = 1 / 16
 """Of the picture, where nothing is known in metres: what is lower is nobody."""
-_LEAST_SHARE = 0.28
+_LEAST_SHARE = 0.35
 """Of a standing person's height, where it is known: people may crouch."""
 _LEAST_FILL = 0.1
 """Of the square over a person's height, that the person's pixels cover at least."""
@@ -26,7 +26,7 @@ _UNEXPLAINED = 1.13
 _MOST_NEARER = 2
 _BODY_AREA = 0.19
 """Pixels of a body over the square over its height."""
-_LIMB_AREA, _LIMB_ACROSS, _LIMB_INSIDE = 0.4, 0.7, 0.6
+_LIMB_AREA, _LIMB_ACROSS, _LIMB_INSIDE = 0.3, 1.1, 0.6
 """A fragment is a limb if it is smaller than this share of a body and this share of it lies within
 so many breadths of the body's axis."""
 
@@ -75,7 +75,7 @@ def _absorbed(regions: Labels, labels: Labels, label: int, box: Box, everybody: 
     inside = np.s_[top : top + height, left : left + width]
     v, u = np.nonzero(labels[inside] == label)
     place = placed(u + left, v + top, everybody)
-    limb = (place.across < _LIMB_ACROSS) & (place.along > 0) & (place.along < _UNEXPLAINED)
+    limb = (place.across < _LIMB_ACROSS) & (place.along > 0) & (place.along < 1)
     whole = _BODY_AREA * everybody.height[np.bincount(place.body).argmax()] ** 2
     if limb.mean() < _LIMB_INSIDE or len(v) > _LIMB_AREA * whole:
         return False
@@ -116,7 +116,8 @@ def _nearer(
     u: NDArray[np.intp], v: NDArray[np.intp], bodies: Bodies, standing: Standing
 ) -> Bodies | None:
     """Somebody whose feet are seen below all others' and whose head nothing shows."""
-    rest = placed(u, v, bodies).along > _UNEXPLAINED
+    place = placed(u, v, bodies)
+    rest = place.along > np.minimum(_UNEXPLAINED, bodies.reach[place.body])
     if not rest.any():
         return None
     low = int(v[rest].max())
@@ -146,7 +147,7 @@ def _paint(
     v, u = np.nonzero(own | shadow)
     place = placed(u + left, v + top, bodies)
     found = kind[inside][v, u]
-    kept = body_pixels(found, place, u, len(bodies), metric)
+    kept = body_pixels(found, place, u, bodies.reach)
     if not _are_people(v[kept], bodies, labels.shape[0], metric):
         return False
     regions[inside][v[kept], u[kept]] = place.body[kept] + count + 1

@@ -20,6 +20,9 @@ _LARGEST = 3.0
 _STRETCH = 1.8
 _ANKLE_M = 0.08
 _HEIGHTS_M = (0.5, 2.1)
+_GROWN_UP_M = (1.5, 1.92)
+_SLACK = 0.05
+"""Of a body's height, that what is seen of it may go on below its feet."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,12 +33,14 @@ class Bodies:
         head: (n, 2) the top of the head.
         foot: (n, 2) between the feet.
         height, width: (n,) px.
+        reach: (n,) how far below the head the tallest body's feet could be, over `height`.
     """
 
     head: Floats
     foot: Floats
     height: Floats
     width: Floats
+    reach: Floats
 
     def __len__(self) -> int:
         """The number of bodies."""
@@ -43,17 +48,17 @@ class Bodies:
 
     def chosen(self, rows: NDArray[np.bool_] | NDArray[np.intp]) -> Bodies:
         """Some of the bodies."""
-        return Bodies(self.head[rows], self.foot[rows], self.height[rows], self.width[rows])
+        return Bodies(*(getattr(self, name)[rows] for name in self.__slots__))
 
     def with_others(self, others: Bodies) -> Bodies:
         """These and other bodies."""
-        names = ("head", "foot", "height", "width")
-        return Bodies(*(np.concatenate((getattr(self, n), getattr(others, n))) for n in names))
+        pairs = ((getattr(self, name), getattr(others, name)) for name in self.__slots__)
+        return Bodies(*(np.concatenate(pair) for pair in pairs))
 
 
 def nobody() -> Bodies:
     """No bodies."""
-    return Bodies(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(0))
+    return Bodies(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(0), np.zeros(0))
 
 
 class Standing:
@@ -77,24 +82,39 @@ class Standing:
         return self._view is not None
 
     def below(self, head: Floats, bottom: Floats) -> Bodies:
-        """Bodies of the usual height under the tops of heads.
+        """Bodies under the tops of heads.
+
+        Where metres are known they are of the usual height, unless what is seen ends where the
+        feet of somebody smaller or taller would be: then that is where they stand.
 
         Args:
             head: (n, 2) working px.
             bottom: (n,) rows of the lowest pixel seen under each head.
         """
-        seen = np.maximum(bottom - head[:, 1], 1.0)
         foot = np.column_stack((head[:, 0], bottom))
-        height, width = seen.copy(), seen * _SLENDER
+        height = np.maximum(bottom - head[:, 1], 1.0)
+        width = height * _SLENDER
+        reach = np.full(len(head), np.inf)
         if self._view is not None and len(head):
             settings = self._settings
-            xy = self._view.floor_from_pixel(self.recorded(head), settings.body_height_m)
-            under = self._working(self._view.pixel_from_world(_lifted(xy, 0.0)))
+            under = self._under(head, settings.body_height_m)
             high = np.hypot(*(under - head).T)
-            known = np.isfinite(high) & (high < _LARGEST * seen) & (under[:, 1] > head[:, 1])
-            foot[known], height[known] = under[known], high[known]
+            known = np.isfinite(high) & (high < _LARGEST * height) & (under[:, 1] > head[:, 1])
             width[known] = high[known] * settings.body_width_m / settings.body_height_m
-        return Bodies(head, foot, height, width)
+            shortest, tallest = (self._under(head, z)[:, 1] for z in _GROWN_UP_M)
+            tallest[~np.isfinite(tallest)] = np.inf
+            seen = known & (bottom >= shortest) & (bottom <= tallest)
+            taken = known & ~seen
+            foot[taken], height[taken] = under[taken], high[taken]
+            foot[seen, 0] = under[seen, 0]
+            reach[known] = (tallest - head[:, 1])[known] / height[known] + _SLACK
+        return Bodies(head, foot, height, width, reach)
+
+    def _under(self, head: Floats, z_m: float) -> Floats:
+        """(n, 2) working px of the floor under heads at a height."""
+        assert self._view is not None
+        xy = self._view.floor_from_pixel(self.recorded(head), z_m)
+        return self._working(self._view.pixel_from_world(_lifted(xy, 0.0)))
 
     def above(self, foot: Floats) -> Bodies:
         """Bodies of the usual height over feet (n, 2), working px; needs a calibration."""
@@ -104,7 +124,7 @@ class Standing:
         head = self._working(self._view.pixel_from_world(_lifted(xy, settings.body_height_m)))
         high = np.hypot(*(foot - head).T)
         width = high * settings.body_width_m / settings.body_height_m
-        return Bodies(head, foot, high, width)
+        return Bodies(head, foot, high, width, np.full(len(foot), 1 + _SLACK))
 
     def positions(self, top: Floats, foot: Floats, foot_seen: NDArray[np.bool_]) -> Floats:
         """(n, 3) m on the floor under people, and half their height; NaN without calibration.

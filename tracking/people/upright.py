@@ -18,14 +18,12 @@ _CHEST, _CHEST_ACROSS = (0.12, 0.55), 0.4
 _LEGS, _LEGS_ACROSS = (0.5, 0.94), 0.5
 _LOW = 0.8
 """From here on down what looks a little like shadow, and is not over a shoe, is shadow."""
-_LOWEST = 1.13
-"""Nobody goes on below the feet of somebody this much taller than usual."""
 _LEGS_SEEN = 0.5
 """With fewer pixels of legs than this share of those like shadow, trousers look like shadow."""
 
 
 def body_pixels(
-    kind: NDArray[np.uint8], place: Placed, column: NDArray[np.intp], count: int, metric: bool
+    kind: NDArray[np.uint8], place: Placed, column: NDArray[np.intp], reach: NDArray[np.float64]
 ) -> Bools:
     """(n,) which pixels are people.
 
@@ -35,22 +33,20 @@ def body_pixels(
 
     Args:
         kind: (n,) `BODY`, `PERHAPS` or `SHADOW`.
-        place: of the pixels on `count` bodies.
+        place: of the pixels on bodies.
         column: (n,) of the pixels, from 0.
-        metric: whether the bodies' heights are known from metres, not from what is seen.
+        reach: (bodies,) of the bodies.
     """
     along, across = place.along, place.across
     shadow = kind == SHADOW
     restored = _within(along, _HAIR) & (across < _HAIR_ACROSS)
     restored |= _within(along, _CHEST) & (across < _CHEST_ACROSS)
     legs = _within(along, _LEGS) & (across < _LEGS_ACROSS)
-    restored |= legs & _without_legs(legs, shadow, place, count)[place.body]
+    restored |= legs & _without_legs(legs, shadow, place, len(reach))[place.body]
     own = ~shadow | restored
     low = along > _LOW
     own &= (kind != PERHAPS) | ~low | _over(along, column, low & (kind == BODY))
-    if metric:
-        own &= along < _LOWEST
-    return np.asarray(own, np.bool_)
+    return np.asarray(own & (along < reach[place.body]), np.bool_)
 
 
 def _over(along: NDArray[np.float32], column: NDArray[np.intp], body: Bools) -> Bools:
