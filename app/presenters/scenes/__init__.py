@@ -1,0 +1,62 @@
+"""Frozen scenes: everything a view needs to draw one instant, and nothing else.
+
+Presenters make scenes, views draw them. No Qt here; colours are (red, green, blue) 0..255.
+"""
+
+from app.presenters.scenes.instants import (
+    Colour,
+    Eye,
+    FloorPerson,
+    LegendEntry,
+    OverheadScene,
+    PersonMark,
+    PictureScene,
+    Points,
+    PreviewTrail,
+)
+from app.presenters.scenes.lists import (
+    CommandItem,
+    RecentItem,
+    WelcomeScene,
+)
+from app.presenters.scenes.side_panels import (
+    ChoiceRow,
+    EditPreview,
+    HistoryItem,
+    Proposal,
+    TrackCard,
+)
+from app.presenters.scenes.timelines import (
+    Lane,
+    MarkKind,
+    SpanKind,
+    TimelineMark,
+    TimelineScene,
+    TransportScene,
+)
+
+__all__ = [
+    "ChoiceRow",
+    "Colour",
+    "CommandItem",
+    "EditPreview",
+    "Eye",
+    "FloorPerson",
+    "HistoryItem",
+    "Lane",
+    "LegendEntry",
+    "MarkKind",
+    "OverheadScene",
+    "PersonMark",
+    "PictureScene",
+    "Points",
+    "PreviewTrail",
+    "Proposal",
+    "RecentItem",
+    "SpanKind",
+    "TimelineMark",
+    "TimelineScene",
+    "TrackCard",
+    "TransportScene",
+    "WelcomeScene",
+]
