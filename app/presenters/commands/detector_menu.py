@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import editable, session
+from app.presenters.commands.checks import editable, recording, session
 from app.presenters.commands.command import Command, Situation
 from app.presenters.words import tr
 
@@ -20,6 +20,17 @@ def _labelled(now: Situation) -> str:
     return editable(now) or _parts(now)
 
 
+def _part_truth(now: Situation) -> str:
+    """The recording must know exactly where the parts are."""
+    said = tr("the recording has no truth_parts.csv: only rendered recordings have one")
+    return _labelled(now) or ("" if now.part_truth else said)
+
+
+def _trained(now: Situation) -> str:
+    """A detector must have been trained."""
+    return "" if now.trained else tr("train a detector first")
+
+
 COMMANDS: Final = (
     Command("detector.next", "Detector", "Next part failure", ("F3",), _parts),
     Command("detector.previous", "Detector", "Previous part failure", ("Shift+F3",), _parts),
@@ -31,5 +42,32 @@ COMMANDS: Final = (
         _labelled,
         checkable=True,
         separated=True,
+    ),
+    Command("detector.truth", "Detector", "Label parts from the truth...", (), _part_truth),
+    Command(
+        "detector.train",
+        "Detector",
+        "Train the detector...",
+        ("Ctrl+D",),
+        recording,
+        separated=True,
+    ),
+    Command("detector.result", "Detector", "Result of the training...", (), _trained),
+    Command("detector.save", "Detector", "Save the trained detector...", (), _trained),
+    Command(
+        "detector.open",
+        "Detector",
+        "Use a detector from a file...",
+        (),
+        recording,
+        separated=True,
+    ),
+    Command(
+        "detector.built_in",
+        "Detector",
+        "Use the built-in detector",
+        (),
+        recording,
+        checkable=True,
     ),
 )

@@ -23,6 +23,7 @@ from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.document.setting import Instant
 from app.presenters.document.shown import ShownTracks
 from app.presenters.panels import EditMarks, HistoryList, track_card
+from app.presenters.parts.detector_choice import DetectorChoice, PartsAsked
 from app.presenters.parts.part_curve import LaneScore
 from app.presenters.pictures.overhead import OverheadPresenter
 from app.presenters.pictures.pictures import PicturePresenter
@@ -61,6 +62,7 @@ class Document:
         self._live, self._live_shown = LiveTracks(), session is None
         self._continues_at: int | None = None
         self.settle: Settle | None = None
+        self.detector = DetectorChoice()
         self.comparison: Comparison | None = None
         self._marks, self._history = EditMarks(), HistoryList()
         self._retake()
@@ -86,6 +88,12 @@ class Document:
         return int(self._tracks.activity(self.recording.frame_count).argmax())
 
     # tracking
+
+    @property
+    def parts_asked(self) -> PartsAsked:
+        """What trackers that follow parts are told: the detector in use, what is drawn."""
+        occluders = self.session.labels.occluders if self.session is not None else ()
+        return PartsAsked(self.detector, occluders)
 
     def begin_live(self, continues_at: int | None = None) -> None:
         """A tracker starts; what it finds is shown until it has come to its end.

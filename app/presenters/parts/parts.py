@@ -21,6 +21,7 @@ from app.presenters.parts.picturing import (
     pictured_boxes,
     with_particles,
 )
+from app.presenters.parts.truth_labels import truth_path
 from tracking.tracks import Columns, Run, between
 
 _NO_CURVES: tuple[PartCurve, ...] = ()
@@ -29,12 +30,14 @@ _NO_CURVES: tuple[PartCurve, ...] = ()
 class PartsPresenter:
     """Makes the scenes of parts; it changes nothing but where the walk of failures is.
 
-    `chosen` tells which part is looked at: the same one that is labelled.
+    `chosen` tells which part is looked at: the same one that is labelled. `truth_known`: the
+    recording says where the parts really are.
     """
 
     def __init__(self, document: Document, chosen: Callable[[], int]) -> None:
         self._document = document
         self._chosen = chosen
+        self.truth_known = truth_path(document.recording) is not None
         self._curves: tuple[Columns | None, tuple[PartCurve, ...]] = (None, _NO_CURVES)
         self._score: LaneScore | None = None
         self._failures: PartFailures | None = None

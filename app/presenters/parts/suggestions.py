@@ -2,68 +2,36 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
 from app.presenters.labelling.labelling_scene import Suggested
 from app.presenters.palette import colour_of_track
-from app.presenters.parts.history import parts_behind
 from app.presenters.parts.picturing import part_name
 from app.presenters.words import time_text, tr
 from tracking.errors import EditError
-from tracking.tracks import Columns, Labels, Run, TrackTable
-
-_NAMES = ("frame", "track", "left", "top", "x", "y")
-_APART_S = 1.0
-_MOST = 1000
-
-
-def parts_by_now(table: TrackTable, run: Run | None) -> Columns:
-    """`PART_COLUMNS` of a run under the ids that people have by now, by frame."""
-    rows = table.by_track(_NAMES)
-    return parts_behind(rows, run)
+from tracking.failure import Detector, Suggestion, suggest
+from tracking.session.samples import parts_as_corrected
+from tracking.tracks import Labels, Run, TrackTable
 
 
 def suggestions_for(
-    table: TrackTable, run: Run | None, labels: Labels, fps: float
+    table: TrackTable, run: Run | None, labels: Labels, fps: float, detector: Detector
 ) -> tuple[Suggested, ...]:
-    """The parts nearest to the detector's threshold, the nearest first.
+    """The parts nearest to the detector's operating point, the nearest first.
 
-    Of one part of a person at most one a second is given: frames that follow each other teach
-    the same. What is labelled already is left out.
-
-    Raises EditError where no part was judged.
+    Raises EditError where no parts were tracked.
     """
-    parts = parts_by_now(table, run)
-    judged = np.flatnonzero(np.isfinite(parts["score"]) & ~parts["occluded"])
-    if not len(judged):
-        raise EditError(
-            tr("No detector has judged the parts: track with three-part and a detector (Ctrl+T)")
-        )
-    rows = _apart(parts, judged, max(1, round(_APART_S * fps)))
-    keys = zip(*(parts[name][rows].tolist() for name in ("frame", "track", "part")), strict=True)
-    scores = parts["score"][rows].tolist()
-    found = [
-        Suggested(
-            key=(frame, track, part),
-            reason=f"detector unsure: score {score:+.2f}",
-            title=part_name(part),
-            label=labels.title(track),
-            colour=colour_of_track(track),
-            when=time_text(frame / fps),
-        )
-        for (frame, track, part), score in zip(keys, scores, strict=True)
-        if (frame, track, part) not in labels.parts
-    ]
-    return tuple(found[:_MOST])
+    if run is None or not len(run.parts["frame"]):
+        raise EditError(tr("No parts were tracked: track with three-part (Ctrl+T) first"))
+    parts = parts_as_corrected(table, set(table.track_ids), run)
+    found = suggest(parts, fps, detector, labels.parts)
+    return tuple(_suggested(one, labels, fps) for one in found)
 
 
-def _apart(parts: Columns, rows: NDArray[np.int64], frames: int) -> NDArray[np.int64]:
-    """Of each part of a person the least sure row in every stretch of so many frames."""
-    doubt = np.abs(parts["score"][rows])
-    bins = [parts[name][rows] for name in ("track", "part")] + [parts["frame"][rows] // frames]
-    order = np.lexsort((doubt, *bins))
-    ordered = np.stack([one[order] for one in bins]).astype(np.int64)
-    begins = np.append(True, (np.diff(ordered) != 0).any(axis=0))
-    best = order[begins]
-    return np.asarray(rows[best[np.argsort(doubt[best], kind="stable")]])
+def _suggested(one: Suggestion, labels: Labels, fps: float) -> Suggested:
+    return Suggested(
+        key=one.key,
+        reason=one.reason,
+        title=part_name(one.part),
+        label=labels.title(one.track),
+        colour=colour_of_track(one.track),
+        when=time_text(one.frame / fps),
+    )

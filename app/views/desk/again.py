@@ -25,7 +25,8 @@ def ask_again(desk: Desk) -> None:
     )
     adopted = session.runs[session.adopted_run] if session.adopted_run is not None else None
     tracker = adopted.tracker if adopted is not None else desk.best_tracker
-    dialog = TrackDialog(recording, tracker, told, desk.window_page)
+    asked = desk.document.parts_asked
+    dialog = TrackDialog(recording, tracker, told, desk.window_page, asked)
     dialog.setWindowTitle(tr("Track again"))
     if adopted is not None:
         dialog.put_settings(adopted.tracker, adopted.settings, adopted.seed)

@@ -25,7 +25,7 @@ from app.views.playing.playback import Playback
 from app.views.reviewing.reviewing import Reviewing
 from app.views.runs.live import LiveTracking
 from tracking.session import Session
-from tracking.trackers import Resume, StepResult
+from tracking.trackers import Resume, StepResult, tracker_named
 from tracking.tracks import Run
 
 
@@ -161,6 +161,7 @@ class Desk(QObject):
             saying=self.labelling.tool is Tool.PARTS,
             suggesting=self.labelling.keys.suggesting.asked,
             parts=self.parts.presenter.any_tracked,
+            part_truth=self.parts.presenter.truth_known,
             placing=document.flow is not None and document.flow.places,
             live=self.live.running,
             can_undo=session is not None and session.history.next_undo is not None,
@@ -220,6 +221,8 @@ class Desk(QObject):
         With `resume` it goes on from the corrected tracks, which stay shown before its frames.
         """
         self._again = False
+        if settings is None:
+            settings = self.document.parts_asked.filled(tracker_named(tracker).settings_type)
         self.document.begin_live(resume.frame if resume is not None else None)
         self.live.start(tracker, settings, seed, frames, resume)
         if frames is not None and not frames[0] <= self.playback.clock.frame < frames[1]:

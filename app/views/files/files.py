@@ -23,6 +23,7 @@ from app.views.files.generations import OlderStates
 from app.views.files.keeping import Keeping
 from app.views.files.leaving import Leaving, Then
 from app.views.files.whereabouts import Whereabouts
+from app.views.parts.detectors import Detectors
 from app.views.runs.track_dialog import TrackDialog
 from app.views.widgets.questions import choose_file, choose_new_file
 from app.views.widgets.remembered import Remembered
@@ -65,6 +66,10 @@ class Files(QObject):
         self.author = Author(window, remembered, self)
         self.exporting = Exporting(window, work, self)
         self.exporting.said.connect(self.said)
+        self.detectors = Detectors(window, work, remembered, self)
+        self.detectors.changed.connect(self.changed)
+        self.detectors.failed.connect(self.failed)
+        self.detectors.said.connect(self.said)
         self.older = OlderStates(window, work, self)
         self.older.said.connect(self.said)
         self.older.changed.connect(self.changed)
@@ -169,6 +174,7 @@ class Files(QObject):
         path = opened.path
         self.desk = desk = Desk(opened.document, self._window.workspace, self)
         self.author.sign()
+        self.detectors.begin(desk)
         desk.changed.connect(self.changed)
         desk.drawn.connect(self.beside.draw)
         desk.progressed.connect(self.progressed)
@@ -215,7 +221,9 @@ class Files(QObject):
             warning = tr(
                 "The corrected tracks stay as they are; the new result is kept beside them."
             )
-        dialog = TrackDialog(desk.document.recording, desk.best_tracker, warning, self._window)
+        document = desk.document
+        asked = document.parts_asked
+        dialog = TrackDialog(document.recording, desk.best_tracker, warning, self._window, asked)
         dialog.accepted.connect(lambda: self._track(dialog))
         dialog.open()
 
@@ -315,6 +323,7 @@ class Files(QObject):
             self.keeping.drop()
             self.beside.close()
             self.older.close()
+            self.detectors.close()
             if desk.document.recording.is_stereo:  # one camera leaves nothing to choose
                 self._remembered.set_text("eyes", desk.eyes)
             self._whereabouts.end()

@@ -43,10 +43,10 @@ class Suggesting(QObject):
         self.asked = True
         table, labels, adopted = session.tracks.snapshot(), session.labels, session.adopted_run
         run = session.runs[adopted] if adopted is not None else None
-        fps = self._document.recording.fps
+        fps, detector = self._document.recording.fps, self._document.detector
 
         def work(_: Progress) -> object:
-            return suggestions_for(table, run, labels, fps)
+            return suggestions_for(table, run, labels, fps, detector.load())
 
         self._job = Job("suggestions of parts", work, self)
         self._job.done.connect(self._take)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Container, Mapping
+from typing import Any, Protocol
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import (
@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.views.look.theme import scaled_font
 from app.views.widgets.parts import quiet
-from tracking.trackers import SettingField, TrackerSpec, settings_fields, settings_from
+from tracking.trackers import SettingField, settings_fields, settings_from
 
 _WHOLE_LIMIT = 2**31 - 1
 _NUMBER_LIMIT = 1e12
@@ -47,8 +47,18 @@ class FoldButton(QToolButton):
         self._body.setVisible(is_open)
 
 
+class HasSettings(Protocol):
+    """What a form is made from: a tracker of the catalogue, a training."""
+
+    @property
+    def settings_type(self) -> type:
+        """A frozen dataclass of settings."""
+
+
 class SettingsForm(QWidget):
     """One control a setting, with its unit, range and help; dotted names stand in groups.
+
+    Settings that are filled in elsewhere (`without`) have none.
 
     Signals:
         edited(): some value is another than before.
@@ -56,10 +66,16 @@ class SettingsForm(QWidget):
 
     edited = Signal()
 
-    def __init__(self, spec: TrackerSpec, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        spec: HasSettings,
+        parent: QWidget | None = None,
+        without: Container[str] = (),
+    ) -> None:
         super().__init__(parent)
         self._spec = spec
-        self._fields = settings_fields(spec.settings_type)
+        fields = settings_fields(spec.settings_type)
+        self._fields = [field for field in fields if field.name not in without]
         self._controls: dict[str, QWidget] = {}
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 8, 0)

@@ -21,6 +21,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, PartsAsked
+from app.views.runs.parts_line import PartsLine
 from app.views.runs.settings_form import SettingsForm
 from app.views.widgets.parts import quiet
 from tracking.errors import TrackwrightError
@@ -31,11 +33,17 @@ from tracking.trackers import TRACKERS, require
 class TrackDialog(QDialog):
     """Chooses a tracker that can work on the recording, its settings, the frames and the seed.
 
-    `warning` is said above where tracking would replace something.
+    `warning` is said above where tracking would replace something; `asked` is filled in for
+    trackers that follow body parts.
     """
 
     def __init__(
-        self, recording: Recording, chosen: str, warning: str = "", parent: QWidget | None = None
+        self,
+        recording: Recording,
+        chosen: str,
+        warning: str = "",
+        parent: QWidget | None = None,
+        asked: PartsAsked | None = None,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Track"))
@@ -55,10 +63,12 @@ class TrackDialog(QDialog):
         self._first.valueChanged.connect(self._last.setMinimum)
         self._last.valueChanged.connect(self._first.setMaximum)
         self._whole = (0, last)
+        self._parts = PartsLine(asked or PartsAsked(), self)
         self._forms = QStackedWidget(self)
         for name in self._names:
             self._choice.addItem(name)
-            self._forms.addWidget(_scrolled(SettingsForm(TRACKERS[name], self)))
+            form = SettingsForm(TRACKERS[name], self, without=(DETECTOR, OCCLUDERS))
+            self._forms.addWidget(_scrolled(form))
         self._choice.currentIndexChanged.connect(self._show_tracker)
         self._choice.setCurrentIndex(self._names.index(chosen) if chosen in self._names else 0)
         self._lay_out(warning)
@@ -77,6 +87,7 @@ class TrackDialog(QDialog):
         form.addRow("", self._title)
         form.addRow(self.tr("Frames"), self._frames_line())
         form.addRow(self.tr("Seed"), self._seed)
+        form.addRow("", self._parts)
         rows.addLayout(form)
         rows.addWidget(self._forms, 1)
         buttons = QDialogButtonBox(self)
@@ -140,13 +151,16 @@ class TrackDialog(QDialog):
         chosen = (self._first.value(), self._last.value())
         frames = None if chosen == self._whole else (chosen[0], chosen[1] + 1)
         name = self._names[self._choice.currentIndex()]
-        return name, self.form.settings(), self._seed.value(), frames
+        asked = self._parts.asked()
+        settings = asked.filled(TRACKERS[name].settings_type, self.form.values())
+        return name, settings, self._seed.value(), frames
 
     def _show_tracker(self, index: int) -> None:
         if self._names:
             spec = TRACKERS[self._names[index]]
             self._title.setText(f"{spec.title} ({spec.paper})")
             self._forms.setCurrentIndex(index)
+            self._parts.show_for(spec.settings_type)
 
 
 def _fits(name: str, recording: Recording) -> bool:

@@ -183,11 +183,14 @@ class MainWindow(QMainWindow):
 
     def _situation(self) -> Situation:
         situation = Situation() if self.desk is None else self.desk.situation
-        situation = replace(situation, unkept=self.files.keeping.holds)
+        trained = self.files.detectors.result is not None
+        situation = replace(situation, unkept=self.files.keeping.holds, trained=trained)
         return situation.while_busy() if self.work.busy else situation
 
     def _checked(self) -> frozenset[str]:
         on = {f"view.look_{self.look.value}"}
+        if not self.files.detectors.choice.path:
+            on.add("detector.built_in")
         if self.desk is not None:
             pictured = self.desk.pictured
             on.add(f"view.{self.desk.eyes}")

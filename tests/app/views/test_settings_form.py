@@ -14,26 +14,34 @@ def form(request, qtbot):
     return form
 
 
+def _own_number(form):
+    """The first whole number among the tracker's own settings."""
+    fields = settings_fields(form.spec.settings_type)
+    return next(f for f in fields if f.type is int and f.range and "." not in f.name)
+
+
 def test_a_form_left_alone_gives_the_defaults(form):
     assert form.values() == {}
     assert form.settings() == form.spec.settings_type()
 
 
 def test_a_changed_value_is_the_only_one_that_differs(form, qtbot):
+    name = _own_number(form).name
     with qtbot.waitSignal(form.edited):
-        form.put("particles", 321)
-    assert form.values() == {"particles": 321}
-    assert form.settings().particles == 321
+        form.put(name, 321)
+    assert form.values() == {name: 321}
+    assert getattr(form.settings(), name) == 321
     form.reset()
     assert form.values() == {}
 
 
 def test_values_stay_within_their_range(form):
-    low, high = {f.name: f for f in settings_fields(form.spec.settings_type)}["particles"].range
-    form.put("particles", int(high) + 1000)
-    assert form.values() == {"particles": int(high)}
-    form.put("particles", int(low) - 1000)
-    assert form.values() == {"particles": int(low)}
+    field = _own_number(form)
+    low, high = field.range
+    form.put(field.name, int(high) + 1000)
+    assert form.values() == {field.name: int(high)}
+    form.put(field.name, int(low) - 1000)
+    assert form.values() == {field.name: int(low)}
 
 
 def test_every_control_has_a_name_and_a_description(form):
@@ -45,23 +53,35 @@ def test_every_control_has_a_name_and_a_description(form):
 
 def test_the_trackers_own_settings_stand_open_and_earlier_stages_are_folded(form):
     form.show()
-    assert form._controls["particles"].isVisible()
+    assert form._controls[_own_number(form).name].isVisible()
     folded = form._controls["foreground.threshold"]
     assert not folded.isVisible()
     names = [fold.text() for fold in form.findChildren(FoldButton)]
-    assert names == ["Foreground", "Stereo", "People"]
+    stages = [f.name.partition(".") for f in settings_fields(form.spec.settings_type)]
+    assert names == list(dict.fromkeys(stage.capitalize() for stage, dot, _ in stages if dot))
+    assert "Foreground" in names
     form.findChildren(FoldButton)[0].click()
     assert folded.isVisible()
 
 
 def test_range_and_unit_are_written_beside_each_number(form):
+    fields = settings_fields(form.spec.settings_type)
+    field = next(f for f in fields if f.type is float and f.unit and f.range)
     said = [label.text() for label in form.findChildren(QLabel)]
-    assert any("(0.1 to 5 m)" in text for text in said)
-    assert form._controls["gate_m"].suffix() == " m"
+    low, high = field.range
+    assert any(f"({low:g} to {high:g} {field.unit})" in text for text in said)
+    assert form._controls[field.name].suffix() == f" {field.unit}"
+
+
+def test_settings_that_are_filled_in_elsewhere_have_no_control(qtbot):
+    form = SettingsForm(TRACKERS["three-part"], without=("detector",))
+    qtbot.addWidget(form)
+    assert "detector" not in form._controls
+    assert form.settings().detector == ""
 
 
 def test_scrolling_over_a_number_that_is_not_being_edited_leaves_it_alone(form, wheel):
     form.show()
-    control = form._controls["particles"]
+    control = form._controls[_own_number(form).name]
     wheel(control, QPointF(5, 5), 3)
     assert form.values() == {}

@@ -1,9 +1,11 @@
 """Parts labelled by keys where the detector is least sure, and over a range."""
 
-import numpy as np
 import pytest
 from correcting_desk import CROWDED, CTRL, Hands, opened_desk
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+
+from app.presenters.parts.detector_choice import DetectorChoice
+from tracking.failure import built_in_detector, suggest
 
 Key = Qt.Key
 ALT = Qt.KeyboardModifier.AltModifier
@@ -34,21 +36,14 @@ def wait_there(hands, qtbot):
     qtbot.waitUntil(lambda: playback.number == playback.clock.frame)
 
 
-def test_suggestions_begin_where_the_detector_is_least_sure(hands, suggested):
-    rows = hands.desk.document.session.runs[0].parts
-    doubt = {
-        (int(f), int(t), int(p)): abs(float(s))
-        for f, t, p, s in zip(
-            *(rows[name] for name in ("frame", "track", "part", "score")), strict=True
-        )
-    }
-    walked = [doubt[one.key] for one in suggested().open]
-    assert walked == sorted(walked)
-    hidden = rows["occluded"]
-    assert walked[0] == pytest.approx(np.abs(rows["score"][~hidden]).min())
+def test_suggestions_are_those_of_the_detector_in_use_the_least_sure_first(hands, suggested):
+    document = hands.desk.document
+    parts = document.session.runs[0].parts
+    wanted = suggest(parts, document.recording.fps, built_in_detector(), {})
+    assert [one.key for one in suggested().open] == [one.key for one in wanted]
     frame, track, part = suggested().open[0].key
     assert hands.desk.playback.number == frame
-    assert hands.desk.document.selection.track == track
+    assert document.selection.track == track
     assert hands.desk.labelling.part == part
 
 
@@ -165,12 +160,11 @@ def test_the_balance_of_a_part_is_told(hands, window):
     assert told[1] == "torso: 50 % of 2 labels say on its part, 50 % off"
 
 
-def test_without_a_judgement_it_is_said_what_to_do(hands, window, qtbot):
-    run = hands.desk.document.session.runs[0]
-    run.parts["score"][:] = np.nan
+def test_a_detector_that_is_gone_is_told_in_the_list(hands, window, qtbot, tmp_path):
+    hands.desk.document.detector = DetectorChoice(str(tmp_path / "gone.h5"))
     hands.press(Key.Key_6, ALT)
     shown = window.workspace.labelling.parts._suggestions
-    qtbot.waitUntil(lambda: "No detector has judged" in shown._told.text())
+    qtbot.waitUntil(lambda: "gone.h5" in shown._told.text())
     assert not shown._list.isVisible()
 
 

@@ -40,6 +40,12 @@ def of_the_window(window: MainWindow) -> dict[str, Callable[[], None]]:
         "tracks.attributes": work_space.card.edit_attributes,
         "tracks.notes": work_space.card.edit_notes,
         "review.score": files.exporting.score,
+        "detector.truth": files.detectors.label_from_truth,
+        "detector.train": files.detectors.ask_train,
+        "detector.result": files.detectors.show_result,
+        "detector.save": files.detectors.ask_save,
+        "detector.open": files.detectors.ask_open,
+        "detector.built_in": files.detectors.use_built_in,
         "help.keys": lambda: ShortcutsDialog(window.command_items(), window).open(),
         "help.about": lambda: window.notice.say(
             tr("trackwright: people tracked in recorded stereo footage, corrected and scored.")

@@ -1,0 +1,19 @@
+"""Detectors that were trained here, kept so that trackers can use them."""
+
+from __future__ import annotations
+
+from app.presenters.files import opening
+from app.presenters.parts.detector_choice import DetectorChoice
+from tracking.failure import Detector, save_detector
+
+
+def kept(detector: Detector) -> DetectorChoice:
+    """A detector kept in the program's own folder; the choice that uses it.
+
+    Raises OutputError, or OSError, where it cannot be written.
+    """
+    folder = opening.own_folder() / "detectors"
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / f"trained-{detector.fingerprint}.h5"
+    save_detector(path, detector)
+    return DetectorChoice(str(path))

@@ -1,0 +1,146 @@
+"""Training the failure detector: which labels, with which settings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import closing
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from app.presenters.parts.picturing import part_name
+from app.presenters.words import counted, tr
+from tracking.failure import (
+    FALSE_ALARMS,
+    Samples,
+    Trained,
+    TrainingPlan,
+    joined,
+    no_samples,
+    train,
+)
+from tracking.session import Session
+from tracking.session.samples import session_samples
+from tracking.setting import setting
+from tracking.tracks import PART_NAMES
+
+Report = Callable[[int, int], None]
+_PLAN = TrainingPlan()
+LEAST_SAMPLES, LEAST_PEOPLE = 10, 2
+"""Of each answer of each part, as training asks for."""
+
+
+@dataclass(frozen=True, slots=True)
+class TrainingSettings:
+    """What the user can say of the training."""
+
+    false_alarms: float = setting(
+        FALSE_ALARMS, "", (0.0, 0.5), "share of parts on their place that may be called failed"
+    )
+    folds: int = setting(
+        _PLAN.folds, "", (2, 20), "people are split into so many groups, each held out once"
+    )
+    searched: int = setting(
+        _PLAN.searched, "", (100, 20000), "most samples of a part in the search for parameters"
+    )
+    learnt: int = setting(
+        _PLAN.learnt, "", (100, 50000), "most samples of a part that the detector learns from"
+    )
+    seed: int = setting(0, "", (0, 2**31 - 1), "of the random numbers; the same gives the same")
+
+    def plan(self) -> TrainingPlan:
+        """As training takes them."""
+        return replace(
+            _PLAN,
+            false_alarms=self.false_alarms,
+            folds=self.folds,
+            searched=self.searched,
+            learnt=self.learnt,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class SettingsOfTraining:
+    """What a form is made from."""
+
+    settings_type: type = TrainingSettings
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Source:
+    """Where labels come from: a session.
+
+    Attributes:
+        title: for people. path: of the file; None for the open session. samples: its labels.
+    """
+
+    title: str
+    path: Path | None
+    samples: Samples
+
+    @property
+    def said(self) -> str:
+        """The source in words."""
+        words = counted(len(self.samples), "{n} sample", "{n} samples")
+        return f"{self.title}: {words}"
+
+
+def source_at(path: Path) -> Source:
+    """The labels of a session file.
+
+    Raises SessionError where it is none or cannot be read.
+    """
+    with closing(Session.open(path)) as session:
+        return Source(f"{session.recording.name} ({path.name})", path, session_samples(session))
+
+
+@dataclass(frozen=True, slots=True)
+class PartCount:
+    """How many samples of a part there are, and of how many people.
+
+    Attributes:
+        missing: why it is too few to train; "" where it is enough.
+    """
+
+    name: str
+    on: int
+    off: int
+    people_on: int
+    people_off: int
+    missing: str
+
+
+def counts_of(samples: Samples) -> tuple[PartCount, ...]:
+    """The samples of each part."""
+    people = samples.people() if len(samples) else np.zeros(0, np.int64)
+    part, label = samples.columns["part"], samples.columns["label"]
+    counts = []
+    for number in range(len(PART_NAMES)):
+        rows = [(part == number) & (label == answer) for answer in (1, 0)]
+        on, off = (int(one.sum()) for one in rows)
+        people_on, people_off = (len(np.unique(people[one])) for one in rows)
+        said = _missing(on, off, people_on, people_off)
+        counts.append(PartCount(part_name(number), on, off, people_on, people_off, said))
+    return tuple(counts)
+
+
+def _missing(on: int, off: int, people_on: int, people_off: int) -> str:
+    if min(on, off) < LEAST_SAMPLES:
+        which = tr("on") if on < off else tr("off")
+        return tr("label {n} more {which}", n=LEAST_SAMPLES - min(on, off), which=which)
+    if min(people_on, people_off) < LEAST_PEOPLE:
+        which = tr("on") if people_on < people_off else tr("off")
+        return tr("label one more person {which}", which=which)
+    return ""
+
+
+def all_samples(sources: Sequence[Source]) -> Samples:
+    """Those of several sources."""
+    return joined([one.samples for one in sources]) if sources else no_samples()
+
+
+def trained_from(samples: Samples, settings: TrainingSettings, report: Report) -> Trained:
+    """Train; `report` raises where the user has cancelled."""
+    random = np.random.default_rng(settings.seed)
+    return train(samples, settings.plan(), random=random, progress=report)

@@ -1,0 +1,185 @@
+"""What training measured, with an operating point that can be moved."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.parts.picturing import part_name
+from app.presenters.words import time_text, tr
+from tracking.failure import Curve, Detector, Trained
+from tracking.failure.training import Mistake
+from tracking.tracks import PART_NAMES
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RocCurve:
+    """One part's curve and where on it the detector works.
+
+    Attributes:
+        false_alarms, found: (p,) shares, ascending. at: false alarms and found at the point.
+    """
+
+    name: str
+    false_alarms: Floats
+    found: Floats
+    at: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class PartFigures:
+    """How well a part is judged at the operating point, on people that were held out.
+
+    Attributes:
+        on, off: samples on and off their part. found: of those off, how many are called failed;
+            false_alarms: of those on.
+    """
+
+    name: str
+    on: int
+    off: int
+    false_alarms: int
+    found: int
+
+    @property
+    def said(self) -> str:
+        """In words, for screen readers."""
+        return tr(
+            "{part}: {found} of {off} failures found, {alarms} of {on} false alarms",
+            part=self.name,
+            found=self.found,
+            off=self.off,
+            alarms=self.false_alarms,
+            on=self.on,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class MistakeItem:
+    """Something the detector is wrong about, worth a look.
+
+    Attributes:
+        recording, frame, track, part: where to look.
+        title: e.g. "head of 3". said: what is wrong, in words. when: e.g. "00:41.70".
+    """
+
+    recording: str
+    frame: int
+    track: int
+    part: int
+    title: str
+    said: str
+    when: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ResultScene:
+    """The page of a training's result.
+
+    Attributes:
+        curves: of head, torso and hip-leg. chosen: whose point is moved; -1: of all alike.
+        figures: a part each. lines: what it was made from. mistakes: most informative first.
+    """
+
+    curves: tuple[RocCurve, ...]
+    chosen: int
+    figures: tuple[PartFigures, ...]
+    lines: tuple[str, ...]
+    mistakes: tuple[MistakeItem, ...] = field(default=())
+
+
+class TrainingResult:
+    """A trained detector whose operating point can be moved.
+
+    Attributes:
+        trained: as it came from the training. detector: as it stands.
+        chosen: the part whose point is moved; -1: that of all.
+    """
+
+    def __init__(self, trained: Trained, fps: float) -> None:
+        self.trained = trained
+        self.detector: Detector = trained.detector
+        self.chosen = -1
+        self._fps = fps
+        self._points = [curve.points() for curve in self._curves]
+
+    @property
+    def _curves(self) -> tuple[Curve, ...]:
+        return self.detector.curves[: len(PART_NAMES)]
+
+    @property
+    def moved(self) -> bool:
+        """Whether the operating point is another than the training's."""
+        return bool((self.detector.thresholds != self.trained.detector.thresholds).any())
+
+    def put(self, false_alarms: float) -> None:
+        """Work with at most this share of false alarms: of all parts, or of the chosen one."""
+        thresholds = self.detector.thresholds.tolist()
+        for part in self._meant:
+            thresholds[part] = self._curves[part].threshold_for(min(max(false_alarms, 0.0), 1.0))
+        self.detector = self.detector.with_thresholds(thresholds)
+
+    def step(self, way: int) -> None:
+        """One sample on its part more (1) or less (-1) that is called failed."""
+        for part in self._meant:
+            on = self._curves[part].on
+            if not len(on):
+                continue
+            thresholds = self.detector.thresholds.tolist()
+            alarms = int((on > thresholds[part]).sum()) + way
+            share = min(max(alarms, 0), len(on)) / len(on)
+            thresholds[part] = self._curves[part].threshold_for(share)
+            self.detector = self.detector.with_thresholds(thresholds)
+
+    @property
+    def _meant(self) -> range:
+        return range(len(PART_NAMES)) if self.chosen < 0 else range(self.chosen, self.chosen + 1)
+
+    def scene(self) -> ResultScene:
+        """The page as it stands."""
+        rates = self.detector.rates()
+        curves = tuple(
+            RocCurve(part_name(part), points[:, 1], points[:, 2], (float(alarm), float(found)))
+            for part, (points, (alarm, found)) in enumerate(
+                zip(self._points, rates.tolist(), strict=True)
+            )
+        )
+        figures = tuple(self._figures(part) for part in range(len(PART_NAMES)))
+        return ResultScene(curves, self.chosen, figures, self._lines(), self._mistakes())
+
+    def _figures(self, part: int) -> PartFigures:
+        curve, threshold = self._curves[part], float(self.detector.thresholds[part])
+        alarms, found = int((curve.on > threshold).sum()), int((curve.off > threshold).sum())
+        return PartFigures(part_name(part), len(curve.on), len(curve.off), alarms, found)
+
+    def _lines(self) -> tuple[str, ...]:
+        origin, report = self.detector.origin, self.trained.report
+        return (
+            tr(
+                "{n} samples of {people} people in {recordings}",
+                n=int(origin.counts.sum()),
+                people=origin.people,
+                recordings=", ".join(origin.recordings),
+            ),
+            tr("Measured on people held out, in {folds} groups", folds=report.folds),
+            tr("Chosen: {chosen}", chosen=origin.chosen),
+        )
+
+    def _mistakes(self) -> tuple[MistakeItem, ...]:
+        """Those that are still mistakes at the operating point, the parts by turns."""
+        by_turns: list[tuple[int, int, Mistake]] = []
+        for part, question in enumerate(self.trained.report.questions[: len(PART_NAMES)]):
+            lift = question.threshold - float(self.detector.thresholds[part])
+            wrong = [one for one in question.mistakes if (one.score + lift > 0) == one.failed]
+            by_turns += [(turn, part, one) for turn, one in enumerate(wrong)]
+        return tuple(self._item(one) for _, _, one in sorted(by_turns, key=lambda each: each[:2]))
+
+    def _item(self, one: Mistake) -> MistakeItem:
+        said = tr("called failed, labelled on") if one.failed else tr("missed, labelled off")
+        title = tr("{part} of {track}", part=part_name(one.part), track=one.track)
+        when = time_text(one.frame / self._fps)
+        return MistakeItem(one.recording, one.frame, one.track, one.part, title, said, when)

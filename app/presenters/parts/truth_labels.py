@@ -1,0 +1,37 @@
+"""Labels of parts from rendered truth, for experiments."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from app.presenters.words import tr
+from tracking.editing import Change, plan_label_part
+from tracking.errors import EditError
+from tracking.failure import TRUE_PARTS, labels_from_truth, read_true_parts
+from tracking.recording import Recording
+from tracking.session.samples import parts_as_corrected
+from tracking.tracks import Labels, Run, TrackTable
+
+
+def truth_path(recording: Recording) -> Path | None:
+    """Where the true parts of a rendered recording stand; None where they are not known."""
+    path = recording.folder / TRUE_PARTS
+    return path if path.is_file() else None
+
+
+def plan_truth_labels(
+    recording: Recording, table: TrackTable, run: Run | None, labels: Labels
+) -> Change:
+    """Label whatever truth knows and nobody has labelled.
+
+    Raises FormatError for a damaged file, EditError where there is nothing to label.
+    """
+    path = truth_path(recording)
+    if path is None or run is None or not len(run.parts["frame"]):
+        raise EditError(tr("{name} has no true parts, or none were tracked", name=recording.name))
+    parts = parts_as_corrected(table, set(table.track_ids), run)
+    known = labels_from_truth(read_true_parts(path), parts, recording.fps)
+    new = [label for label in known if label.key not in labels.parts]
+    if not new:
+        raise EditError(tr("Everything truth knows of the tracked parts is labelled already"))
+    return plan_label_part(labels, new)

@@ -1,0 +1,228 @@
+"""The failure detector in a window: labelled for, trained, saved, and chosen for tracking."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from app.presenters.document.document import Document
+from app.presenters.parts.detector_choice import DetectorChoice, known_choice
+from app.presenters.parts.kept_detectors import kept
+from app.presenters.parts.mistake_pictures import cut_out
+from app.presenters.parts.training import Source, TrainingSettings, trained_from
+from app.presenters.parts.training_result import MistakeItem, TrainingResult
+from app.presenters.parts.truth_labels import plan_truth_labels
+from app.presenters.words import tr
+from app.views.desk.desk import Desk
+from app.views.files.exporting import beside
+from app.views.parts.mistakes import Cut
+from app.views.parts.result_dialog import ResultDialog
+from app.views.parts.train_dialog import TrainDialog
+from app.views.widgets.questions import choose_file, choose_new_file
+from app.views.widgets.remembered import Remembered
+from app.views.widgets.work import Work
+from tracking.editing import Change
+from tracking.errors import TrackwrightError
+from tracking.failure import Samples, Trained, load_detector, save_detector
+from tracking.session.samples import samples_from
+
+if TYPE_CHECKING:
+    from app.views.window.main_window import MainWindow
+
+_DETECTORS = "trackwright (*.h5)"
+_REMEMBERED = "detector"
+
+
+class Detectors(QObject):
+    """Trains and chooses the failure detector.
+
+    Signals: `changed()`, another one is used, or one was trained; `failed(error)`; `said(text)`.
+    """
+
+    changed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+
+    def __init__(
+        self, window: MainWindow, work: Work, remembered: Remembered, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._window, self._work, self._remembered = window, work, remembered
+        self.choice = known_choice(remembered.text(_REMEMBERED))
+        self.result: TrainingResult | None = None
+        self._dialog: ResultDialog | None = None
+
+    def begin(self, desk: Desk) -> None:
+        """A recording was opened: it is tracked with the detector in use."""
+        desk.document.detector = self.choice
+
+    def close(self) -> None:
+        """The recording is closed: its pictures are not read any more."""
+        if self._dialog is not None:
+            self._dialog.close()
+
+    @property
+    def _document(self) -> Document | None:
+        return None if self._window.desk is None else self._window.desk.document
+
+    # training
+
+    def ask_train(self) -> None:
+        """Ask which labels are learnt from, then train."""
+        document = self._document
+        session = document.session if document is not None else None
+        here = partial(_labels_here, document) if document is not None and session else None
+        dialog = TrainDialog(here, self._window)
+        dialog.accepted.connect(lambda: self._begin(dialog))
+        dialog.open()
+
+    def _begin(self, dialog: TrainDialog) -> None:
+        try:
+            samples, settings = dialog.answer()
+        except TrackwrightError as error:
+            self.failed.emit(error)
+            return
+        self.train(samples, settings)
+
+    def train(self, samples: Samples, settings: TrainingSettings) -> None:
+        """Train in the background, then show what came of it."""
+        work = partial(trained_from, samples, settings)
+        self._work.run(tr("Training the detector"), work, self._take)
+
+    def _take(self, trained: Trained) -> None:
+        document = self._document
+        fps = document.recording.fps if document is not None else 25.0
+        self.result = TrainingResult(trained, fps)
+        self.changed.emit()
+        self.show_result()
+
+    def show_result(self) -> None:
+        """Show what the last training measured."""
+        if self.result is None:
+            return
+        self.close()
+        dialog = ResultDialog(self.result, self._cut, self._window)
+        dialog.use_asked.connect(self.use_trained)
+        dialog.save_asked.connect(self.ask_save)
+        dialog.mistake_sought.connect(self._go_to)
+        dialog.finished.connect(lambda _: self._forget(dialog))
+        self._dialog = dialog
+        dialog.show()
+
+    def _forget(self, dialog: ResultDialog) -> None:
+        if self._dialog is dialog:
+            self._dialog = None
+        dialog.deleteLater()
+
+    def _cut(self, item: MistakeItem) -> Cut | None:
+        document = self._document
+        return None if document is None else cut_out(document, item)
+
+    def _go_to(self, item: MistakeItem) -> None:
+        """Look at a mistake, where its recording is the open one."""
+        desk = self._window.desk
+        if desk is None or item.recording != desk.document.recording.name:
+            self._tell(tr("That is in {recording}: open it first", recording=item.recording))
+            return
+        desk.playback.pause()
+        desk.document.selection.choose(item.track)
+        desk.labelling.choose_part(item.part)
+        desk.playback.go(item.frame)
+        desk.draw()
+
+    # which one is used
+
+    def use_trained(self) -> None:
+        """Track with what was trained, from now on."""
+        if self.result is None:
+            return
+        try:
+            self._use(kept(self.result.detector))
+        except (TrackwrightError, OSError) as error:
+            self.failed.emit(error)
+
+    def ask_open(self) -> None:
+        """Ask for the file of a detector."""
+        choose_file(self._window, tr("Use a detector"), tr(_DETECTORS), self.use_file)
+
+    def use_file(self, path: Path) -> None:
+        """Track with the detector of a file, once it has been looked over."""
+
+        def work(_: object) -> DetectorChoice:
+            load_detector(path)
+            return DetectorChoice(str(path.resolve()))
+
+        self._work.run(tr("Opening {name}", name=path.name), work, self._use)
+
+    def use_built_in(self) -> None:
+        """Track with the built-in detector."""
+        self._use(DetectorChoice())
+
+    def _use(self, choice: DetectorChoice) -> None:
+        self.choice = choice
+        self._remembered.set_text(_REMEMBERED, choice.path)
+        if self._window.desk is not None:
+            self.begin(self._window.desk)
+        self._tell(tr("From now on people are tracked in parts with: {name}", name=choice.name))
+        self.changed.emit()
+
+    def ask_save(self) -> None:
+        """Ask where the trained detector is kept."""
+        start = Path.home() / "detector.h5"
+        document = self._document
+        if document is not None:
+            start = beside(document, "detector.h5")
+        choose_new_file(self._window, tr("Save the detector"), start, tr(_DETECTORS), self.save_to)
+
+    def save_to(self, path: Path) -> None:
+        """Write the trained detector with the operating point as it stands."""
+        if self.result is None:
+            return
+        try:
+            save_detector(path, self.result.detector)
+        except TrackwrightError as error:
+            self.failed.emit(error)
+            return
+        self._tell(tr("Saved: {path}", path=path))
+
+    def _tell(self, text: str) -> None:
+        self.said.emit(text)
+        if self._dialog is not None:
+            self._dialog.tell(text)
+
+    # labels
+
+    def label_from_truth(self) -> None:
+        """Label what rendered truth knows, as one edit."""
+        document = self._document
+        if document is None or document.session is None:
+            return
+        session, recording = document.session, document.recording
+        table, labels, adopted = session.tracks.snapshot(), session.labels, session.adopted_run
+        run = session.runs[adopted] if adopted is not None else None
+
+        def work(_: object) -> Change:
+            return plan_truth_labels(recording, table, run, labels)
+
+        def apply(change: Change) -> None:
+            document.apply(change)
+            self.said.emit(tr("Done: {what}", what=change.text))
+            if self._window.desk is not None:
+                self._window.desk.draw()
+
+        self._work.run(tr("Labelling from the truth"), work, apply)
+
+
+def _labels_here(document: Document) -> Source:
+    """The labels of the open session; called off the GUI thread."""
+    session, recording = document.session, document.recording
+    assert session is not None
+    adopted = session.adopted_run
+    run = session.runs[adopted] if adopted is not None else None
+    samples = samples_from(
+        session.labels, session.tracks.snapshot(), run, recording.fps, recording.name
+    )
+    return Source(tr("This session"), None, samples)

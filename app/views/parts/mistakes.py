@@ -1,0 +1,136 @@
+"""What the detector is wrong about, as small pictures that take one there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QImage, QPainter, QPen, QPixmap
+from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem, QWidget
+
+from app.background import Job, Progress
+from app.presenters.parts.training_result import MistakeItem
+from app.views.look.theme import current_theme
+
+Box = tuple[float, float, float, float]
+Cut = tuple[NDArray[np.uint8], Box]
+"""A piece of a picture, (h, w, 3) BGR, and the part's rectangle in it: left, top, width, height."""
+Cutter = Callable[[MistakeItem], Cut | None]
+"""Cuts a mistake out of its picture; None where the picture is not at hand."""
+
+_LINES = 6
+
+
+class MistakesList(QListWidget):
+    """Thumbnails of mistakes; they are cut out off the GUI thread.
+
+    Signals:
+        sought(object): a :class:`MistakeItem` was chosen by a click or Enter.
+    """
+
+    sought = Signal(object)
+
+    def __init__(self, cut: Cutter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._cut = cut
+        self._job: Job | None = None
+        self._items: tuple[MistakeItem, ...] = ()
+        self._pictures: dict[MistakeItem, Cut | None] = {}
+        side = _LINES * self.fontMetrics().height()
+        self.setViewMode(QListView.ViewMode.IconMode)
+        self.setFlow(QListView.Flow.LeftToRight)
+        self.setResizeMode(QListView.ResizeMode.Adjust)
+        self.setMovement(QListView.Movement.Static)
+        self.setWordWrap(True)
+        self.setIconSize(QSize(side, side))
+        self.setGridSize(QSize(round(1.7 * side), round(1.65 * side)))
+        self.setSpacing(4)
+        self.setMinimumHeight(round(1.8 * side))
+        self.setAccessibleName(self.tr("Mistakes, the most informative first"))
+        self.itemActivated.connect(self._seek)
+        self.itemClicked.connect(self._seek)
+
+    def show_items(self, items: Sequence[MistakeItem]) -> None:
+        """Show other mistakes; pictures that were cut stay."""
+        if tuple(items) == self._items:
+            return
+        self._items = tuple(items)
+        self.clear()
+        for one in self._items:
+            entry = QListWidgetItem(f"{one.title}\n{one.said}")
+            entry.setToolTip(f"{one.title}, {one.recording} {one.when}: {one.said}")
+            entry.setData(Qt.ItemDataRole.AccessibleTextRole, entry.toolTip())
+            entry.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
+            self.addItem(entry)
+        self._draw_known()
+        if self._job is None:
+            self._begin()
+
+    def close_pictures(self) -> None:
+        """End the thread."""
+        if self._job is not None:
+            job, self._job = self._job, None
+            job.blockSignals(True)
+            job.cancel()
+            job.wait()
+            job.deleteLater()
+
+    def _begin(self) -> None:
+        missing = [one for one in self._items if one not in self._pictures]
+        if not missing:
+            return
+
+        def work(progress: Progress) -> object:
+            found: dict[MistakeItem, Cut | None] = {}
+            for done, one in enumerate(missing):
+                progress(done, len(missing))
+                found[one] = self._cut(one)
+            return found
+
+        self._job = Job("thumbnails", work, self)
+        self._job.done.connect(self._take)
+        self._job.failed.connect(lambda _: self._end())
+        self._job.start()
+
+    def _take(self, found: dict[MistakeItem, Cut | None]) -> None:
+        self._pictures.update(found)
+        self._end()
+        self._draw_known()
+
+    def _end(self) -> None:
+        if self._job is not None:
+            self._job.deleteLater()
+            self._job = None
+
+    def _draw_known(self) -> None:
+        for row, one in enumerate(self._items):
+            self.item(row).setIcon(_icon(self._pictures.get(one), self.iconSize(), self))
+
+    def _seek(self, entry: QListWidgetItem) -> None:
+        self.sought.emit(self._items[self.row(entry)])
+
+
+def _icon(cut: Cut | None, size: QSize, on: QWidget) -> QIcon:
+    """The piece of picture with the rectangle, or an empty field."""
+    ratio = on.devicePixelRatioF()
+    drawn = QPixmap(size * ratio)
+    drawn.setDevicePixelRatio(ratio)
+    drawn.fill(current_theme().sunken)
+    if cut is not None:
+        piece, (left, top, width, height) = cut
+        rows, columns = piece.shape[:2]
+        data = np.ascontiguousarray(piece)
+        image = QImage(data.data, columns, rows, 3 * columns, QImage.Format.Format_BGR888)
+        scale = min(size.width() / columns, size.height() / rows)
+        painter = QPainter(drawn)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.translate((size.width() - scale * columns) / 2, (size.height() - scale * rows) / 2)
+        painter.scale(scale, scale)
+        painter.drawImage(0, 0, image)
+        for colour, pen in ((QColor(0, 0, 0), 3.0), (QColor(255, 255, 255), 1.4)):
+            painter.setPen(QPen(colour, pen / scale))
+            painter.drawRect(QRectF(left, top, width, height))
+        painter.end()
+    return QIcon(drawn)

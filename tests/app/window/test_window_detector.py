@@ -1,0 +1,231 @@
+"""The failure detector in the real window: trained, its operating point moved, kept, used."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from correcting_desk import CTRL, Hands, opened_desk
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
+
+from app.presenters.parts.detector_choice import DetectorChoice
+from app.views.parts.result_dialog import ResultDialog
+from app.views.parts.train_dialog import TrainDialog
+from app.views.runs.track_dialog import TrackDialog
+from tracking.editing import plan_label_part, plan_occluders
+from tracking.failure import load_detector
+from tracking.tracks import Occluder, PartLabel
+
+Key = Qt.Key
+
+
+@pytest.fixture
+def hands(window, qtbot, parted_session):
+    return Hands(window, opened_desk(window, qtbot, parted_session), qtbot)
+
+
+@pytest.fixture
+def labelled(hands):
+    """Every other frame of everybody was labelled as it is."""
+    document = hands.desk.document
+    document.apply(plan_label_part(document.session.labels, _as_it_is(document)))
+    hands.desk.draw()
+    return hands
+
+
+def _as_it_is(document):
+    rows = document.session.runs[0].parts
+    numbers = (rows[name].tolist() for name in ("frame", "track", "part", "failed"))
+    boxes = (rows[name].tolist() for name in ("cx", "cy", "width", "height"))
+    for frame, track, part, failed, u, v, w, h in zip(*numbers, *boxes, strict=True):
+        if frame % 2 == 0:
+            box = (u - w / 2, v - h / 2, w, h)
+            yield PartLabel(frame, track, part, box, not failed, "tracker", "somebody")
+
+
+def _ask(window, qtbot, kind, key=None, modifiers=CTRL):
+    QTest.keyClick(window, key, modifiers)
+    qtbot.waitUntil(lambda: bool(window.findChildren(kind)))
+    return window.findChildren(kind)[-1]
+
+
+def _train_dialog(window, qtbot):
+    dialog = _ask(window, qtbot, TrainDialog, Key.Key_D)
+    qtbot.waitUntil(lambda: dialog._job is None)
+    return dialog
+
+
+@pytest.fixture
+def result(labelled, window, qtbot):
+    """A detector was trained from what is labelled, and its page is open."""
+    dialog = _train_dialog(window, qtbot)
+    dialog._form.put("searched", 100)
+    dialog._form.put("folds", 2)
+    dialog._train.click()
+    assert window.progress.isVisible()
+    qtbot.waitUntil(lambda: bool(window.findChildren(ResultDialog)), timeout=60_000)
+    shown = window.findChildren(ResultDialog)[-1]
+    qtbot.waitUntil(lambda: shown.mistakes._job is None)
+    return shown
+
+
+def test_too_few_labels_are_told_part_by_part(hands, window, qtbot):
+    dialog = _train_dialog(window, qtbot)
+    assert "holds no labels" in dialog._told.text()
+    assert not dialog._train.isEnabled()
+    assert [cells[4].text() for cells in dialog._cells] == ["label 10 more off"] * 3
+    dialog.reject()
+
+
+def test_labels_of_a_session_are_counted_and_can_be_left_out(labelled, window, qtbot):
+    dialog = _train_dialog(window, qtbot)
+    document = labelled.desk.document
+    said = list(_as_it_is(document))
+    off = sum(label.part == 0 and not label.on_part for label in said)
+    assert dialog._cells[0][2].text() == str(off)
+    assert dialog._train.isEnabled()
+    dialog._list.item(0).setCheckState(Qt.CheckState.Unchecked)
+    assert dialog._cells[0][2].text() == "0"
+    assert not dialog._train.isEnabled()
+    dialog.reject()
+
+
+def test_labels_of_further_sessions_are_added(labelled, window, qtbot, parted_session, tmp_path):
+    window.files.save_to(parted_session)
+    qtbot.waitUntil(lambda: not window.work.busy)
+    other = tmp_path / "other.h5"
+    other.write_bytes(parted_session.read_bytes())
+    dialog = _train_dialog(window, qtbot)
+    alone = int(dialog._cells[1][1].text())
+    dialog.add(other)
+    qtbot.waitUntil(lambda: dialog._job is None)
+    assert dialog._list.count() == 2
+    assert int(dialog._cells[1][1].text()) == 2 * alone
+    dialog.add(tmp_path / "missing.h5")
+    qtbot.waitUntil(lambda: dialog._job is None)
+    assert "missing.h5" in dialog._told.text()
+    assert dialog._list.count() == 2
+    dialog.reject()
+
+
+@pytest.mark.slow
+def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
+    result, labelled, window, qtbot
+):
+    trained = window.files.detectors.result
+    assert trained.detector.origin.recordings == (labelled.desk.document.recording.name,)
+    found = [cells[1].text() for cells in result._cells]
+    assert all("%" in text for text in found)
+    use = next(
+        b
+        for b in result.findChildren(type(window.menuBar().cornerWidget()))
+        if b.text() == "Use for tracking"
+    )
+    use.click()
+    choice = labelled.desk.document.detector
+    assert load_detector(Path(choice.path)).fingerprint == trained.detector.fingerprint
+    assert choice.name in result._told.text()
+    document = labelled.desk.document
+    asked = TrackDialog(document.recording, "three-part", "", window, document.parts_asked)
+    name, settings, _, _ = asked.answer()
+    assert (name, settings.detector) == ("three-part", choice.path)
+    asked._parts._detector.setCurrentIndex(1)
+    assert asked.answer()[1].detector == ""
+    result.close()
+    window.run_command("detector.built_in")
+    assert document.detector == DetectorChoice()
+
+
+@pytest.mark.slow
+def test_the_operating_point_is_dragged_stepped_and_chosen_for_one_part(result, window, tmp_path):
+    shown = window.files.detectors.result
+    area = result.plot._area()
+
+    def drag(share: float) -> None:
+        x = area.left() + share * area.width() / result.plot._most
+        QTest.mouseClick(
+            result.plot, Qt.MouseButton.LeftButton, pos=QPointF(x, area.center().y()).toPoint()
+        )
+
+    drag(0.2)
+    loose = shown.scene().figures
+    drag(0.0)
+    strict = shown.scene().figures
+    assert all(one.false_alarms == 0 for one in strict)
+    assert all(a.found <= b.found for a, b in zip(strict, loose, strict=True))
+    result.plot.setFocus()
+    QTest.keyClick(result.plot, Key.Key_Right)
+    assert [one.false_alarms for one in shown.scene().figures] == [1, 1, 1]
+    result.whose.setCurrentIndex(2)
+    QTest.keyClick(result.plot, Key.Key_Right)
+    assert [one.false_alarms for one in shown.scene().figures] == [1, 2, 1]
+    assert "(2 /" in result._cells[1][2].text()
+    path = tmp_path / "mine.h5"
+    window.files.detectors.save_to(path)
+    assert np.array_equal(load_detector(path).thresholds, shown.detector.thresholds)
+
+
+@pytest.mark.slow
+def test_a_mistake_is_a_small_picture_that_takes_one_to_its_frame(result, labelled, window, qtbot):
+    shown = window.files.detectors.result
+    for _ in range(3):
+        shown.step(1)  # a few false alarms, so that there is something to look at
+    result._show()
+    items = result.mistakes._items
+    assert items
+    qtbot.waitUntil(lambda: result.mistakes._job is None)
+    piece, box = result.mistakes._pictures[items[0]]
+    assert piece.shape[2] == 3
+    assert 0 < box[2] < piece.shape[1]
+    result.mistakes.itemClicked.emit(result.mistakes.item(0))
+    desk = labelled.desk
+    assert desk.playback.clock.frame == items[0].frame
+    assert desk.document.selection.track == items[0].track
+    assert desk.labelling.part == items[0].part
+
+
+def test_training_is_cancelled_and_nothing_is_kept(labelled, window, qtbot):
+    dialog = _train_dialog(window, qtbot)
+    dialog._train.click()
+    window.progress.cancelled.emit()
+    qtbot.waitUntil(lambda: not window.work.busy, timeout=60_000)
+    assert window.files.detectors.result is None
+    assert "Stopped" in window.statusBar().currentMessage()
+    assert not window.findChildren(ResultDialog)
+
+
+def test_a_file_that_is_no_detector_is_refused_and_the_one_in_use_stays(
+    hands, window, qtbot, tmp_path
+):
+    path = tmp_path / "text.h5"
+    path.write_text("nothing")
+    window.files.detectors.use_file(path)
+    qtbot.waitUntil(lambda: not window.work.busy)
+    assert window.notice.isVisible()
+    assert hands.desk.document.detector == DetectorChoice()
+
+
+def test_occluders_that_are_drawn_are_handed_to_trackers_of_parts(hands, window, qtbot):
+    document = hands.desk.document
+    pillar = Occluder("pillar", ((10.0, 20.0), (40.0, 20.0), (40.0, 200.0)))
+    document.apply(plan_occluders(document.session.labels, (pillar,)))
+    dialog = _ask(window, qtbot, TrackDialog, Key.Key_T)
+    names = dialog._names
+    dialog._choice.setCurrentIndex(names.index("three-part"))
+    assert dialog._parts.isVisibleTo(dialog)
+    assert "1 drawn" in dialog._parts._occluders.text()
+    assert dialog.answer()[1].occluders == "[[[10.0, 20.0], [40.0, 20.0], [40.0, 200.0]]]"
+    dialog._choice.setCurrentIndex(names.index("stereo-direction"))
+    assert not dialog._parts.isVisibleTo(dialog)
+    dialog.reject()
+
+
+def test_parts_are_labelled_from_rendered_truth_as_one_edit(hands, window, qtbot):
+    document = hands.desk.document
+    window.run_command("detector.truth")
+    qtbot.waitUntil(lambda: not window.work.busy)
+    labels = document.session.labels.parts
+    assert len(labels) > 0
+    assert {label.source for label in labels.values()} == {"truth"}
+    hands.press(Key.Key_Z, CTRL)
+    assert len(document.session.labels.parts) == 0
