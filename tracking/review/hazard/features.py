@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.appearance import changed_over, unlikeness
+from tracking.review.appearance import EVERY_S, changed_over, unlikeness
 from tracking.review.crowding import crowding
 from tracking.review.evidence import Evidence, Floats, Rows
 from tracking.review.material import Material
@@ -47,7 +47,7 @@ def features(material: Material) -> NDArray[np.float32]:
     for part in (_walks, _pairs, _looks, _sight, _ends):
         columns |= part(material)
     columns |= _others(material, columns)
-    return np.stack([columns[name] for name in FEATURES], axis=1)
+    return np.stack([columns[name] for name in FEATURES]).T  # each column in one piece
 
 
 def _walks(material: Material) -> Columns:
@@ -67,13 +67,15 @@ def _pairs(material: Material) -> Columns:
     """What tells that somebody near was changed with: the strongest of all who are near."""
     evidence, near = material.evidence, material.near
     first, second = near.first, near.second
-    better = changed_over(
-        material.looks, evidence.track[first], evidence.track[second], evidence.frame[first]
-    )
     turn = _strongest(evidence, (first, second), gains(evidence, first, second))
+    looked = np.flatnonzero(evidence.frame[first] % evidence.frames_of(EVERY_S) == 0)
+    first, second = first[looked], second[looked]
+    track, other, frame = evidence.track[first], evidence.track[second], evidence.frame[first]
+    better = changed_over(material.looks, track, other, frame)
+    exchange = _strongest(evidence, (first, second), better)
     return {
         "turn": _greatest(evidence, turn, _AROUND_S),
-        "exchange": _greatest(evidence, _strongest(evidence, (first, second), better), _AROUND_S),
+        "exchange": _greatest(evidence, exchange, _AROUND_S),
     }
 
 

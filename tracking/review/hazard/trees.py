@@ -36,7 +36,7 @@ class Trees:
         """(n,) of rows (n, features)."""
         total = np.full(len(values), self.base)
         for tree in self.trees:
-            total += _judged(np.array(tree), values)
+            total += _judged(tree, values)
         return total
 
     def as_text(self) -> str:
@@ -61,14 +61,16 @@ def built_in_trees() -> Trees:
     return found
 
 
-def _judged(nodes: Floats, values: NDArray[np.float32]) -> Floats:
-    """(n,) the value of the leaf each row comes to."""
-    at = np.zeros(len(values), np.intp)
-    moving = np.arange(len(values) if nodes[0, 0] >= 0 else 0)
-    while len(moving):
-        feature, threshold, low, high, unknown = nodes[at[moving]].T
-        value = values[moving, feature.astype(np.intp)]
-        there = np.where(np.isnan(value), unknown, np.where(value <= threshold, low, high))
-        at[moving] = there.astype(np.intp)
-        moving = moving[nodes[at[moving], 0] >= 0]
-    return np.asarray(nodes[at, 1])
+def _judged(
+    tree: tuple[tuple[float, ...], ...], values: NDArray[np.float32], node: int = 0
+) -> NDArray[np.float32] | float:
+    """(n,) the value of the leaf each row comes to from a node on."""
+    feature, threshold, low, high, unknown = tree[node]
+    if feature < 0:
+        return threshold
+    column = values[:, int(feature)]
+    to_low = column <= np.float32(threshold)
+    if unknown == low:
+        to_low |= np.isnan(column)
+    below, above = (_judged(tree, values, int(branch)) for branch in (low, high))
+    return np.where(to_low, np.float32(below), np.float32(above))
