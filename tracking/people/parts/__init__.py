@@ -1,6 +1,11 @@
 """Head, torso and hip-leg: where they are in a person's region, and what colours they have."""
 
-from tracking.people.parts.equalisation import bhattacharyya, equalisation, equalised
+from tracking.people.parts.equalisation import (
+    bhattacharyya,
+    equalisation,
+    equalised,
+    even_division,
+)
 from tracking.people.parts.histograms import (
     candidate_histograms,
     level_histograms,
@@ -18,6 +23,7 @@ __all__ = [
     "decompose",
     "equalisation",
     "equalised",
+    "even_division",
     "inner_rectangle",
     "inner_rectangles",
     "level_histograms",
