@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
+
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QKeyEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from app.views.look.theme import Theme, current_theme
 from app.views.pictures.canvas import Canvas
+from app.views.widgets.abstract import AbstractQt
 
 Key = Qt.Key
 _ENTER = (Key.Key_Return, Key.Key_Enter)
 
 
-class Layer(QWidget):
+class Layer(QWidget, metaclass=AbstractQt):
     """Covers a canvas while something is drawn on it.
 
     The left button and the keys of drawing are the layer's; the wheel and the middle button go on
@@ -37,13 +40,13 @@ class Layer(QWidget):
 
     # what a layer of a kind defines
 
+    @abstractmethod
     def paint(self, painter: QPainter, theme: Theme) -> None:
         """Draw what is being drawn."""
-        raise NotImplementedError
 
+    @abstractmethod
     def key(self, key: Qt.Key) -> None:
         """One of the layer's keys was pressed."""
-        raise NotImplementedError
 
     # what they share
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
+
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
@@ -17,12 +19,13 @@ from PySide6.QtWidgets import QApplication, QToolTip, QWidget
 
 from app.views.look.theme import Theme, current_theme
 from app.views.pictures.viewport import Viewport
+from app.views.widgets.abstract import AbstractQt
 
 _ZOOM_PER_NOTCH = 1.2
 _NOTCH = 120.0
 
 
-class Canvas(QWidget):
+class Canvas(QWidget, metaclass=AbstractQt):
     """A zoomable drawing of some content.
 
     The wheel zooms at the cursor, dragging (any place, left or middle button) pans, a double
@@ -50,41 +53,41 @@ class Canvas(QWidget):
 
     # what a canvas of a kind defines
 
+    @abstractmethod
     def content(self) -> QRectF:
         """The content worth showing, in its own units; empty where there is none."""
-        raise NotImplementedError
 
+    @abstractmethod
     def paint(self, painter: QPainter, theme: Theme) -> None:
         """Draw everything but the ground."""
-        raise NotImplementedError
 
+    @abstractmethod
     def clicked_at(self, at: QPointF, extend: bool) -> None:
         """A click without a drag; `extend`: with Shift."""
-        raise NotImplementedError
 
+    @abstractmethod
     def track_at(self, at: QPointF) -> int:
         """The track at a place of the widget; 0 where there is none."""
-        raise NotImplementedError
 
+    @abstractmethod
     def grabs(self, at: QPointF) -> bool:
         """Whether a drag from here moves something rather than the whole content; holds it then."""
-        raise NotImplementedError
 
+    @abstractmethod
     def drag_to(self, at: QPointF) -> None:
         """What is held was dragged to a place of the widget."""
-        raise NotImplementedError
 
+    @abstractmethod
     def drop(self) -> None:
         """What was dragged is let go where it is."""
-        raise NotImplementedError
 
+    @abstractmethod
     def cursor_at(self, at: QPointF) -> Qt.CursorShape:
         """The shape of the cursor while no button is pressed."""
-        raise NotImplementedError
 
+    @abstractmethod
     def name_at(self, at: QPointF) -> str:
         """What the tooltip says at a place of the widget; empty: none."""
-        raise NotImplementedError
 
     # what they share
 

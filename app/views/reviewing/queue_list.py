@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Any
 
 from PySide6.QtCore import (
@@ -19,6 +20,7 @@ from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem
 
 from app.presenters.reviewing.review_scene import ReviewItem, ReviewPerson
 from app.views.look.theme import current_theme, scaled_font
+from app.views.widgets.abstract import AbstractQt
 from app.views.widgets.command_list import draw_row_ground
 
 ITEM = Qt.ItemDataRole.UserRole
@@ -78,7 +80,7 @@ def lower_lines(font: QFont, text: str, width: float) -> int:
     return 1 if small.horizontalAdvance(text) <= width - 2 * _SIDE else 2
 
 
-class PeopleDelegate(QStyledItemDelegate):
+class PeopleDelegate(QStyledItemDelegate, metaclass=AbstractQt):
     """Rows of two lines: what, who and when; below it, smaller, why.
 
     A delegate of a kind says with `below` what stands in the second line, and may draw something
@@ -90,9 +92,9 @@ class PeopleDelegate(QStyledItemDelegate):
 
     lower_lines = 1
 
+    @abstractmethod
     def below(self, item: Any) -> str:
         """The second line."""
-        raise NotImplementedError
 
     def lead(self, painter: QPainter, item: Any, inner: QRectF) -> None:
         """Draw at the left and move the left edge of what is left."""

@@ -1,0 +1,17 @@
+"""Kinds of widgets that define all they must."""
+
+import pytest
+
+from app.views.pictures.canvas import Canvas
+from app.views.pictures.overhead import OverheadView
+
+
+def test_a_widget_of_no_kind_is_not_made(qtbot):
+    with pytest.raises(TypeError, match="Canvas does not define .*paint"):
+        Canvas(upward=True)
+
+
+def test_one_that_defines_all_is(qtbot):
+    view = OverheadView()
+    qtbot.addWidget(view)
+    assert isinstance(view, Canvas)
