@@ -98,8 +98,9 @@ def shortage(question: Question) -> str:
         chosen = question.yes == yes
         samples, people = int(chosen.sum()), len(np.unique(question.people[chosen]))
         if samples < LEAST_SAMPLES or people < LEAST_PEOPLE:
+            who = "person" if people == 1 else "people"
             return (
-                f"{question.name}: {samples} samples {side} the part, of {people} people; "
+                f"{question.name}: {samples} samples {side} the part, of {people} {who}; "
                 f"label at least {LEAST_SAMPLES} of {LEAST_PEOPLE} people or more"
             )
     return ""

@@ -1,0 +1,123 @@
+"""Labels from rendered truth: on, off, or neither."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_up_parts import FPS, as_parts, box_of, walk
+
+from tracking.errors import FormatError
+from tracking.failure import labels_from_truth, read_true_parts
+
+HEADER = "frame,id,part,left,top,width,height,visible_pixels\n"
+NAMES = ("head", "torso", "hip_leg")
+
+
+def write_truth(path: Path, people: dict[int, np.ndarray], seen: int = 50) -> Path:
+    lines = [
+        f"{frame},{person},{name},{','.join(map(repr, box_of(states[frame, part])))},{seen}\n"
+        for person, states in people.items()
+        for frame in range(len(states))
+        for part, name in enumerate(NAMES)
+    ]
+    path.write_text(HEADER + "".join(lines), encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def people() -> dict[int, np.ndarray]:
+    random = np.random.default_rng(2)
+    two = {3: walk(random, 60, loses=False)[0], 8: walk(random, 60, loses=False)[0]}
+    two[8][..., 0] += 300
+    return two
+
+
+def joined_parts(people: dict[int, np.ndarray]) -> dict[str, np.ndarray]:
+    """A run that follows them under ids of its own."""
+    each = [as_parts(states, track) for track, states in enumerate(people.values(), start=1)]
+    return {name: np.concatenate([one[name] for one in each]) for name in each[0]}
+
+
+def test_rectangles_on_their_parts_are_labelled_on(tmp_path: Path, people) -> None:
+    truth = read_true_parts(write_truth(tmp_path / "t.csv", people))
+    labels = labels_from_truth(truth, joined_parts(people), FPS)
+    assert {label.track for label in labels} == {1, 2}
+    assert all(label.on_part for label in labels)
+    assert sorted({label.frame for label in labels}) == list(range(0, 60, 3))
+    assert {(label.source, label.author) for label in labels} == {("truth", "truth")}
+
+
+@pytest.mark.parametrize(
+    ("share", "said"), [(0.2, {True}), (0.45, set()), (0.55, set()), (0.8, {False}), (5.0, {False})]
+)
+def test_a_rectangle_is_off_where_clearly_most_of_it_lies_outside(
+    tmp_path: Path, people, share: float, said: set[bool]
+) -> None:
+    truth = read_true_parts(write_truth(tmp_path / "t.csv", people))
+    parts = joined_parts(people)
+    moved = (parts["part"] == 1) & (parts["track"] == 1) & (parts["frame"] >= 30)
+    parts["cx"][moved] += share * parts["width"][moved]
+    labels = labels_from_truth(truth, parts, FPS)
+    assert {
+        label.on_part
+        for label in labels
+        if (label.track, label.part) == (1, 1) and label.frame >= 30
+    } == said
+
+
+def test_whoever_a_track_follows_first_is_meant_ever_after(tmp_path: Path, people) -> None:
+    truth = read_true_parts(write_truth(tmp_path / "t.csv", people))
+    parts = joined_parts(people)
+    late = parts["frame"] >= 30
+    parts["track"][late] = 3 - parts["track"][late]
+    labels = labels_from_truth(truth, parts, FPS)
+    assert {label.on_part for label in labels if label.frame < 30} == {True}
+    assert {label.on_part for label in labels if label.frame >= 30} == {False}
+
+
+def test_a_dot_inside_a_part_is_not_on_it(tmp_path: Path, people) -> None:
+    truth = read_true_parts(write_truth(tmp_path / "t.csv", people))
+    parts = joined_parts(people)
+    dots = (parts["part"] == 2) & (parts["frame"] >= 30)
+    for name in ("width", "height"):
+        parts[name][dots] *= 0.1
+    labels = labels_from_truth(truth, parts, FPS)
+    assert not [label for label in labels if label.part == 2 and label.frame >= 30]
+
+
+def test_hidden_and_occluded_parts_are_not_labelled(tmp_path: Path, people) -> None:
+    parts = joined_parts(people)
+    hidden = read_true_parts(write_truth(tmp_path / "t.csv", people, seen=0))
+    assert labels_from_truth(hidden, parts, FPS) == []
+    parts["occluded"][:] = True
+    seen = read_true_parts(write_truth(tmp_path / "t.csv", people))
+    assert labels_from_truth(seen, parts, FPS) == []
+
+
+@pytest.mark.parametrize(
+    ("line", "why"),
+    [
+        ("0,1,arm,0,0,1,1,5", "line 3"),
+        ("0,1,head,0,0,1,1", "line 3"),
+        ("0,1,head,nan,0,1,1,5", "line 3"),
+        ("-1,1,head,0,0,1,1,5", "line 3"),
+        ("0,0,head,0,0,1,1,5", "line 3"),
+        ("x,1,head,0,0,1,1,5", "line 3"),
+    ],
+)
+def test_a_line_that_is_no_part_is_named(tmp_path: Path, line: str, why: str) -> None:
+    path = tmp_path / "t.csv"
+    path.write_text(HEADER + "0,1,head,0,0,1,1,5\n" + line + "\n", encoding="utf-8")
+    with pytest.raises(FormatError, match=why):
+        read_true_parts(path)
+
+
+def test_a_table_of_something_else_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "t.csv"
+    path.write_text("frame,id,visibility\n", encoding="utf-8")
+    with pytest.raises(FormatError, match="line 1"):
+        read_true_parts(path)
+    with pytest.raises(FormatError, match="cannot read"):
+        read_true_parts(tmp_path / "missing.csv")
