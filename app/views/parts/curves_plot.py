@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFontMetricsF, QMouseEvent, QPainter, QPaintEvent, QPen, QPixmap
+from PySide6.QtGui import QFontMetricsF, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.labelling.labelling_scene import PART_COLOURS
@@ -17,6 +17,7 @@ from app.views.pictures.name_plates import draw_message
 from app.views.timeline.axis import TimeAxis, ticks
 from app.views.timeline.curves import Floats, curve_path, span_of, stretches
 from app.views.timeline.strips import covered, draw_strip, opacity
+from app.views.widgets.still_picture import StillPicture
 
 _GAP_PX = 8.0
 _TICK_LETTERS = 11
@@ -47,7 +48,7 @@ class CurvesPlot(QWidget):
         super().__init__(parent)
         self._scene = CurvesScene("")
         self._shown = TimeAxis(0.0, 1.0, 0.0, 1.0, 1)
-        self._drawn: QPixmap | None = None
+        self._still = StillPicture(self)
         self._strips = (
             _Strip(self.tr("Score"), lambda one: one.score, (-1.0, 1.0), 0.46, THRESHOLD),
             _Strip(self.tr("Entropy"), lambda one: one.entropy, (0.0, 1.0), 0.27),
@@ -64,7 +65,7 @@ class CurvesPlot(QWidget):
             scene.chosen,
             scene.message,
         ):
-            self._drawn = None
+            self._still.forget()
         self.setAccessibleDescription("\n".join(scene.said) or scene.message)
         self.update()
 
@@ -92,10 +93,7 @@ class CurvesPlot(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
         """The curves from their picture, then the playhead."""
         theme, painter = current_theme(), QPainter(self)
-        ratio = self.devicePixelRatioF()
-        if self._drawn is None or self._drawn.size() != self.size() * ratio:
-            self._drawn = self._draw_still(theme, ratio)
-        painter.drawPixmap(0, 0, self._drawn)
+        self._still.paint(painter, theme.surface, lambda still: self._draw_still(still, theme))
         axis = self._axis
         x = axis.x_of(self._scene.frame + 0.5)
         if self._scene.curves and axis.left <= x <= axis.left + axis.width:
@@ -103,19 +101,12 @@ class CurvesPlot(QWidget):
             painter.drawLine(QLineF(x, 0, x, self.height()))
         painter.end()
 
-    def _draw_still(self, theme: Theme, ratio: float) -> QPixmap:
-        picture = QPixmap(self.size() * ratio)
-        picture.setDevicePixelRatio(ratio)
-        picture.fill(theme.surface)
-        painter = QPainter(picture)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    def _draw_still(self, painter: QPainter, theme: Theme) -> None:
         painter.setFont(scaled_font(self.font(), _SMALL))
         if self._scene.message:
             draw_message(painter, QRectF(self.rect()), self._scene.message, theme)
         else:
             self._draw_strips(painter, theme)
-        painter.end()
-        return picture
 
     def _draw_strips(self, painter: QPainter, theme: Theme) -> None:
         metrics, axis = QFontMetricsF(painter.font()), self._axis
@@ -209,5 +200,5 @@ class CurvesPlot(QWidget):
         """Follow theme and font."""
         super().changeEvent(event)
         if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.FontChange):
-            self._drawn = None
+            self._still.forget()
             self.update()

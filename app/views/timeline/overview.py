@@ -11,7 +11,6 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPen,
-    QPixmap,
     QResizeEvent,
     QWheelEvent,
 )
@@ -22,6 +21,7 @@ from app.presenters.words import time_text
 from app.views.look.theme import Theme, current_theme, faded
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.overview_picture import draw_band, draw_overview
+from app.views.widgets.still_picture import StillPicture
 
 _NOTCH, _ZOOM_PER_NOTCH = 120.0, 1.25
 
@@ -42,7 +42,7 @@ class OverviewStrip(QWidget):
         super().__init__(parent)
         self._scene: TimelineScene | None = None
         self._shown: TimeAxis | None = None
-        self._drawn: QPixmap | None = None
+        self._still = StillPicture(self)
         self._suspicions: NDArray[np.int64] = np.zeros(0, np.int64)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(self.tr("Overview of the whole recording"))
@@ -58,13 +58,13 @@ class OverviewStrip(QWidget):
             or before.reviewed is not scene.reviewed
             or (before.tracked, before.frame_count) != (scene.tracked, scene.frame_count)
         ):
-            self._drawn = None
+            self._still.forget()
         self.update()
 
     def show_window(self, axis: TimeAxis) -> None:
         """Mark the frames the lanes show; the strip lies below their bars."""
         if self._shown is None or (self._shown.left, self._shown.width) != (axis.left, axis.width):
-            self._drawn = None
+            self._still.forget()
         self._shown = axis
         self.update()
 
@@ -102,10 +102,7 @@ class OverviewStrip(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
         """What stays from its picture, then window and playhead."""
         theme, painter = current_theme(), QPainter(self)
-        ratio = self.devicePixelRatioF()
-        if self._drawn is None or self._drawn.size() != self.size() * ratio:
-            self._drawn = self._draw_still(theme, ratio)
-        painter.drawPixmap(0, 0, self._drawn)
+        self._still.paint(painter, theme.window, lambda still: self._draw_still(still, theme))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if self._scene is not None:
             self._draw_loaded(painter, self._scene, theme)
@@ -115,12 +112,7 @@ class OverviewStrip(QWidget):
             painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
         painter.end()
 
-    def _draw_still(self, theme: Theme, ratio: float) -> QPixmap:
-        picture = QPixmap(self.size() * ratio)
-        picture.setDevicePixelRatio(ratio)
-        picture.fill(theme.window)
-        painter = QPainter(picture)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    def _draw_still(self, painter: QPainter, theme: Theme) -> None:
         axis = self._axis()
         painter.setPen(theme.text_faint)
         name = QRectF(12, 0, axis.left - 16, self.height())
@@ -129,8 +121,6 @@ class OverviewStrip(QWidget):
         painter.fillRect(ground, theme.sunken)
         if self._scene is not None:
             draw_overview(painter, self._scene, self._suspicions, axis, ground, theme)
-        painter.end()
-        return picture
 
     def _draw_loaded(self, painter: QPainter, scene: TimelineScene, theme: Theme) -> None:
         """What is at hand, changing all the time, on top of the picture of what stays."""
@@ -158,13 +148,13 @@ class OverviewStrip(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
         """Draw anew."""
         super().resizeEvent(event)
-        self._drawn = None
+        self._still.forget()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802
         """Follow theme and font."""
         super().changeEvent(event)
         if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.FontChange):
-            self._drawn = None
+            self._still.forget()
             self.update()
 
     # gestures

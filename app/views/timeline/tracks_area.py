@@ -10,7 +10,6 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QPixmap,
     QResizeEvent,
     QWheelEvent,
 )
@@ -34,6 +33,7 @@ from app.views.timeline.ruler import (
     draw_tick_lines,
 )
 from app.views.timeline.scroll_bars import BAR_PX, LanesBar, TimeBar
+from app.views.widgets.still_picture import StillPicture
 
 _PLAYHEAD_PX = 8.0  # to either side of its line
 _RIGHT_PX = BAR_PX + 2
@@ -63,7 +63,7 @@ class TracksArea(QWidget):
         self._scene: TimelineScene | None = None
         self._axis = TimeAxis(0.0, 1.0, 0.0, 1.0, 0)
         self._rows = LaneRows()
-        self._drawn: QPixmap | None = None
+        self._still = StillPicture(self)
         self._gestures = Gestures(self)
         self.lanes_drawn = 0
         self.scroll_bar = LanesBar(self)
@@ -234,7 +234,7 @@ class TracksArea(QWidget):
             self.set_axis(self._axis.moved(first - self._axis.start))
 
     def _redraw(self) -> None:
-        self._drawn = None
+        self._still.forget()
         self.update()
 
     def _update_moved(self, before: TimelineScene | None, scene: TimelineScene) -> None:
@@ -266,10 +266,7 @@ class TracksArea(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
         """Lanes from their picture, then what moves."""
         theme, painter = current_theme(), QPainter(self)
-        ratio = self.devicePixelRatioF()
-        if self._drawn is None or self._drawn.size() != self.size() * ratio:
-            self._drawn = self._draw_still(theme, ratio)
-        painter.drawPixmap(0, 0, self._drawn)
+        self._still.paint(painter, theme.surface, lambda still: self._draw_still(still, theme))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if self._scene is not None:
             area = self._lanes_rect()
@@ -280,12 +277,7 @@ class TracksArea(QWidget):
             draw_playhead(painter, self._axis.x_of(self._scene.frame + 0.5), area, theme)
         painter.end()
 
-    def _draw_still(self, theme: Theme, ratio: float) -> QPixmap:
-        picture = QPixmap(self.size() * ratio)
-        picture.setDevicePixelRatio(ratio)
-        picture.fill(theme.surface)
-        painter = QPainter(picture)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    def _draw_still(self, painter: QPainter, theme: Theme) -> None:
         painter.setFont(self.font())
         if self._scene is not None:
             size = QSizeF(self.width(), self.ruler_height)
@@ -293,8 +285,6 @@ class TracksArea(QWidget):
             draw_tick_lines(painter, self._scene, self._axis, self._lanes_rect(), theme)
             painter.setFont(self.font())
             self._draw_lanes(painter, self._scene, theme)
-        painter.end()
-        return picture
 
     def _draw_lanes(self, painter: QPainter, scene: TimelineScene, theme: Theme) -> None:
         area = self._lanes_rect()
