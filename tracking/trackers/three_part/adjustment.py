@@ -9,12 +9,15 @@ from numpy.typing import NDArray
 
 from tracking.people import Detections
 from tracking.people.parts import decompose, inner_rectangle, inner_rectangles
-from tracking.trackers.three_part.claims import Claims
+from tracking.trackers.three_part.claims import Claims, seen_whole
 from tracking.trackers.three_part.followed import Flags, Floats, Followed
+from tracking.trackers.three_part.moving import carried
+from tracking.trackers.three_part.poses import HEAD, HIP_LEG, TORSO, pose_faults
 
-HEAD, TORSO, HIP_LEG = range(3)
 _AROUND = 1.2
 """Where a person is looked for who lost several parts: their box, larger by this."""
+_OFF = 0.35
+"""Share of foreground under a part of somebody seen whole below which it is lost."""
 _LEAST_SEEN = 0.15
 """Share of foreground in that place below which there is nothing to begin anew from."""
 
@@ -43,14 +46,34 @@ def adjusted(people: Followed, boxes: Floats, lost: Flags, several: Flags, scene
         lost: (people, 3) parts to put back. several: (people,) begin all three anew.
     """
     found = np.full((len(people), 3, 4), np.nan)
-    for row in np.flatnonzero(lost.any(axis=1)):
+    found[lost] = carried(people.state, people.pose, lost)[..., :4][lost]
+    for row in np.flatnonzero(lost.any(axis=1) & ~people.hidden):
         mask = _own_foreground(int(row), scene)
         if several[row]:
-            found[row] = _anew(mask, boxes[row], scene, int(row))
+            found[row] = _first_known(_anew(mask, boxes[row], scene, int(row)), found[row])
             continue
         for part in np.flatnonzero(lost[row]):
-            found[row, part] = _one(int(part), people.rectangles[row], mask)
+            place = _one(int(part), people.rectangles[row], mask)
+            found[row, part] = _first_known(place, found[row, part])
     return found
+
+
+def clear_failures(people: Followed, scene: Scene) -> Flags:
+    """(people, 3) parts that are lost whatever the detector says.
+
+    Where we go past [ZhaoLee2009]: a machine that learnt from failures near the body says nothing
+    of parts far away, and nothing of colours and foreground. Of those seen alone and whole, a part
+    off the foreground, or on it and nothing like its model, is lost; of everybody, one where no
+    part of a body can be.
+    """
+    whole = seen_whole(scene.claims, scene.seen, people.height)[:, None]
+    off = scene.claims.support < _OFF
+    fault = pose_faults(people.rectangles, people.height)
+    return np.asarray((fault | (whole & off)) & ~people.occluded)
+
+
+def _first_known(place: Floats, other: Floats) -> Floats:
+    return np.where(np.isfinite(place), place, other)
 
 
 def _own_foreground(row: int, scene: Scene) -> Flags:

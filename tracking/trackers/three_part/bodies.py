@@ -13,6 +13,8 @@ pixels lie evenly reaches 0.87 of the rectangle's size from its middle, a round 
 _LEGS_BELOW = 1.45
 """How far below the hip-leg rectangle's middle the soles are: it is the upper half of the legs."""
 _OUTLINE_MEMORY_S = 0.5
+_RISEN_MEMORY_S = 0.4
+_SUNK_MEMORY_S = 5.0
 _TRUST = 0.85
 """Weight of the box seen against the remembered outline."""
 
@@ -66,6 +68,16 @@ def outlines_after(
     own = outlines_seen(rectangles[alone], seen[alone])
     new[alone] += share * (own - outline[alone])
     return new
+
+
+def heights_after(height: Floats, seen: Floats, whole: Flags, elapsed_s: float) -> Floats:
+    """The upright heights (people,) px after a frame, learnt of those seen whole (people, 4).
+
+    They follow slowly down, so that somebody who crouches stays as high as standing.
+    """
+    memory_s = np.where(seen[:, 3] > height, _RISEN_MEMORY_S, _SUNK_MEMORY_S)
+    share = np.where(whole, 1.0 - np.exp(-elapsed_s / memory_s), 0.0)
+    return np.asarray(height + share * (seen[:, 3] - height))
 
 
 def shown_boxes(box: Floats, seen: Floats, alone: Flags) -> Floats:

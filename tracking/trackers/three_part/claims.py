@@ -14,6 +14,8 @@ _GRID = (np.arange(5) + 0.5) / 5 - 0.5
 """Where a rectangle is probed, across and down, as shares of its size from its middle."""
 _OWN = 0.3
 """Share of somebody's parts that must lie in a region for it to be theirs."""
+_WHOLE = (0.85, 1.25)
+"""Height of a region, in heights of its person, that shows all of them."""
 _TAKEN = 0.1
 """The same for it to be possibly theirs: nobody new is started in it."""
 
@@ -56,6 +58,14 @@ def claims_of(rectangles: Floats, seen: Detections) -> Claims:
     alone = mine.copy()
     alone[mine] = (guests[region[mine]] <= 1) & ~seen.merged[region[mine]]
     return Claims(share, (label > 0).mean(axis=2), region, alone)
+
+
+def seen_whole(claims: Claims, seen: Detections, height: Floats) -> Flags:
+    """(people,) who is seen alone and from head to foot; height (people,) px, upright."""
+    tall = np.append(seen.box[:, 3], 0.0)[claims.region]
+    cut = np.append(seen.truncated, True)[claims.region]
+    ratio = tall / np.maximum(height, 1.0)
+    return np.asarray(claims.alone & ~cut & (ratio > _WHOLE[0]) & (ratio < _WHOLE[1]))
 
 
 def shares_on(mask: NDArray[np.integer], rectangles: Floats) -> Floats:

@@ -8,15 +8,18 @@ from numpy.typing import NDArray
 from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.three_part.appearance import looked_at, resemblance
+from tracking.trackers.three_part.bodies import heights_after
 from tracking.trackers.three_part.claims import Claims
 from tracking.trackers.three_part.followed import Flags, Floats, Followed
 from tracking.trackers.three_part.settings import WholeBodySettings
+from tracking.trackers.three_part.starting import posed
 
 _USUAL_MEMORY = 0.9
 _LOOKS_MEMORY = 0.97
 _GOOD_VIEW = 0.6
 """Share of foreground under a part from which on its colours are the person's."""
 _PLACE_MEMORY_S = 0.12
+_POSE_MEMORY_S = 0.2
 
 
 def colours_learnt(
@@ -38,6 +41,20 @@ def colours_learnt(
     looks = _blended(people.looks, seen, good, _LOOKS_MEMORY)
     usual = people.usual + (1.0 - _USUAL_MEMORY) * learnt * (alike - people.usual)
     return people.replace(model=model, looks=looks, similarity=alike, usual=usual)
+
+
+def poses_learnt(people: Followed, box: Floats, whole: Flags, elapsed_s: float) -> Followed:
+    """How the parts stand to each other and how high people are, from clear views of them.
+
+    Args:
+        box: (people, 4) of their regions. whole: (people,) seen alone and all of them.
+    """
+    clear = ~people.hidden & ~people.failed.any(axis=1)
+    share = np.where(clear, 1.0 - np.exp(-elapsed_s / _POSE_MEMORY_S), 0.0)[:, None, None]
+    return people.replace(
+        pose=people.pose + share * (posed(people.rectangles) - people.pose),
+        height=heights_after(people.height, box, whole, elapsed_s),
+    )
 
 
 def places_learnt(

@@ -16,7 +16,7 @@ from tracking.filtering import (
 )
 from tracking.filtering.rectangles import DX
 from tracking.trackers.three_part.appearance import log_likelihoods
-from tracking.trackers.three_part.followed import Floats, Followed, Layout
+from tracking.trackers.three_part.followed import Flags, Floats, Followed, Layout
 from tracking.trackers.three_part.settings import WholeBodySettings
 from tracking.trackers.three_part.starting import by_filter, part_sizes
 
@@ -66,9 +66,30 @@ def weighed(
     clouds = weighed_by(people.clouds, log.sum(axis=1))
     estimate = mean_states(clouds).reshape(people.state.shape)
     state = np.where(filtered[..., None], estimate, people.state)
+    state = carried(state, people.pose, ~filtered)
     entropy = np.repeat(entropies(clouds), layout.together).reshape(filtered.shape)
     people = people.replace(clouds=clouds, state=state, entropy=np.where(filtered, entropy, np.nan))
     return people.replace(pace=_paced(people, before, elapsed_s))
+
+
+def carried(state: Floats, pose: Floats, which: Flags) -> Floats:
+    """States (people, parts, 6) with some parts where the person's other parts take them.
+
+    Where we differ from [ZhaoLee2009]: an occluded part does not drift off by its last motion, but
+    keeps its place in the body as long as any part is seen; of somebody hidden whole the motion
+    counts.
+
+    Args:
+        pose: (people, parts, 2) px, see `Followed`. which: (people, parts) to be carried.
+    """
+    others = ~which
+    known = np.asarray(others.any(axis=1) & which.any(axis=1))
+    count = np.maximum(others.sum(axis=1), 1)[:, None]
+    middle = ((state[..., :2] - pose) * others[..., None]).sum(axis=1) / count
+    moved_state = state.copy()
+    rows = which & known[:, None]
+    moved_state[..., :2] = np.where(rows[..., None], middle[:, None] + pose, state[..., :2])
+    return moved_state
 
 
 def _next_counts(

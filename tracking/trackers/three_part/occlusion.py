@@ -17,6 +17,9 @@ _TOUCH = 1.25
 """Parts touch where their inner rectangles, larger by this, overlap."""
 _STAYS = 0.08
 """By how much less alike somebody in front must look to change places with who was behind."""
+_NEARER = 1.0
+_CLEARLY = 0.2
+"""How much standing lower by a body's height counts, and by how much it counts at most."""
 _COVERED = 0.5
 """Share of a rectangle that a drawn outline must hold for it to hide the part."""
 _SEEN = 0.4
@@ -77,17 +80,22 @@ def behind_what_is_drawn(cover: Floats, support: Floats) -> Flags:
     return np.asarray((cover >= _COVERED) & (support < _SEEN))
 
 
-def behind_others(rectangles: Floats, alike: Floats, was_behind: Flags) -> Flags:
+def behind_others(
+    rectangles: Floats, alike: Floats, foot: Floats, height: Floats, was_behind: Flags
+) -> Flags:
     """(people, parts) hidden by somebody else.
 
     [ZhaoLee2009] section 4.3.1: where parts of two people touch, the one whose parts look less
     like their models is the occluded one. Where we differ: all touching parts of the two are
-    looked at together, as one is before the other as a whole; and who is behind stays so unless
-    the other looks clearly less like itself, as two alike would change places in every frame.
+    looked at together, as one is before the other as a whole; who stands lower in the picture is
+    nearer to a camera that looks down, which tells before anything is hidden; and who is behind
+    stays so unless the other looks clearly less like itself, as two alike would change places in
+    every frame.
 
     Args:
         rectangles: (people, parts, 4) as predicted.
         alike: (people, parts) similarity there, less the usual one.
+        foot: (people,) rows in which people stand. height: (people,) px.
         was_behind: (people,) who was hidden in the last frame.
     """
     touch = _touching(rectangles)
@@ -95,7 +103,9 @@ def behind_others(rectangles: Floats, alike: Floats, was_behind: Flags) -> Flags
     parts = np.maximum(own.sum(axis=1), 1)
     look = np.einsum("pk,pkq->pq", alike, own) / parts
     bias = _STAYS * (was_behind[:, None].astype(float) - was_behind[None, :])
-    behind = own.any(axis=1) & (look - look.T < bias)
+    lower = (foot[:, None] - foot[None]) * 2.0 / (height[:, None] + height[None])
+    nearer = _NEARER * np.clip(lower, -_CLEARLY, _CLEARLY)
+    behind = own.any(axis=1) & (look - look.T + nearer < bias)
     return np.asarray(np.any(own & behind[:, None, :], axis=2))
 
 

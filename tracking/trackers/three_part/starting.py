@@ -11,6 +11,7 @@ from tracking.filtering import restarted, scattered
 from tracking.people import Detections
 from tracking.people.parts import decompose, inner_rectangle, inner_rectangles
 from tracking.trackers.three_part.appearance import looked_at
+from tracking.trackers.three_part.bodies import outlined_boxes
 from tracking.trackers.three_part.followed import Flags, Floats, Followed, Indices, Layout
 
 _START_PARTICLES = 400
@@ -72,6 +73,8 @@ def begun(
         failed=np.zeros((people, parts), bool),
         score=np.full((people, parts), np.nan),
         outline=np.zeros((people, 4)),
+        pose=posed(rectangles),
+        height=outlined_boxes(rectangles, np.zeros((people, 4)))[:, 3],
         place=np.full((people, 2), np.nan),
         walk=np.zeros((people, 2)),
         missed_s=np.zeros(people),
@@ -104,6 +107,12 @@ def begun_anew(
     spread = _start_spread(filters)
     clouds = restarted(people.clouds, chosen, filters, spread, random)
     return people.replace(state=state, model=model, clouds=clouds)
+
+
+def posed(rectangles: Floats) -> Floats:
+    """(people, parts, 2) the middles of rectangles (people, parts, 4) from the mean of them all."""
+    middle = rectangles[..., :2]
+    return np.asarray(middle - middle.mean(axis=1, keepdims=True))
 
 
 def by_filter(state: NDArray[Any], layout: Layout) -> NDArray[Any]:

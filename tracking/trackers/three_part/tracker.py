@@ -15,7 +15,7 @@ from tracking.people.parts import ycbcr
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.resuming import Resume
 from tracking.trackers.three_part import births
-from tracking.trackers.three_part.adjustment import Scene, adjusted
+from tracking.trackers.three_part.adjustment import Scene, adjusted, clear_failures
 from tracking.trackers.three_part.appearance import looked_at, resemblance
 from tracking.trackers.three_part.bodies import (
     outlined_boxes,
@@ -23,11 +23,11 @@ from tracking.trackers.three_part.bodies import (
     share_inside,
     shown_boxes,
 )
-from tracking.trackers.three_part.claims import Claims, claims_of, shares_on
+from tracking.trackers.three_part.claims import Claims, claims_of, seen_whole, shares_on
 from tracking.trackers.three_part.detectors import NO_DETECTOR
 from tracking.trackers.three_part.finding import found_again
 from tracking.trackers.three_part.followed import Flags, Followed, Layout, nobody, together
-from tracking.trackers.three_part.learning import colours_learnt, places_learnt
+from tracking.trackers.three_part.learning import colours_learnt, places_learnt, poses_learnt
 from tracking.trackers.three_part.moving import moved, weighed
 from tracking.trackers.three_part.occlusion import (
     Polygons,
@@ -42,6 +42,8 @@ from tracking.trackers.three_part.starting import all_seen, begun, begun_anew, r
 from tracking.trackers.three_part.watching import Watch
 
 Picture = NDArray[np.uint8]
+_STOOPED, _STRETCHED = 0.6, 1.1
+"""Lowest and highest somebody's box is, in heights of them upright."""
 _MISSED_S = 0.2
 """Who has had no foreground for so long is looked for."""
 
@@ -145,12 +147,16 @@ class PartTracker:
 
     def _occluded(self, people: Followed, seen: Detections, picture: Picture) -> Flags:
         """(people, parts) hidden by others or by what is drawn, at the places predicted."""
-        alike = resemblance(looked_at(picture, people.rectangles), people.model)
-        hidden = behind_others(people.rectangles, alike - people.usual, people.hidden)
+        alike = resemblance(looked_at(picture, people.rectangles), people.model) - people.usual
+        claims = claims_of(people.rectangles, seen)
+        box = outlined_boxes(people.rectangles, people.outline)
+        tall = np.clip(box[:, 3], _STOOPED * people.height, _STRETCHED * people.height)
+        foot = box[:, 1] + tall
+        hidden = behind_others(people.rectangles, alike, foot, people.height, people.hidden)
+        hidden &= ~seen_whole(claims, seen, people.height)[:, None]
         if self._camera.occluders:
             cover = shares_on(self._cover, people.rectangles)
-            support = shares_on(seen.regions, people.rectangles)
-            hidden |= behind_what_is_drawn(cover, support)
+            hidden |= behind_what_is_drawn(cover, claims.support)
         return hidden
 
     def _put_right(
@@ -161,11 +167,16 @@ class PartTracker:
             return people
         said = self._watch.judge(time_s, people, ~people.hidden)
         people = people.replace(failed=said.failed, score=said.score)
-        if not self._adjust or not said.failed.any():
+        if not self._adjust:
             return people
-        boxes = outlined_boxes(people.rectangles, people.outline)
         scene = Scene(seen, claims_of(people.rectangles, seen), picture)
-        places = adjusted(people, boxes, said.failed, said.several, scene)
+        failed = said.failed | clear_failures(people, scene)
+        if not failed.any():
+            return people
+        several = said.several | (failed.sum(axis=1) > 1)
+        boxes = outlined_boxes(people.rectangles, people.outline)
+        places = adjusted(people, boxes, failed, several, scene)
+        people = people.replace(failed=failed)
         return begun_anew(people, places, picture, self._layout, self._random)
 
     def _aged(self, people: Followed, claims: Claims, elapsed_s: float) -> Followed:
@@ -214,6 +225,9 @@ class PartTracker:
         own = np.append(seen.box, np.zeros((1, 4)), axis=0)[claims.region]
         cut = np.append(seen.truncated, True)[claims.region]
         alone = claims.alone & ~people.hidden
+        people = poses_learnt(
+            people, own, seen_whole(claims, seen, people.height) & ~people.hidden, elapsed_s
+        )
         outline = outlines_after(
             people.outline, people.rectangles, own, alone & ~cut, elapsed_s, people.age_s
         )
