@@ -16,8 +16,11 @@ from tracking.trackers.three_part.poses import HEAD, HIP_LEG, TORSO, pose_faults
 
 _AROUND = 1.2
 """Where a person is looked for who lost several parts: their box, larger by this."""
-_OFF = 0.35
-"""Share of foreground under a part of somebody seen whole below which it is lost."""
+_OFF = 0.65
+"""Share of foreground under a part of somebody seen whole below which it is lost: an inner
+rectangle lies within its part."""
+_OUT_OF_PLACE = 0.12
+"""How far a part of somebody who touches others goes astray, in heights, before it is lost."""
 _LEAST_SEEN = 0.15
 """Share of foreground in that place below which there is nothing to begin anew from."""
 
@@ -47,14 +50,16 @@ def adjusted(people: Followed, boxes: Floats, lost: Flags, several: Flags, scene
     """
     found = np.full((len(people), 3, 4), np.nan)
     found[lost] = carried(people.state, people.pose, lost)[..., :4][lost]
-    for row in np.flatnonzero(lost.any(axis=1) & ~people.hidden):
+    whole = seen_whole(scene.claims, scene.seen, people.height)
+    apart = ~people.hidden & (~people.touching | whole)
+    for row in np.flatnonzero(lost.any(axis=1) & apart):
         mask = _own_foreground(int(row), scene)
-        if several[row]:
-            found[row] = _first_known(_anew(mask, boxes[row], scene, int(row)), found[row])
-            continue
-        for part in np.flatnonzero(lost[row]):
-            place = _one(int(part), people.rectangles[row], mask)
-            found[row, part] = _first_known(place, found[row, part])
+        if several[row] or whole[row]:
+            parts = _anew(mask, boxes[row], scene, int(row))
+        else:
+            parts = np.stack([_one(part, people.rectangles[row], mask) for part in range(3)])
+        wanted = np.isfinite(parts) & (lost[row] | several[row])[:, None]
+        found[row] = np.where(wanted, parts, found[row])
     return found
 
 
@@ -63,17 +68,26 @@ def clear_failures(people: Followed, scene: Scene) -> Flags:
 
     Where we go past [ZhaoLee2009]: a machine that learnt from failures near the body says nothing
     of parts far away, and nothing of colours and foreground. Of those seen alone and whole, a part
-    off the foreground, or on it and nothing like its model, is lost; of everybody, one where no
-    part of a body can be.
+    off the foreground is lost; of those who touch others, the part that leaves its place in the
+    body; of everybody, one where no part of a body can be.
     """
-    whole = seen_whole(scene.claims, scene.seen, people.height)[:, None]
-    off = scene.claims.support < _OFF
+    whole = seen_whole(scene.claims, scene.seen, people.height)
     fault = pose_faults(people.rectangles, people.height)
-    return np.asarray((fault | (whole & off)) & ~people.occluded)
+    fault |= whole[:, None] & (scene.claims.support < _OFF)
+    fault |= (people.touching & ~whole)[:, None] & _out_of_place(people)
+    return np.asarray(fault & ~people.occluded)
 
 
-def _first_known(place: Floats, other: Floats) -> Floats:
-    return np.where(np.isfinite(place), place, other)
+def _out_of_place(people: Followed) -> Flags:
+    """(people, 3) the part farthest from where the other two take it, where that is far."""
+    away = np.zeros(people.failed.shape)
+    for part in range(people.failed.shape[1]):
+        which = np.zeros(people.failed.shape, bool)
+        which[:, part] = True
+        there = carried(people.state, people.pose, which)[:, part, :2]
+        away[:, part] = np.linalg.norm(there - people.state[:, part, :2], axis=1)
+    farthest = away >= away.max(axis=1, keepdims=True)
+    return np.asarray(farthest & (away > _OUT_OF_PLACE * people.height[:, None]))
 
 
 def _own_foreground(row: int, scene: Scene) -> Flags:
@@ -87,7 +101,8 @@ def _own_foreground(row: int, scene: Scene) -> Flags:
 def _one(part: int, rectangles: Floats, mask: Flags) -> Floats:
     """(4,) the rectangle of a part alone, from the other two and the foreground.
 
-    The torso is the mean of the others [ZhaoLee2009, eq. 4]. The head is the inner rectangle of
+    Only of people not seen alone and whole; the parts of those are cut out of their region. The
+    torso is the mean of the others [ZhaoLee2009, eq. 4]. The head is the inner rectangle of
     the foreground within the torso's width to either side of it, from its upper edge up by twice
     the distance from torso to hip-leg; the hip-leg likewise below.
     """

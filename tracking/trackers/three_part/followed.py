@@ -50,6 +50,7 @@ class Followed:
         usual: (people, parts) the same, smoothed.
         entropy: (people, parts) of the weights, 0 to 1; NaN where a part was not filtered.
         occluded: (people, parts) motion only in the last frame.
+        touching: (people,) whose parts touched somebody else's in the last frame.
         failed: (people, parts) the detector's verdict in the last frame.
         score: (people, parts) of it; NaN where nothing was judged.
         outline: (people, 4) by how much left, top, right and bottom of the person's box differ
@@ -74,6 +75,7 @@ class Followed:
     usual: Floats
     entropy: Floats
     occluded: Flags
+    touching: Flags
     failed: Flags
     score: Floats
     outline: Floats
@@ -135,6 +137,7 @@ def nobody(layout: Layout) -> Followed:
         usual=np.zeros((0, parts)),
         entropy=np.zeros((0, parts)),
         occluded=np.zeros((0, parts), bool),
+        touching=np.zeros(0, bool),
         failed=np.zeros((0, parts), bool),
         score=np.zeros((0, parts)),
         outline=np.zeros((0, 4)),

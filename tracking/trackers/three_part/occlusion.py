@@ -82,8 +82,8 @@ def behind_what_is_drawn(cover: Floats, support: Floats) -> Flags:
 
 def behind_others(
     rectangles: Floats, alike: Floats, foot: Floats, height: Floats, was_behind: Flags
-) -> Flags:
-    """(people, parts) hidden by somebody else.
+) -> tuple[Flags, Flags]:
+    """(people, parts) hidden by somebody else, and (people,) who touches somebody.
 
     [ZhaoLee2009] section 4.3.1: where parts of two people touch, the one whose parts look less
     like their models is the occluded one. Where we differ: all touching parts of the two are
@@ -106,7 +106,8 @@ def behind_others(
     lower = (foot[:, None] - foot[None]) * 2.0 / (height[:, None] + height[None])
     nearer = _NEARER * np.clip(lower, -_CLEARLY, _CLEARLY)
     behind = own.any(axis=1) & (look - look.T + nearer < bias)
-    return np.asarray(np.any(own & behind[:, None, :], axis=2))
+    hidden = np.asarray(np.any(own & behind[:, None, :], axis=2))
+    return hidden, np.asarray(own.any(axis=(1, 2)))
 
 
 def _touching(rectangles: Floats) -> Flags:

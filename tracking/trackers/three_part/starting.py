@@ -70,6 +70,7 @@ def begun(
         usual=alike,
         entropy=np.full((people, parts), np.nan),
         occluded=np.zeros((people, parts), bool),
+        touching=np.zeros(people, bool),
         failed=np.zeros((people, parts), bool),
         score=np.full((people, parts), np.nan),
         outline=np.zeros((people, 4)),

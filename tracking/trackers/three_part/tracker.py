@@ -26,7 +26,7 @@ from tracking.trackers.three_part.bodies import (
 from tracking.trackers.three_part.claims import Claims, claims_of, seen_whole, shares_on
 from tracking.trackers.three_part.detectors import NO_DETECTOR
 from tracking.trackers.three_part.finding import found_again
-from tracking.trackers.three_part.followed import Flags, Followed, Layout, nobody, together
+from tracking.trackers.three_part.followed import Followed, Layout, nobody, together
 from tracking.trackers.three_part.learning import colours_learnt, places_learnt, poses_learnt
 from tracking.trackers.three_part.moving import moved, weighed
 from tracking.trackers.three_part.occlusion import (
@@ -142,22 +142,24 @@ class PartTracker:
         """Everybody one frame on."""
         before, settings, layout = self._people, self._settings, self._layout
         people = moved(before, elapsed_s, settings, layout, self._random)
-        people = people.replace(occluded=self._occluded(people, seen, picture))
+        people = self._hidden(people, seen, picture)
         return weighed(people, before, picture, elapsed_s, settings, layout)
 
-    def _occluded(self, people: Followed, seen: Detections, picture: Picture) -> Flags:
-        """(people, parts) hidden by others or by what is drawn, at the places predicted."""
+    def _hidden(self, people: Followed, seen: Detections, picture: Picture) -> Followed:
+        """The people with who touches whom and who is hidden, at the places predicted."""
         alike = resemblance(looked_at(picture, people.rectangles), people.model) - people.usual
         claims = claims_of(people.rectangles, seen)
         box = outlined_boxes(people.rectangles, people.outline)
         tall = np.clip(box[:, 3], _STOOPED * people.height, _STRETCHED * people.height)
         foot = box[:, 1] + tall
-        hidden = behind_others(people.rectangles, alike, foot, people.height, people.hidden)
+        hidden, touching = behind_others(
+            people.rectangles, alike, foot, people.height, people.hidden
+        )
         hidden &= ~seen_whole(claims, seen, people.height)[:, None]
         if self._camera.occluders:
             cover = shares_on(self._cover, people.rectangles)
             hidden |= behind_what_is_drawn(cover, claims.support)
-        return hidden
+        return people.replace(occluded=hidden, touching=touching)
 
     def _put_right(
         self, people: Followed, seen: Detections, picture: Picture, time_s: float
