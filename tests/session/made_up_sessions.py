@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import hashlib
+import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from tracking.editing import plan_swap
 from tracking.session import Session, SourceFingerprint
+from tracking.session.saving import companions
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     DETECTION_COLUMNS,
@@ -92,3 +95,18 @@ def state_of(session: Session) -> tuple[object, ...]:
     columns = {name: column.tobytes() for name, column in session.tracks.columns().items()}
     log = [(e.id, e.text, e.author, e.undone, e.abandoned) for e in session.history]
     return columns, session.labels, log
+
+
+def crashed(session: Session, folder: Path) -> Path:
+    """What a crash at this moment leaves on the disk, elsewhere."""
+    assert session.path is not None
+    folder.mkdir(parents=True)
+    shutil.copy(session.path, folder)
+    shutil.copytree(companions(session.path), folder / companions(session.path).name)
+    return folder / session.path.name
+
+
+def edit(session: Session, *, swaps: int = 1) -> None:
+    """Make swaps, each from a frame later on."""
+    for frame in range(10, 10 + swaps):
+        session.apply(plan_swap(session.tracks, 1, 2, frame))

@@ -15,13 +15,6 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 @pytest.fixture
-def desk(window, qtbot, tiny_session):
-    window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    return window.desk
-
-
-@pytest.fixture
 def anns(desk, tiny_session, tmp_path):
     """A second person's session: two ids swapped from frame 60 on, one person gone at the end."""
     path = tmp_path / "ann.h5"

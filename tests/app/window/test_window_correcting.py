@@ -2,6 +2,7 @@ import threading
 
 import numpy as np
 import pytest
+from correcting_desk import CROWDED, opened_desk
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox, QPlainTextEdit
@@ -17,27 +18,11 @@ from tracking.session import Session
 
 Key = Qt.Key
 _CTRL, _SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
-CROWDED = 60
 
 
 @pytest.fixture
 def desk(window, qtbot, tiny_session):
-    window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.activateWindow()
-    qtbot.waitActive(window)
-    window.desk.playback.go(CROWDED)
-    qtbot.waitUntil(lambda: window.desk.playback.number == CROWDED)
-    return window.desk
-
-
-@pytest.fixture
-def press(window, desk, qtbot):
-    def press(key, modifiers=Qt.KeyboardModifier.NoModifier) -> None:
-        QTest.keyClick(window.focusWidget() or window, key, modifiers)
-        qtbot.wait(1)
-
-    return press
+    return opened_desk(window, qtbot, tiny_session)
 
 
 def _ids(desk) -> list[int]:

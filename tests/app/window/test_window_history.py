@@ -5,6 +5,7 @@ import time
 from dataclasses import replace
 
 import pytest
+from correcting_desk import opened_desk
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog, QMenu
@@ -20,11 +21,7 @@ MANY = 20_000
 
 @pytest.fixture
 def desk(window, qtbot, tiny_session):
-    window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.activateWindow()
-    qtbot.waitActive(window)
-    return window.desk
+    return opened_desk(window, qtbot, tiny_session, 0)
 
 
 @pytest.fixture

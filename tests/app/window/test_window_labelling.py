@@ -1,6 +1,7 @@
 """Labels given with keys and mouse in the real window."""
 
 import pytest
+from correcting_desk import CROWDED, opened_desk
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
@@ -9,27 +10,11 @@ from app.presenters.labelling.labelling_scene import Tool
 Key = Qt.Key
 _CTRL, _ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
 LEFT = Qt.MouseButton.LeftButton
-CROWDED = 60
 
 
 @pytest.fixture
 def desk(window, qtbot, tiny_session):
-    window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.activateWindow()
-    qtbot.waitActive(window)
-    window.desk.playback.go(CROWDED)
-    qtbot.waitUntil(lambda: window.desk.playback.number == CROWDED)
-    return window.desk
-
-
-@pytest.fixture
-def press(window, desk, qtbot):
-    def press(key, modifiers=Qt.KeyboardModifier.NoModifier) -> None:
-        QTest.keyClick(window.focusWidget() or window, key, modifiers)
-        qtbot.wait(1)
-
-    return press
+    return opened_desk(window, qtbot, tiny_session)
 
 
 @pytest.fixture

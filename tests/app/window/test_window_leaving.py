@@ -12,13 +12,6 @@ _BUTTON = QMessageBox.StandardButton
 
 
 @pytest.fixture
-def desk(window, qtbot, tiny_session):
-    window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    return window.desk
-
-
-@pytest.fixture
 def fresh(window, qtbot, tiny_recording):
     """A recording that nobody has tracked yet."""
     window.files.open_path(tiny_recording)

@@ -8,13 +8,6 @@ from tracking.editing import plan_delete
 
 
 @pytest.fixture
-def desk(window, qtbot, tiny_session):
-    window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    return window.desk
-
-
-@pytest.fixture
 def saved_twice(window, desk, qtbot):
     """Saved with one edit, then with another one; a third waits in the journal."""
     a, b = desk.document.tracks.ids[:2]

@@ -1,20 +1,15 @@
 import pytest
+from correcting_desk import CROWDED, opened_desk
 from PySide6.QtCore import QObject
 
 from app.background import OverlayMaker
 from app.presenters.pictures.overlays import Kinds
 from tracking.errors import RecordingError
 
-CROWDED = 60
-
 
 @pytest.fixture
 def desk(window, qtbot, tiny_session):
-    window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.desk.playback.go(CROWDED)
-    qtbot.waitUntil(lambda: window.desk.playback.number == CROWDED)
-    return window.desk
+    return opened_desk(window, qtbot, tiny_session)
 
 
 def test_foreground_comes_over_the_left_picture_and_goes_again(window, desk, qtbot):

@@ -6,13 +6,6 @@ from tracking.editing import plan_delete
 from tracking.errors import EditError, SessionError
 
 
-@pytest.fixture
-def desk(window, qtbot, tiny_session):
-    window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    return window.desk
-
-
 def _track(desk) -> int:
     return int(desk.document.session.tracks.track_ids[0])
 

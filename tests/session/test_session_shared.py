@@ -1,0 +1,215 @@
+"""Sessions saved elsewhere, opened twice, and journals that do not fit."""
+
+from __future__ import annotations
+
+import shutil
+import sqlite3
+from pathlib import Path
+
+import h5py
+import pytest
+from made_up_sessions import crashed, edit, make_recording, make_run, make_session, state_of
+
+from tracking.editing import Change, State, plan_split
+from tracking.errors import OutputError, SessionError
+from tracking.session import Session
+from tracking.session.journal import Journal
+from tracking.session.saving import companions
+from tracking.session.store import Store
+
+
+def test_saving_under_another_name_goes_on_there(session: Session, tmp_path: Path) -> None:
+    edit(session)
+    first = session.path
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    session.save(elsewhere / "copy.h5")
+    assert session.path == elsewhere / "copy.h5"
+    assert session.recording.path == "../recording"
+    session.apply(plan_split(session.tracks, 1, 20))
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert state_of(again) == state_of(session)
+    again.close()
+    assert first is not None
+    old = Session.open(first)
+    assert (len(old.history), old.read_only) == (0, False)
+    old.close()
+
+
+def test_a_session_never_saved_is_saved_where_it_is_told(tmp_path: Path) -> None:
+    made = Session.create(make_recording(tmp_path / "recording"), [make_run()])
+    edit(made)
+    with pytest.raises(SessionError, match="name one"):
+        made.save()
+    made.save(tmp_path / "s.h5")
+    edit(made)
+    again = Session.open(crashed(made, tmp_path / "after"))
+    assert state_of(again) == state_of(made)
+    again.close()
+    made.close()
+
+
+def test_a_second_opener_reads_only_and_is_told(session: Session) -> None:
+    edit(session)
+    assert session.path is not None
+    second = Session.open(session.path)
+    assert second.read_only
+    assert "open in process" in second.notes[0]
+    assert "not shown" in second.notes[1]
+    with pytest.raises(SessionError, match="another name"):
+        edit(second)
+    with pytest.raises(SessionError, match="another name"):
+        second.save()
+    second.close()
+    assert not session.read_only
+    edit(session)
+
+
+def test_a_session_open_for_reading_can_be_saved_elsewhere(
+    session: Session, tmp_path: Path
+) -> None:
+    assert session.path is not None
+    second = Session.open(session.path)
+    second.save(tmp_path / "mine.h5")
+    assert not second.read_only
+    edit(second)
+    second.close()
+
+
+def test_nobody_saves_over_a_session_that_is_open(session: Session, tmp_path: Path) -> None:
+    other = make_session(tmp_path / "other")
+    with pytest.raises(SessionError, match="close it there first"):
+        other.save(session.path)
+    assert other.path == tmp_path / "other" / "s.h5"
+    other.close()
+
+
+def test_the_journal_of_another_save_is_kept_aside(session: Session, tmp_path: Path) -> None:
+    old = tmp_path / "old.h5"
+    assert session.path is not None
+    shutil.copy(session.path, old)
+    edit(session)
+    session.save()
+    edit(session)
+    after = crashed(session, tmp_path / "after")
+    shutil.copy(old, after)  # the user put an older file in its place
+    again = Session.open(after)
+    assert len(again.history) == 0
+    assert "kept aside" in again.notes[0]
+    edit(again)
+    again.close()
+    assert list(companions(after).glob("kept-aside-*.sqlite"))
+
+
+@pytest.mark.parametrize("data", [b"", b"no journal at all" * 400])
+def test_a_damaged_journal_does_not_keep_a_session_from_opening(
+    session: Session, data: bytes
+) -> None:
+    assert session.path is not None
+    session.close()
+    companions(session.path).mkdir()
+    (companions(session.path) / "journal.sqlite").write_bytes(data)
+    again = Session.open(session.path)
+    edit(again)
+    again.save()
+    again.close()
+
+
+def test_one_recovered_edit_is_told_as_one(session: Session, tmp_path: Path) -> None:
+    edit(session)
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert again.notes == ("recovered: 1 edit made after the session was saved last",)
+    again.close()
+
+
+def test_steps_that_do_not_fit_are_kept_aside(session: Session, tmp_path: Path) -> None:
+    edit(session, swaps=3)
+    after = crashed(session, tmp_path / "after")
+    with sqlite3.connect(companions(after) / "journal.sqlite") as journal:
+        journal.execute("UPDATE steps SET before = '{', after = '{' WHERE number = 2")
+    journal.close()
+    again = Session.open(after)
+    assert again.recovered == 1
+    assert "2 edits do not fit" in again.notes[1]
+    again.close()
+
+
+def test_an_edit_made_by_hand_must_touch_what_is_there(session: Session) -> None:
+    nothing = Change("swap", "Swap nothing", 0, State(), State())
+    session.apply(nothing)
+    assert session.history.entries[0].text == "Swap nothing"
+
+
+def test_the_file_is_never_open_while_nobody_reads_it(session: Session) -> None:
+    with h5py.File(session.path, "a"):  # would fail for a file that is open elsewhere
+        pass
+
+
+def test_a_journal_that_cannot_be_trimmed_is_no_failed_save(
+    session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OutputError("no room")
+
+    edit(session)
+    with monkeypatch.context() as patch:
+        patch.setattr(Journal, "start_over", full)
+        session.save()
+    assert not session.dirty
+    session.apply(plan_split(session.tracks, 1, 20))
+    once = Session.open(crashed(session, tmp_path / "once"))
+    assert (state_of(once), once.recovered) == (state_of(session), 1)
+    once.close()
+    pending = session.begin_save()
+    session.undo()
+    pending.write()
+    twice = Session.open(crashed(session, tmp_path / "twice"))
+    assert (state_of(twice), twice.recovered) == (state_of(session), 1)
+    twice.close()
+    session.finish_save(pending)
+
+
+def test_edits_made_while_saving_elsewhere_outlive_a_second_save_that_fails(
+    session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = session.path
+    pending = session.begin_save(tmp_path / "other.h5")
+    edit(session)
+    pending.write()
+
+    def full(*_: object) -> None:
+        raise OutputError("no room")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("tracking.session.pending.replace_verified", full)
+        with pytest.raises(OutputError):
+            session.finish_save(pending)
+    session.abandon_save(pending)
+    assert session.path == tmp_path / "other.h5"
+    assert first is not None
+    old = Session.open(first)
+    assert state_of(old) == state_of(session)
+    old.close()
+    session.apply(plan_split(session.tracks, 1, 20))
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert state_of(again) == state_of(session)
+    again.close()
+
+
+def test_what_another_program_saved_while_a_session_was_opened_is_not_missed(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert session.path is not None
+    claim = Store.claim
+
+    def late(path: Path) -> Store:
+        if session.dirty:
+            session.save()
+            session.close()
+        return claim(path)
+
+    edit(session)
+    monkeypatch.setattr(Store, "claim", late)
+    second = Session.open(session.path)
+    assert (state_of(second), second.read_only) == (state_of(session), False)
+    second.close()
