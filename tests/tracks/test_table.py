@@ -57,6 +57,13 @@ def test_rows_are_found_by_frame_and_by_track(table: TrackTable) -> None:
     assert table.frames_of_track(9).tolist() == []
 
 
+def test_several_tracks_are_read_one_after_the_other(table: TrackTable) -> None:
+    table.rewrite(rows_at(), moves(), rows_at((2, 4)))
+    assert places(table.of_tracks([4, 9, 1], 1, 4)) == [(2, 4), (3, 4), (1, 1), (3, 1)]
+    assert places(table.of_tracks([], 0, 9)) == []
+    assert places(table.of_tracks([1], -5, 2**40)) == places(table.of_track(1))
+
+
 def test_the_table_tells_its_size_and_ranges(table: TrackTable) -> None:
     assert len(table) == 6
     assert table.track_ids == (1, 2, 4)

@@ -86,6 +86,6 @@ def is_sorted_strictly(numbers: NDArray[Any]) -> bool:
 def between(frames: NDArray[np.int32], start: int, end: int) -> slice:
     """Where ascending frames lie in the half-open range, as a slice with start and stop."""
     # Bounds of the frames' own type: of any other, NumPy would first convert all the frames.
-    bounds = np.clip([start, end], 0, LARGEST_NUMBER).astype(np.int32)
-    first, last = np.searchsorted(frames, bounds)
-    return slice(int(first), int(last))
+    bounds = [min(max(number, 0), LARGEST_NUMBER) for number in (start, end)]
+    first, last = frames.searchsorted(np.array(bounds, np.int32)).tolist()
+    return slice(first, last)

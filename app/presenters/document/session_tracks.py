@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.document.belonging import ids_after_edits, renamed
-from app.presenters.document.shown import Spans, joined
+from app.presenters.document.shown import Spans
 from app.presenters.parts.history import parts_behind
 from app.presenters.scenes import SpanKind
 from tracking.tracks import (
@@ -65,8 +65,8 @@ class SessionTracks:
         if self._recent[0] != asked:
             here = self._table.of_frame(frame)["track"].tolist()
             start = max(0, frame - back)
-            rows = [self._table.of_track(track, start, frame + 1) for track in here]
-            self._recent = (asked, joined(rows))
+            rows = self._table.of_tracks(here, start, frame + 1)
+            self._recent = (asked, {name: rows[name] for name in TRACK_COLUMNS})
         return self._recent[1]
 
     def of_track(self, track: int) -> Columns:
