@@ -7,7 +7,7 @@ from app.views.pictures.overhead import OverheadView
 
 
 def test_a_widget_of_no_kind_is_not_made(qtbot):
-    with pytest.raises(TypeError, match="Canvas does not define .*paint"):
+    with pytest.raises(TypeError, match=r"Canvas does not define .*paint"):
         Canvas(upward=True)
 
 
