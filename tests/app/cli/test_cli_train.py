@@ -1,0 +1,260 @@
+"""Labels in, a detector out: `train`, `import-labels`, `export` of samples and labels."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterator
+from contextlib import closing
+from dataclasses import replace
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from command_line import Trackwright
+
+from tracking.editing import plan_label_part
+from tracking.failure import TRUE_PARTS, load_detector, training
+from tracking.failure.training import Candidate
+from tracking.formats import read_samples
+from tracking.recording import open_recording
+from tracking.session import Session
+from tracking.tracks import PART_COLUMNS, PartLabel, Run
+
+_SHARES = ((0.0, 0.14), (0.17, 0.5), (0.55, 0.75))
+"""Top and bottom of the parts in a person's box."""
+
+
+def with_parts(run: Run) -> tuple[Run, np.ndarray]:
+    """The run with parts in everybody's box, and which rows of them were lost."""
+    tracks, rows = run.tracks, len(run.tracks["frame"])
+    random = np.random.default_rng(11)
+    parts = {name: np.zeros(rows * 3, dtype) for name, dtype in PART_COLUMNS.items()}
+    for name in ("frame", "track"):
+        parts[name][:] = np.repeat(tracks[name], 3)
+    parts["part"][:] = np.tile(np.arange(3), rows)
+    top, bottom = np.array(_SHARES)[parts["part"]].T
+    box = {name: np.repeat(tracks[name], 3) for name in ("left", "top", "width", "height")}
+    parts["cx"][:] = box["left"] + box["width"] / 2
+    parts["cy"][:] = box["top"] + box["height"] * (top + bottom) / 2
+    parts["width"][:], parts["height"][:] = box["width"] * 0.5, box["height"] * (bottom - top)
+    turn = parts["frame"] // 6
+    lost = (turn % 2 == 1) & ((turn // 2 + parts["track"]) % 3 == parts["part"])
+    parts["cx"][lost] += box["height"][lost] * random.uniform(0.02, 0.5, int(lost.sum()))
+    for name in ("cx", "cy"):
+        parts[name][:] += random.normal(0, 0.01, rows * 3) * box["height"]
+    return replace(run, parts=parts), lost
+
+
+def labels_of(run: Run, lost: np.ndarray) -> Iterator[PartLabel]:
+    parts = run.parts
+    for row in np.flatnonzero(parts["frame"] % 2 == 0).tolist():
+        x, y, width, height = (float(parts[n][row]) for n in ("cx", "cy", "width", "height"))
+        frame, track, part = (int(parts[n][row]) for n in ("frame", "track", "part"))
+        box = (x - width / 2, y - height / 2, width, height)
+        yield PartLabel(frame, track, part, box, not lost[row], "tracker", "Ann", "unsure")
+
+
+@pytest.fixture(scope="module")
+def labelled(footage: Path, tiny_run: Run, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A session with tracked parts, all labelled in every second frame; not to be changed."""
+    place = tmp_path_factory.mktemp("labelled") / "square.h5"
+    run, lost = with_parts(tiny_run)
+    with (
+        open_recording(footage) as recording,
+        closing(Session.create(recording, [run], place)) as s,
+    ):
+        s.apply(plan_label_part(s.labels, labels_of(run, lost)))
+        s.save()
+    return place
+
+
+@pytest.fixture(autouse=True)
+def quick_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two of the grid's candidates: what is tested here is not the search."""
+    plan = training.TrainingPlan
+    grid = (Candidate(1.0, 0.3), Candidate(10.0, 1.0))
+    monkeypatch.setattr(
+        "app.cli.train.TrainingPlan",
+        lambda **given: plan(**given, grid=grid, folds=2, searched=200, learnt=300),
+    )
+
+
+def test_labels_become_a_detector_and_a_report(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path
+) -> None:
+    words = ["train", labelled, "-o", tmp_path / "d.h5", "--report", tmp_path / "r", "--json"]
+    status, out, err = trackwright(*words, "--allow-outside")
+    assert status == 0, err
+    said = json.loads(out)
+    detector = load_detector(tmp_path / "d.h5")
+    assert said["detector"] == detector.fingerprint
+    assert set(said["questions"]) >= {"head", "torso", "hip-leg"}
+    assert all(said["questions"][part]["false_alarms"] <= 0.02 for part in said["samples"])
+    assert detector.origin.counts.sum() == sum(
+        counts[side] for counts in said["samples"].values() for side in ("on", "off")
+    )
+    page = (tmp_path / "r" / "index.html").read_text(encoding="utf-8")
+    mistakes = sum(len(question["mistakes"]) for question in said["questions"].values())
+    assert page.count("data:image/jpeg") == mistakes > 0
+    assert json.loads((tmp_path / "r" / "report.json").read_text()).keys() < said.keys()
+
+
+def test_more_false_alarms_find_more(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path
+) -> None:
+    found = []
+    for share in ("0.01", "0.2"):
+        words = ["train", labelled, "-o", tmp_path / "d.h5", "--false-alarms", share, "--json"]
+        said = json.loads(trackwright(*words)[1])
+        found.append(sum(said["questions"][part]["found"] for part in said["samples"]))
+    assert found[1] > found[0]
+
+
+def test_exported_samples_train_the_same_detector(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path
+) -> None:
+    table = tmp_path / "s.csv"
+    assert trackwright("export", labelled, "-o", table, "--format", "samples")[0] == 0
+    detectors = []
+    for source in (labelled, table):
+        assert trackwright("train", source, "-o", tmp_path / "d.h5")[0] == 0
+        detectors.append(load_detector(tmp_path / "d.h5"))
+    assert detectors[0].fingerprint == detectors[1].fingerprint
+    assert detectors[0].origin.samples == detectors[1].origin.samples
+
+
+def test_samples_are_exported_by_the_ending(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path
+) -> None:
+    words = ["export", labelled, "--format", "samples", "--json", "-o"]
+    made = json.loads(trackwright(*words, tmp_path / "s.libsvm")[1])
+    assert [Path(path).name for path in made["written"]] == [
+        *("s-head.libsvm", "s-torso.libsvm", "s-hip-leg.libsvm")
+    ]
+    for _ in range(2):  # what it wrote it may replace
+        assert trackwright(*words, tmp_path / "s.h5")[0] == 0
+    with h5py.File(tmp_path / "s.h5") as file:
+        assert file["features"].shape == (made["rows"], 36)
+    status, _, err = trackwright(*words, tmp_path / "s.xlsx")
+    assert status == 1
+    assert ".libsvm" in err
+
+
+def test_a_session_is_not_lost_to_a_detector_or_samples(
+    trackwright: Trackwright, labelled: Path, session: Path
+) -> None:
+    before = session.read_bytes()
+    for words in (
+        ["train", labelled, "-o", session],
+        ["export", labelled, "-o", session, "--format", "samples"],
+        ["export", labelled, "-o", session, "--format", "labels"],
+    ):
+        status, _, err = trackwright(*words)
+        assert (status, "would be lost" in err) == (1, True)
+    assert session.read_bytes() == before
+
+
+def test_labels_go_out_and_come_in_again(
+    trackwright: Trackwright, labelled: Path, footage: Path, tiny_run: Run, tmp_path: Path
+) -> None:
+    table, other = tmp_path / "l.csv", tmp_path / "other.h5"
+    assert trackwright("export", labelled, "-o", table, "--format", "labels")[0] == 0
+    with open_recording(footage) as recording:
+        Session.create(recording, [with_parts(tiny_run)[0]], other).close()
+    status, out, _ = trackwright("import-labels", table, other, "--json")
+    assert status == 0
+    counts = json.loads(out)
+    assert counts["new"] == counts["read"] > 100
+    with closing(Session.open(labelled)) as one, closing(Session.open(other)) as two:
+        assert one.labels.parts == two.labels.parts
+    assert json.loads(trackwright("import-labels", table, other, "--json")[1])["new"] == 0
+
+
+def test_labels_without_a_rectangle_get_the_trackers(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path
+) -> None:
+    copy, table = tmp_path / "s.h5", tmp_path / "l.csv"
+    copy.write_bytes(labelled.read_bytes())
+    with closing(Session.open(labelled)) as session:
+        parts = session.runs[0].parts
+        row = int(np.flatnonzero(parts["frame"] % 2 == 1)[0])
+    frame, track, part = (int(parts[name][row]) for name in ("frame", "track", "part"))
+    table.write_text(f"frame,track,part,on\n{frame},{track},{part},off\n", encoding="utf-8")
+    assert trackwright("import-labels", table, copy, "--author", "Cy")[0] == 0
+    with closing(Session.open(copy)) as session:
+        label = session.labels.parts[frame, track, part]
+    assert (label.on_part, label.author, label.source) == (False, "Cy", "tracker")
+    assert label.box[2:] == (parts["width"][row], parts["height"][row])
+
+
+@pytest.mark.parametrize(
+    ("line", "why"),
+    [
+        ("100000,1,head,on", "line 2: frame 100000; the recording has 0 to"),
+        ("0,77,head,on", "line 2: track 77 is not there in frame 0"),
+        ("0,1,arm,on", "line 2: the part 'arm'"),
+    ],
+)
+def test_a_label_that_does_not_fit_the_session_is_named_by_its_line(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path, line: str, why: str
+) -> None:
+    table = tmp_path / "l.csv"
+    table.write_text(f"frame,track,part,on\n{line}\n", encoding="utf-8")
+    before = labelled.read_bytes()
+    status, _, err = trackwright("import-labels", table, labelled)
+    assert (status, why in err) == (1, True)
+    assert labelled.read_bytes() == before
+
+
+def test_truth_beside_the_recording_labels_by_itself(
+    trackwright: Trackwright, labelled: Path, footage: Path, tmp_path: Path
+) -> None:
+    assert (footage / TRUE_PARTS).is_file()
+    words = [
+        "train",
+        labelled,
+        "-o",
+        tmp_path / "d.h5",
+        "--from-truth",
+        "--allow-outside",
+        "--json",
+    ]
+    status, out, err = trackwright(*words)
+    if status == 0:
+        assert json.loads(out)["samples"]["head"]["on"] > 0
+    else:  # so few people may not fill every class
+        assert "label at least" in err or "label more people" in err
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (["train", "{made}", "-o", "{out}"], "no body parts; track it with three-part"),
+        (["export", "{made}", "-o", "{out}", "--format", "samples"], "no samples; label"),
+        (["export", "{made}", "-o", "{out}", "--format", "samples", "--run", "0"], "leave --run"),
+        (["train", "{missing}", "-o", "{out}"], "there is no such session"),
+    ],
+)
+def test_what_cannot_be_is_told_in_one_line(
+    trackwright: Trackwright, made: Path, tmp_path: Path, words: list[str], why: str
+) -> None:
+    places = {"made": made, "out": tmp_path / "o.h5", "missing": tmp_path / "m.h5"}
+    status, out, err = trackwright(*(word.format(**places) for word in words))
+    assert (status, out, why in err, err.count("\n")) == (1, "", True, 1)
+    assert not (tmp_path / "o.h5").exists()
+
+
+def test_recordings_of_one_name_keep_their_people_apart(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path
+) -> None:
+    table = tmp_path / "s.csv"
+    trackwright("export", labelled, "-o", table, "--format", "samples")
+    people = len(set(read_samples(table).people().tolist()))
+    trackwright("train", labelled, table, "-o", tmp_path / "d.h5")
+    detector = load_detector(tmp_path / "d.h5")
+    with table.open(encoding="utf-8") as stream:
+        assert next(csv.reader(stream))[0] == "recording"
+    assert detector.origin.people == people
+    assert len(detector.origin.recordings) == 1
