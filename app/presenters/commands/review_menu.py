@@ -47,12 +47,25 @@ def _tracked(now: Situation) -> str:
     return session(now) or trackable(now)
 
 
+def _with_truth(now: Situation) -> str:
+    """There must be tracks, and a truth beside the recording."""
+    return session(now) or ("" if now.truth else tr("the recording has no truth.txt"))
+
+
 COMMANDS: Final = (
     Command("review.next", "Review", "Next suspicion", ("N",), _listed),
     Command("review.previous", "Review", "Previous suspicion", ("P",), _listed),
     Command("review.play", "Review", "Play its stretch", ("Shift+N",), _looked_at),
     Command(
         "review.plays", "Review", "Play each stretch when going to it", (), session, checkable=True
+    ),
+    Command(
+        "review.measure",
+        "Review",
+        "Measure the queue against truth",
+        (),
+        _with_truth,
+        checkable=True,
     ),
     Command("review.right", "Review", "It is right", ("Z",), _decidable, separated=True),
     Command("review.fix", "Review", "Put it right...", ("E",), _fixable),
@@ -88,6 +101,6 @@ COMMANDS: Final = (
         "Review",
         "Score against truth...",
         (),
-        lambda now: session(now) or ("" if now.truth else tr("the recording has no truth.txt")),
+        _with_truth,
     ),
 )

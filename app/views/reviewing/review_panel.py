@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QLabel,
-    QListView,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -23,6 +22,7 @@ from app.presenters.reviewing.review_scene import Order, ReviewScene
 from app.views.look.icons import IconButton
 from app.views.look.theme import scaled_font
 from app.views.reviewing.queue_list import ReviewDelegate, ReviewModel, row_height
+from app.views.reviewing.queue_view import FewLines, QueueView
 from app.views.widgets.command_list import native_keys
 from app.views.widgets.parts import Panel, quiet
 
@@ -56,10 +56,11 @@ class ReviewPanel(Panel):
         self._title.setWordWrap(True)
         self._text = quiet("", self, "faint")
         self._text.setWordWrap(True)
-        self._also = quiet("", self)
+        self._also = FewLines(self)
+        self._also.setFont(scaled_font(self.font(), 0.88))
         self._doing = quiet("", self, "faint")
         self._meter = quiet("", self, "faint")
-        for label in (self._also, self._doing, self._meter):
+        for label in (self._doing, self._meter):
             label.setFont(scaled_font(self.font(), 0.88))
             label.setWordWrap(True)
         self._decisions = QHBoxLayout()
@@ -85,7 +86,7 @@ class ReviewPanel(Panel):
         self.add_to_heading(self._plays)
 
     def _build_list(self) -> None:
-        self._list = QListView(self)
+        self._list = QueueView(self)
         self._list.setModel(self._model)
         self._list.setItemDelegate(ReviewDelegate(self._list))
         self._list.setAccessibleName(self.tr("Suspicions"))
@@ -143,20 +144,20 @@ class ReviewPanel(Panel):
         self._scene = scene
         listed = bool(scene.items)
         self._model.take(scene.items)
-        self._select(scene.current)
         self._left.setText(self.tr("{0} left").format(scene.left) if scene.left else "")
         self._plays.setChecked(scene.plays)
         self._plays.setVisible(bool(scene.left))
         self._show_kinds(scene)
         self._orders.setCurrentIndex(self._orders.findData(scene.order.value))
-        for widget in (self._list, self._kinds, self._orders, *self._tools):
+        for widget in (self._list, self._kinds, self._orders, self._also, *self._tools):
             widget.setVisible(listed)
-        self._say(self._also, scene.also if listed else "")
+        self._also.setText(scene.also)
         self._say(self._title, "" if listed else scene.title)
         self._say(self._text, "" if listed else scene.text)
         self._say(self._doing, scene.doing)
         self._say(self._meter, scene.meter)
         self.keep_low(not listed)
+        self._select(scene.current)
 
     def _say(self, label: QLabel, text: str) -> None:
         label.setText(text)

@@ -28,7 +28,8 @@ class ReviewSearch(QObject):
 
     Attributes:
         doing: what goes on, in words; "" at rest.
-        measures: how good what was found is against the truth, in words; "" without a truth.
+        measuring: whether what is found is measured against the truth, where there is one.
+        measures: how good it is, in words; "" where that is not asked, or without a truth.
     """
 
     found = Signal(object)
@@ -41,10 +42,12 @@ class ReviewSearch(QObject):
         """`subject` is asked when a search begins, for a copy that nobody changes."""
         super().__init__(parent)
         self.doing = self.measures = ""
+        self.measuring = False
         self._subject = subject
         self._recording = recording
         self._job: Job | None = None
         self._again = False
+        self._found: tuple[object, TrackTable] | None = None
         self._waiting = QTimer(self, singleShot=True, interval=_QUIET_MS)
         self._waiting.timeout.connect(self._begin)
 
@@ -60,6 +63,14 @@ class ReviewSearch(QObject):
             self._job.cancel()
         self._waiting.start(0 if at_once else _QUIET_MS)
 
+    def measure(self, asked: bool) -> None:
+        """Measure what is found from now on, and what was found last; or no more."""
+        self.measuring = asked
+        if not asked:
+            self._tell(self.doing, "")
+        elif self._job is None and self._found is not None:
+            self._measure(*self._found)
+
     def stop(self) -> None:
         """Look no further; nothing is found any more of what was asked."""
         self._waiting.stop()
@@ -70,6 +81,7 @@ class ReviewSearch(QObject):
             job.cancel()
             job.wait()
             job.deleteLater()
+        self._found = None
         self._tell("", "")
 
     def _begin(self) -> None:
@@ -96,13 +108,19 @@ class ReviewSearch(QObject):
         job.start()
 
     def _take(self, found: Any, table: TrackTable) -> None:
-        """Tell what was found; then, where there is a truth, measure how good that is."""
+        """Tell what was found; then, where that is asked, measure how good it is."""
+        self._found = found, table
         self.found.emit(found)
+        if self.measuring:
+            self._measure(found, table)
+
+    def _measure(self, found: Any, table: TrackTable) -> None:
+        """Measure what was found against the truth beside the recording, if there is one."""
         recording = self._recording
         if recording.truth_path is not None:
             self._start(
                 lambda _: measures_text(measured(found, table, recording)),
-                lambda text: self._tell("", text),
+                lambda text: self._tell("", text if self.measuring else ""),
             )
 
     def _show(self, done: int, total: int) -> None:

@@ -152,6 +152,17 @@ class Reviewing(QObject):
         self._show()
         self.changed.emit()
 
+    @property
+    def measures(self) -> bool:
+        """Whether it is told how good the queue is against the truth."""
+        return self._search.measuring
+
+    def set_measures(self, measures: bool) -> None:
+        """Tell how good the queue is against the truth, or tell it no more."""
+        self._search.measure(measures)
+        self._show()
+        self.changed.emit()
+
     def _look_at(self, suspicion: Suspicion | None) -> None:
         """Select its people and go to just before it."""
         if suspicion is None:

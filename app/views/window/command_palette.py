@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QHideEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QFrame,
     QLineEdit,
@@ -57,10 +57,11 @@ class CommandPalette(QFrame):
     """A list over the middle of the window.
 
     Signals:
-        run_asked(str): the id of the command chosen.
+        run_asked(str): the id of the command chosen. left(): it is gone, whatever for.
     """
 
     run_asked = Signal(str)
+    left = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -107,6 +108,11 @@ class CommandPalette(QFrame):
         self._search("")
         self.show()
         self._edit.setFocus(Qt.FocusReason.PopupFocusReason)
+
+    def hideEvent(self, event: QHideEvent) -> None:  # noqa: N802 - Qt's name
+        """Say so, so that the window has the keys again also where nothing gives it them back."""
+        super().hideEvent(event)
+        self.left.emit()
 
     def _search(self, typed: str) -> None:
         self._list.clear()

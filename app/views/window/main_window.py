@@ -101,6 +101,7 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         self.menus.asked.connect(self.run_command)
         self.palette_of_commands.run_asked.connect(self.run_command)
+        self.palette_of_commands.left.connect(self.activateWindow)
         self.welcome.open_asked.connect(self.files.ask_open)
         self.welcome.demo_asked.connect(self.files.open_demo)
         self.welcome.path_chosen.connect(self.files.open_path)
@@ -198,6 +199,8 @@ class MainWindow(QMainWindow):
                 on.add("detector.suggest")
             if self.desk.reviewing.plays:
                 on.add("review.plays")
+            if self.desk.reviewing.measures:
+                on.add("review.measure")
             on |= {f"view.{name}" for name, is_on in asdict(pictured).items() if is_on}
         return frozenset(on)
 

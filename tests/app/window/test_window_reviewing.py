@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLineEdit
 
 from app.presenters.correcting import EditKind
 from app.presenters.files import opening
@@ -221,14 +222,39 @@ def test_after_an_edit_suspicions_are_looked_for_again(desk, window, qtbot):
     qtbot.waitUntil(lambda: bool(found), timeout=10_000)
 
 
-def test_the_meter_tells_what_was_done_and_how_good_the_queue_is(desk, press, window, qtbot):
+def test_the_meter_tells_what_was_done_and_nothing_of_the_truth(desk, press, window, qtbot):
     press(Key.Key_N)
     press(Key.Key_Z)
     qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
     said = window.workspace.review._meter.text()
     assert "1 decided" in said
-    assert "Against the truth" in said
-    assert "identity errors in" in said
+    assert "truth" not in said
+
+
+def test_how_good_the_queue_is_is_told_where_that_is_asked_and_as_long(desk, window, qtbot):
+    meter, action = window.workspace.review._meter, window.menus.actions["review.measure"]
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    window.run_command("review.measure")
+    qtbot.waitUntil(lambda: "identity errors in" in meter.text(), timeout=10_000)
+    qtbot.waitUntil(action.isChecked)
+    window.run_command("review.measure")
+    assert "truth" not in meter.text()
+    qtbot.waitUntil(lambda: not action.isChecked())
+
+
+@pytest.mark.parametrize("command", ["help.keys", "edit.commands"])
+def test_after_a_list_of_commands_was_left_n_goes_on_at_once(desk, press, window, qtbot, command):
+    press(Key.Key_N)
+    before = desk.reviewing.queue.place
+    window.run_command(command)
+    top = QApplication.activePopupWidget() or QApplication.activeModalWidget()
+    assert top is not None
+    qtbot.waitUntil(lambda: QApplication.focusWidget() in top.findChildren(QLineEdit))
+    QTest.keyClick(QApplication.focusWidget(), Key.Key_Escape)
+    assert not top.isVisible()
+    qtbot.waitActive(window)
+    press(Key.Key_N)
+    assert desk.reviewing.queue.place == before + 1
 
 
 def test_the_list_can_be_narrowed_sorted_and_clicked(desk, window, qtbot):

@@ -29,6 +29,7 @@ REVIEWING: dict[str, OnDesk] = {
     "review.previous": _walk(-1),
     "review.play": lambda desk: desk.reviewing.play(),
     "review.plays": lambda desk: desk.reviewing.set_plays(not desk.reviewing.plays),
+    "review.measure": lambda desk: desk.reviewing.set_measures(not desk.reviewing.measures),
     "review.right": lambda desk: desk.reviewing.decide("right"),
     "review.fix": lambda desk: desk.reviewing.fix(),
     "review.dismiss": lambda desk: desk.reviewing.decide("dismissed"),

@@ -46,11 +46,18 @@ def of_the_window(window: MainWindow) -> dict[str, Callable[[], None]]:
         "detector.save": files.detectors.ask_save,
         "detector.open": files.detectors.ask_open,
         "detector.built_in": files.detectors.use_built_in,
-        "help.keys": lambda: ShortcutsDialog(window.command_items(), window).open(),
+        "help.keys": lambda: _show_keys(window),
         "help.about": lambda: window.notice.say(
             tr("trackwright: people tracked in recorded stereo footage, corrected and scored.")
         ),
     }
+
+
+def _show_keys(window: MainWindow) -> None:
+    """Not every desktop gives the keys back to the window below once a dialog is closed."""
+    dialog = ShortcutsDialog(window.command_items(), window)
+    dialog.finished.connect(window.activateWindow)
+    dialog.open()
 
 
 def _open_palette(window: MainWindow) -> None:

@@ -1,0 +1,77 @@
+"""The list of the review queue, and under it further reasons in the room there is."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent, QTextLayout
+from PySide6.QtWidgets import QListView, QSizePolicy, QWidget
+
+from app.views.look.theme import current_theme
+
+
+class QueueView(QListView):
+    """A list that keeps its current row in sight, also when it gets less room."""
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """The list was given other room."""
+        super().resizeEvent(event)
+        if self.currentIndex().isValid() and self.selectionModel().hasSelection():
+            self.scrollTo(self.currentIndex())
+
+
+class FewLines(QWidget):
+    """Words on at most two lines, always as high: what is beside it stays where it is.
+
+    What has no room ends in an ellipsis; the tooltip says it all.
+    """
+
+    LINES = 2
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._text = ""
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    def text(self) -> str:
+        """The whole of it."""
+        return self._text
+
+    def setText(self, text: str) -> None:  # noqa: N802 - as labels have it
+        """Say something else."""
+        self._text = text
+        self.setToolTip(text)
+        self.setAccessibleName(text)
+        self.update()
+
+    def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """All lines, whatever is said."""
+        return QSize(64, self.LINES * self.fontMetrics().lineSpacing())
+
+    def lines(self) -> list[str]:
+        """What is drawn, line by line."""
+        laid = QTextLayout(self._text, self.font())
+        laid.beginLayout()
+        cuts = []
+        while (line := laid.createLine()).isValid():
+            line.setLineWidth(self.width())
+            cuts.append(line.textStart())
+        laid.endLayout()
+        cuts.append(len(self._text))
+        parts = [self._text[a:b].strip() for a, b in pairwise(cuts)]
+        if len(parts) > self.LINES:
+            rest = self._text[cuts[self.LINES - 1] :]
+            elided = Qt.TextElideMode.ElideRight
+            last = self.fontMetrics().elidedText(rest, elided, self.width())
+            parts = [*parts[: self.LINES - 1], last]
+        return parts
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
+        """Draw the lines."""
+        del event
+        painter = QPainter(self)
+        painter.setPen(current_theme().text_muted)
+        metrics = self.fontMetrics()
+        for number, line in enumerate(self.lines()):
+            painter.drawText(QPointF(0, metrics.ascent() + number * metrics.lineSpacing()), line)
