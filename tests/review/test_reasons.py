@@ -21,6 +21,7 @@ from tracking.review.evidence import gathered
 from tracking.review.found import Found
 from tracking.review.material import Material
 from tracking.review.reasons import REASONS
+from tracking.review.wording import sentence
 from tracking.tracks import PART_COLUMNS, Run, TrackTable
 
 
@@ -161,7 +162,16 @@ def test_failed_parts_are_told() -> None:
     rows["failed"][:] = (True, True, False)
     run.parts.update(rows)
     seen = found("part", run)
-    assert list(zip(seen.first, seen.frame, seen.figure, strict=True)) == [(1, 50, 2.0)]
+    head_and_torso = 1 + 2
+    assert list(zip(seen.first, seen.frame, seen.figure, strict=True)) == [(1, 50, head_and_torso)]
+    assert seen.strength[0] == pytest.approx(2 / 3)
+
+
+@pytest.mark.parametrize(
+    ("which", "parts"), [(4, "hip-leg"), (3, "head and torso"), (7, "head, torso and hip-leg")]
+)
+def test_the_parts_that_failed_are_named(which: int, parts: str) -> None:
+    assert sentence("part", 3, 0, which, 7.2) == f"the {parts} of 3 failed at 00:07"
 
 
 def there_and_back(predicted: range) -> Found:

@@ -39,7 +39,7 @@ class Evidence:
         looks: (7, n) height in m and the CIELAB of upper and lower body; NaN where not noticed.
         spread_m, split: (n,) of the particles; NaN where not noticed.
         margin: (n,) of the association; NaN where there was none or no other choice.
-        failed: (n,) how many of the person's parts have failed.
+        failed: (n,) which of the person's parts have failed: 1 head, 2 torso, 4 hip-leg, summed.
         fps: frames a second. stop: one past the footage's last frame that was tracked.
     """
 

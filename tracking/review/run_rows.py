@@ -37,14 +37,17 @@ class RunRows:
         return self._looked_up(self.run.associations if self.run else {}, "margin")
 
     def failed_parts(self) -> Rows:
-        """(n,) how many parts of the person have failed."""
+        """(n,) which parts of the person have failed: 1 head, 2 torso, 4 hip-leg, added up."""
         parts = self.run.parts if self.run else {}
         if not len(parts.get("failed", ())):
             return np.zeros(len(self.row), np.int64)
-        failed = np.sort(_keys(parts)[parts["failed"]])
-        return np.asarray(
-            np.searchsorted(failed, self.key, "right") - np.searchsorted(failed, self.key)
-        )
+        failed, person = np.unique(_keys(parts)[parts["failed"]], return_inverse=True)
+        if not len(failed):
+            return np.zeros(len(self.row), np.int64)
+        bits = np.left_shift(1, parts["part"][parts["failed"]].astype(np.int64))
+        which = np.bincount(person.reshape(-1), bits).astype(np.int64)
+        at = np.minimum(np.searchsorted(failed, self.key), len(failed) - 1)
+        return np.where(failed[at] == self.key, which[at], 0)
 
     def _looked_up(self, columns: Columns, name: str) -> NDArray[np.float32]:
         values = np.full(len(self.row), np.nan, np.float32)

@@ -6,14 +6,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
+from tracking.tracks import PART_NAMES
+
 
 @dataclass(frozen=True, slots=True)
 class Words:
     """How a kind of reason is said.
 
     Attributes:
-        one, two: sentences about one track (a) and about two (a, b); they may name `figure` and
-            the `time`.
+        one, two: sentences about one track (a) and about two (a, b); they may name `figure`, the
+            `time` and the body `parts`.
         fix_one, fix_two: what usually puts it right; see `Suspicion.fix`.
     """
 
@@ -69,7 +71,7 @@ WORDS: Mapping[str, Words] = MappingProxyType(
         ),
         "spread": Words("the particles of {a} spread over {figure:.1f} m at {time}"),
         "split": Words("the particles of {a} fall in two at {time}"),
-        "part": Words("{figure:.0f} body parts of {a} have failed at {time}"),
+        "part": Words("the {parts} of {a} failed at {time}"),
     }
 )
 """By kind of reason."""
@@ -82,7 +84,14 @@ def sentence(kind: str, first: int, second: int, figure: float, seconds: float) 
     """A reason as a sentence, e.g. "4 and 7 passed within 0.3 m at 00:41"."""
     words = WORDS[kind]
     said = words.two if second else words.one
-    return said.format(a=first, b=second, figure=figure, time=clock(seconds))
+    parts = _parts(int(figure)) if kind == "part" else ""
+    return said.format(a=first, b=second, figure=figure, time=clock(seconds), parts=parts)
+
+
+def _parts(which: int) -> str:
+    """The parts of a sum of 1 head, 2 torso, 4 hip-leg: "head", "head, torso and hip-leg"."""
+    names = [name for part, name in enumerate(PART_NAMES) if which >> part & 1]
+    return " and ".join((", ".join(names[:-1]), names[-1]) if len(names) > 1 else names)
 
 
 def fix(kind: str, second: int) -> str:

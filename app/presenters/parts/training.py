@@ -47,7 +47,7 @@ class TrainingSettings:
     learnt: int = setting(
         _PLAN.learnt, "", (100, 50000), "most samples of a part that the detector learns from"
     )
-    seed: int = setting(0, "", (0, 2**31 - 1), "of the random numbers; the same gives the same")
+    seed: int = setting(0, "", (0, 999_999), "of the random numbers; the same gives the same")
 
     def plan(self) -> TrainingPlan:
         """As training takes them."""

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 from app.views.look.theme import current_theme, faded
 
 _LETTERS = 7
-_HIGH_PX = 8.0
+_HIGH_PX = 5.0
 
 
 class BalanceBar(QWidget):
@@ -33,7 +33,7 @@ class BalanceBar(QWidget):
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """A few letters wide."""
-        return QSize(_LETTERS * self.fontMetrics().averageCharWidth(), self.fontMetrics().height())
+        return QSize(_LETTERS * self.fontMetrics().averageCharWidth(), round(_HIGH_PX) + 6)
 
     def minimumSizeHint(self) -> QSize:  # noqa: N802
         """Never pressed together."""

@@ -50,8 +50,9 @@ class PartsGrid(QWidget):
         rows.setContentsMargins(0, 0, 0, 0)
         rows.setSpacing(8)
         grid = QGridLayout()
-        grid.setHorizontalSpacing(6)
-        grid.setVerticalSpacing(4)
+        grid.setHorizontalSpacing(3)
+        grid.setColumnMinimumWidth(0, self.fontMetrics().ascent())
+        grid.setVerticalSpacing(1)
         grid.setColumnStretch(1, 1)
         rows.addLayout(grid)
         self._swatches: list[Swatch] = []
@@ -80,8 +81,8 @@ class PartsGrid(QWidget):
         name.setCheckable(True)
         name.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         name.clicked.connect(partial(self.chosen.emit, part))
-        grid.addWidget(swatch, part, 0)
-        grid.addWidget(name, part, 1, Qt.AlignmentFlag.AlignLeft)
+        grid.addWidget(swatch, 2 * part, 0)
+        grid.addWidget(name, 2 * part, 1, Qt.AlignmentFlag.AlignLeft)
         self._swatches.append(swatch)
         self._names.append(name)
         for column, (_, answer) in enumerate(_ANSWERS, start=2):
@@ -89,12 +90,13 @@ class PartsGrid(QWidget):
             button.setCheckable(True)
             button.setProperty("segment", True)
             button.setProperty("tight", True)
+            button.setFont(scaled_font(self.font(), 0.88))
             button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
             button.clicked.connect(partial(self.said.emit, part, answer))
-            grid.addWidget(button, part, column)
+            grid.addWidget(button, 2 * part, column)
             self._answers[part, answer] = button
         balance = BalanceBar(self)
-        grid.addWidget(balance, part, len(_ANSWERS) + 2)
+        grid.addWidget(balance, 2 * part + 1, 2, 1, len(_ANSWERS))
         self._balances.append(balance)
 
     def _build_step(self) -> QHBoxLayout:
@@ -113,7 +115,7 @@ class PartsGrid(QWidget):
 
     def show_scene(self, scene: LabellingScene) -> None:
         """Show what was said of the parts of the person in the frame."""
-        words = {True: self.tr("On"), False: self.tr("Off"), None: self.tr("Unsure")}
+        words = {True: self.tr("On"), False: self.tr("Off"), None: self.tr("?")}
         for part, swatch in enumerate(self._swatches):
             there = part < len(scene.parts)
             self._names[part].setVisible(there)

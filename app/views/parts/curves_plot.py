@@ -15,7 +15,7 @@ from app.presenters.parts.parts_scene import CurvesScene
 from app.views.look.theme import Theme, current_theme, faded, scaled_font
 from app.views.pictures.name_plates import draw_message
 from app.views.timeline.axis import TimeAxis, ticks
-from app.views.timeline.curves import Floats, curve_path, span_of, stretches
+from app.views.timeline.curves import Floats, curve_path, score_span, span_of, stretches
 from app.views.timeline.strips import covered, draw_strip, opacity
 from app.views.widgets.still_picture import StillPicture
 
@@ -127,7 +127,7 @@ class CurvesPlot(QWidget):
     def _draw_strip(self, painter: QPainter, strip: _Strip, place: QRectF, theme: Theme) -> None:
         painter.fillRect(place, theme.sunken)
         values = [strip.values(curve) for curve in self._scene.curves]
-        span = span_of(values, strip.least)
+        span = span_of(values, strip.least) if strip.threshold is None else score_span(values)
         self._name_strip(painter, strip, place, span, theme)
         painter.save()
         painter.setClipRect(place.adjusted(0, -1, 0, 1))

@@ -119,13 +119,21 @@ class ResultDialog(QDialog):
         grid = QGridLayout()
         grid.setHorizontalSpacing(14)
         grid.setVerticalSpacing(4)
-        titles = ("", "", self.tr("failures found"), self.tr("false alarms"))
+        grid.setColumnStretch(1, 1)
+        titles = (
+            "",
+            "",
+            self.tr("failures found"),
+            self.tr("missed"),
+            self.tr("false alarms"),
+            self.tr("rightly passed"),
+        )
         for column, title in enumerate(titles):
             grid.addWidget(quiet(title, self), 0, column)
         for part in range(len(PART_COLOURS)):
             swatch = Swatch(self)
             swatch.set_colour(current_theme().track(PART_COLOURS[part]))
-            cells = tuple(QLabel(self) for _ in range(3))
+            cells = tuple(QLabel(self) for _ in range(5))
             grid.addWidget(swatch, part + 1, 0)
             for column, cell in enumerate(cells, start=1):
                 grid.addWidget(cell, part + 1, column)
@@ -179,9 +187,15 @@ class ResultDialog(QDialog):
 
 
 def _fill(cells: tuple[QLabel, ...], figures: PartFigures) -> None:
-    found = f"{_share(figures.found, figures.off)}  ({figures.found} / {figures.off})"
-    alarms = f"{_share(figures.false_alarms, figures.on)}  ({figures.false_alarms} / {figures.on})"
-    for cell, text in zip(cells, (figures.name, found, alarms), strict=True):
+    """The name, and of those off and on their part how many were called failed, and not."""
+    texts = (
+        figures.name,
+        f"{figures.found}  ({_share(figures.found, figures.off)})",
+        f"{figures.off - figures.found}",
+        f"{figures.false_alarms}  ({_share(figures.false_alarms, figures.on)})",
+        f"{figures.on - figures.false_alarms}",
+    )
+    for cell, text in zip(cells, texts, strict=True):
         cell.setText(text)
         cell.setAccessibleName(figures.said)
         cell.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

@@ -62,7 +62,7 @@ class RocPlot(QWidget):
     def _area(self) -> QRectF:
         line = QFontMetricsF(scaled_font(self.font(), _SMALL)).height()
         letters = QFontMetricsF(self.font()).averageCharWidth()
-        return QRectF(self.rect()).adjusted(7 * letters, 10, -3 * letters, -2.6 * line)
+        return QRectF(self.rect()).adjusted(7 * letters, 1.5 * line, -3 * letters, -2.6 * line)
 
     def _at(self, alarms: float, found: float) -> QPointF:
         area = self._area()
@@ -108,8 +108,8 @@ class RocPlot(QWidget):
         title = QRectF(area.left(), area.bottom() + 1.2 * line, area.width(), 1.3 * line)
         painter.setPen(theme.text)
         painter.drawText(title, flags.AlignCenter, self.tr("false alarms"))
-        inside = QRectF(area.left() + 6, area.top() + 4, area.width(), line)
-        painter.drawText(inside, flags.AlignLeft, self.tr("failures found"))
+        above = QRectF(area.left(), area.top() - 1.4 * line, area.width(), 1.2 * line)
+        painter.drawText(above, flags.AlignLeft, self.tr("failures found"))
 
     def _draw_curve(self, painter: QPainter, part: int, curve: RocCurve, theme: Theme) -> None:
         colour, meant = theme.track(PART_COLOURS[part]), self._is_meant(part)

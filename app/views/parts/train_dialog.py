@@ -89,6 +89,7 @@ class TrainDialog(QDialog):
         rows.addLayout(self._list_buttons())
         rows.addWidget(self._told)
         rows.addLayout(self._counts_grid())
+        rows.addSpacing(8)
         rows.addWidget(heading(self.tr("Settings"), self))
         area = QScrollArea(self)
         area.setWidget(self._form)

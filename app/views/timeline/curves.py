@@ -11,6 +11,7 @@ from app.views.labelling.marks import path_through
 from app.views.timeline.axis import TimeAxis
 
 Floats = NDArray[np.float64]
+_LEAST_SCORES, _LOWEST_SCORE = (-1.0, 1.0), -2.0
 
 
 def curve_path(
@@ -46,6 +47,12 @@ def thinned(frames: NDArray[np.int64], values: Floats, axis: TimeAxis) -> tuple[
     begins = np.flatnonzero(np.append(True, column[1:] != column[:-1]))
     ends = np.stack((np.fmin.reduceat(y, begins), np.fmax.reduceat(y, begins)), axis=1)
     return np.repeat(column[begins], 2), ends.reshape(-1)
+
+
+def score_span(scores: list[Floats]) -> tuple[float, float]:
+    """What of a failure score is drawn: around the threshold; how far below it hardly matters."""
+    low, high = span_of(scores, _LEAST_SCORES)
+    return max(low, _LOWEST_SCORE), high
 
 
 def span_of(curves: list[Floats], least: tuple[float, float]) -> tuple[float, float]:

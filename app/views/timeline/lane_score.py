@@ -9,10 +9,8 @@ from app.presenters.labelling.labelling_scene import PART_COLOURS
 from app.presenters.parts.part_curve import THRESHOLD, LaneScore
 from app.views.look.theme import Theme, faded
 from app.views.timeline.axis import TimeAxis
-from app.views.timeline.curves import curve_path, span_of, stretches
+from app.views.timeline.curves import curve_path, score_span, stretches
 from app.views.timeline.strips import covered, draw_strip, opacity
-
-_LEAST = (-1.0, 1.0)
 
 
 def draw_score(
@@ -20,7 +18,7 @@ def draw_score(
 ) -> None:
     """A curve; above the dashed line the part has failed, and the ground is shaded there."""
     curve = score.curve
-    span = span_of([curve.score], _LEAST)
+    span = score_span([curve.score])
     columns = max(1, int(axis.width * painter.device().devicePixelRatioF()))
     shares = covered(stretches(curve.frames[curve.failed]), axis.edges(columns))
     draw_strip(painter, opacity(shares), faded(theme.danger, 0.35), place)

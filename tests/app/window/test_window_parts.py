@@ -168,3 +168,24 @@ def _failures(hands, track):
         if bad
     }
     return sorted(one for one in failed if (one[0] - 1, one[1]) not in failed)
+
+
+def test_part_failures_stand_in_the_review_queue_and_n_goes_to_them(hands, window, qtbot):
+    reviewing = hands.desk.reviewing
+    qtbot.waitUntil(lambda: any(item.title == "Part failed" for item in reviewing.queue.items))
+    reviewing.narrow("part")
+    hands.press(Key.Key_N)
+    current = reviewing.queue.current
+    assert current.kind == "part"
+    assert hands.desk.document.selection.track == current.tracks[0]
+    hands.qtbot.waitUntil(lambda: hands.desk.playback.number == current.start)
+    rows = parted.parts_of(hands.desk.document.session.tracks.of_frame(current.frame))
+    failed = {int(p) for t, p, bad in _rows(rows) if bad and t == current.tracks[0]}
+    names = [name for part, name in enumerate(("head", "torso", "hip-leg")) if part in failed]
+    assert names
+    why = reviewing.queue.items[reviewing.queue.place].why
+    assert all(name in why for name in names)
+
+
+def _rows(rows):
+    return zip(rows["track"].tolist(), rows["part"].tolist(), rows["failed"].tolist(), strict=True)

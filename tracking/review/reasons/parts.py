@@ -13,10 +13,15 @@ _ALL = 3
 
 
 def failed_parts(material: Material) -> Found:
-    """Where most parts of a person have failed; the first frame of those alike."""
+    """Where most parts of a person have failed; the first frame of those alike.
+
+    The figure says which: 1 head, 2 torso, 4 hip-leg, summed.
+    """
     evidence = material.evidence
     rows = np.flatnonzero(evidence.failed > 0)
     track, frame = evidence.track[rows], evidence.frame[rows]
-    count = evidence.failed[rows].astype(np.float64)
+    which = evidence.failed[rows]
+    count = (which[:, None] >> np.arange(_ALL) & 1).sum(axis=1).astype(np.float64)
     best = peaks(track, frame, count, evidence.frames_of(_APART_S))
-    return of_tracks("part", track[best], frame[best], ramp(count[best], 0.0, _ALL), count[best])
+    strength, figure = ramp(count[best], 0.0, _ALL), which[best].astype(np.float64)
+    return of_tracks("part", track[best], frame[best], strength, figure)
