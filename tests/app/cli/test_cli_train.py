@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from command_line import Trackwright
 
+from app.cli.taught import How, taught_by
 from tracking.editing import plan_label_part
 from tracking.failure import TRUE_PARTS, load_detector, training
 from tracking.failure.training import Candidate
@@ -208,24 +209,23 @@ def test_a_label_that_does_not_fit_the_session_is_named_by_its_line(
     assert labelled.read_bytes() == before
 
 
-def test_truth_beside_the_recording_labels_by_itself(
-    trackwright: Trackwright, labelled: Path, footage: Path, tmp_path: Path
+def test_truth_beside_the_recording_labels_by_itself(labelled: Path) -> None:
+    samples = taught_by(labelled, How(from_truth=True, allow_outside=True)).samples
+    assert set(samples.columns["source"].tolist()) == {"truth"}
+    assert set(samples.columns["label"].tolist()) == {0, 1}
+    by_hand = taught_by(labelled, How()).samples
+    assert set(by_hand.columns["source"].tolist()) == {"label"}
+
+
+def test_without_truth_beside_it_a_recording_does_not_label_itself(
+    trackwright: Trackwright, labelled: Path, recording: Path, tmp_path: Path
 ) -> None:
-    assert (footage / TRUE_PARTS).is_file()
-    words = [
-        "train",
-        labelled,
-        "-o",
-        tmp_path / "d.h5",
-        "--from-truth",
-        "--allow-outside",
-        "--json",
-    ]
-    status, out, err = trackwright(*words)
-    if status == 0:
-        assert json.loads(out)["samples"]["head"]["on"] > 0
-    else:  # so few people may not fill every class
-        assert "label at least" in err or "label more people" in err
+    (recording / TRUE_PARTS).unlink()
+    with closing(Session.open(labelled)) as session, open_recording(recording) as footage:
+        Session.create(footage, [session.runs[0]], recording / "s.h5").close()
+    words = ["train", recording / "s.h5", "-o", tmp_path / "d.h5", "--from-truth"]
+    status, _, err = trackwright(*words)
+    assert (status, f"is no {TRUE_PARTS}; label by hand" in err) == (1, True)
 
 
 @pytest.mark.parametrize(
