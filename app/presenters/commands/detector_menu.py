@@ -43,7 +43,7 @@ COMMANDS: Final = (
         checkable=True,
         separated=True,
     ),
-    Command("detector.truth", "Detector", "Label parts from the truth...", (), _part_truth),
+    Command("detector.truth", "Detector", "Label parts from the truth", (), _part_truth),
     Command(
         "detector.train",
         "Detector",

@@ -20,8 +20,8 @@ from tracking.failure import (
     no_samples,
     train,
 )
-from tracking.session import Session
-from tracking.session.samples import session_samples
+from tracking.formats import read_samples
+from tracking.session import RecordingReference, Session, session_samples
 from tracking.setting import setting
 from tracking.tracks import PART_NAMES
 
@@ -69,15 +69,17 @@ class SettingsOfTraining:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Source:
-    """Where labels come from: a session.
+    """Where labels come from: a session, or a table of samples.
 
     Attributes:
         title: for people. path: of the file; None for the open session. samples: its labels.
+        identity: tells recordings of one name apart.
     """
 
     title: str
     path: Path | None
     samples: Samples
+    identity: str
 
     @property
     def said(self) -> str:
@@ -87,12 +89,20 @@ class Source:
 
 
 def source_at(path: Path) -> Source:
-    """The labels of a session file.
+    """The labels of a session file, or a table of samples (CSV).
 
-    Raises SessionError where it is none or cannot be read.
+    Raises SessionError or FormatError where it is neither or cannot be read.
     """
+    if path.suffix.lower() == ".csv":
+        return Source(path.name, path, read_samples(path), str(path))
     with closing(Session.open(path)) as session:
-        return Source(f"{session.recording.name} ({path.name})", path, session_samples(session))
+        title = f"{session.recording.name} ({path.name})"
+        return Source(title, path, session_samples(session), identity_of(session.recording))
+
+
+def identity_of(recording: RecordingReference) -> str:
+    """Tells recordings apart, whatever they are called."""
+    return " ".join(source.sha256 for source in recording.sources)
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,8 +146,26 @@ def _missing(on: int, off: int, people_on: int, people_off: int) -> str:
 
 
 def all_samples(sources: Sequence[Source]) -> Samples:
-    """Those of several sources."""
-    return joined([one.samples for one in sources]) if sources else no_samples()
+    """Those of several sources.
+
+    Different recordings of one name are told apart: their people are not the same people, and
+    are not held out together.
+    """
+    first: dict[str, str] = {}
+    told_apart = []
+    for one in sources:
+        names = set(one.samples.columns["recording"].tolist())
+        strange = any(first.setdefault(name, one.identity) != one.identity for name in names)
+        told_apart.append(_renamed(one) if strange else one.samples)
+    return joined(told_apart) if told_apart else no_samples()
+
+
+def _renamed(source: Source) -> Samples:
+    """The samples of a recording that bears the source's name, too."""
+    columns = source.samples.columns
+    names = [f"{name} ({source.title})" for name in columns["recording"].tolist()]
+    renamed = {**columns, "recording": np.array(names, object)}
+    return Samples(renamed, source.samples.features)
 
 
 def trained_from(samples: Samples, settings: TrainingSettings, report: Report) -> Trained:

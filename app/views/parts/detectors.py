@@ -12,7 +12,12 @@ from app.presenters.document.document import Document
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
 from app.presenters.parts.kept_detectors import kept
 from app.presenters.parts.mistake_pictures import cut_out
-from app.presenters.parts.training import Source, TrainingSettings, trained_from
+from app.presenters.parts.training import (
+    Source,
+    TrainingSettings,
+    identity_of,
+    trained_from,
+)
 from app.presenters.parts.training_result import MistakeItem, TrainingResult
 from app.presenters.parts.truth_labels import plan_truth_labels
 from app.presenters.words import tr
@@ -225,4 +230,4 @@ def _labels_here(document: Document) -> Source:
     samples = samples_from(
         session.labels, session.tracks.snapshot(), run, recording.fps, recording.name
     )
-    return Source(tr("This session"), None, samples)
+    return Source(tr("This session"), None, samples, identity_of(session.recording))

@@ -38,7 +38,7 @@ from app.views.widgets.parts import heading, quiet
 from app.views.widgets.questions import choose_file
 from tracking.failure import Samples
 
-_SESSIONS = "trackwright (*.h5)"
+_TAUGHT = "Sessions and samples (*.h5 *.csv)"
 _ROWS = 4
 
 
@@ -109,10 +109,10 @@ class TrainDialog(QDialog):
 
     def _list_buttons(self) -> QHBoxLayout:
         line = QHBoxLayout()
-        add = QPushButton(self.tr("Add a session..."), self)
+        add = QPushButton(self.tr("Add sessions or samples..."), self)
         add.setAutoDefault(False)
         add.clicked.connect(
-            lambda: choose_file(self, self.tr("Add a session"), tr(_SESSIONS), self.add)
+            lambda: choose_file(self, self.tr("Add a session or samples"), tr(_TAUGHT), self.add)
         )
         remove = IconButton("remove", self.tr("Take the session off the list"), parent=self)
         remove.setFocusPolicy(Qt.FocusPolicy.TabFocus)
