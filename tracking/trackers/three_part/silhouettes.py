@@ -1,0 +1,71 @@
+"""Legs that slid up their own silhouette."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people import Detections
+from tracking.people.parts import decompose, inner_rectangles
+from tracking.trackers.three_part.claims import Claims, seen_whole
+from tracking.trackers.three_part.followed import Flags, Floats, Followed
+from tracking.trackers.three_part.poses import HIP_LEG
+
+_HELD = 0.5
+"""A rectangle of which less lies in its section is lost, as in the paper's measure."""
+_LARGEST = 4.0
+"""So is one whose area is more than so many times the inner rectangle's there, or less by that."""
+
+
+def legs_elsewhere(
+    people: Followed, seen: Detections, claims: Claims, picture: NDArray[np.uint8]
+) -> tuple[Flags, Floats]:
+    """Whose hip-leg is not where the silhouette has its legs, and where it belongs.
+
+    Where we go past [ZhaoLee2009]: a hip-leg that slid up the body, or grew over it, stands where
+    a hip-leg may be, and on foreground. Only of people seen alone and whole. Heads and torsos are
+    left to the other rules: the line between them is a few pixels off too often.
+
+    Args:
+        picture: (height, width, 3) of `ycbcr`.
+
+    Returns:
+        (people,) and (people, 4) rectangles, NaN of those who were not looked at.
+    """
+    rectangles = people.rectangles[:, HIP_LEG]
+    off = np.zeros(len(people), bool)
+    belong = np.full(rectangles.shape, np.nan)
+    for row in np.flatnonzero(seen_whole(claims, seen, people.height) & ~people.hidden):
+        section, inner = _legs(seen, int(claims.region[row]), picture)
+        off[row] = np.isfinite(inner).all() and _is_off(rectangles[row], section, inner)
+        belong[row] = inner
+    return off, belong
+
+
+def _legs(seen: Detections, region: int, picture: NDArray[np.uint8]) -> tuple[Floats, Floats]:
+    """(4,) corners of what is seen below the hip line, and (4,) the inner rectangle there."""
+    box = seen.box[region]
+    low = np.maximum(np.floor(box[:2]).astype(int), 0)
+    high = np.ceil(box[:2] + box[2:]).astype(int) + 1
+    cut = np.s_[low[1] : high[1], low[0] : high[0]]
+    mask = seen.regions[cut] == region + 1
+    inside = np.array((*(box[:2] - low), *box[2:]))
+    lines = decompose(mask, picture[cut], inside)
+    inner = inner_rectangles(mask, inside, lines)[HIP_LEG]
+    inner[:2] += low
+    hip = int(np.clip(np.ceil(lines[1]), 0, len(mask)))
+    columns = np.flatnonzero(mask[hip:].any(axis=0))
+    if not len(columns):
+        return np.full(4, np.nan), np.full(4, np.nan)
+    section = np.array((columns[0] - 0.5, lines[1], columns[-1] + 0.5, inside[1] + inside[3]))
+    return section + np.tile(low, 2), inner
+
+
+def _is_off(rectangle: Floats, section: Floats, inner: Floats) -> bool:
+    half = rectangle[2:] / 2
+    low = np.maximum(rectangle[:2] - half, section[:2])
+    high = np.minimum(rectangle[:2] + half, section[2:])
+    area = max(float(np.prod(rectangle[2:])), 1e-9)
+    held = float(np.prod(np.clip(high - low, 0.0, None))) / area
+    ratio = area / max(float(np.prod(inner[2:])), 1e-9)
+    return held < _HELD or not 1.0 / _LARGEST <= ratio <= _LARGEST
