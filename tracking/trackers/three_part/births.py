@@ -14,8 +14,12 @@ from tracking.trackers.three_part.settings import WholeBodySettings
 
 _SAME = 0.5
 """Share of a region's box in an earlier one's from which on it is the same region."""
-_OCCUPIED = 0.25
-"""Share of a region's box in a person's from which on nobody new is in it."""
+_OCCUPIED = 0.5
+"""Share of a region's box in a person's, and of theirs in it, from which on they are the same."""
+_INSIDE = 0.85
+"""Share of a region's box in a person's from which on it is a piece of theirs."""
+_LEAST_HEIGHT_PX = 30.0
+"""Of somebody whose parts can be told apart."""
 _AT_EDGE_S = 1.0
 """How long a region at the picture's edge is waited for: it is walking in."""
 _SUPPORTED = 0.3
@@ -43,8 +47,11 @@ class Newcomers:
 
 def free_regions(seen: Detections, claims: Claims, boxes: Floats) -> Indices:
     """The regions in which nobody followed can be; boxes (people, 4) of those followed."""
-    near = covered_shares(seen.box, boxes).max(axis=1, initial=0.0)
-    return np.flatnonzero(~claims.taken & (near < _OCCUPIED) & ~seen.merged)
+    covered, covering = covered_shares(seen.box, boxes), covered_shares(boxes, seen.box).T
+    # One before the other covers most of a box; the same person is in both.
+    same = (covered >= _OCCUPIED) & ((covering >= _OCCUPIED) | (covered >= _INSIDE))
+    tall = seen.box[:, 3] >= _LEAST_HEIGHT_PX
+    return np.flatnonzero(~claims.taken & ~same.any(axis=1) & ~seen.merged & tall)
 
 
 def waited_for(
