@@ -2,6 +2,14 @@
 
 from tracking.foreground.background import BackgroundModel, Subtraction
 from tracking.foreground.settings import ForegroundSettings
+from tracking.foreground.shade import ShadeColour
 from tracking.foreground.shadow import PERHAPS, ShadowRemover
 
-__all__ = ["PERHAPS", "BackgroundModel", "ForegroundSettings", "ShadowRemover", "Subtraction"]
+__all__ = [
+    "PERHAPS",
+    "BackgroundModel",
+    "ForegroundSettings",
+    "ShadeColour",
+    "ShadowRemover",
+    "Subtraction",
+]

@@ -59,7 +59,7 @@ def people_regions(kind: NDArray[np.uint8], standing: Standing) -> Labels:
     everybody = nobody()
     # From the top down: a head without a chest finds it before its own feet look for one.
     for k in sorted(range(len(boxes)), key=lambda k: boxes[k][1]):
-        if _absorbed(regions, labels, k + 1, boxes[k], everybody):
+        if _absorbed(regions, kind, labels == k + 1, boxes[k], everybody):
             continue
         found = _silhouette(labels, k + 1, boxes[k], standing)
         if _paint(regions, kind, labels, found, len(everybody), standing.calibrated):
@@ -67,18 +67,25 @@ def people_regions(kind: NDArray[np.uint8], standing: Standing) -> Labels:
     return regions
 
 
-def _absorbed(regions: Labels, labels: Labels, label: int, box: Box, everybody: Bodies) -> bool:
+def _absorbed(
+    regions: Labels,
+    kind: NDArray[np.uint8],
+    own: NDArray[np.bool_],
+    box: Box,
+    everybody: Bodies,
+) -> bool:
     """Whether a fragment is a limb of somebody found already; its pixels are painted so."""
     if len(everybody) == 0:
         return False
     left, top, width, height = box
     inside = np.s_[top : top + height, left : left + width]
-    v, u = np.nonzero(labels[inside] == label)
+    v, u = np.nonzero(own[inside])
     place = placed(u + left, v + top, everybody)
     limb = (place.across < _LIMB_ACROSS) & (place.along > 0) & (place.along < 1)
     whole = _BODY_AREA * everybody.height[np.bincount(place.body).argmax()] ** 2
     if limb.mean() < _LIMB_INSIDE or len(v) > _LIMB_AREA * whole:
         return False
+    limb &= body_pixels(kind[inside][v, u], place, u, everybody.reach)
     regions[inside][v[limb], u[limb]] = place.body[limb] + 1
     return True
 

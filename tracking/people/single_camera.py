@@ -12,6 +12,7 @@ from tracking.foreground import (
     PERHAPS,
     BackgroundModel,
     ForegroundSettings,
+    ShadeColour,
     ShadowRemover,
     Subtraction,
 )
@@ -51,6 +52,7 @@ class SingleCameraPerception:
     ) -> None:
         self._background = BackgroundModel(fps, foreground)
         self._shadows = ShadowRemover(foreground)
+        self._shade = ShadeColour()
         self._view = view
         self._settings = people or PeopleSettings()
 
@@ -67,7 +69,7 @@ class SingleCameraPerception:
         seen = self._background.subtract(self._working(eye))
         shadow = self._shadows.shadows(seen)
         standing = Standing(self._view, _shrink(eye), self._settings)
-        regions = people_regions(_kinds(seen.mask, shadow), standing)
+        regions = people_regions(self._kinds(seen, shadow), standing)
         regions = without_ghosts(regions, seen.picture, seen.background)
         people = described(regions, seen.picture, eye.shape, standing, self._settings)
         self._remember(seen, regions)
@@ -78,6 +80,16 @@ class SingleCameraPerception:
         """What a view may lay over a frame; nothing is remembered, frames come in any order."""
         seen = self._background.subtract(self._working(frame.left))
         return self._overlays(seen.mask, self._shadows.shadows(seen), frame.left)
+
+    def _kinds(self, seen: Subtraction, shadow: Mask) -> Mask:
+        """(height, width) the foreground in the kinds of `tracking.people.upright`, else 0."""
+        self._shade.follow(seen, shadow)
+        kind = seen.mask.copy()
+        v, u = np.nonzero(seen.mask & ~shadow)
+        kind[v, u] = np.where(self._shade.alike(seen, v, u), upright.PERHAPS, upright.BODY)
+        kind[shadow == PERHAPS] = upright.PERHAPS
+        kind[shadow == 255] = upright.SHADOW
+        return kind
 
     def _remember(self, seen: Subtraction, regions: Mask) -> None:
         """Let the background follow what was seen, except where people are."""
@@ -101,11 +113,3 @@ class SingleCameraPerception:
 
 def _shrink(eye: Image) -> int:
     return -(-int(eye.shape[1]) // _WIDEST_PX)
-
-
-def _kinds(mask: Mask, shadow: Mask) -> Mask:
-    """(height, width) the kinds of foreground of `tracking.people.upright`, 0 in the background."""
-    kind = mask.copy()
-    kind[shadow == PERHAPS] = upright.PERHAPS
-    kind[shadow == 255] = upright.SHADOW
-    return kind

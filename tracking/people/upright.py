@@ -16,8 +16,10 @@ _HAIR, _HAIR_ACROSS = (-0.09, 0.16), 0.24
 """Dark hair over a dark wall looks like shadow, but shadows lie on floors: along and across."""
 _CHEST, _CHEST_ACROSS = (0.12, 0.55), 0.4
 _LEGS, _LEGS_ACROSS = (0.5, 0.94), 0.5
-_LOW = 0.8
+_LOW = 0.66
 """From here on down what looks a little like shadow, and is not over a shoe, is shadow."""
+_SPECK = 2
+"""So many pixels of a column may be noise."""
 _LEGS_SEEN = 0.5
 """With fewer pixels of legs than this share of those like shadow, trousers look like shadow."""
 
@@ -50,7 +52,8 @@ def body_pixels(
 
 
 def _over(along: NDArray[np.float32], column: NDArray[np.intp], body: Bools) -> Bools:
-    """Which pixels have some of the body below them in their column."""
+    """Which pixels have some of the body below them in their column, more than a speck."""
+    body = body & (np.bincount(column[body], minlength=column.max(initial=0) + 1) > _SPECK)[column]
     lowest = np.full(int(column.max(initial=0)) + 1, -np.inf, np.float32)
     np.maximum.at(lowest, column[body], along[body])
     return np.asarray(along < lowest[column], np.bool_)
