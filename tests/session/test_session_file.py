@@ -238,7 +238,7 @@ def test_a_session_of_a_newer_trackwright_is_not_saved_over(session: Session) ->
     session.close()
     with h5py.File(path, "a") as file:
         file.attrs["format_version"] = "1.9"
-        file["samples"].create_dataset("feature", data=np.arange(3.0))
+        file.create_dataset("from_later/feature", data=np.arange(3.0))
     before = path.read_bytes()
     again = Session.open(path)
     assert again.read_only
