@@ -1,8 +1,9 @@
 """Makes the built-in failure detector: `python -m tests.benchmarks.parts.detector [--out FILE]`.
 
-It learns in two rounds, both labelled from the exact truth of clips that are used for nothing
-else: first from a tracker that adjusts nothing, as in [ZhaoLee2009], then also from one that
-adjusts by the first round's verdicts, since that is the tracker it is going to judge.
+It learns from a tracker that adjusts nothing, as in [ZhaoLee2009], labelled from the exact truth
+of clips that are used for nothing else. Every person is seen at a size of its own, drawn at
+random: the clips show all of them about equally large, and what was learnt in pixels there would
+say nothing of other recordings.
 """
 
 from __future__ import annotations
@@ -10,7 +11,6 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-import tempfile
 from pathlib import Path
 
 import cv2
@@ -19,12 +19,13 @@ import numpy as np
 import resources
 from tests.benchmarks.parts.clips import TRAINED, TRAINED_CROUCHING
 from tests.benchmarks.parts.labelling import samples_of_clips
-from tests.benchmarks.parts.running import PLAIN, Variant
-from tracking.failure import Samples, joined, save_detector
+from tests.benchmarks.parts.running import PLAIN
+from tracking.failure import Samples, save_detector
 from tracking.failure.detector_file import BUILT_IN
 from tracking.failure.training import Trained, TrainingPlan, train
 
 SEED = 4100
+_SIZES = float(np.log(2.5))
 
 
 def main() -> None:
@@ -43,21 +44,21 @@ def main() -> None:
 
 
 def made(kept: Path | None) -> Trained:
-    """The detector of both rounds."""
-    clips = (*TRAINED, *TRAINED_CROUCHING)
-    first = samples_of_clips(clips, PLAIN, kept)
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "first.h5"
-        save_detector(path, _trained(first).detector)
-        adjusting = Variant("with adjustment", "three-part", {"detector": str(path)})
-        second = samples_of_clips(clips, adjusting, kept)
-    return _trained(joined((first, second)))
+    """The detector, and what was measured while it was made."""
+    random = np.random.default_rng(SEED)
+    samples = resized(samples_of_clips((*TRAINED, *TRAINED_CROUCHING), PLAIN, kept), random)
+    print(f"samples off and on, by part: {samples.counts().tolist()}", file=sys.stderr)
+    return train(samples, TrainingPlan(), random=random)
 
 
-def _trained(samples: Samples) -> Trained:
-    counts = samples.counts()
-    print(f"{len(samples)} samples, off and on: {counts.tolist()}", file=sys.stderr)
-    return train(samples, TrainingPlan(), random=np.random.default_rng(SEED))
+def resized(samples: Samples, random: np.random.Generator) -> Samples:
+    """The samples as if everybody had been filmed from nearer or farther away.
+
+    All features are differences in px or px/s, so a person twice as large has all of them doubled.
+    """
+    people = samples.people()
+    sizes = np.exp(random.uniform(-_SIZES, _SIZES, int(people.max(initial=-1)) + 1))
+    return Samples(samples.columns, samples.features * sizes[people, None])
 
 
 if __name__ == "__main__":
