@@ -1,0 +1,155 @@
+"""People from one camera: drawn ones by behaviour, rendered ones against exact truth."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from drawn_people import SIZE, floor, with_person, with_shadow
+from numpy.typing import NDArray
+
+from tracking.people import Observation, SingleCameraPerception
+from tracking.people.parts import part_regions, ycbcr
+from tracking.recording.frame import StereoFrame
+from tracking.synthesis import SCENES, Scene, SceneTruth
+
+Picture = NDArray[np.uint8]
+FPS = 5.0
+
+
+def seen(*pictures: Picture, empty: Picture | None = None) -> Observation:
+    """The last of the pictures as observed by perception that knows the empty floor."""
+    perception = SingleCameraPerception(FPS)
+    perception.learn([StereoFrame(0, 0.0, floor() if empty is None else empty, None)])
+    for number, picture in enumerate(pictures):
+        found = perception.observe(StereoFrame(number, number / FPS, picture, None))
+    return found
+
+
+def test_an_empty_floor_shows_nobody() -> None:
+    found = seen(floor())
+    assert len(found.people) == 0
+    assert found.people.regions.shape == SIZE
+    assert not found.people.regions.any()
+
+
+def test_somebody_gets_a_box_and_the_picture_goes_along() -> None:
+    picture = with_person(floor(), 100, 60, 120)
+    found = seen(picture)
+    assert np.allclose(found.people.box, [[84.5, 59.5, 30, 120]], atol=4)
+    assert found.picture is picture
+    assert np.isnan(found.people.position).all()
+
+
+def test_a_shadow_on_the_floor_is_no_leg() -> None:
+    shaded = with_shadow(floor(), 100, 178, 90)
+    found = seen(with_person(shaded, 100, 60, 120))
+    left, _, width, _ = found.people.box[0]
+    assert left + width < 122
+    assert not found.people.regions[:, 130:].any()
+
+
+def test_specks_are_dropped() -> None:
+    picture = with_person(floor(), 100, 60, 120)
+    picture[20:26, 250:256] = 0
+    assert len(seen(picture).people) == 1
+
+
+def test_two_people_who_touch_are_two() -> None:
+    picture = with_person(with_person(floor(), 100, 60, 120), 126, 66, 118)
+    found = seen(picture)
+    assert len(found.people) == 2
+    middle = found.people.box[:, 0] + found.people.box[:, 2] / 2
+    assert np.allclose(np.sort(middle), [100, 126], atol=8)
+
+
+def test_somebody_who_crouches_stays_one_person() -> None:
+    picture = floor()
+    picture[120:180, 90:145] = (30, 30, 160)
+    picture[108:122, 95:110] = (90, 120, 190)
+    assert len(seen(picture).people) == 1
+
+
+def test_somebody_who_stands_still_does_not_melt_into_the_background() -> None:
+    standing = with_person(floor(), 100, 60, 120)
+    found = seen(*[standing] * 150)
+    assert len(found.people) == 1
+    assert found.people.box[0, 3] > 110
+
+
+def test_what_somebody_left_behind_in_the_background_is_nobody() -> None:
+    assert len(seen(floor(), empty=with_person(floor(), 100, 60, 120)).people) == 0
+
+
+def test_wide_pictures_give_boxes_and_regions_as_recorded() -> None:
+    wide = (720, 1280)
+    found = seen(with_person(floor(wide), 600, 200, 360), empty=floor(wide))
+    assert np.allclose(found.people.box, [[556.5, 199.5, 87, 360]], atol=10)
+    assert found.people.regions.shape == wide
+    assert found.overlays.foreground.shape == wide
+
+
+@pytest.fixture(scope="module")
+def rendered() -> list[tuple[Observation, SceneTruth, NDArray[np.int32]]]:
+    """Observations of a rendered walkway with what is true of them and who covers each pixel."""
+    scene = Scene(SCENES["walkway"], seed=4104, eyes=1)
+    numbers = range(40, scene.frames, 8)
+    frames = [scene.frame(number) for number in numbers]
+    perception = SingleCameraPerception(FPS, scene.rig.view)
+    perception.learn([frame for frame, _ in frames])
+    surfaces = [scene.surfaces(number).track for number in numbers]
+    return [
+        (perception.observe(frame), truth, track)
+        for (frame, truth), track in zip(frames, surfaces, strict=True)
+    ]
+
+
+def matched(
+    rendered: list[tuple[Observation, SceneTruth, NDArray[np.int32]]],
+) -> list[tuple[Observation, int, SceneTruth, int]]:
+    """(observation, its region or -1, truth, its row) of everybody seen whole and alone."""
+    found = []
+    for observation, truth, track in rendered:
+        for row in np.flatnonzero(truth.visibility > 0.99):
+            own = observation.people.regions[track == truth.track[row]]
+            label = int(np.bincount(own).argmax()) if len(own) else 0
+            found.append((observation, label - 1, truth, int(row)))
+    return found
+
+
+def test_rendered_people_are_found_where_they_stand(
+    rendered: list[tuple[Observation, SceneTruth, NDArray[np.int32]]],
+) -> None:
+    people = matched(rendered)
+    assert len(people) > 25
+    known = [found for found in people if found[1] >= 0]
+    assert len(known) >= 0.93 * len(people)
+    apart = [o.people.position[k, :2] - t.position[row] for o, k, t, row in known]
+    assert np.median(np.hypot(*np.array(apart).T)) < 0.15
+    feet = [
+        (o.people.box[k, [1, 3]].sum() - t.box[row, [1, 3]].sum()) / t.box[row, 3]
+        for o, k, t, row in known
+    ]
+    # A shadow taken for legs would draw boxes down.
+    assert np.mean(np.array(feet) < 0.05) > 0.93
+    assert np.mean(np.abs(feet) < 0.1) > 0.93
+
+
+def test_rectangles_lie_on_the_rendered_peoples_parts(
+    rendered: list[tuple[Observation, SceneTruth, NDArray[np.int32]]],
+) -> None:
+    on = []
+    for observation, k, truth, row in matched(rendered):
+        if k < 0:
+            continue
+        assert observation.picture is not None
+        parts = part_regions(observation.people, ycbcr(observation.picture))
+        on.append(_inside(parts.rectangles[k], truth.part_box[row]))
+    assert (np.mean(on, axis=0) > 0.88).all()
+
+
+def _inside(rectangles: NDArray[np.float64], boxes: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """(3,) whether more than half of each rectangle lies in its part's true box."""
+    low = np.maximum(rectangles[:, :2] - rectangles[:, 2:] / 2, boxes[:, :2])
+    high = np.minimum(rectangles[:, :2] + rectangles[:, 2:] / 2, boxes[:, :2] + boxes[:, 2:])
+    shared = np.maximum(high - low, 0).prod(axis=1)
+    return np.asarray(shared > 0.5 * rectangles[:, 2:].prod(axis=1), np.bool_)
