@@ -20,7 +20,7 @@ _INSIDE = 0.85
 """Share of a region's box in a person's from which on it is a piece of theirs."""
 _LEAST_HEIGHT_PX = 30.0
 """Of somebody whose parts can be told apart."""
-_AT_EDGE_S = 1.0
+_AT_EDGE_S = 2.0
 """How long a region at the picture's edge is waited for: it is walking in."""
 _SUPPORTED = 0.3
 """Share of foreground under somebody's parts from which on they are there."""
@@ -36,12 +36,14 @@ class Newcomers:
     """Regions nobody followed is in, waited for until they are somebody.
 
     Attributes:
-        box: (n, 4) left, top, width, height px. seen_s: (n,) for how long.
+        box: (n, 4) left, top, width, height px.
+        seen_s: (n,) for how long. clear_s: (n,) for how long away from the picture's edge.
         pace: (n, 2) px/s, how the box's middle moves.
     """
 
     box: Floats = field(default_factory=lambda: np.zeros((0, 4)))
     seen_s: Floats = field(default_factory=lambda: np.zeros(0))
+    clear_s: Floats = field(default_factory=lambda: np.zeros(0))
     pace: Floats = field(default_factory=lambda: np.zeros((0, 2)))
 
 
@@ -60,7 +62,7 @@ def waited_for(
     """The free regions with how long each has been there, in the order of `free`."""
     box = seen.box[free]
     if not len(newcomers.box) or not len(box) or elapsed_s <= 0.0:
-        return Newcomers(box, np.zeros(len(box)), np.zeros((len(box), 2)))
+        return Newcomers(box, np.zeros(len(box)), np.zeros(len(box)), np.zeros((len(box), 2)))
     same = np.minimum(covered_shares(box, newcomers.box), covered_shares(newcomers.box, box).T)
     best = same.argmax(axis=1)
     known = same.max(axis=1) >= _SAME
@@ -69,8 +71,12 @@ def waited_for(
     seen_s = newcomers.seen_s[best]
     frames = seen_s / elapsed_s
     mean = newcomers.pace[best] + (step - newcomers.pace[best]) / (frames[:, None] + 1.0)
+    clear = known & ~seen.truncated[free]
     return Newcomers(
-        box, np.where(known, seen_s + elapsed_s, 0.0), np.where(known[:, None], mean, 0.0)
+        box,
+        np.where(known, seen_s + elapsed_s, 0.0),
+        np.where(clear, newcomers.clear_s[best] + elapsed_s, 0.0),
+        np.where(known[:, None], mean, 0.0),
     )
 
 
@@ -78,8 +84,12 @@ def somebody(
     newcomers: Newcomers, seen: Detections, free: Indices, settings: WholeBodySettings
 ) -> Indices:
     """Which of the free regions are people by now, as rows of `free`."""
-    patience_s = np.where(seen.truncated[free], max(_AT_EDGE_S, settings.birth_s), settings.birth_s)
-    return np.flatnonzero(newcomers.seen_s >= patience_s)
+    at_edge = seen.truncated[free] & (newcomers.seen_s >= max(_AT_EDGE_S, settings.birth_s))
+    ready = at_edge | (~seen.truncated[free] & (newcomers.clear_s >= settings.birth_s))
+    covered = covered_shares(newcomers.box, newcomers.box)
+    taller = newcomers.box[None, :, 3] > newcomers.box[:, None, 3]
+    piece = (taller & (covered >= _OCCUPIED) & ready).any(axis=1)
+    return np.flatnonzero(ready & ~piece)
 
 
 def supported(claims: Claims) -> Flags:

@@ -17,6 +17,7 @@ from tracking.filtering import (
 from tracking.filtering.rectangles import DX
 from tracking.trackers.three_part.appearance import log_likelihoods
 from tracking.trackers.three_part.followed import Flags, Floats, Followed, Layout
+from tracking.trackers.three_part.poses import log_prior
 from tracking.trackers.three_part.settings import WholeBodySettings
 from tracking.trackers.three_part.starting import by_filter, part_sizes
 
@@ -52,6 +53,7 @@ def weighed(
     elapsed_s: float,
     settings: WholeBodySettings,
     layout: Layout,
+    random: np.random.Generator,
 ) -> Followed:
     """Particles weighed by their colours, and what follows: estimates, entropy, pace.
 
@@ -63,13 +65,40 @@ def weighed(
     """
     filtered = ~people.occluded
     log = log_likelihoods(picture, people.clouds, people.model, filtered, settings.similarity_sigma)
-    clouds = weighed_by(people.clouds, log.sum(axis=1))
+    if layout.together == 1:
+        clouds = weighed_by(people.clouds, log[:, 0])
+        entropy = entropies(clouds).reshape(filtered.shape)
+    else:
+        clouds, entropy = _weighed_together(people, log, random)
     estimate = mean_states(clouds).reshape(people.state.shape)
     state = np.where(filtered[..., None], estimate, people.state)
     state = carried(state, people.pose, ~filtered)
-    entropy = np.repeat(entropies(clouds), layout.together).reshape(filtered.shape)
     people = people.replace(clouds=clouds, state=state, entropy=np.where(filtered, entropy, np.nan))
     return people.replace(pace=_paced(people, before, elapsed_s))
+
+
+def _weighed_together(
+    people: Followed, log: NDArray[np.float32], random: np.random.Generator
+) -> tuple[Clouds, Floats]:
+    """Particles of three parts each, and the entropy of each part's own weights.
+
+    Drawn part by part by what each looks like, put together, and weighed by whether a body can
+    stand so: a cloud of eighteen numbers drawn at once would need far more particles.
+
+    Args:
+        log: (particles, 3) of the likelihoods.
+    """
+    clouds, parts = people.clouds, range(log.shape[1])
+    own = [
+        weighed_by(Clouds(clouds.state[:, [k]], clouds.weight, clouds.start), log[:, k])
+        for k in parts
+    ]
+    drawn = [redrawn(one, clouds.count, random) for one in own]
+    state = np.concatenate([one.state for one in drawn], axis=1)
+    owner = clouds.owner
+    prior = log_prior(state[..., :4], people.pose[owner], people.height[owner])
+    joint = weighed_by(Clouds(state, drawn[0].weight, clouds.start), prior)
+    return joint, np.stack([entropies(one) for one in own], axis=1)
 
 
 def carried(state: Floats, pose: Floats, which: Flags) -> Floats:
@@ -96,7 +125,7 @@ def _next_counts(
     people: Followed, settings: WholeBodySettings, layout: Layout
 ) -> NDArray[np.int64]:
     """(filters of all people,) as many as before where nothing was weighed."""
-    entropy = people.entropy.reshape(-1, layout.together)[:, 0]
+    entropy = _widest(people.entropy.reshape(-1, layout.together))
     next_ = particle_counts(
         people.clouds.count,
         np.nan_to_num(entropy, nan=1.0 / settings.particle_growth),
@@ -105,6 +134,13 @@ def _next_counts(
         max(settings.most_particles, settings.least_particles),
     )
     return np.asarray(next_)
+
+
+def _widest(entropy: Floats) -> Floats:
+    """(filters,) the largest of the parts together that were filtered; NaN where none was."""
+    known = np.isfinite(entropy)
+    largest = np.where(known, entropy, -1.0).max(axis=1, initial=-1.0)
+    return np.asarray(np.where(known.any(axis=1), largest, np.nan))
 
 
 def _at_pace(clouds: Clouds, people: Followed, layout: Layout) -> Clouds:

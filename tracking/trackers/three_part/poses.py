@@ -21,6 +21,8 @@ _LEGS_FROM_HEAD = ((-0.42, 0.20), (0.42, 0.85))
 _LARGEST = np.array((0.28, 0.45, 0.50))
 _SMALLEST = np.array((0.02, 0.05, 0.05))
 """Of the rectangles' heights."""
+_CHANGE = 0.06
+"""How far parts move against each other within the memory of a pose, in heights."""
 _SLACK = 0.05
 """How far out of its limits a part is as unlikely as one standard deviation."""
 
@@ -44,17 +46,27 @@ def pose_faults(rectangles: Floats, height: Floats) -> Flags:
     return np.asarray(fault | (size > _LARGEST) | (size < _SMALLEST))
 
 
-def log_prior(rectangles: NDArray[np.floating], height: NDArray[np.floating]) -> Floats:
-    """(particles,) log of how likely poses are: 0 within all limits, falling outside of them.
+def log_prior(
+    rectangles: NDArray[np.floating], pose: Floats, height: NDArray[np.floating]
+) -> Floats:
+    """(particles,) log of how likely poses are.
+
+    Poses nobody can take are next to impossible; of the others those are likelier that the person
+    had a moment ago.
 
     Args:
-        rectangles: (particles, 3, 4) px. height: (particles,) px, of their person upright.
+        rectangles: (particles, 3, 4) px.
+        pose: (particles, 3, 2) px, where the middles were from their mean.
+        height: (particles,) px, of their person upright.
     """
     total = sum((excess**2).sum(axis=-1) for excess in _excesses(rectangles, height))
     size = rectangles[..., 3] / height[:, None]
     beyond = np.maximum(size - _LARGEST, 0.0) + np.maximum(_SMALLEST - size, 0.0)
     total = total + (beyond**2).sum(axis=-1)
-    return np.asarray(-0.5 * total / _SLACK**2)
+    middle = rectangles[..., :2]
+    bent = middle - middle.mean(axis=1, keepdims=True) - pose
+    change = (bent**2).sum(axis=(1, 2)) / np.maximum(height, 1.0) ** 2
+    return np.asarray(-0.5 * (total / _SLACK**2 + change / _CHANGE**2))
 
 
 def _excesses(

@@ -35,11 +35,9 @@ from tracking.trackers.three_part.occlusion import (
     behind_what_is_drawn,
     covered_mask,
 )
-from tracking.trackers.three_part.poses import HIP_LEG
 from tracking.trackers.three_part.result import Shown, step_result
 from tracking.trackers.three_part.resuming import resumed
 from tracking.trackers.three_part.settings import WholeBodySettings
-from tracking.trackers.three_part.silhouettes import legs_elsewhere
 from tracking.trackers.three_part.starting import all_seen, begun, begun_anew, regions_rectangles
 from tracking.trackers.three_part.watching import Watch
 
@@ -145,7 +143,7 @@ class PartTracker:
         before, settings, layout = self._people, self._settings, self._layout
         people = moved(before, elapsed_s, settings, layout, self._random)
         people = self._hidden(people, seen, picture)
-        return weighed(people, before, picture, elapsed_s, settings, layout)
+        return weighed(people, before, picture, elapsed_s, settings, layout, self._random)
 
     def _hidden(self, people: Followed, seen: Detections, picture: Picture) -> Followed:
         """The people with who touches whom and who is hidden, at the places predicted."""
@@ -175,14 +173,11 @@ class PartTracker:
             return people
         scene = Scene(seen, claims_of(people.rectangles, seen), picture)
         failed = said.failed | clear_failures(people, scene)
-        off, legs = legs_elsewhere(people, scene.seen, scene.claims, picture)
-        failed[off, HIP_LEG] = True
         if not failed.any():
             return people
         several = said.several | (failed.sum(axis=1) > 1)
         boxes = outlined_boxes(people.rectangles, people.outline)
         places = adjusted(people, boxes, failed, several, scene)
-        places[off, HIP_LEG] = legs[off]
         people = people.replace(failed=failed)
         return begun_anew(people, places, picture, self._layout, self._random)
 
