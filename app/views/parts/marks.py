@@ -22,17 +22,23 @@ _DASHES, _DOTS = (4.0, 2.5), (1.0, 2.2)
 
 
 def draw_part_boxes(
-    painter: QPainter, boxes: Sequence[PartBox], viewport: Viewport, area: QRectF
+    painter: QPainter,
+    boxes: Sequence[PartBox],
+    viewport: Viewport,
+    area: QRectF,
+    person: QRectF | None = None,
 ) -> None:
     """Solid where on the part, dashed with a cross where failed, dotted where hidden.
 
-    What is said of the selected person's parts stands beside them.
+    What is said of the selected person's parts stands beside them, and beside the `person`'s box.
     """
     for box in boxes:
         rect = viewport.rect(QRectF(*box.box))
         if rect.intersects(area):
             _draw_box(painter, box, rect)
-    _draw_words(painter, [box for box in boxes if box.selected], viewport, area)
+    chosen = [box for box in boxes if box.selected]
+    rects = [viewport.rect(QRectF(*box.box)) for box in chosen]
+    _draw_words(painter, chosen, rects, [*rects, person] if person is not None else rects, area)
 
 
 def draw_part_particles(
@@ -90,14 +96,17 @@ def _draw_sign(painter: QPainter, at: QPointF) -> None:
 
 
 def _draw_words(
-    painter: QPainter, boxes: Sequence[PartBox], viewport: Viewport, area: QRectF
+    painter: QPainter,
+    boxes: Sequence[PartBox],
+    rects: Sequence[QRectF],
+    around: Sequence[QRectF],
+    area: QRectF,
 ) -> None:
-    """Beside all rectangles of the person, so that nothing of them is hidden."""
-    rects = [viewport.rect(QRectF(*one.box)) for one in boxes]
+    """Beside everything `around`, so that nothing of the person is hidden."""
     metrics = QFontMetricsF(painter.font())
     plates = [plate_rect(metrics, one.text, QPointF()) for one in boxes]
-    right = max((rect.right() for rect in rects), default=0.0) + _SIGN_PX + 5
-    left = min((rect.left() for rect in rects), default=0.0) - 6
+    right = max((rect.right() for rect in around), default=0.0) + _SIGN_PX + 5
+    left = min((rect.left() for rect in around), default=0.0) - _SIGN_PX - 5
     fits = right + max((one.width() for one in plates), default=0.0) <= area.right()
     for rect, plate in zip(rects, plates, strict=True):
         plate.moveTopLeft(QPointF(right if fits else left - plate.width(), rect.top()))

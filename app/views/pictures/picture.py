@@ -210,7 +210,7 @@ class PictureView(Canvas):
         draw_people(painter, self._scene.people, self.viewport, shown)
         size = (self.width(), self.height())
         draw_part_particles(painter, self._parts, self.viewport, size)
-        draw_part_boxes(painter, self._parts.boxes, self.viewport, shown)
+        draw_part_boxes(painter, self._parts.boxes, self.viewport, shown, self._selected_box())
         draw_parts(painter, self._labels.parts, self.viewport, shown)
         movable = self._movable()
         if movable is not None and not self._labels.labelling:
@@ -227,6 +227,12 @@ class PictureView(Canvas):
             said = plate_rect(metrics, self._scene.message, QPointF(0, area.bottom() - 12))
             said.moveLeft(area.center().x() - said.width() / 2)
             draw_note(painter, said, self._scene.message, theme)
+
+    def _selected_box(self) -> QRectF | None:
+        """The selected person's box on the widget."""
+        chosen = (person for person in self._scene.people if person.selected)
+        person = next(chosen, None)
+        return self.viewport.rect(QRectF(*person.box)) if person is not None else None
 
     def _draw_image(self, painter: QPainter) -> None:
         target = self.viewport.rect(self.content())
