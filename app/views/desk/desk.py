@@ -16,6 +16,7 @@ from app.presenters.words import tr
 from app.views.comparing.comparing import Comparing
 from app.views.correcting.dragging import Dragging
 from app.views.correcting.editing import Editing
+from app.views.desk.gestures import connect_gestures
 from app.views.desk.workspace import Workspace
 from app.views.history.history import HistoryWalk
 from app.views.labelling.labelling import Labelling
@@ -65,7 +66,7 @@ class Desk(QObject):
         self._again = False  # the tracker at work is to put right what was corrected before
         self._words = TrackerWords(document.recording)
         self._connect_parts()
-        self._connect_views()
+        connect_gestures(self, workspace)
 
     def _connect_parts(self) -> None:
         self.playback.wait_at = self._last_tracked
@@ -92,39 +93,6 @@ class Desk(QObject):
         self.live.tracked.connect(self._take_live)
         self.live.finished.connect(self._end_live)
         self.live.failed.connect(self._fail_live)
-
-    def _connect_views(self) -> None:
-        """Gestures of the views; each connection ends with this object."""
-        desk, view = self, self._workspace
-        for picker in (view.left, view.right, view.overhead, view.timeline):
-            picker.track_picked.connect(desk.editing.pick)
-            picker.track_added.connect(desk.editing.add)
-        view.timeline.frame_sought.connect(desk.playback.go)
-        view.timeline.cut_moved.connect(desk.editing.put_cut)
-        view.transport.play_toggled.connect(desk.toggle)
-        view.transport.frame_sought.connect(desk.playback.go)
-        view.transport.stepped.connect(desk.playback.step)
-        view.transport.speed_chosen.connect(desk.playback.set_speed)
-        view.card.name_edited.connect(desk.editing.rename)
-        view.card.notes_edited.connect(desk.editing.write_notes)
-        view.card.attributes_edited.connect(desk.editing.set_attributes)
-        view.card.frame_sought.connect(desk.playback.go)
-        view.history.undo_asked.connect(desk.editing.undo)
-        view.history.redo_asked.connect(desk.editing.redo)
-        view.preview.confirmed.connect(desk.editing.confirm)
-        view.preview.cancelled.connect(desk.editing.leave)
-        view.preview.cut_moved.connect(desk.editing.move_cut)
-        view.preview.end_moved.connect(desk.editing.move_end)
-        view.preview.choice_made.connect(desk.editing.choose)
-        view.preview.other_typed.connect(desk.editing.pick_typed)
-        view.preview.other_considered.connect(desk.editing.consider)
-        view.preview.cut_proposed.connect(desk.editing.put_proposed_cut)
-        view.left.box_grabbed.connect(desk.dragging.grab_box)
-        view.left.box_dragged.connect(desk.dragging.drag_box)
-        view.left.box_dropped.connect(desk.dragging.drop)
-        view.overhead.person_grabbed.connect(desk.dragging.grab_person)
-        view.overhead.person_dragged.connect(desk.dragging.drag_person)
-        view.overhead.person_dropped.connect(desk.dragging.drop)
 
     def close(self) -> None:
         """End all threads and let the recording go."""
