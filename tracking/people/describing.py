@@ -76,7 +76,9 @@ def _placed(
     rank = away.argsort(kind="stable").argsort(kind="stable") + 1.0
     sight = np.column_stack((np.zeros(len(boxes)), rank)).astype(np.float32)
     hidden, truncated = hidden_sides(regions, boxes, sight)
-    return standing.positions(top, foot, ~hidden[:, _BOTTOM]), hidden, truncated
+    if (hidden[:, _BOTTOM] != at_edge).any():
+        position = standing.positions(top, foot, ~hidden[:, _BOTTOM])
+    return position, hidden, truncated
 
 
 def _sizes(seen: Floats, position: Floats, standing: Standing) -> Floats:

@@ -30,6 +30,7 @@ Mask = NDArray[np.uint8]
 
 _WIDEST_PX = 800
 """Wider pictures are shrunk by a whole number before people are looked for."""
+_NEAREST = cv2.INTER_NEAREST
 _PROTECTED = np.ones((17, 17), np.uint8)
 """Round people the background is not learnt."""
 
@@ -85,11 +86,18 @@ class SingleCameraPerception:
         """(height, width) the foreground in the kinds of `tracking.people.upright`, else 0."""
         self._shade.follow(seen, shadow)
         kind = seen.mask.copy()
-        v, u = np.nonzero(seen.mask & ~shadow)
-        kind[v, u] = np.where(self._shade.alike(seen, v, u), upright.PERHAPS, upright.BODY)
+        like = cv2.resize(self._like_shade(seen, shadow), kind.shape[::-1], interpolation=_NEAREST)
+        kind[cv2.bitwise_and(like, kind) > 0] = upright.PERHAPS
         kind[shadow == PERHAPS] = upright.PERHAPS
         kind[shadow == 255] = upright.SHADOW
         return kind
+
+    def _like_shade(self, seen: Subtraction, shadow: Mask) -> Mask:
+        """(rows, columns) 255 where foreground has the colour of shade, at half resolution."""
+        v, u = np.nonzero(seen.mask[::2, ::2] & ~shadow[::2, ::2])
+        like = np.zeros(seen.mask[::2, ::2].shape, np.uint8)
+        like[v, u] = np.where(self._shade.alike(seen, 2 * v, 2 * u), 255, 0)
+        return like
 
     def _remember(self, seen: Subtraction, regions: Mask) -> None:
         """Let the background follow what was seen, except where people are."""

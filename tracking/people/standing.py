@@ -97,24 +97,26 @@ class Standing:
         reach = np.full(len(head), np.inf)
         if self._view is not None and len(head):
             settings = self._settings
-            under = self._under(head, settings.body_height_m)
+            heights = (settings.body_height_m, *_GROWN_UP_M)
+            under, short, tall = self._under(head, heights)
             high = np.hypot(*(under - head).T)
             known = np.isfinite(high) & (high < _LARGEST * height) & (under[:, 1] > head[:, 1])
             width[known] = high[known] * settings.body_width_m / settings.body_height_m
-            shortest, tallest = (self._under(head, z)[:, 1] for z in _GROWN_UP_M)
-            tallest[~np.isfinite(tallest)] = np.inf
-            seen = known & (bottom >= shortest) & (bottom <= tallest)
+            tallest = np.nan_to_num(tall[:, 1], nan=np.inf)
+            seen = known & (bottom >= short[:, 1]) & (bottom <= tallest)
             taken = known & ~seen
             foot[taken], height[taken] = under[taken], high[taken]
             foot[seen, 0] = under[seen, 0]
             reach[known] = (tallest - head[:, 1])[known] / height[known] + _SLACK
         return Bodies(head, foot, height, width, reach)
 
-    def _under(self, head: Floats, z_m: float) -> Floats:
-        """(n, 2) working px of the floor under heads at a height."""
+    def _under(self, head: Floats, heights_m: tuple[float, ...]) -> Floats:
+        """(k, n, 2) working px of the floor under heads (n, 2) at each of k heights."""
         assert self._view is not None
-        xy = self._view.floor_from_pixel(self.recorded(head), z_m)
-        return self._working(self._view.pixel_from_world(_lifted(xy, 0.0)))
+        many = np.tile(self.recorded(head), (len(heights_m), 1))
+        xy = self._view.floor_from_pixel(many, np.repeat(heights_m, len(head)))
+        under = self._working(self._view.pixel_from_world(_lifted(xy, 0.0)))
+        return under.reshape(len(heights_m), len(head), 2)
 
     def above(self, foot: Floats) -> Bodies:
         """Bodies of the usual height over feet (n, 2), working px; needs a calibration."""
@@ -148,7 +150,8 @@ class Standing:
         """(n,) m of bodies that stand at xy and end at a row of the picture."""
         assert self._view is not None
         z = np.linspace(*_HEIGHTS_M, 33)
-        points = np.concatenate([_lifted(xy, height)[:, None] for height in z], axis=1)
+        points = np.empty((len(xy), len(z), 3))
+        points[..., :2], points[..., 2] = xy[:, None], z
         rows = self._working(self._view.pixel_from_world(points.reshape(-1, 3)))[:, 1]
         apart = np.abs(rows.reshape(len(xy), len(z)) - top[:, 1:])
         return np.asarray(z[np.nan_to_num(apart, nan=np.inf).argmin(axis=1)], np.float64)
