@@ -13,6 +13,8 @@ from tracking.review import ReviewMeasures, ReviewMeter, Suspicion, review_measu
 from tracking.scoring import ScoringTable, identity_errors
 from tracking.tracks import Labels, TrackTable
 
+_EARLY: Final = 0.05
+"""Share of the footage that a review should take."""
 _NOT_CORRECTED: Final = frozenset(
     {"verdict", "reviewed", "unreviewed", "rename", "notes", "attribute"}
 )
@@ -78,9 +80,10 @@ def measures_text(measures: ReviewMeasures) -> str:
     if not len(measures.found):
         return tr("Against the truth {n} identities are wrong.", n=measures.errors)
     return tr(
-        "Against the truth: the queue shows {found} of {n} identity errors in {share:.1%} of the "
-        "footage.",
+        "Against the truth: the queue shows {found} of {n} identity errors, {early} of them in the "
+        "first {share:.0%} of the footage watched.",
         found=int(measures.found[-1]),
         n=measures.errors,
-        share=float(measures.footage[-1]),
+        early=measures.found_within(_EARLY),
+        share=_EARLY,
     )

@@ -28,6 +28,7 @@ class FewLines(QWidget):
     """
 
     LINES = 2
+    _ABOVE = 4
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -47,7 +48,7 @@ class FewLines(QWidget):
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """All lines, whatever is said."""
-        return QSize(64, self.LINES * self.fontMetrics().lineSpacing())
+        return QSize(64, self._ABOVE + self.LINES * self.fontMetrics().lineSpacing())
 
     def lines(self) -> list[str]:
         """What is drawn, line by line."""
@@ -73,5 +74,6 @@ class FewLines(QWidget):
         painter = QPainter(self)
         painter.setPen(current_theme().text_muted)
         metrics = self.fontMetrics()
+        first = self._ABOVE + metrics.ascent()
         for number, line in enumerate(self.lines()):
-            painter.drawText(QPointF(0, metrics.ascent() + number * metrics.lineSpacing()), line)
+            painter.drawText(QPointF(0, first + number * metrics.lineSpacing()), line)

@@ -1,0 +1,52 @@
+"""The room of the review queue: further reasons keep to their lines, the current row is seen."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from app.presenters.reviewing.review_scene import ReviewItem, ReviewScene
+from app.views.reviewing.review_panel import ReviewPanel
+
+WORDS = "2 and 8 were seen as one for 0.8 s until 00:18; "
+ITEMS = tuple(
+    ReviewItem(("margin", (1, 2), at), "Close choice", (), at, "00:01", WORDS, (), 0.2)
+    for at in range(40)
+)
+
+
+def shown(qtbot, scene: ReviewScene) -> ReviewPanel:
+    panel = ReviewPanel()
+    qtbot.addWidget(panel)
+    panel.resize(330, 330)
+    panel.show_scene(scene)
+    panel.show()
+    qtbot.waitExposed(panel)
+    return panel
+
+
+def test_further_reasons_take_two_lines_however_many_they_are(qtbot, dark):
+    scene = ReviewScene(items=ITEMS, current=0, left=40, also=WORDS)
+    panel = shown(qtbot, scene)
+    list_height = panel._list.height()
+    panel.show_scene(replace(scene, also=9 * WORDS))
+    assert panel._list.height() == list_height
+    assert panel._list.geometry().bottom() < panel._also.geometry().top()
+    assert len(panel._also.lines()) == 2
+    assert panel._also.lines()[1].endswith("\u2026")
+    assert panel._also.toolTip() == 9 * WORDS
+
+
+def test_the_current_row_stays_in_sight_as_the_room_changes(qtbot, dark):
+    scene = ReviewScene(items=ITEMS, current=30, left=40)
+    panel = shown(qtbot, scene)
+
+    def in_sight() -> bool:
+        row = panel._list.visualRect(panel._model.index(30))
+        return panel._list.viewport().rect().contains(row)
+
+    assert in_sight()
+    panel.resize(330, 700)
+    assert in_sight()
+    panel.resize(330, 330)
+    panel.show_scene(replace(scene, also=WORDS, meter="12 decided"))
+    qtbot.waitUntil(in_sight)
