@@ -31,6 +31,7 @@ PAPER = {
 }
 GOALS = {"head": 97, "torso": 92, "hip_leg": 95, "person": 98}
 TITLES = {"head": "head", "torso": "torso", "hip_leg": "hip-leg", "person": "person"}
+MOST_FALSE_ALARMS = 0.1
 _FEWEST = 10  # a rate of fewer people is not drawn
 
 
@@ -187,7 +188,19 @@ def crouching_table(figures: Figures) -> str:
 
 
 def _equalisation(figures: Figures) -> str:
-    return EQUALISATION + "\n\n" + str(figures)
+    rows = [
+        [
+            TITLES[part],
+            *(f"{found[name]:.3f}" for name in ("with", "without")),
+            *(f"{found[name]:.2f}" for name in ("paper_with", "paper_without")),
+            "met" if found["with"] <= MOST_FALSE_ALARMS else "missed",
+        ]
+        for part, found in figures["parts"].items()
+    ]
+    head = (
+        "false alarms, %", "equalised", "not equalised", "paper: equalised", "not", "goal of 0.1",
+    )  # fmt: skip
+    return EQUALISATION.strip() + "\n\n" + table(head, rows)
 
 
 def _detector(figures: Figures) -> str:
@@ -253,4 +266,5 @@ def _real(figures: Figures) -> str:
 
 
 def _speed(figures: Figures) -> str:
-    return SPEED + "\n\n" + str(figures)
+    rows = [[name.replace("_", " "), f"{value:.2f}"] for name, value in figures.items()]
+    return SPEED.strip() + "\n\n" + table(("", ""), rows)

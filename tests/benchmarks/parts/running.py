@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -31,20 +32,21 @@ class Variant:
 
     name: str
     tracker: str
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: tuple[tuple[str, Any], ...] = ()
     parts: bool = True
 
 
 ADJUSTED = Variant("with adjustment", "three-part")
-PLAIN = Variant("without adjustment", "three-part", {"adjust": False})
+PLAIN = Variant("without adjustment", "three-part", (("adjust", False),))
 JOINT = Variant("joint", "three-part-joint")
 WHOLE = Variant("whole body", "whole-body", parts=False)
 VARIANTS = (ADJUSTED, PLAIN, JOINT, WHOLE)
 
 
+@cache
 def run_of(folder: Path, variant: Variant, seed: int = 0) -> Run:
-    """The variant's run over a recording."""
-    settings = settings_from(tracker_named(variant.tracker).settings_type, variant.settings)
+    """The variant's run over a recording; tracked once, however many sections look at it."""
+    settings = settings_from(tracker_named(variant.tracker).settings_type, dict(variant.settings))
     with (
         open_recording(folder) as recording,
         track(recording, variant.tracker, settings, seed) as tracking,
