@@ -98,7 +98,7 @@ def _track_from_json(label: Mapping[str, Any]) -> TrackLabel:
 
 def _part_as_json(label: PartLabel) -> list[Any]:
     said = [label.frame, label.track, label.part, *label.box, label.on_part, label.source]
-    return said + [label.author, label.reason] if label.author or label.reason else said
+    return [*said, label.author, label.reason] if label.author or label.reason else said
 
 
 def _part_from_json(values: Sequence[Any]) -> PartLabel:
