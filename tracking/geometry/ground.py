@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -45,10 +46,18 @@ class Ground:
         World: origin on the floor below the camera, x right, y forward, z up. Looking straight
         down, forward is the direction of the image's upper edge.
         """
-        tilt, roll = np.deg2rad((self.tilt_deg, self.roll_deg))
-        right = np.array([1.0, 0.0, 0.0])
-        down = np.array([0.0, -np.sin(tilt), -np.cos(tilt)])
-        forward = np.array([0.0, np.cos(tilt), -np.sin(tilt)])
-        x_axis = right * np.cos(roll) + down * np.sin(roll)
-        y_axis = -right * np.sin(roll) + down * np.cos(roll)
-        return np.column_stack((x_axis, y_axis, forward)), np.array([0.0, 0.0, self.height_m])
+        return _world_from_camera(self.height_m, self.tilt_deg, self.roll_deg)
+
+
+@lru_cache(maxsize=32)
+def _world_from_camera(height_m: float, tilt_deg: float, roll_deg: float) -> tuple[Floats, Floats]:
+    """Kept, as every trip between pixels and the floor asks for it; not to be written to."""
+    tilt, roll = np.deg2rad((tilt_deg, roll_deg))
+    right = np.array([1.0, 0.0, 0.0])
+    down = np.array([0.0, -np.sin(tilt), -np.cos(tilt)])
+    forward = np.array([0.0, np.cos(tilt), -np.sin(tilt)])
+    x_axis = right * np.cos(roll) + down * np.sin(roll)
+    y_axis = -right * np.sin(roll) + down * np.cos(roll)
+    rotation, centre = np.column_stack((x_axis, y_axis, forward)), np.array([0.0, 0.0, height_m])
+    rotation.flags.writeable = centre.flags.writeable = False
+    return rotation, centre

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 Labels = NDArray[np.uint8]
 Box = tuple[int, int, int, int]
 
-_SPECK = 4e-5
+_SPECK = 1.5e-4
 """Components smaller than this share of the picture are dropped at once."""
 _MOST_SILHOUETTES = 250
 _GAP = 0.3
