@@ -58,7 +58,8 @@ def verdict_text(part: int, failed: bool, occluded: bool, score: float) -> str:
     if occluded:
         return tr("{part}: hidden", part=name)
     if not math.isfinite(score):
-        return tr("{part}: not judged", part=name)
+        judged = tr("{part}: off") if failed else tr("{part}: not judged")
+        return judged.format(part=name)
     said = tr("{part}: off, {score:+.2f}") if failed else tr("{part}: on, {score:+.2f}")
     return said.format(part=name, score=score)
 

@@ -55,7 +55,9 @@ def test_every_control_of_the_window_has_a_name(opened):
     assert _nameless(opened) == []
 
 
-@pytest.mark.parametrize("command", ["tracks.track", "help.keys", "edit.commands"])
+@pytest.mark.parametrize(
+    "command", ["tracks.track", "detector.train", "help.keys", "edit.commands"]
+)
 def test_every_control_of_a_dialog_has_a_name(opened, command):
     opened.run_command(command)
     dialogs = opened.findChildren(QDialog) or [opened.palette_of_commands]
