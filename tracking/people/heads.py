@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import find_peaks
 
+from tracking.people.splitting import placed
 from tracking.people.standing import Bodies, Standing
 
 Floats = NDArray[np.float64]
@@ -15,8 +16,8 @@ _RISES = 0.045
 _RISES_UNKNOWN = 0.07
 """A head rises over the valleys beside it by this share of the person's height at least; by more
 where that height is only guessed at."""
-_APART = 0.35
-"""Heads are this many breadths of a person apart at least."""
+_APART = 0.4
+"""Heads are this many breadths of a person off other people's axes at least."""
 _REACHES_DOWN = 0.5
 """Under a head a body is seen for this share of its height at least."""
 _HEAD_WIDTH = 0.05
@@ -80,10 +81,18 @@ def _run(row: Bools, u: int) -> int:
 
 
 def _distinct(bodies: Bodies, order: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Of bodies too close to each other the first in order."""
+    """Of the bodies in order those whose heads are on no body kept before.
+
+    Seen from high up bodies lean outwards: an elbow or a hip then peaks beside its own head.
+    """
     kept: list[int] = []
     for k in order.tolist():
-        apart = np.abs(bodies.head[kept, 0] - bodies.head[k, 0])
-        if not kept or float(apart.min()) >= _APART * bodies.width[k]:
+        if (
+            not kept
+            or placed(bodies.head[k, :1], bodies.head[k, 1:], bodies.chosen(np.array(kept))).across[
+                0
+            ]
+            >= _APART
+        ):
             kept.append(k)
     return np.array(kept, np.intp)

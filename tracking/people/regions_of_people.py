@@ -62,7 +62,7 @@ def people_regions(kind: NDArray[np.uint8], standing: Standing) -> Labels:
         if _absorbed(regions, kind, labels == k + 1, boxes[k], everybody):
             continue
         found = _silhouette(labels, k + 1, boxes[k], standing)
-        if _paint(regions, kind, labels, found, len(everybody), standing.calibrated):
+        if _paint(regions, kind, labels, found, len(everybody), standing):
             everybody = everybody.with_others(found.bodies)
     return regions
 
@@ -139,7 +139,7 @@ def _paint(
     labels: Labels,
     silhouette: Silhouette,
     count: int,
-    metric: bool,
+    standing: Standing,
 ) -> bool:
     """Give pixels of a silhouette, and what looks like shadow in its bodies, to the bodies.
 
@@ -147,7 +147,7 @@ def _paint(
         Whether there are people; nothing is painted otherwise.
     """
     bodies = silhouette.bodies
-    inside = _reach(silhouette, labels.shape, metric)
+    inside = _reach(silhouette, labels.shape, standing.calibrated)
     top, left = inside[0].start, inside[1].start
     own = labels[inside] == silhouette.label
     shadow = (labels[inside] == 0) & (kind[inside] == SHADOW) & (regions[inside] == 0)
@@ -155,7 +155,7 @@ def _paint(
     place = placed(u + left, v + top, bodies)
     found = kind[inside][v, u]
     kept = body_pixels(found, place, u, bodies.reach)
-    if not _are_people(v[kept], bodies, labels.shape[0], metric):
+    if not _are_people(u[kept] + left, v[kept] + top, bodies, labels.shape[0], standing):
         return False
     regions[inside][v[kept], u[kept]] = place.body[kept] + count + 1
     return True
@@ -174,11 +174,23 @@ def _reach(silhouette: Silhouette, shape: tuple[int, ...], metric: bool) -> tupl
     return slice(top, min(bottom, shape[0])), slice(max(left, 0), min(right, shape[1]))
 
 
-def _are_people(rows: NDArray[np.intp], bodies: Bodies, height: int, metric: bool) -> bool:
-    """Whether pixels in these rows are enough for people."""
-    if len(rows) == 0:
+def _are_people(
+    u: NDArray[np.intp], v: NDArray[np.intp], bodies: Bodies, rows: int, standing: Standing
+) -> bool:
+    """Whether these pixels are enough for people.
+
+    Args:
+        u, v: columns and rows in working px.
+        bodies: in them.
+        rows: of the picture.
+    """
+    if len(v) == 0:
         return False
-    seen, usual = int(rows.max() - rows.min()) + 1, float(bodies.height.min())
-    if seen < _LEAST_HEIGHT * height or (metric and seen < _LEAST_SHARE * usual):
+    low = int(v.max())
+    seen, usual = low - int(v.min()) + 1, float(bodies.height.min())
+    if standing.calibrated and low < rows - 2:
+        foot = np.array([[float(u[v == low].mean()), float(low)]])
+        usual = float(np.nan_to_num(standing.above(foot).height[0], nan=usual))
+    if seen < _LEAST_HEIGHT * rows or (standing.calibrated and seen < _LEAST_SHARE * usual):
         return False
-    return bool(len(rows) >= _LEAST_FILL * min(seen, usual) ** 2)
+    return bool(len(v) >= _LEAST_FILL * min(seen, usual) ** 2)

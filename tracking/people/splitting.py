@@ -30,7 +30,7 @@ class Placed:
     across: Floats
 
 
-def placed(u: NDArray[np.integer], v: NDArray[np.integer], bodies: Bodies) -> Placed:
+def placed(u: NDArray[np.generic], v: NDArray[np.generic], bodies: Bodies) -> Placed:
     """Give pixels to bodies.
 
     A pixel belongs to the body whose axis, from the top of the head to the foot, is nearest in
