@@ -9,10 +9,17 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from made_up_parts import made_up_samples
+from made_up_parts import made_up_samples, walk
 
 from tracking.errors import CancelledError, TrainingError
-from tracking.failure import FALSE_ALARMS, Samples, Trained, TrainingPlan, train
+from tracking.failure import (
+    FALSE_ALARMS,
+    Samples,
+    Trained,
+    TrainingPlan,
+    part_features,
+    train,
+)
 from tracking.failure.training import Candidate, page_of
 from tracking.failure.training.folds import folds_of, thinned
 from tracking.failure.training.questions import Question, one_or_several, questions_of
@@ -171,7 +178,7 @@ def test_nobody_is_learnt_from_and_held_out_at_once(seed: int, people: int, most
     who = np.concatenate([np.arange(people), random.integers(0, people, 6 * people)])
     yes = random.random(len(who)) < 0.3
     yes[:2], yes[2:4] = True, False
-    question = Question(0, np.arange(len(who)), np.zeros((len(who), 36)), yes, who)
+    question = Question(0, np.arange(len(who)), np.zeros((len(who), 36)), yes, who, who < 0)
     folds = folds_of([question], most, random)
     assert folds.min() == 0
     assert folds.max() < most
@@ -183,7 +190,7 @@ def test_nobody_is_learnt_from_and_held_out_at_once(seed: int, people: int, most
 
 def test_samples_of_one_person_alone_make_no_folds() -> None:
     who = np.array([0] * 50 + [1] * 50)
-    question = Question(0, np.arange(100), np.zeros((100, 36)), who == 0, who)
+    question = Question(0, np.arange(100), np.zeros((100, 36)), who == 0, who, who < 0)
     with pytest.raises(TrainingError, match="label more people"):
         folds_of([question], 5, np.random.default_rng(0))
 
@@ -192,7 +199,7 @@ def test_samples_of_one_person_alone_make_no_folds() -> None:
 def test_thinning_keeps_both_answers_and_everybody_it_can(seed: int, most: int) -> None:
     random = np.random.default_rng(seed)
     yes, who = random.random(80) < 0.2, random.integers(0, 5, 80)
-    question = Question(1, np.arange(80), np.zeros((80, 36)), yes, who)
+    question = Question(1, np.arange(80), np.zeros((80, 36)), yes, who, who < 0)
     few = thinned(question, most, random)
     assert len(few) == most
     assert few.yes.sum() == min(yes.sum(), max(most // 2, most - (~yes).sum()))
@@ -202,3 +209,12 @@ def test_thinning_keeps_both_answers_and_everybody_it_can(seed: int, most: int) 
 def test_questions_come_by_part(samples: Samples) -> None:
     names = [question.name for question in questions_of(samples)]
     assert names == ["head", "torso", "hip-leg", "several"]
+
+
+@pytest.mark.parametrize("part", [0, 1, 2])
+def test_a_part_at_the_other_end_of_the_picture_has_failed(trained: Trained, part: int) -> None:
+    states, _ = walk(np.random.default_rng(3), 40, loses=False)
+    now, before = states[30:31].copy(), states[20:21]
+    now[0, part, :2] += (900.0, -50.0)
+    said = trained.detector.judge(part_features(now, before))
+    assert said.failed[0].any()

@@ -58,9 +58,14 @@ def numbers_seen(*, by_size: bool) -> int:
     return FEATURES + by_size
 
 
+def body_sizes(features: Floats) -> Floats:
+    """(n,) px, how far the parts of a person lie apart: about half of their height."""
+    centres = features[:, _CENTRES]
+    size: Floats = np.maximum(np.sqrt(np.einsum("nc,nc->n", centres, centres)), _LEAST_PX)
+    return size
+
+
 def _sized(features: Floats) -> Floats:
     """(n, 37) features in sizes of the person, and the logarithm of the size in px."""
-    centres = features[:, _CENTRES]
-    size = np.sqrt(np.einsum("nc,nc->n", centres, centres))
-    size = np.maximum(size, _LEAST_PX)[:, None]
+    size = body_sizes(features)[:, None]
     return np.concatenate((features / size, np.log(size)), axis=1)

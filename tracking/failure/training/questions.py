@@ -27,6 +27,7 @@ class Question:
         number: place in `NAMES`.
         rows: (n,) of the samples.
         features: (n, 36). yes: (n,) part lost, or several lost. people: (n,) who, by number.
+        made: (n,) learnt from and not measured on, see `gross`.
     """
 
     number: int
@@ -34,6 +35,7 @@ class Question:
     features: Floats
     yes: NDArray[np.bool_]
     people: NDArray[np.int64]
+    made: NDArray[np.bool_]
 
     @property
     def name(self) -> str:
@@ -47,7 +49,11 @@ class Question:
     def of(self, rows: NDArray[np.int64]) -> Question:
         """The same with some of its rows."""
         features, yes, people = self.features[rows], self.yes[rows], self.people[rows]
-        return Question(self.number, self.rows[rows], features, yes, people)
+        return Question(self.number, self.rows[rows], features, yes, people, self.made[rows])
+
+    def asked(self) -> Question:
+        """Without what was made."""
+        return self.of(np.flatnonzero(~self.made))
 
 
 def questions_of(samples: Samples) -> list[Question]:
@@ -58,9 +64,8 @@ def questions_of(samples: Samples) -> list[Question]:
     people, part = samples.people(), samples.columns["part"]
     lost = samples.columns["label"] == 0
     asked = [
-        Question(number, rows, samples.features[rows], lost[rows], people[rows])
+        _question(number, np.flatnonzero(part == number), samples, lost, people)
         for number in range(PARTS)
-        for rows in [np.flatnonzero(part == number)]
     ]
     for question in asked:
         why = shortage(question)
@@ -89,7 +94,19 @@ def one_or_several(samples: Samples, people: NDArray[np.int64]) -> Question:
     first = np.flatnonzero(lost)
     first = first[np.unique(which[first], return_index=True)[1]]
     rows = first[(several | one)[which[first]]]
-    return Question(SEVERAL, rows, samples.features[rows], several[which[rows]], people[rows])
+    return _question(SEVERAL, rows, samples, several[which], people)
+
+
+def _question(
+    number: int,
+    rows: NDArray[np.int64],
+    samples: Samples,
+    yes: NDArray[np.bool_],
+    people: NDArray[np.int64],
+) -> Question:
+    """The question that some rows answer; yes and people are of all rows."""
+    made = np.zeros(len(rows), bool)
+    return Question(number, rows, samples.features[rows], yes[rows], people[rows], made)
 
 
 def shortage(question: Question) -> str:

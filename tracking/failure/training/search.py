@@ -73,11 +73,14 @@ def held_out_scores(
     grid: Sequence[Candidate],
     steps: Steps,
 ) -> Floats:
-    """(candidates, n) scores of each sample by machines that never saw its person."""
+    """(candidates, n) scores of each sample by machines that never saw its person.
+
+    Those that were made are learnt from and not scored: NaN.
+    """
     fold = folds[question.people]
     scores = np.full((len(grid), len(question)), np.nan)
     for held, preparation in enumerate(preparations):
-        inside, outside = fold != held, fold == held
+        inside, outside = fold != held, (fold == held) & ~question.made
         values = preparation.of(question.features[inside])
         asked = preparation.of(question.features[outside])
         for at, candidate in enumerate(grid):
@@ -89,7 +92,8 @@ def held_out_scores(
 
 def curve_of(question: Question, scores: Floats) -> Curve:
     """The operating points of held-out scores (n,)."""
-    return Curve(np.sort(scores[~question.yes]), np.sort(scores[question.yes]))
+    asked = ~question.made
+    return Curve(np.sort(scores[asked & ~question.yes]), np.sort(scores[asked & question.yes]))
 
 
 def _best(tried: Sequence[Tried], questions: int) -> Choice:

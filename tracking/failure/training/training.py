@@ -18,6 +18,7 @@ from tracking.failure.preparation import fitted_preparation
 from tracking.failure.samples import SAMPLE_COLUMNS, TEXT, Samples
 from tracking.failure.training.fitting import GRID, Candidate, fitted, library
 from tracking.failure.training.folds import folds_of, thinned
+from tracking.failure.training.gross import with_gross_failures
 from tracking.failure.training.questions import NAMES, SEVERAL, Question, questions_of
 from tracking.failure.training.report import TrainingReport, question_report
 from tracking.failure.training.search import Choice, Tried, curve_of, held_out_scores, search
@@ -61,7 +62,8 @@ def train(
     """Train a detector; the same samples and random numbers give the same one.
 
     Folds are split by recording and person. Each operating point is chosen on scores of people
-    that were held out; the machines that are kept have learnt from everybody.
+    that were held out; the machines that are kept have learnt from everybody. They learn from
+    failures that were made, too (see `gross`), but every rate is of labelled samples alone.
 
     Raises:
         TrainingError: a part has too few samples, or of too few people.
@@ -72,8 +74,10 @@ def train(
     people = samples.people()
     folds = folds_of(questions, plan.folds, random)
     count = int(folds.max()) + 1
-    few = [thinned(question, plan.searched, random) for question in questions]
-    many = [thinned(question, plan.learnt, random) for question in questions]
+    few, many = (
+        [with_gross_failures(thinned(one, most, random), samples, random) for one in questions]
+        for most in (plan.searched, plan.learnt)
+    )
     total = len(questions) * (count * (2 * len(plan.grid) + 1) + 1)
     steps = Steps(total, progress, cancelled)
     usual = samples.columns["label"] == 1
@@ -127,7 +131,7 @@ def _evenly(curve: Curve) -> float:
 def _origin(samples: Samples, questions: Sequence[Question], choice: Choice) -> Origin:
     instants = np.zeros(2, np.int64)
     if len(questions) > SEVERAL:
-        instants = np.bincount(questions[SEVERAL].yes, minlength=2)
+        instants = np.bincount(questions[SEVERAL].asked().yes, minlength=2)
     recordings = sorted(set(samples.columns["recording"].tolist()))
     chosen = [f"{NAMES[at]}: {candidate}" for at, candidate in enumerate(choice.candidates)]
     return Origin(
@@ -163,7 +167,7 @@ def _report(
 ) -> TrainingReport:
     thresholds = [*detector.thresholds.tolist(), detector.several_threshold]
     reports = tuple(
-        question_report(question, values, threshold, samples, choice, tried)
+        question_report(question.asked(), values[~question.made], threshold, samples, choice, tried)
         for question, values, threshold in zip(questions, scores, thresholds, strict=False)
     )
     return TrainingReport(reports, choice.by_size, folds, detector)
