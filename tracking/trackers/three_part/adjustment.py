@@ -19,6 +19,8 @@ _AROUND = 1.2
 _OFF = 0.65
 """Share of foreground under a part of somebody seen whole below which it is lost: an inner
 rectangle lies within its part."""
+_NOWHERE = 0.25
+"""The same of anybody."""
 _OUT_OF_PLACE = 0.12
 """How far a part of somebody who touches others goes astray, in heights, before it is lost."""
 _LEAST_SEEN = 0.15
@@ -69,13 +71,21 @@ def clear_failures(people: Followed, scene: Scene) -> Flags:
     Where we go past [ZhaoLee2009]: a machine that learnt from failures near the body says nothing
     of parts far away, and nothing of colours and foreground. Of those seen alone and whole, a part
     off the foreground is lost; of those who touch others, the part that leaves its place in the
-    body; of everybody, one where no part of a body can be.
+    body; of everybody, one where no part of a body can be, or nobody at all.
     """
     whole = seen_whole(scene.claims, scene.seen, people.height)
     fault = pose_faults(people.rectangles, people.height)
-    fault |= whole[:, None] & (scene.claims.support < _OFF)
+    limit = np.where(whole, _OFF, _NOWHERE)[:, None]
+    fault |= (scene.claims.support < limit) & _inside(people.rectangles, scene.seen.regions.shape)
     fault |= (people.touching & ~whole)[:, None] & _out_of_place(people)
     return np.asarray(fault & ~people.occluded)
+
+
+def _inside(rectangles: Floats, shape: tuple[int, ...]) -> Flags:
+    """(people, parts) whose rectangles lie whole in the picture."""
+    reach = rectangles[..., 2:] / 2
+    low, high = rectangles[..., :2] - reach, rectangles[..., :2] + reach
+    return np.asarray((low >= 0).all(axis=-1) & (high < np.array(shape[::-1])).all(axis=-1))
 
 
 def _out_of_place(people: Followed) -> Flags:

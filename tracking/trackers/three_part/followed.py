@@ -55,8 +55,8 @@ class Followed:
         score: (people, parts) of it; NaN where nothing was judged.
         outline: (people, 4) by how much left, top, right and bottom of the person's box differ
             from what the parts alone say, in heights of that box.
-        pose: (people, parts, 2) px, where the parts' middles are from the mean of them all when
-            nothing is hidden.
+        pose: (people, parts, 4) px, where the parts' middles are from the mean of them all, and
+            their sizes, when nothing is hidden.
         height: (people,) px, how high the person looks standing upright.
         place: (people, 2) m on the floor; NaN where that is not known.
         walk: (people, 2) m/s on the floor, smoothed.
@@ -141,7 +141,7 @@ def nobody(layout: Layout) -> Followed:
         failed=np.zeros((0, parts), bool),
         score=np.zeros((0, parts)),
         outline=np.zeros((0, 4)),
-        pose=np.zeros((0, parts, 2)),
+        pose=np.zeros((0, parts, 4)),
         height=np.zeros(0),
         place=np.zeros((0, 2)),
         walk=np.zeros((0, 2)),

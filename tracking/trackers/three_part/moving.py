@@ -96,7 +96,7 @@ def _weighed_together(
     drawn = [redrawn(one, clouds.count, random) for one in own]
     state = np.concatenate([one.state for one in drawn], axis=1)
     owner = clouds.owner
-    prior = log_prior(state[..., :4], people.pose[owner], people.height[owner])
+    prior = log_prior(state[..., :4], people.pose[owner, :, :2], people.height[owner])
     joint = weighed_by(Clouds(state, drawn[0].weight, clouds.start), prior)
     return joint, np.stack([entropies(one) for one in own], axis=1)
 
@@ -109,15 +109,17 @@ def carried(state: Floats, pose: Floats, which: Flags) -> Floats:
     counts.
 
     Args:
-        pose: (people, parts, 2) px, see `Followed`. which: (people, parts) to be carried.
+        pose: (people, parts, 4) px, see `Followed`. which: (people, parts) to be carried.
     """
     others = ~which
     known = np.asarray(others.any(axis=1) & which.any(axis=1))
     count = np.maximum(others.sum(axis=1), 1)[:, None]
-    middle = ((state[..., :2] - pose) * others[..., None]).sum(axis=1) / count
+    middle = ((state[..., :2] - pose[..., :2]) * others[..., None]).sum(axis=1) / count
     moved_state = state.copy()
     rows = which & known[:, None]
-    moved_state[..., :2] = np.where(rows[..., None], middle[:, None] + pose, state[..., :2])
+    place = middle[:, None] + pose[..., :2]
+    moved_state[..., :2] = np.where(rows[..., None], place, state[..., :2])
+    moved_state[..., 2:4] = np.where(rows[..., None], pose[..., 2:], state[..., 2:4])
     return moved_state
 
 

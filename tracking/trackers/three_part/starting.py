@@ -111,9 +111,10 @@ def begun_anew(
 
 
 def posed(rectangles: Floats) -> Floats:
-    """(people, parts, 2) the middles of rectangles (people, parts, 4) from the mean of them all."""
+    """(people, parts, 4) `Followed.pose` of rectangles (people, parts, 4)."""
     middle = rectangles[..., :2]
-    return np.asarray(middle - middle.mean(axis=1, keepdims=True))
+    away = middle - middle.mean(axis=1, keepdims=True)
+    return np.concatenate((away, rectangles[..., 2:]), axis=-1)
 
 
 def by_filter(state: NDArray[Any], layout: Layout) -> NDArray[Any]:

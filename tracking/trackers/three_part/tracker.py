@@ -227,9 +227,8 @@ class PartTracker:
         own = np.append(seen.box, np.zeros((1, 4)), axis=0)[claims.region]
         cut = np.append(seen.truncated, True)[claims.region]
         alone = claims.alone & ~people.hidden
-        people = poses_learnt(
-            people, own, seen_whole(claims, seen, people.height) & ~people.hidden, elapsed_s
-        )
+        whole = seen_whole(claims, seen, people.height) & ~people.hidden
+        people = poses_learnt(people, own, claims, whole, elapsed_s)
         outline = outlines_after(
             people.outline, people.rectangles, own, alone & ~cut, elapsed_s, people.age_s
         )
