@@ -17,7 +17,7 @@ from tracking.recording import Recording
 from tracking.session import Session
 from tracking.tracks import PartLabel
 
-_HEIGHT_PX = 220
+_SIDE_PX = 200
 _AROUND = 2.5
 """How far the picture reaches round the rectangle, in its own heights, at least."""
 _COLOURS = {True: (80, 200, 80), False: (60, 60, 230)}
@@ -63,18 +63,18 @@ def _picture(
     colour = _COLOURS[label.on_part is True]
     cv2.rectangle(image, corners[0].tolist(), corners[1].tolist(), colour, 2)
     cut = _cut(image, (left + width / 2, top + height / 2), _AROUND * max(width, height))
-    if cut.size:
-        scale = _HEIGHT_PX / cut.shape[0]
-        size = (max(1, round(cut.shape[1] * scale)), _HEIGHT_PX)
-        done, packed = cv2.imencode(".jpg", cv2.resize(cut, size, interpolation=cv2.INTER_AREA))
-        if done:
-            yield packed.tobytes()
+    size = (_SIDE_PX, _SIDE_PX)
+    done, packed = cv2.imencode(".jpg", cv2.resize(cut, size, interpolation=cv2.INTER_AREA))
+    if done:
+        yield packed.tobytes()
 
 
 def _cut(image: NDArray[np.uint8], centre: tuple[float, float], reach: float) -> NDArray[np.uint8]:
-    """The square of the picture round a place, as far as it lies in the picture."""
+    """The square of the picture round a place, moved as far as it must be to lie in it."""
+    half = max(1, min(round(reach), min(image.shape[:2]) // 2))
     rows, columns = (
-        slice(max(0, round(middle - reach)), max(0, round(middle + reach)))
-        for middle in (centre[1], centre[0])
+        slice(first, first + 2 * half)
+        for middle, length in zip((centre[1], centre[0]), image.shape[:2], strict=True)
+        for first in [min(max(round(middle) - half, 0), length - 2 * half)]
     )
     return image[rows, columns]

@@ -104,7 +104,10 @@ def _section(question: QuestionReport, pictures: Mapping[int, bytes]) -> str:
     best = sorted(question.tried, key=lambda one: -one.worth)[:5]
     tried = "".join(f"<tr><td>{one.candidate}</td><td>{one.worth:.3f}</td></tr>" for one in best)
     mistakes = "".join(_mistake(one, pictures) for one in question.mistakes)
-    shown = f"<h3>Most informative mistakes</h3><div class=mistakes>{mistakes}</div>"
+    shown = (
+        "<h3>Most informative mistakes</h3><p class=note>Green rectangles are labelled on their "
+        f"part, red ones off it.</p><div class=mistakes>{mistakes}</div>"
+    )
     return (
         f"<h2>{escape(question.name)}</h2><div class=row>{_curve(question)}<div>"
         f"<table><tr><th>truth</th><th>{said[0]}</th><th>{said[1]}</th></tr>{rows}</table>"

@@ -19,6 +19,8 @@ from tracking.failure.training.search import Choice, Tried
 MOST_MISTAKES = 24
 """Of each part."""
 _OF_ONE_PERSON = 3
+_APART = 15
+"""Frames between two mistakes about one person: closer together they are one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,15 +134,17 @@ def question_report(
 def _mistakes(
     question: Question, scores: NDArray[np.float64], samples: Samples
 ) -> tuple[Mistake, ...]:
-    """Those farthest on the wrong side first; no more than a few of one person."""
+    """Those farthest on the wrong side first; a few of one person, and no neighbours."""
     wrong = np.flatnonzero((scores > 0) != question.yes)
-    taken: dict[int, int] = {}
+    taken: dict[int, list[int]] = {}
     mistakes: list[Mistake] = []
     for row in wrong[np.argsort(-np.abs(scores[wrong]), kind="stable")].tolist():
-        person = int(question.people[row])
-        taken[person] = taken.get(person, 0) + 1
-        if taken[person] <= _OF_ONE_PERSON and len(mistakes) < MOST_MISTAKES:
-            mistakes.append(_mistake(int(question.rows[row]), float(scores[row]), samples))
+        mistake = _mistake(int(question.rows[row]), float(scores[row]), samples)
+        before = taken.setdefault(int(question.people[row]), [])
+        near = any(abs(frame - mistake.frame) < _APART for frame in before)
+        if not near and len(before) < _OF_ONE_PERSON and len(mistakes) < MOST_MISTAKES:
+            before.append(mistake.frame)
+            mistakes.append(mistake)
     return tuple(mistakes)
 
 
