@@ -73,6 +73,15 @@ class PartLabelling:
             return {}
         return parts_of(session.labels, session.tracks, self._run, self._track, frame)
 
+    def person_box(self, frame: int) -> Box | None:
+        """Around all parts of the selected person; None where they have none."""
+        boxes = [label.box for label, _ in self.parts(frame).values()]
+        if not boxes:
+            return None
+        left, top = (min(box[at] for box in boxes) for at in (0, 1))
+        right, bottom = (max(box[at] + box[at + 2] for box in boxes) for at in (0, 1))
+        return left, top, right - left, bottom - top
+
     # what the keys say
 
     def plan_say(self, frame: int, on_part: bool | None) -> Change:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QObject, QPointF, Signal
+from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.document.document import Document
@@ -69,6 +69,7 @@ class Labelling(QObject):
         self.keys = PartKeys(document, playback, self._presenter.parts, self._do, self)
         self.keys.changed.connect(self.changed)
         self.keys.said.connect(self.said)
+        self.keys.close_asked.connect(self._show_close)
         self._connect_layers()
         self._connect_panel()
 
@@ -102,7 +103,7 @@ class Labelling(QObject):
 
     def close(self) -> None:
         """Take the layers off the views, which outlive the document."""
-        self.keys.suggesting.close()
+        self.keys.end_suggestions()
         for layer in self._layers:
             layer.hide()
             layer.setParent(None)
@@ -186,6 +187,13 @@ class Labelling(QObject):
     def _say_of(self, part: int, on_part: bool | None) -> None:
         """One of the panel's answers was clicked."""
         self.say(on_part, part)
+
+    def _show_close(self, box: tuple[float, float, float, float] | None) -> None:
+        """Small parts are judged from near."""
+        if box is None:
+            self._workspace.left.fit()
+        else:
+            self._workspace.left.show_close(QRectF(*box))
 
     def _pick_person(self, at: QPointF) -> None:
         """A click beside all rectangles: maybe on another person."""

@@ -25,11 +25,13 @@ Box = tuple[float, float, float, float]
 class PartKeys(QObject):
     """What is said of the parts of the selected person.
 
-    Signals: `changed()`, another part, person or scope; `said(text)`.
+    Signals: `changed()`, another part, person or scope; `said(text)`; `close_asked(box)`, what is
+    suggested is to be seen large: left, top, width, height as recorded, or None for all again.
     """
 
     changed = Signal()
     said = Signal(str)
+    close_asked = Signal(object)
 
     def __init__(
         self,
@@ -116,9 +118,11 @@ class PartKeys(QObject):
         self.changed.emit()
 
     def end_suggestions(self) -> None:
-        """List nothing any more."""
+        """List nothing any more; where something was seen large, all is seen again."""
         self.suggesting.stop()
-        self._presenter.choice.suggested = None
+        suggested, self._presenter.choice.suggested = self._presenter.choice.suggested, None
+        if suggested is not None:
+            self.close_asked.emit(None)
 
     def walk(self, step: int) -> None:
         """N (1) or P (-1) while suggestions are walked."""
@@ -150,4 +154,5 @@ class PartKeys(QObject):
             self._playback.pause()
             self._document.selection.choose(track)
             self._playback.go(frame)
+            self.close_asked.emit(self._presenter.person_box(frame))
         self.changed.emit()

@@ -54,7 +54,7 @@ class Suggesting(QObject):
         self._job.start()
 
     def stop(self) -> None:
-        """Ask for none any more."""
+        """Ask for none any more; the thread has ended then."""
         self.asked, self._problem = False, ""
         self.queue = SuggestionQueue()
         if self._job is not None:
@@ -63,10 +63,6 @@ class Suggesting(QObject):
             job.cancel()
             job.wait()
             job.deleteLater()
-
-    def close(self) -> None:
-        """End the thread."""
-        self.stop()
 
     def shown(self, scene: LabellingScene) -> LabellingScene:
         """The panel's scene with the suggestions, where they are asked for."""

@@ -105,6 +105,16 @@ class Canvas(QWidget, metaclass=AbstractQt):
             self._viewport = Viewport.fitting(content, area, self._viewport.upward)
         self.update()
 
+    def show_close(self, content: QRectF) -> None:
+        """Show a part of the content as large as fits, with as much again around it."""
+        around = content.adjusted(
+            -content.width(), -content.height() / 2, content.width(), content.height() / 2
+        )
+        if not self.content().isEmpty() and not around.isEmpty():
+            self._fitted = False
+            self._viewport = Viewport.fitting(around, QRectF(self.rect()), self._viewport.upward)
+            self.update()
+
     def zoom(self, factor: float, at: QPointF | None = None) -> None:
         """Enlarge around a point of the widget, its middle where none is given."""
         content = self.content()

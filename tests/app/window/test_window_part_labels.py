@@ -79,6 +79,17 @@ def test_n_and_p_walk_the_suggestions_without_labelling(hands, suggested, labels
     assert len(labels()) == 0
 
 
+def test_what_is_suggested_is_seen_from_near_and_all_again_afterwards(hands, window, suggested):
+    picture = window.workspace.left
+    part = suggested().current.key[2]
+    mark = next(one for one in hands.desk.labelling._parts._marks if one.part == part)
+    near = picture.viewport.scale
+    rect = picture.viewport.rect(QRectF(*mark.box))
+    assert QRectF(picture.rect()).contains(rect)
+    hands.press(Key.Key_Escape)
+    assert picture.viewport.scale < near
+
+
 def test_undo_brings_a_suggestion_back(hands, suggested, labels, window):
     first = suggested().open[0]
     count = len(suggested().open)
