@@ -117,7 +117,9 @@ def test_states_of_a_run_are_by_person_and_frame_and_whole() -> None:
     parts["cy"][(parts["frame"] == 8) & (parts["part"] == 1)] = np.nan
     seen = part_states(parts, 20.0)
     assert seen.frame.tolist() == [5, 6, 7, 9, 10, 11, 12, 13, 14]
-    assert seen.row_of(4, 8) == seen.row_of(3, 7) == -1
-    at = seen.row_of(4, 9)
+    tracks, frames = np.array([4, 3, 4]), np.array([8, 7, 9])
+    rows = seen.rows_of(tracks, frames)
+    assert rows.tolist() == [-1, -1, 3]
+    at = int(rows[2])
     assert np.array_equal(seen.states[at, :, :4], states[4, :, :4])
     assert np.allclose(seen.states[at, :, 4:], states[4, :, 4:] * 20)

@@ -17,6 +17,8 @@ from tracking.tracks.part_labels import Box
 HELD = 0.5
 """A rectangle is right while less than half of it is of other objects [ZhaoLee2009] 5.2."""
 
+_SAME_PX = 1e-3
+"""Corners and centres are not the same numbers, only the same rectangle."""
 _STATE = ("cx", "cy", "width", "height", "vx", "vy")
 _SOURCES = {"tracker": "label", "person": "correction", "truth": "truth"}
 """What a sample's source is called, by that of the label."""
@@ -35,11 +37,13 @@ class PartStates:
     frame: NDArray[np.int64]
     states: Floats
 
-    def row_of(self, track: int, frame: int) -> int:
-        """The row; -1 where there is none."""
-        first, last = np.searchsorted(self.track, (track, track + 1))
-        at = int(first + np.searchsorted(self.frame[first:last], frame))
-        return at if at < last and self.frame[at] == frame else -1
+    def rows_of(self, track: NDArray[np.int64], frame: NDArray[np.int64]) -> NDArray[np.int64]:
+        """(k,) the row of each person and frame; -1 where there is none."""
+        if not len(self.track):
+            return np.full(len(track), -1)
+        own, asked = self.track << 32 | self.frame, track << 32 | frame
+        at = np.minimum(np.searchsorted(own, asked), len(own) - 1)
+        return np.where(own[at] == asked, at, -1)
 
 
 def part_states(parts: Columns, fps: float) -> PartStates:
@@ -74,7 +78,8 @@ def samples_of(labels: Iterable[PartLabel], parts: Columns, fps: float, recordin
     """
     given = sorted(labels, key=lambda label: label.key)
     seen = part_states(parts, fps)
-    rows = [seen.row_of(label.track, label.frame) for label in given]
+    places = np.array([(label.track, label.frame) for label in given], np.int64).reshape(-1, 2)
+    rows = seen.rows_of(places[:, 0], places[:, 1]).tolist()
     told = [(label, row) for label, row in zip(given, rows, strict=True) if row >= 0]
     if not told:
         return no_samples()
@@ -147,7 +152,8 @@ def _with_box(state: Floats, label: PartLabel) -> Floats:
     left, top, width, height = label.box
     moved = state.copy()
     box = (left + width / 2, top + height / 2, width, height)
-    if not np.allclose(box, state[label.part, :4]):
+    there = state[label.part, :4].tolist()
+    if max(abs(one - other) for one, other in zip(box, there, strict=True)) > _SAME_PX:
         moved[label.part, :4] = box
         moved[label.part, 4:] = np.delete(state[:, 4:], label.part, axis=0).mean(axis=0)
     return moved
