@@ -16,6 +16,8 @@ _OWN = 0.3
 """Share of somebody's parts that must lie in a region for it to be theirs."""
 _WHOLE = (0.85, 1.25)
 """Height of a region, in heights of its person, that shows all of them."""
+_OTHERS = 0.15
+"""Share of somebody's parts in other regions from which on they may be hidden there."""
 _TAKEN = 0.1
 """The same for it to be possibly theirs: nobody new is started in it."""
 
@@ -36,6 +38,12 @@ class Claims:
     support: Floats
     region: Indices
     alone: Flags
+
+    @property
+    def own_share(self) -> Floats:
+        """(people,) of each one's parts that lies in their own region."""
+        padded = np.append(self.share, np.zeros((len(self.share), 1)), axis=1)
+        return np.asarray(padded[np.arange(len(padded)), self.region])
 
     @property
     def taken(self) -> Flags:
@@ -65,7 +73,8 @@ def seen_whole(claims: Claims, seen: Detections, height: Floats) -> Flags:
     tall = np.append(seen.box[:, 3], 0.0)[claims.region]
     cut = np.append(seen.truncated, True)[claims.region]
     ratio = tall / np.maximum(height, 1.0)
-    return np.asarray(claims.alone & ~cut & (ratio > _WHOLE[0]) & (ratio < _WHOLE[1]))
+    alone = claims.alone & (claims.share.sum(axis=1) - claims.own_share <= _OTHERS)
+    return np.asarray(alone & ~cut & (ratio > _WHOLE[0]) & (ratio < _WHOLE[1]))
 
 
 def shares_on(mask: NDArray[np.integer], rectangles: Floats) -> Floats:

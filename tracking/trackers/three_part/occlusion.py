@@ -37,8 +37,9 @@ def occluders_from(text: str) -> Polygons:
     if not text.strip():
         return ()
     try:
-        polygons = [np.array(corners, np.float64) for corners in json.loads(text)]
-        good = all(
+        said = json.loads(text)
+        polygons = [np.array(corners, np.float64) for corners in said]
+        good = isinstance(said, list) and all(
             outline.ndim == 2
             and outline.shape[1] == 2
             and 3 <= len(outline) <= _MOST_CORNERS
