@@ -26,6 +26,8 @@ _UNEXPLAINED = 1.13
 _MOST_NEARER = 2
 _BODY_AREA = 0.19
 """Pixels of a body over the square over its height."""
+_LEAST_SEEN = 0.22
+"""Share of a body that must be seen."""
 _LIMB_AREA, _LIMB_ACROSS, _LIMB_INSIDE = 0.3, 1.1, 0.6
 """A fragment is a limb if it is smaller than this share of a body and this share of it lies within
 so many breadths of the body's axis."""
@@ -64,7 +66,18 @@ def people_regions(kind: NDArray[np.uint8], standing: Standing) -> Labels:
         found = _silhouette(labels, k + 1, boxes[k], standing)
         if _paint(regions, kind, labels, found, len(everybody), standing):
             everybody = everybody.with_others(found.bodies)
-    return regions
+    return _seen_enough(regions, everybody)
+
+
+def _seen_enough(regions: Labels, everybody: Bodies) -> Labels:
+    """The regions without those of bodies of which hardly anything is seen; their numbers stay."""
+    pixels = np.bincount(regions.ravel(), minlength=len(everybody) + 1)[1:]
+    gone = pixels < _LEAST_SEEN * _BODY_AREA * everybody.height**2
+    return (
+        regions * np.concatenate(([False], ~gone)).astype(np.uint8)[regions]
+        if gone.any()
+        else regions
+    )
 
 
 def _absorbed(

@@ -94,21 +94,31 @@ class Standing:
         foot = np.column_stack((head[:, 0], bottom))
         height = np.maximum(bottom - head[:, 1], 1.0)
         width = height * _SLENDER
-        reach = np.full(len(head), np.inf)
-        if self._view is not None and len(head):
-            settings = self._settings
-            heights = (settings.body_height_m, *_GROWN_UP_M)
-            under, short, tall = self._under(head, heights)
-            high = np.hypot(*(under - head).T)
-            known = np.isfinite(high) & (high < _LARGEST * height) & (under[:, 1] > head[:, 1])
-            width[known] = high[known] * settings.body_width_m / settings.body_height_m
-            tallest = np.nan_to_num(tall[:, 1], nan=np.inf)
-            seen = known & (bottom >= short[:, 1]) & (bottom <= tallest)
-            taken = known & ~seen
-            foot[taken], height[taken] = under[taken], high[taken]
-            foot[seen, 0] = under[seen, 0]
-            reach[known] = (tallest - head[:, 1])[known] / height[known] + _SLACK
-        return Bodies(head, foot, height, width, reach)
+        bodies = Bodies(head, foot, height, width, np.full(len(head), np.inf))
+        return bodies if self._view is None or len(head) == 0 else self._measured(bodies)
+
+    def _measured(self, seen: Bodies) -> Bodies:
+        """The bodies, as large as metres say."""
+        settings = self._settings
+        head, bottom = seen.head, seen.foot[:, 1]
+        heights = (settings.body_height_m, *_GROWN_UP_M)
+        under, short, tall = self._under(head, heights)
+        high = np.hypot(*(under - head).T)
+        tallest = np.nan_to_num(tall[:, 1], nan=np.inf)
+        # Near the horizon heads tell nothing, but feet do.
+        known = np.isfinite(high) & (high < _LARGEST * seen.height) & (under[:, 1] > head[:, 1])
+        over = np.nan_to_num(self.above(seen.foot).height, nan=1.0)
+        high = np.where(known, high, np.maximum(over, seen.height))
+        grown_up = (bottom >= short[:, 1]) & (bottom <= tallest)
+        taken = known & ~grown_up
+        row = np.where(taken, under[:, 1], bottom)
+        return Bodies(
+            head,
+            np.column_stack((np.where(known, under[:, 0], head[:, 0]), row)),
+            np.where(known & grown_up, seen.height, high),
+            high * settings.body_width_m / settings.body_height_m,
+            np.where(known, (tallest - head[:, 1]) / high + _SLACK, np.inf),
+        )
 
     def _under(self, head: Floats, heights_m: tuple[float, ...]) -> Floats:
         """(k, n, 2) working px of the floor under heads (n, 2) at each of k heights."""
