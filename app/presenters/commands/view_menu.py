@@ -35,7 +35,7 @@ COMMANDS: Final = (
     Command(
         "view.part_particles",
         "View",
-        "Particles of the chosen part on the picture",
+        "Particles of the part on the picture",
         ("Shift+O",),
         recording,
         True,

@@ -317,7 +317,7 @@ class Desk(QObject):
             view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
         view.overhead.show_scene(document.overhead.scene(instant))
         self.labelling.draw(self.eyes == "both", self.pictured.labels)
-        self.parts.draw(instant, self.pictured, self.eyes == "anaglyph")
+        self.parts.draw(instant, self.pictured)
         self.drawn.emit()
 
     def draw_playhead(self) -> None:

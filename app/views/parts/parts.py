@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document.document import Document
 from app.presenters.document.setting import Instant, Pictured
+from app.presenters.labelling.labelling_scene import Tool
 from app.presenters.parts.parts import PartsPresenter
 from app.presenters.parts.parts_scene import PicturedParts
 from app.presenters.parts.picturing import part_name
@@ -45,12 +46,10 @@ class Parts(QObject):
         self._workspace.left.show_parts(PicturedParts())
         self._workspace.curves.show_scene(None)
 
-    def draw(self, instant: Instant, pictured: Pictured, both: bool) -> None:
-        """Show an instant; `both`: in the picture for red and cyan glasses, which stays plain."""
-        labelling, presenter = self._labelling.tool is not None, self.presenter
-        nothing = PicturedParts()
-        parts = nothing if both else presenter.picture(instant, pictured, labelling)
-        self._workspace.left.show_parts(parts)
+    def draw(self, instant: Instant, pictured: Pictured) -> None:
+        """Show an instant."""
+        labelling, presenter = self._labelling.tool is Tool.PARTS, self.presenter
+        self._workspace.left.show_parts(presenter.picture(instant, pictured, labelling))
         curves = presenter.curves(instant) if pictured.curves else None
         self._workspace.curves.show_scene(curves)
 

@@ -67,6 +67,7 @@ class TrainDialog(QDialog):
         if here is not None:
             self._read(here)
         else:
+            self._told.setText(self.tr("No session is open: add sessions or samples with labels"))
             self._show_counts()
 
     # what it looks like

@@ -8,12 +8,12 @@ from correcting_desk import CTRL, Hands, opened_desk
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 
-from app.presenters.parts.detector_choice import DetectorChoice
+from app.presenters.parts.detector_choice import DetectorChoice, known_choice
 from app.views.parts.result_dialog import ResultDialog
 from app.views.parts.train_dialog import TrainDialog
 from app.views.runs.track_dialog import TrackDialog
 from tracking.editing import plan_label_part, plan_occluders
-from tracking.failure import load_detector
+from tracking.failure import built_in_detector, load_detector, save_detector
 from tracking.tracks import Occluder, PartLabel
 
 Key = Qt.Key
@@ -203,6 +203,18 @@ def test_a_file_that_is_no_detector_is_refused_and_the_one_in_use_stays(
     qtbot.waitUntil(lambda: not window.work.busy)
     assert window.notice.isVisible()
     assert hands.desk.document.detector == DetectorChoice()
+
+
+def test_a_detector_from_a_file_is_used_and_remembered(hands, window, qtbot, tmp_path):
+    path = tmp_path / "mine.h5"
+    save_detector(path, built_in_detector())
+    window.files.detectors.use_file(path)
+    qtbot.waitUntil(lambda: hands.desk.document.detector.path == str(path))
+    checked = {item.command: item.checked for item in window.command_items()}
+    assert checked["detector.built_in"] is False
+    assert known_choice(window.remembered.text("detector")) == DetectorChoice(str(path))
+    path.unlink()
+    assert known_choice(window.remembered.text("detector")) == DetectorChoice()
 
 
 def test_occluders_that_are_drawn_are_handed_to_trackers_of_parts(hands, window, qtbot):
