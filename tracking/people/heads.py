@@ -20,8 +20,10 @@ _APART = 0.4
 """Heads are this many breadths of a person off other people's axes at least."""
 _REACHES_DOWN = 0.5
 """Under a head a body is seen for this share of its height at least."""
-_HEAD_WIDTH = 0.05
-"""Under its top a head is this broad at least, as a share of the height; a raised hand is not."""
+_HEAD_WIDTH, _HEAD_REACH = 0.055, 0.06
+_HEAD_ROWS = (0.03, 0.09)
+"""Between these rows under its top a head is so broad at least, within reach of the peak; a raised
+hand is not. All as shares of the height."""
 
 
 def bodies_in(own: Bools, left: int, top: int, standing: Standing) -> Bodies:
@@ -59,25 +61,14 @@ def lowest(own: Bools, columns: NDArray[np.intp]) -> Floats:
 
 
 def _broad(own: Bools, columns: NDArray[np.intp], contour: Floats, height: Floats) -> Bools:
-    """Which peaks are as broad as a head a little below their tops."""
-    down = np.minimum(contour[columns] + np.maximum(2, _RISES * height), own.shape[0] - 1)
-    found = [
-        _run(own[v], u) >= _HEAD_WIDTH * h
-        for u, v, h in zip(
-            columns.tolist(), down.astype(int).tolist(), height.tolist(), strict=True
-        )
-    ]
+    """Which peaks are as broad as a head somewhere near their tops; hair may have holes."""
+    found = []
+    for u, v, h in zip(columns.tolist(), contour[columns].tolist(), height.tolist(), strict=True):
+        first, stop = (int(v + share * h) for share in _HEAD_ROWS)
+        reach = int(_HEAD_REACH * h) + 1
+        near = own[first : max(stop, first + 2), max(u - reach, 0) : u + reach + 1]
+        found.append(near.sum(axis=1).max(initial=0) >= _HEAD_WIDTH * h)
     return np.array(found, np.bool_)
-
-
-def _run(row: Bools, u: int) -> int:
-    """Length of the run of True round a column."""
-    if not row[u]:
-        return 0
-    before, after = row[u::-1], row[u:]
-    left = len(before) if before.all() else int(before.argmin())
-    right = len(after) if after.all() else int(after.argmin())
-    return left + right - 1
 
 
 def _distinct(bodies: Bodies, order: NDArray[np.intp]) -> NDArray[np.intp]:
