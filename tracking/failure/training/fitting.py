@@ -42,7 +42,7 @@ names neither its kernel nor its parameters."""
 def fitted(values: Floats, failed: NDArray[np.bool_], candidate: Candidate) -> Machine:
     """The machine for rows (n, d), above 0 where failed; both classes weigh the same in total."""
     # No stubs come with the library, and it takes a second to load: only where it is needed.
-    from sklearn.svm import SVC  # type: ignore[import-untyped]
+    from sklearn.svm import SVC
 
     gamma = candidate.gamma / values.shape[1]
     kernel = {"kernel": "rbf", "gamma": gamma} if gamma else {"kernel": "linear"}
@@ -57,6 +57,6 @@ def fitted(values: Floats, failed: NDArray[np.bool_], candidate: Candidate) -> M
 
 def library() -> str:
     """The name and version of what fits."""
-    import sklearn  # type: ignore[import-untyped]  # as above
+    import sklearn
 
     return f"scikit-learn {sklearn.__version__}"
