@@ -31,6 +31,11 @@ _GONE = 0.15
 """The same below which nobody is followed."""
 
 
+_REACH, _WITHIN_REACH, _PIECE = 0.6, 0.7, 0.72
+"""How far somebody's limbs go to either side, in heights; share of a region's box there, and its
+height against theirs, from which and up to which it is a piece of them."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Newcomers:
     """Regions nobody followed is in, waited for until they are somebody.
@@ -54,6 +59,35 @@ def free_regions(seen: Detections, claims: Claims, boxes: Floats) -> Indices:
     same = (covered >= _OCCUPIED) & ((covering >= _OCCUPIED) | (covered >= _INSIDE))
     tall = seen.box[:, 3] >= _LEAST_HEIGHT_PX
     return np.flatnonzero(~claims.taken & ~same.any(axis=1) & ~seen.merged & tall)
+
+
+def without_pieces(free: Indices, seen: Detections, boxes: Floats, height: Floats) -> Indices:
+    """The free regions that cannot be a bent person's head and arms, or what else sticks out.
+
+    A region within somebody's reach that is much lower than they are upright is a piece of them.
+
+    Args:
+        boxes: (people, 4) left, top, width, height of those followed. height: (people,) px upright.
+    """
+    middle, foot = boxes[:, 0] + boxes[:, 2] / 2, boxes[:, 1] + boxes[:, 3]
+    reach = np.column_stack(
+        (middle - _REACH * height, foot - height, 2 * _REACH * height, 1.1 * height)
+    )
+    near = covered_shares(seen.box[free], reach) >= _WITHIN_REACH
+    low = _heights_seen(seen, free)[:, None] < _PIECE * height
+    return free[~(near & low).any(axis=1)]
+
+
+def _heights_seen(seen: Detections, rows: Indices) -> Floats:
+    """(n,) px from the highest to the lowest pixel seen; boxes reach down to hidden feet."""
+    heights = np.zeros(len(rows))
+    for at, row in enumerate(rows):
+        left, top, width, height = seen.box[row]
+        across = slice(max(int(left), 0), max(int(np.ceil(left + width)) + 1, 0))
+        down = slice(max(int(top), 0), max(int(np.ceil(top + height)) + 1, 0))
+        found = np.flatnonzero((seen.regions[down, across] == row + 1).any(axis=1))
+        heights[at] = found[-1] - found[0] + 1 if len(found) else 0
+    return heights
 
 
 def waited_for(

@@ -200,6 +200,7 @@ class PartTracker:
         """The lost found again or let go, and newcomers begun."""
         boxes = outlined_boxes(people.rectangles, people.outline)
         free = births.free_regions(seen, claims, boxes)
+        free = births.without_pieces(free, seen, boxes, people.height)
         if self._adjust:
             lost = people.missed_s > _MISSED_S
             places, free = found_again(people, boxes, lost, seen, free, picture, self._layout)
