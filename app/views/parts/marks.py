@@ -56,9 +56,9 @@ def draw_part_particles(
 
 
 def part_box_at(boxes: Sequence[PartBox], at: QPointF, viewport: Viewport) -> PartBox | None:
-    """The smallest rectangle of the selected person under a place of the widget."""
-    hits = [one for one in boxes if one.selected]
-    hits = [one for one in hits if viewport.rect(QRectF(*one.box)).contains(at)]
+    """The smallest rectangle under a place of the widget, of the selected person where any is."""
+    hits = [one for one in boxes if viewport.rect(QRectF(*one.box)).contains(at)]
+    hits = [one for one in hits if one.selected] or hits
     return min(hits, key=lambda one: one.box[2] * one.box[3], default=None)
 
 

@@ -117,7 +117,7 @@ class PictureView(Canvas):
         if self._image.isNull():
             return
         part = part_box_at(self._parts.boxes, at, self.viewport)
-        if part is not None and part.track == self.track_at(at) and not extend:
+        if part is not None and part.selected and part.track == self.track_at(at) and not extend:
             self.part_picked.emit(part.part)
         (self.track_added if extend else self.track_picked).emit(self.track_at(at))
         place = self.viewport.to_content(at)
@@ -176,11 +176,15 @@ class PictureView(Canvas):
         return Qt.CursorShape.PointingHandCursor if over else Qt.CursorShape.ArrowCursor
 
     def name_at(self, at: QPointF) -> str:
-        """The person's label under the cursor."""
+        """The person's label under the cursor, and what is said of the part there."""
         person = self._person_at(at)
         if person is None:
             return ""
-        return self.tr("{0} (predicted)").format(person.label) if person.predicted else person.label
+        name = person.label
+        if person.predicted:
+            name = self.tr("{0} (predicted)").format(name)
+        part = part_box_at(self._parts.boxes, at, self.viewport)
+        return f"{name}\n{part.text}" if part is not None and part.track == person.track else name
 
     def _person_at(self, at: QPointF) -> PersonMark | None:
         """The person whose box is hit; of several, the one whose middle is nearest."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 
 from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, DetectorChoice, PartsAsked
+from app.presenters.words import counted
 from app.views.widgets.parts import quiet
 from tracking.trackers import settings_fields
 
@@ -32,7 +33,8 @@ class PartsLine(QWidget):
     def _said(self, count: int) -> str:
         if not count:
             return self.tr("No occluders are drawn: draw what hides people with Alt+2.")
-        return self.tr("{0} drawn occluders hide people from the tracker.").format(count)
+        one = "{n} drawn occluder hides people from the tracker."
+        return counted(count, one, "{n} drawn occluders hide people from the tracker.")
 
     def show_for(self, settings_type: type) -> None:
         """Show what a tracker with these settings has a use for."""

@@ -141,6 +141,12 @@ def test_a_click_on_a_part_of_the_selected_person_looks_at_that_part(hands, pict
         assert hands.desk.labelling.part == part
 
 
+def test_resting_on_a_part_tells_what_the_detector_says_of_it(hands, picture):
+    box = picture._parts.boxes[0]
+    told = picture.name_at(picture.viewport.rect(QRectF(*box.box)).center())
+    assert any(one.text in told for one in picture._parts.boxes if one.track == box.track)
+
+
 def test_where_no_parts_were_tracked_the_plots_and_f3_say_how_to_get_them(
     window, qtbot, tiny_session
 ):
