@@ -7,13 +7,14 @@ import shutil
 from pathlib import Path
 
 import h5py
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from made_up_sessions import make_session
 
 from tracking.errors import SessionError
-from tracking.session import Session, reading, seal
+from tracking.session import Session, layout, reading, seal
 from tracking.session.inspection import inspect
 
 
@@ -114,4 +115,13 @@ def test_where_no_key_can_be_kept_sessions_are_saved_without_a_seal(tmp_path, mo
 
 def test_a_seal_by_other_rules_counts_for_nothing(copy, monkeypatch):
     monkeypatch.setattr(seal, "_rules", lambda: b"older")
+    assert not seal.holds(copy)
+
+
+@pytest.mark.parametrize("name", ["TABLES", "RUN_TABLES"])
+def test_a_seal_made_for_other_columns_counts_for_nothing(copy, name, monkeypatch):
+    tables = getattr(layout, name)
+    other = {**tables, "tracks": {**tables["tracks"], "further": np.dtype(np.int32)}}
+    monkeypatch.setattr(layout, name, other)
+    monkeypatch.setattr(seal, "_rules", seal._rules.__wrapped__)
     assert not seal.holds(copy)

@@ -27,8 +27,7 @@ import numpy as np
 from platformdirs import user_data_path
 
 from tracking import untrusted
-from tracking.session import inspection
-from tracking.session.layout import RUN_TABLES, TABLES, VERSION
+from tracking.session import inspection, layout
 
 _MARK = b"twseal01"
 _DIGEST_BYTES = KEY_BYTES = 32
@@ -117,12 +116,17 @@ def _signature(key: bytes, size: int, table: bytes, digest: bytes) -> bytes:
 @cache
 def _rules() -> bytes:
     """What the inspection goes by: a seal says nothing about other rules, or another library."""
-    tables = {
-        name: {column: dtype.str for column, dtype in types.items()}
-        for name, types in {**TABLES, **RUN_TABLES}.items()
-    }
-    said = hashlib.sha256(repr((VERSION, tables, h5py.version.hdf5_version)).encode())
-    for file in (Path(inspection.__file__), *sorted(Path(untrusted.__file__).parent.glob("*.py"))):
+    # By kind, then name: the corrected tracks and those of a run are tables of one name.
+    kinds = (layout.TABLES, layout.RUN_TABLES, {"samples": layout.SAMPLE_TABLE})
+    columns = [
+        (kind, table, column, dtype.str)
+        for kind, tables in enumerate(kinds)
+        for table, types in tables.items()
+        for column, dtype in types.items()
+    ]
+    said = hashlib.sha256(repr((columns, h5py.version.hdf5_version)).encode())
+    programs = (inspection.__file__, layout.__file__)
+    for file in (*map(Path, programs), *sorted(Path(untrusted.__file__).parent.glob("*.py"))):
         said.update(file.read_bytes())
     return said.digest()
 
