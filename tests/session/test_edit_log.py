@@ -65,20 +65,24 @@ def test_csv_says_what_was_and_what_is_so_that_people_can_read_it(
     edited.apply(plan_draw_box(edited.tracks, 2, FRAMES + 1, (10.0, 20.0, 30.0, 60.0)))
     edited.apply(plan_mark_reviewed(edited.labels, 0, 5, 6))
     edited.apply(plan_verdict(edited.labels, Verdict("likely swap", (1, 2), 7, "dismissed")))
+    edited.apply(plan_verdict(edited.labels, Verdict("likely ghost", (), 8, "right")))
     edited.apply(plan_label_part(edited.labels, PartLabel(3, 1, 0, (1.0, 2.0, 3.5, 4.0), None)))
+    edited.apply(plan_label_part(edited.labels, PartLabel(3, 1, 1, (1.0, 2.0, 3.5, 4.0), False)))
     write_log_csv(edited.history, tmp_path / "log.csv")
     said = [(row["before"], row["after"]) for row in rows_of(tmp_path / "log.csv")]
     assert said[1] == ("track 3: no name", "track 3: name -red, coat")
     assert said[2] == ("track 3: no notes", "track 3: notes =HYPERLINK(1)")
     assert said[4][0].startswith("track 4: ")
     assert "boxes in frames" in said[4][0]
-    assert [before for before, _ in said[6:]] == ["nothing"] * 4
+    assert [before for before, _ in said[6:]] == ["nothing"] * 6
     assert said[5] == ("track 3: no hair", "track 3: hair = brown")
     assert [after for _, after in said[6:]] == [
         "track 2: box 30.0 x 60.0 px at 10.0, 20.0 in frame 41",
         "everybody reviewed in frame 5",
         "likely swap of 1 and 2 in frame 7: dismissed",
+        "likely ghost of nobody in frame 8: right",
         "head of 1 in frame 3: unsure",
+        "torso of 1 in frame 3: off its part",
     ]
 
 

@@ -7,27 +7,24 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import numpy as np
 
 from tracking.editing import LabelState, State
+from tracking.editing.labels.part_labelling import SAID_OF_PART
+from tracking.editing.scope import scope_text, tracks_text
 from tracking.tracks import PART_NAMES, Columns, Occluder, PartLabel, Region, TrackLabel
 
 NOTHING = "nothing"
 """What an edit that only adds says of before."""
 _MOST_NAMED = 4
-_ON_PART = {True: "on its part", False: "not on its part", None: "unsure"}
 
 
 def in_words(side: State, other: State) -> str:
     """One side of an edit; of labels of tracks only what the other side says otherwise."""
     groups: list[Iterable[str]] = [
-        (f"track {track} {_frames(start, end)}" for track, start, end in side.stretches.tolist()),
+        (f"track {track} {scope_text(start, end)}" for track, start, end in side.stretches.tolist()),
         _rows(side.rows),
         _track_labels(side.labels.tracks, other.labels.tracks),
         *_other_labels(side.labels),
     ]
     return "; ".join(text for group in groups for text in _few(list(group))) or NOTHING
-
-
-def _frames(start: int, end: int) -> str:
-    return f"in frame {start}" if end == start + 1 else f"in frames {start} to {end - 1}"
 
 
 def _rows(rows: Columns) -> Iterator[str]:
@@ -38,7 +35,7 @@ def _rows(rows: Columns) -> Iterator[str]:
     for track in np.unique(rows["track"]).tolist():
         frames = rows["frame"][rows["track"] == track]
         count = "1 box" if len(frames) == 1 else f"{len(frames)} boxes"
-        yield f"track {track}: {count} {_frames(int(frames.min()), int(frames.max()) + 1)}"
+        yield f"track {track}: {count} {scope_text(int(frames.min()), int(frames.max()) + 1)}"
 
 
 def _single(rows: Columns) -> str:
@@ -74,11 +71,12 @@ def _differing(own: TrackLabel, other: TrackLabel) -> list[str]:
 def _other_labels(labels: LabelState) -> Iterator[Iterable[str]]:
     yield (
         f"{f'track {seen.track}' if seen.track else 'everybody'} reviewed "
-        f"{_frames(seen.start, seen.end)}"
+        f"{scope_text(seen.start, seen.end)}"
         for seen in labels.reviewed
     )
     yield (
-        f"{said.kind} of {' and '.join(map(str, said.tracks))} in frame {said.frame}: "
+        f"{said.kind} of {tracks_text(said.tracks) if said.tracks else 'nobody'} "
+        f"in frame {said.frame}: "
         f"{said.decision}"
         for said in labels.verdicts
     )
@@ -94,7 +92,7 @@ def _drawn(what: str, one: Occluder | Region) -> str:
 
 def _part(label: PartLabel) -> str:
     who = f"{PART_NAMES[label.part]} of {label.track} in frame {label.frame}"
-    return f"{who}: {_ON_PART[label.on_part]}"
+    return f"{who}: {SAID_OF_PART[label.on_part]}"
 
 
 def _few(words: Sequence[str]) -> Sequence[str]:

@@ -9,7 +9,8 @@ from tracking.editing.change import Change, LabelState, State
 from tracking.errors import EditError
 from tracking.tracks import PART_NAMES, Labels, PartKey, PartLabel, check_part_label
 
-_SAID = {True: "on its part", False: "off its part", None: "unsure"}
+SAID_OF_PART = {True: "on its part", False: "off its part", None: "unsure"}
+"""What a part label says, by `PartLabel.on_part`."""
 
 
 def plan_label_part(labels: Labels, given: PartLabel | Iterable[PartLabel]) -> Change:
@@ -30,7 +31,7 @@ def plan_label_part(labels: Labels, given: PartLabel | Iterable[PartLabel]) -> C
     out = [labels.parts[label.key] for label in changed if label.key in labels.parts]
     text = f"Label {_named(changed)}"
     if len(changed) == 1:
-        text += f": {_SAID[changed[0].on_part]}"
+        text += f": {SAID_OF_PART[changed[0].on_part]}"
     return _change("label", text, out, changed)
 
 

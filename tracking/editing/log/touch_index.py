@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -12,9 +13,9 @@ from tracking.editing.log.touched import KINDS, Boxes, meeting
 from tracking.errors import EditError
 from tracking.tracks import LARGEST_NUMBER
 
-TOUCHED_COLUMNS: Mapping[str, np.dtype[Any]] = {
-    name: np.dtype(np.int64) for name in ("edit", "kind", "of", "start", "end")
-}
+TOUCHED_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {name: np.dtype(np.int64) for name in ("edit", "kind", "of", "start", "end")}
+)
 _FEWEST = 64
 
 
