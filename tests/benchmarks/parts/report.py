@@ -266,5 +266,10 @@ def _real(figures: Figures) -> str:
 
 
 def _speed(figures: Figures) -> str:
-    rows = [[name.replace("_", " "), f"{value:.2f}"] for name, value in figures.items()]
-    return SPEED.strip() + "\n\n" + table(("", ""), rows)
+    words = SPEED.format(fps=figures["fps"], frames=int(figures["frames"]))
+    stages = {name: value for name, value in figures.items() if name.endswith("_ms")}
+    rows = [
+        [name.removesuffix("_ms").replace("_", " "), "-" if value is None else f"{value:.2f}"]
+        for name, value in stages.items()
+    ]
+    return words.strip() + "\n\n" + table(("stage", "ms a frame"), rows)
