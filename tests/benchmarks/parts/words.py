@@ -7,8 +7,8 @@ Measured on rendered scenes with exact part truth, written by one command:
 
     python -m tests.benchmarks.parts --report
 
-(half an hour on one core; `--only rates` and the like measure one section anew). The figures stand in
-[results.json](results.json). "Paper" is Zhao and Lee 2009, measured by its authors on 20 filmed
+(half an hour on one core; `--only rates` and the like measure one section anew). The figures stand
+in [results.json](results.json). "Paper" is Zhao and Lee 2009, measured by its authors on 20 filmed
 clips that are not public; ours are rendered, so that truth is exact and everybody can repeat them.
 Settings were chosen on scenes with other seeds, and the built-in failure detector was trained on
 others again; on the scenes reported here nothing was chosen.
