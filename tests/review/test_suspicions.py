@@ -173,3 +173,17 @@ def test_who_changed_over_is_watched_until_they_part() -> None:
 
     assert stretch(0) < stretch(10) < stretch(15) <= 0.95 * FPS + 1
     assert stretch(60) == stretch(40)
+
+
+def test_people_swapped_across_the_floor_are_told_where_they_were() -> None:
+    """Farther apart than anybody is mistaken, but by hand: both leap in the very same frame."""
+    apart = [
+        Walk(straight((-4, 5), (1, 0), 160), looks=RED),
+        Walk(straight((-4, 8), (1, 0), 160), looks=BLUE),
+    ]
+    run = made_run(apart)
+    assert not found(run)
+    first = found(run, swapped(run, 1, 2, MEETING))[0]
+    assert (first.kind, first.tracks, first.frame) == ("turn", (1, 2), MEETING)
+    assert first.start <= MEETING < first.end
+    assert first.likelihood > 0.5

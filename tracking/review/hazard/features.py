@@ -12,7 +12,7 @@ from tracking.review.crowding import crowding
 from tracking.review.evidence import Evidence, Floats, Rows
 from tracking.review.material import Material
 from tracking.review.reasons.jumps import steps_off
-from tracking.review.reasons.turns import gains, leads, miss
+from tracking.review.reasons.turns import gains, leads, meetings, miss
 
 Column = NDArray[np.float32]
 Columns = dict[str, Column]
@@ -64,10 +64,11 @@ def _walks(material: Material) -> Columns:
 
 
 def _pairs(material: Material) -> Columns:
-    """What tells that somebody near was changed with: the strongest of all who are near."""
+    """What tells that somebody was changed with: the strongest of all it may have been."""
     evidence, near = material.evidence, material.near
+    turned = meetings(material)
+    turn = _strongest(evidence, turned, gains(evidence, *turned))
     first, second = near.first, near.second
-    turn = _strongest(evidence, (first, second), gains(evidence, first, second))
     looked = np.flatnonzero(evidence.frame[first] % evidence.frames_of(EVERY_S) == 0)
     first, second = first[looked], second[looked]
     track, other, frame = evidence.track[first], evidence.track[second], evidence.frame[first]

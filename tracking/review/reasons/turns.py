@@ -1,4 +1,4 @@
-"""Two tracks near each other of which each goes on as the other was going."""
+"""Two tracks of which each goes on as the other was going."""
 
 from __future__ import annotations
 
@@ -6,12 +6,17 @@ import numpy as np
 
 from tracking.review.evidence import Evidence, Floats, Rows, keys
 from tracking.review.found import Found, of_pairs, peaks, ramp
-from tracking.review.material import Material
+from tracking.review.material import REACH_M, Material
+from tracking.review.reasons.jumps import steps_off
 
 _STEP_S = 0.3
 """Over which a walk's direction is taken, before and after."""
 _APART_S = 1.0
 _LOW_M, _HIGH_M = 0.15, 0.8
+_LEAP_M = 0.5
+"""Tracks that leap so far in the same frame may have changed over, however far apart they are."""
+_MOST_LEAPING = 20
+"""Where more leap in one frame, the picture did."""
 
 
 def turns(material: Material) -> Found:
@@ -20,8 +25,8 @@ def turns(material: Material) -> Found:
     Both are led on for a moment as they walked before a frame, and led back as they walked after
     it; compared is by how many metres they miss each other, as they are and changed over.
     """
-    evidence, near = material.evidence, material.near
-    one, other = near.first, near.second
+    evidence = material.evidence
+    one, other = meetings(material)
     gain = gains(evidence, one, other)
     told = np.flatnonzero(gain > _LOW_M)
     one, other, gain = one[told], other[told], gain[told]
@@ -29,6 +34,35 @@ def turns(material: Material) -> Found:
     best = peaks(keys(first, second), frame, gain, evidence.frames_of(_APART_S))
     strength = ramp(gain[best], _LOW_M, _HIGH_M)
     return of_pairs("turn", first[best], second[best], frame[best], strength, gain[best])
+
+
+def meetings(material: Material) -> tuple[Rows, Rows]:
+    """(k,), (k,) rows of one frame whose tracks may change over there, by tracks, then frame.
+
+    Those near each other, and those that leap at once: whoever names the wrong person by hand, or
+    a tracker that found both again, may take people for one another across the floor.
+    """
+    evidence, near = material.evidence, material.near
+    leaping = np.flatnonzero(np.append(False, steps_off(evidence) > _LEAP_M)[: len(evidence)])
+    one, other = _far_pairs(material, leaping)
+    one, other = np.concatenate((near.first, one)), np.concatenate((near.second, other))
+    order = np.lexsort((evidence.frame[one], evidence.track[other], evidence.track[one]))
+    return one[order], other[order]
+
+
+def _far_pairs(material: Material, rows: Rows) -> tuple[Rows, Rows]:
+    """(k,), (k,) all pairs among rows of one frame that are out of each other's reach."""
+    evidence = material.evidence
+    rows = rows[np.argsort(evidence.frame[rows], kind="stable")]
+    frame = evidence.frame[rows]
+    end = np.searchsorted(frame, frame, "right")
+    few = end - np.searchsorted(frame, frame) <= _MOST_LEAPING
+    count = np.where(few, end - np.arange(len(rows)) - 1, 0)
+    within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    at = np.repeat(np.arange(len(rows)), count)
+    one, other = rows[at], rows[at + 1 + within]
+    far = np.hypot(*(evidence.place[one] - evidence.place[other]).T) > REACH_M
+    return one[far], other[far]
 
 
 def gains(evidence: Evidence, one: Rows, other: Rows) -> Floats:
