@@ -72,7 +72,6 @@ def weighed(
         clouds, entropy = _weighed_together(people, log, random)
     estimate = mean_states(clouds).reshape(people.state.shape)
     state = np.where(filtered[..., None], estimate, people.state)
-    state = carried(state, people.pose, ~filtered)
     people = people.replace(clouds=clouds, state=state, entropy=np.where(filtered, entropy, np.nan))
     return people.replace(pace=_paced(people, before, elapsed_s))
 

@@ -23,7 +23,7 @@ class WholeBodySettings:
         1.2, "", (0.1, 10.0), "how many more particles follow where all weights are alike"
     )
     similarity_sigma: float = setting(
-        0.12, "", (0.01, 1.0), "likelihood's standard deviation of the distance between histograms"
+        0.07, "", (0.01, 1.0), "likelihood's standard deviation of the distance between histograms"
     )
     model_memory: float = setting(0.9, "", (0.0, 1.0), "share of a colour model kept at each frame")
     spread_position: float = setting(

@@ -28,7 +28,7 @@ from tracking.trackers.three_part.detectors import NO_DETECTOR
 from tracking.trackers.three_part.finding import found_again
 from tracking.trackers.three_part.followed import Followed, Layout, nobody, together
 from tracking.trackers.three_part.learning import colours_learnt, places_learnt, poses_learnt
-from tracking.trackers.three_part.moving import moved, weighed
+from tracking.trackers.three_part.moving import carried, moved, weighed
 from tracking.trackers.three_part.occlusion import (
     Polygons,
     behind_others,
@@ -73,7 +73,7 @@ class PartTracker:
     Where we differ from the source and why:
         - people are found, and let go, by regions of the foreground, which the paper leaves open;
         - somebody lost behind others is looked for by colours around the place expected;
-        - parts that are occluded move with those of the person that are not;
+        - with adjustment, parts that are occluded move with those of the person that are not;
         - the box is the person's, learnt from regions seen alone: inner rectangles are smaller.
     """
 
@@ -143,7 +143,10 @@ class PartTracker:
         before, settings, layout = self._people, self._settings, self._layout
         people = moved(before, elapsed_s, settings, layout, self._random)
         people = self._hidden(people, seen, picture)
-        return weighed(people, before, picture, elapsed_s, settings, layout, self._random)
+        people = weighed(people, before, picture, elapsed_s, settings, layout, self._random)
+        if not self._adjust:
+            return people
+        return people.replace(state=carried(people.state, people.pose, people.occluded))
 
     def _hidden(self, people: Followed, seen: Detections, picture: Picture) -> Followed:
         """The people with who touches whom and who is hidden, at the places predicted."""
