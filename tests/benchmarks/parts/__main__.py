@@ -72,6 +72,17 @@ def _report(sections: tuple[str, ...] | list[str], clips: Path | None, data: Pat
         figures[name] = measures[name]()
         path.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
         _write(figures)
+        if name == "rates":
+            _picture(clips)
+
+
+def _picture(clips: Path | None) -> None:
+    from tests.benchmarks.parts import clips as known
+    from tests.benchmarks.parts import pictures
+    from tests.benchmarks.parts.running import ADJUSTED, PLAIN
+
+    shown = pictures.side_by_side(known.REPORTED[0], (ADJUSTED, PLAIN), (150, 190), clips)
+    pictures.save(_DOCS / "parts-walkway.jpg", shown)
 
 
 def _write(figures: dict[str, Any]) -> None:

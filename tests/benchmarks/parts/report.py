@@ -16,6 +16,7 @@ from tests.benchmarks.parts.words import (
     EQUALISATION,
     HOW_RATES,
     INTRODUCTION,
+    PICTURE,
     REAL,
     SHADOWS,
     SPEED,
@@ -96,6 +97,7 @@ def _rates(figures: Figures) -> str:
     sections.append(_rates_table(variants, "right"))
     sections.append(_verdicts(variants))
     sections.append("![rates over frames](parts-rates.svg)")
+    sections.append(PICTURE.strip())
     sections.append(
         "The stricter reading: right in *every* frame from the start to frame "
         f"{AT_FRAME}, so that a part which comes back stays lost."

@@ -35,6 +35,13 @@ start, as in the paper, whose curves rise where a part is found again. Behind ±
 95 % interval.
 """
 
+PICTURE = """
+![two frames of the first clip, with adjustment and without](parts-walkway.jpg)
+
+The first clip, 150 and 190 frames in: with adjustment on the left, without on the right. Yellow is
+the head, green the torso, blue the hip-leg; thin is occluded, red judged lost.
+"""
+
 SHADOWS = """
 ### Shadows
 

@@ -1,0 +1,64 @@
+"""Pictures of body parts being tracked in rendered clips, for the report."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tests.benchmarks.parts.clips import Clip, folder_of
+from tests.benchmarks.parts.running import Variant, run_of
+from tracking.recording import open_recording
+from tracking.tracks import Columns
+
+_COLOURS = ((0, 255, 255), (80, 255, 80), (255, 160, 40))  # head, torso, hip-leg
+_LOST = (40, 40, 255)
+_SHOWN_ROWS = 360  # nobody stands farther down
+_QUALITY = 80
+
+
+def side_by_side(
+    clip: Clip, variants: Sequence[Variant], frames: Sequence[int], kept: Path | None = None
+) -> NDArray[np.uint8]:
+    """A row of pictures a frame, a column a tracker; (rows, columns, 3) BGR."""
+    folder = folder_of(clip, kept)
+    with open_recording(folder) as recording:
+        images = [recording.read(frame).left[:_SHOWN_ROWS] for frame in frames]
+    columns = []
+    for variant in variants:
+        parts = run_of(folder, variant).parts
+        drawn = [_drawn(image, parts, at) for image, at in zip(images, frames, strict=True)]
+        for image in drawn:
+            _write(image, variant.name, (8, 22))
+        columns.append(np.concatenate(drawn))
+    return np.concatenate(columns, axis=1)
+
+
+def save(path: Path, picture: NDArray[np.uint8]) -> None:
+    """Write a picture as JPEG."""
+    _, data = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
+    path.write_bytes(data.tobytes())
+
+
+def _drawn(image: NDArray[np.uint8], parts: Columns, frame: int) -> NDArray[np.uint8]:
+    """The picture with everybody's rectangles; thin where occluded, red where judged lost."""
+    shown = image.copy()
+    for row in np.flatnonzero(parts["frame"] == frame):
+        middle = np.array((parts["cx"][row], parts["cy"][row]))
+        half = np.array((parts["width"][row], parts["height"][row])) / 2
+        low, high = (
+            np.rint(corner).astype(int).tolist() for corner in (middle - half, middle + half)
+        )
+        colour = _LOST if parts["failed"][row] else _COLOURS[parts["part"][row]]
+        cv2.rectangle(shown, low, high, colour, 1 if parts["occluded"][row] else 2)
+        if parts["part"][row] == 0:
+            _write(shown, str(parts["track"][row]), (low[0], low[1] - 5))
+    return shown
+
+
+def _write(image: NDArray[np.uint8], text: str, place: tuple[int, int]) -> None:
+    for colour, thickness in (((0, 0, 0), 3), ((255, 255, 255), 1)):
+        cv2.putText(image, text, place, cv2.FONT_HERSHEY_SIMPLEX, 0.5, colour, thickness)
