@@ -24,6 +24,8 @@ _ABOVE = 0.1
 _UNEXPLAINED = 1.13
 """Pixels so far down a body, its height being 1, belong to somebody who stands nearer."""
 _MOST_NEARER = 2
+_MOST_PEOPLE = 120
+"""Where more seem to be, what is seen is noise."""
 _BODY_AREA = 0.19
 """Pixels of a body over the square over its height."""
 _LEAST_SEEN = 0.22
@@ -61,8 +63,10 @@ def people_regions(kind: NDArray[np.uint8], standing: Standing) -> Labels:
     everybody = nobody()
     # From the top down: a head without a chest finds it before its own feet look for one.
     for k in sorted(range(len(boxes)), key=lambda k: boxes[k][1]):
-        if _absorbed(regions, kind, labels == k + 1, boxes[k], everybody):
+        if _absorbed(regions, kind, _inside(labels, boxes[k]) == k + 1, boxes[k], everybody):
             continue
+        if len(everybody) > _MOST_PEOPLE:
+            break
         found = _silhouette(labels, k + 1, boxes[k], standing)
         if _paint(regions, kind, labels, found, len(everybody), standing):
             everybody = everybody.with_others(found.bodies)
@@ -73,11 +77,7 @@ def _seen_enough(regions: Labels, everybody: Bodies) -> Labels:
     """The regions without those of bodies of which hardly anything is seen; their numbers stay."""
     pixels = np.bincount(regions.ravel(), minlength=len(everybody) + 1)[1:]
     gone = pixels < _LEAST_SEEN * _BODY_AREA * everybody.height**2
-    return (
-        regions * np.concatenate(([False], ~gone)).astype(np.uint8)[regions]
-        if gone.any()
-        else regions
-    )
+    return regions * np.concatenate(([False], ~gone)).astype(np.uint8)[regions]
 
 
 def _absorbed(
@@ -92,7 +92,7 @@ def _absorbed(
         return False
     left, top, width, height = box
     inside = np.s_[top : top + height, left : left + width]
-    v, u = np.nonzero(own[inside])
+    v, u = np.nonzero(own)
     place = placed(u + left, v + top, everybody)
     limb = (place.across < _LIMB_ACROSS) & (place.along > 0) & (place.along < 1)
     whole = _BODY_AREA * everybody.height[np.bincount(place.body).argmax()] ** 2
@@ -104,8 +104,8 @@ def _absorbed(
 
 
 def _silhouette(labels: Labels, label: int, box: Box, standing: Standing) -> Silhouette:
-    left, top, width, height = box
-    own = labels[top : top + height, left : left + width] == label
+    left, top = box[:2]
+    own = _inside(labels, box) == label
     bodies = bodies_in(own, left, top, standing)
     if standing.calibrated:
         bodies = _beheaded(bodies, own, box, labels.shape[0], standing)
@@ -116,6 +116,11 @@ def _silhouette(labels: Labels, label: int, box: Box, standing: Standing) -> Sil
                 break
             bodies = bodies.with_others(nearer)
     return Silhouette(label, box, bodies)
+
+
+def _inside(labels: Labels, box: Box) -> Labels:
+    left, top, width, height = box
+    return labels[top : top + height, left : left + width]
 
 
 def _beheaded(
