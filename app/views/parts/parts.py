@@ -76,6 +76,14 @@ class Parts(QObject):
         )
         self.changed.emit()
 
+    def tell_what_is_missing(self, *, whose: bool) -> None:
+        """Say why nothing is seen: no parts, or nobody selected for what is one person's."""
+        number = self._playback.number
+        if not (self.presenter.any_tracked or len(self._document.tracks.parts(number)["part"])):
+            self.said.emit(tr("No parts were tracked: track with three-part (Ctrl+T) first"))
+        elif whose and not self._document.selection:
+            self.said.emit(tr("Click a person to see the particles of their parts"))
+
     def _no_failure(self, step: int) -> str:
         if not self.presenter.any_tracked:
             return tr("No parts were tracked: track with three-part (Ctrl+T) first")

@@ -65,6 +65,11 @@ def test_the_particles_of_the_part_that_is_looked_at_are_laid_over_the_picture(h
     assert not np.array_equal(picture._parts.particles, torso)
 
 
+def test_particles_of_nobody_ask_for_somebody(hands, window):
+    hands.press(Key.Key_O, SHIFT)
+    assert "Click a person" in window.statusBar().currentMessage()
+
+
 def test_f3_goes_from_failure_to_failure_of_the_selected_person_and_back(hands, window):
     track = _pick(hands)
     starts = _failures(hands, track)
@@ -155,6 +160,10 @@ def test_where_no_parts_were_tracked_the_plots_and_f3_say_how_to_get_them(
     hands.press(Key.Key_Q, SHIFT)
     assert "three-part" in window.workspace.curves.plot._scene.message
     hands.press(Key.Key_F3)
+    assert "three-part" in window.statusBar().currentMessage()
+    window.statusBar().clearMessage()
+    hands.press(Key.Key_Q)
+    hands.press(Key.Key_Q)
     assert "three-part" in window.statusBar().currentMessage()
 
 

@@ -18,6 +18,17 @@ def _toggle(name: str) -> OnDesk:
     return toggle
 
 
+def _toggle_parts(name: str) -> OnDesk:
+    """The same, and where there is nothing to see, what to do about it."""
+
+    def toggle(desk: Desk) -> None:
+        _toggle(name)(desk)
+        if getattr(desk.pictured, name):
+            desk.parts.tell_what_is_missing(whose=name == "part_particles")
+
+    return toggle
+
+
 def _on_lanes(act: Callable[[TracksArea], None]) -> OnDesk:
     return lambda desk: act(desk.window_page.timeline.area)
 
@@ -41,7 +52,7 @@ VIEWING: dict[str, OnDesk] = {
     "view.lanes_up": _on_lanes(lambda lanes: lanes.scroll_lanes(-8)),
     "view.lanes_down": _on_lanes(lambda lanes: lanes.scroll_lanes(8)),
     "view.labels": _toggle("labels"),
-    "view.parts": _toggle("parts"),
-    "view.part_particles": _toggle("part_particles"),
+    "view.parts": _toggle_parts("parts"),
+    "view.part_particles": _toggle_parts("part_particles"),
     "view.curves": _toggle("curves"),
 }
