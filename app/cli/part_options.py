@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tracking.errors import SessionError, SettingsError
+from tracking.failure import load_detector
 from tracking.session import Session
 from tracking.trackers import TrackerSpec, occluders_as_setting, settings_fields
 
@@ -20,21 +21,23 @@ def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
 
     Raises:
         SettingsError: the tracker has no such setting.
+        FormatError: the detector cannot be read.
         SessionError: the occluders' session cannot be read, or nothing is drawn in it.
     """
     known = {field.name for field in settings_fields(spec.settings_type)}
     texts = list(order.settings)
-    for name, value in _named(order):
-        if name not in known:
-            raise SettingsError(
-                f"tracker {spec.name} knows no {name}: leave --{name} out or choose three-part"
-            )
-        texts.append(f"{name}={value}")
+    given = {"detector": order.detector, "occluders": order.occluders}
+    for name in (name for name, value in given.items() if value is not None and name not in known):
+        raise SettingsError(
+            f"tracker {spec.name} knows no {name}: leave --{name} out or choose three-part"
+        )
+    texts += [f"{name}={value}" for name, value in _named(order)]
     return tuple(texts)
 
 
 def _named(order: Order) -> Iterator[tuple[str, str]]:
     if order.detector is not None:
+        load_detector(order.detector)  # told before any work where it cannot be read
         yield "detector", str(order.detector)
     if order.occluders is not None:
         yield "occluders", _drawn_in(order.occluders)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from tracking.foreground import ForegroundSettings
 from tracking.people import PeopleSettings
 from tracking.setting import setting
+from tracking.trackers.three_part.occlusion import occluders_from
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +54,10 @@ class WholeBodySettings:
     )
     foreground: ForegroundSettings = field(default_factory=ForegroundSettings)
     people: PeopleSettings = field(default_factory=PeopleSettings)
+
+    def __post_init__(self) -> None:
+        """Check the outlines, before any work; raises `SettingsError`."""
+        occluders_from(self.occluders)
 
 
 @dataclass(frozen=True, slots=True)
