@@ -124,7 +124,7 @@ def _rates_table(variants: Figures, reading: str) -> str:
 
 
 def _paper_cell(name: str, subject: str) -> str:
-    value = PAPER[name].get(subject)
+    value = PAPER.get(name, {}).get(subject)
     return "" if value is None else str(value)
 
 

@@ -41,7 +41,12 @@ def _variant(share: float, frames: int = 151, people: int = 40) -> dict[str, Any
 
 FIGURES = {
     "clips": ["walkway 1", "walkway 2"],
-    "variants": {"with adjustment": _variant(0.98), "without adjustment": _variant(0.9)},
+    "variants": {
+        "with adjustment": _variant(0.98),
+        "without adjustment": _variant(0.9),
+        "joint": _variant(0.95),
+        "whole body": _variant(0.8),
+    },
 }
 
 
