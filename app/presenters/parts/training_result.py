@@ -111,11 +111,6 @@ class TrainingResult:
     def _curves(self) -> tuple[Curve, ...]:
         return self.detector.curves[: len(PART_NAMES)]
 
-    @property
-    def moved(self) -> bool:
-        """Whether the operating point is another than the training's."""
-        return bool((self.detector.thresholds != self.trained.detector.thresholds).any())
-
     def put(self, false_alarms: float) -> None:
         """Work with at most this share of false alarms: of all parts, or of the chosen one."""
         thresholds = self.detector.thresholds.tolist()

@@ -123,7 +123,6 @@ def test_the_point_of_one_part_leaves_the_others_where_they_are(result):
     result.put(0.3)
     moved = result.detector.thresholds != before
     assert moved.tolist() == [False, True, False]
-    assert result.moved
 
 
 def test_mistakes_are_those_at_the_operating_point(result):
