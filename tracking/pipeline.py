@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from functools import partial
 from types import TracebackType
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 import tracking
 from tracking.errors import SettingsError
@@ -214,6 +216,9 @@ def run_of_steps(
     into account what came later (see `trackers.smoothed`); the steps stay as they were.
     `resume`: what the tracker went on from, if it did; the smoothed tracks begin there.
     """
+    offsets = partial(_offsets, [step.frame for step in steps], recording.frame_count)
+    particles = [step.particles for step in steps]
+    part_particles = [step.part_particles for step in steps]
     run = Run(
         tracker=tracker,
         settings=settings,
@@ -221,17 +226,12 @@ def run_of_steps(
         frames=(start, start + len(steps)),
         tracks=_joined([step.tracks for step in steps], TRACK_COLUMNS),
         detections=_joined([step.detections for step in steps], DETECTION_COLUMNS),
-        particles=_joined_particles(
-            steps, [step.particles for step in steps], PARTICLE_COLUMNS, recording.frame_count
-        ),
+        particles=Particles(offsets(particles), _joined(particles, PARTICLE_COLUMNS)),
         associations=_joined([step.associations for step in steps], ASSOCIATION_COLUMNS),
         signals=_joined([step.signals for step in steps], SIGNAL_COLUMNS),
         parts=_joined([step.parts for step in steps], PART_COLUMNS),
-        part_particles=_joined_particles(
-            steps,
-            [step.part_particles for step in steps],
-            PART_PARTICLE_COLUMNS,
-            recording.frame_count,
+        part_particles=Particles(
+            offsets(part_particles), _joined(part_particles, PART_PARTICLE_COLUMNS)
         ),
         software=f"trackwright {tracking.__version__}",
         detector=detector_of(tracker, settings),
@@ -254,14 +254,15 @@ def _joined(parts: Sequence[Columns], columns: Mapping[str, np.dtype[Any]]) -> C
     return {name: np.concatenate([part[name] for part in parts]) for name in columns}
 
 
-def _joined_particles(
-    steps: Sequence[StepResult],
-    parts: Sequence[Columns],
-    columns: Mapping[str, np.dtype[Any]],
-    frame_count: int,
-) -> Particles:
-    """The particles of all steps, with one offset per frame of the recording."""
+def _offsets(
+    frames: Sequence[int], frame_count: int, parts: Sequence[Columns]
+) -> NDArray[np.int64]:
+    """(frame_count + 1,) where the rows of each frame of the recording begin, parts joined.
+
+    Args:
+        frames: of each part.
+    """
     counts = np.zeros(frame_count + 1, np.int64)
-    for step, part in zip(steps, parts, strict=True):
-        counts[step.frame + 1] = len(part["track"])
-    return Particles(np.cumsum(counts), _joined(parts, columns))
+    for frame, part in zip(frames, parts, strict=True):
+        counts[frame + 1] = len(part["track"])
+    return np.cumsum(counts)

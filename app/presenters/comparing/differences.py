@@ -327,5 +327,4 @@ def _trails(rows: Columns, points_of: PointsOf, solid: bool) -> Iterable[Preview
 
 
 def _rows_of(table: TrackTable, one: Difference, start: int, end: int) -> Columns:
-    parts = [table.of_track(track, start, end) for track in one.tracks]
-    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    return table.of_tracks(one.tracks, start, end)

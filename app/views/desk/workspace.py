@@ -60,47 +60,50 @@ class Workspace(QWidget):
 
     def _lay_out(self) -> None:
         eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
+        floor = self._split("floor", Qt.Orientation.Vertical, (self.overhead, self.curves), (5, 4))
+        views = (eyes, floor, self._side())
+        top = self._split("top", Qt.Orientation.Horizontal, views, (9, 10, 6))
+        upper = QWidget(self)
+        column = _unspaced(upper)
+        column.addWidget(top, 1)
+        column.addWidget(self._transport_line())
+        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (11, 4))
+        _unspaced(self).addWidget(whole)
+
+    def _side(self) -> QWidget:
+        """The panels, and above them what is being edited, labelled or compared.
+
+        An edit that waits takes room from the panels alone: the pictures stay as large as before.
+        """
+        self._panels = self._scrolled_panels()
+        self.differences.setMinimumWidth(self._panels.minimumWidth())
+        # As wide as the panels, and as high as its words need at that width.
+        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        policy.setHeightForWidth(True)
+        self.preview.setSizePolicy(policy)
+        side = QWidget(self)
+        column = _unspaced(side)
+        for panel in (self.preview, self.labelling, self.compare):
+            column.addWidget(panel)
+        column.addWidget(self._panels, 1)
+        column.addWidget(self.differences, 1)
+        return side
+
+    def _scrolled_panels(self) -> QScrollArea:
+        """On a low screen the panels scroll, so that they never make the window too high for it."""
         side = self._split(
             "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (6, 3, 3)
         )
-        # On a low screen the panels scroll, so that they never make the window too high for it.
         panels = QScrollArea(self)
         panels.setWidget(side)
         panels.setWidgetResizable(True)
         panels.setFrameShape(QFrame.Shape.NoFrame)
         panels.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         letter = self.fontMetrics().averageCharWidth()
-        widest = max(side.minimumSizeHint().width() + 12, _PANEL_LETTERS * letter)
-        panels.setMinimumWidth(widest)
+        width = side.minimumSizeHint().width() + 12
+        panels.setMinimumWidth(max(width, _PANEL_LETTERS * letter))
         panels.setMinimumHeight(1)
-        self.differences.setMinimumWidth(widest)
-        self._panels = panels
-        # As wide as the panels, and as high as its words need at that width.
-        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        policy.setHeightForWidth(True)
-        self.preview.setSizePolicy(policy)
-        # An edit that waits takes room from the panels alone: the pictures stay as large as before.
-        right = QWidget(self)
-        beside = QVBoxLayout(right)
-        beside.setContentsMargins(0, 0, 0, 0)
-        beside.setSpacing(0)
-        beside.addWidget(self.preview)
-        beside.addWidget(self.labelling)
-        beside.addWidget(self.compare)
-        beside.addWidget(panels, 1)
-        beside.addWidget(self.differences, 1)
-        floor = self._split("floor", Qt.Orientation.Vertical, (self.overhead, self.curves), (5, 4))
-        top = self._split("top", Qt.Orientation.Horizontal, (eyes, floor, right), (9, 10, 6))
-        upper = QWidget(self)
-        column = QVBoxLayout(upper)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(top, 1)
-        column.addWidget(self._transport_line())
-        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (11, 4))
-        page = QVBoxLayout(self)
-        page.setContentsMargins(0, 0, 0, 0)
-        page.addWidget(whole)
+        return panels
 
     def _transport_line(self) -> QFrame:
         """Playback and, at its end, which eyes are shown: no picture is covered by a switch."""
@@ -171,3 +174,11 @@ class Workspace(QWidget):
             if state is not None:
                 splitter.restoreState(state)
         self.timeline.area.controls.restore(remembered)
+
+
+def _unspaced(widget: QWidget) -> QVBoxLayout:
+    """A column that fills a widget, nothing between its parts."""
+    column = QVBoxLayout(widget)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.setSpacing(0)
+    return column

@@ -135,29 +135,29 @@ def plan_interpolate(
     fast = np.asarray(old["source"] == Source.PERSON)
     fast[:1] = fast[-1:] = True
     ends, between = picked(old, fast), picked(old, ~fast)
+    frames = _frames_between(ends, f"track {track} {scope_text(start, end)}")
+    first, stop = int(ends["frame"][0]), int(ends["frame"][-1]) + 1
+    way, where = Way(how, view, fps), scope_text(first, stop)
+    before, after = replaced(between, spanned(ends, frames, way, between))
+    if not len(after["frame"]):
+        raise EditError(f"track {track} is interpolated so already {where}; nothing to change")
+    text = f"Interpolate {track} {where}, {_way_text(way)}between {len(ends['frame'])} keyframes"
+    scope = Scope(first, stop)
+    return Change("interpolate", text, first, State(rows=before), State(rows=after), scope)
+
+
+def _frames_between(ends: Columns, what: str) -> NDArray[np.int32]:
+    """The frames between the first and the last of some rows in which none of them stands.
+
+    what: the track and where, for messages. Raises EditError where there is no such frame.
+    """
     if len(ends["frame"]) < 2:
-        raise EditError(
-            f"track {track} has fewer than two boxes {scope_text(start, end)}; "
-            "interpolation needs one at each end"
-        )
+        raise EditError(f"{what}: fewer than two boxes; interpolation needs one at each end")
     first, last = int(ends["frame"][0]), int(ends["frame"][-1])
     frames = np.setdiff1d(np.arange(first, last + 1, dtype=np.int32), ends["frame"])
     if not len(frames):
-        raise EditError(
-            f"every frame of track {track} {scope_text(start, end)} is a keyframe; "
-            "nothing lies between"
-        )
-    way = Way(how, view, fps)
-    before, after = replaced(between, spanned(ends, frames, way, between))
-    if not len(after["frame"]):
-        raise EditError(
-            f"track {track} is interpolated so already {scope_text(first, last + 1)}; "
-            "nothing to change"
-        )
-    text = f"Interpolate {track} {scope_text(first, last + 1)}, {_way_text(way)}"
-    text += f"between {len(ends['frame'])} keyframes"
-    scope = Scope(first, last + 1)
-    return Change("interpolate", text, first, State(rows=before), State(rows=after), scope)
+        raise EditError(f"{what}: every frame is a keyframe; nothing lies between")
+    return frames
 
 
 def _way_text(way: Way) -> str:

@@ -10,7 +10,14 @@ from numpy.typing import NDArray
 
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.stretches import spanned
-from tracking.editing.change import Change, LabelState, State, no_rows, no_stretches
+from tracking.editing.change import (
+    Change,
+    LabelState,
+    State,
+    Stretches,
+    no_rows,
+    no_stretches,
+)
 from tracking.editing.identity.identities import given_to, stretches_of
 from tracking.editing.scope import frames_text, tracks_text
 from tracking.editing.selection import Rows, rows_in, stacked
@@ -70,23 +77,9 @@ def plan_merge_tracks(
         EditError: a track is unknown or named twice, there are no others, or keep is another word.
     """
     tracks = (into, *others)
-    check_known(table, *tracks)
-    if not others:
-        raise EditError(f"nothing to merge into track {into}; choose at least one more track")
-    for track in tracks:
-        if tracks.count(track) > 1:
-            raise EditError(f"merge of track {track} with itself; choose different tracks")
-    if keep not in ("first", "second", "surer"):
-        raise EditError(f"merge: keep is {keep!r}; it is 'first', 'second' or 'surer'")
+    _check(table, tracks, keep)
     frames, owners, shared = _kept(table, tracks, keep)
-    dropped, before = [no_rows()], [no_stretches()]
-    for track in tracks:
-        own = table.frames_of_track(track)
-        kept = frames[owners == track]
-        dropped.append(rows_in(table, track, np.setdiff1d(own, kept, assume_unique=True)))
-        if track != into:
-            before.append(stretches_of(track, kept, frames[owners != track]))
-    moved = np.concatenate(before)
+    moved, dropped = _given_up(table, tracks, frames, owners)
     way = Way(how, view, fps)
     filled = _bridges(table, into, frames, owners, way) if fill else dict(no_rows())
     said, says = _merged_labels(labels, into, others)
@@ -94,9 +87,39 @@ def plan_merge_tracks(
         "merge",
         _text(tracks, keep, shared, len(filled["frame"])),
         min(table.frame_range(track)[0] for track in others),
-        State(moved, stacked(dropped), said),
+        State(moved, dropped, said),
         State(given_to(moved, into), filled, says),
     )
+
+
+def _check(table: TrackTable, tracks: tuple[int, ...], keep: Keep) -> None:
+    """Raise EditError where these, the one that stays first, cannot be merged so."""
+    check_known(table, *tracks)
+    if len(tracks) < 2:
+        raise EditError(f"nothing to merge into track {tracks[0]}; choose at least one more track")
+    for track in tracks:
+        if tracks.count(track) > 1:
+            raise EditError(f"merge of track {track} with itself; choose different tracks")
+    if keep not in ("first", "second", "surer"):
+        raise EditError(f"merge: keep is {keep!r}; it is 'first', 'second' or 'surer'")
+
+
+def _given_up(
+    table: TrackTable, tracks: tuple[int, ...], frames: Frames, owners: NDArray[np.int64]
+) -> tuple[Stretches, Rows]:
+    """The stretches that go from the others to the first track, and the rows that go for good.
+
+    Args:
+        frames, owners: (n,) all frames, ascending, and whose row stays in each.
+    """
+    into, dropped, moved = tracks[0], [no_rows()], [no_stretches()]
+    for track in tracks:
+        own = table.frames_of_track(track)
+        kept = frames[owners == track]
+        dropped.append(rows_in(table, track, np.setdiff1d(own, kept, assume_unique=True)))
+        if track != into:
+            moved.append(stretches_of(track, kept, frames[owners != track]))
+    return np.concatenate(moved), stacked(dropped)
 
 
 def _kept(
