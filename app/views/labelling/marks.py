@@ -6,13 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.presenters.labelling.labelling_scene import PART_COLOURS, Outline, PartMark
 from app.presenters.scenes import Colour
 from app.views.look.theme import Theme, faded
 from app.views.pictures.name_plates import draw_name, draw_plate, place_plates, plate_rect
-from app.views.pictures.viewport import Points, Viewport
+from app.views.pictures.viewport import Points, Viewport, path_through
 
 _CASING = QColor(0, 0, 0, 130)
 _FILL = 0.16
@@ -58,22 +58,6 @@ def draw_corners(painter: QPainter, points: Points, colour: QColor, held: int = 
     for number, (x, y) in enumerate(points.tolist()):
         radius = CORNER_PX + (2.0 if number == held else 0.0)
         painter.drawEllipse(QPointF(x, y), radius, radius)
-
-
-def path_through(points: Points, closed: bool) -> QPainterPath:
-    """A path through widget points (n, 2); rows of NaN break it."""
-    path, down = QPainterPath(), False
-    for x, y in points.tolist():
-        if x != x or y != y:
-            down = False
-        elif down:
-            path.lineTo(x, y)
-        else:
-            path.moveTo(x, y)
-            down = True
-    if closed and len(points) and np.isfinite(points).all():
-        path.closeSubpath()
-    return path
 
 
 def draw_parts(

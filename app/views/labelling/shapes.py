@@ -10,10 +10,10 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPen
 
 from app.presenters.scenes import Colour
 from app.views.labelling.layer import Key, Layer, is_enter
-from app.views.labelling.marks import draw_corners, path_through
+from app.views.labelling.marks import draw_corners
 from app.views.look.theme import Theme
 from app.views.pictures.canvas import Canvas
-from app.views.pictures.viewport import Points
+from app.views.pictures.viewport import Points, path_through
 
 _REACH_PX = 9.0
 Corner = tuple[float, float]

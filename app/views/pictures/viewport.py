@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QPolygonF, QTransform
+from PySide6.QtGui import QPainterPath, QPolygonF, QTransform
 
 Points = NDArray[np.float64]  # (n, 2)
 
@@ -88,3 +88,19 @@ def polygon(points: Points) -> QPolygonF:
     """Points (n, 2) as a Qt polygon; rows that are not finite are left out."""
     kept = points[np.isfinite(points).all(axis=1)]
     return QPolygonF([QPointF(x, y) for x, y in kept.tolist()])
+
+
+def path_through(points: Points, closed: bool) -> QPainterPath:
+    """A path through widget points (n, 2); rows of NaN break it."""
+    path, down = QPainterPath(), False
+    for x, y in points.tolist():
+        if x != x or y != y:
+            down = False
+        elif down:
+            path.lineTo(x, y)
+        else:
+            path.moveTo(x, y)
+            down = True
+    if closed and len(points) and np.isfinite(points).all():
+        path.closeSubpath()
+    return path

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainterPath
 
-from app.views.labelling.marks import path_through
+from app.views.pictures.viewport import path_through
 from app.views.timeline.axis import TimeAxis
 
 Floats = NDArray[np.float64]
