@@ -13,13 +13,13 @@ from sklearn.ensemble import HistGradientBoostingClassifier
 
 import resources
 from tests.benchmarks.review_cases import Case
+from tracking.review.block import JOINED_S
 from tracking.review.evidence import Evidence, gathered
 from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, features
 from tracking.review.joining import Places, Reasons, joined_places, stacked
 from tracking.review.likelihood import LEAST_WEIGHT, NOTHING, WEIGHTS
 from tracking.review.material import Material
 from tracking.review.reasons import REASONS
-from tracking.review.searching import JOINED_S
 from tracking.review.stretches import Stretches, stretches
 
 Floats = NDArray[np.float64]

@@ -2,12 +2,13 @@
 
 from tracking.review.measures import Mistake, ReviewMeasures, ReviewMeter, review_measures
 from tracking.review.queue import open_suspicions, ranked
-from tracking.review.searching import find_suspicions
+from tracking.review.searching import Lookout, find_suspicions
 from tracking.review.suspicion import Suspicion, SuspicionKey
 from tracking.review.wording import KINDS
 
 __all__ = [
     "KINDS",
+    "Lookout",
     "Mistake",
     "ReviewMeasures",
     "ReviewMeter",

@@ -17,10 +17,11 @@ Rows = NDArray[np.int64]
 
 BODY_M = 1.7
 """Usual height of a person; where there is no floor, boxes are measured by it."""
-_NAMES = (
+NAMES = (
     *("track", "frame", "x", "y", "left", "top", "width", "height"),
     *("predicted", "visibility", "source"),
 )
+"""Columns of the table that are looked at."""
 _ON_FLOOR = 0.5
 """Share of rows with a place on the floor from which on distances are metres of the floor."""
 LOOKS = ("height_m", *CLOTHES)
@@ -95,23 +96,34 @@ def keys(track: NDArray[Any], frame: NDArray[Any]) -> Rows:
 def gathered(table: TrackTable, run: Run | None, fps: float) -> Evidence:
     """The table's rows with what a run noticed of them.
 
+    Args:
+        table: the corrected tracks. run: the one they began as, or None. fps: frames a second.
+    """
+    columns = table.by_track(NAMES)
+    stop = max(table.frame_stop, run.frames[1] if run else 0)
+    return evidence_of(columns, run, fps, stop, body_px(columns))
+
+
+def evidence_of(
+    columns: Columns, run: Run | None, fps: float, stop: int, usual_px: int
+) -> Evidence:
+    """Rows with what a run noticed of them.
+
     Rows are found in the run by what they hold, as edits hand rows from track to track; of rows
     that a person drew the run noticed nothing.
 
     Args:
-        table: the corrected tracks. run: the one they began as, or None. fps: frames a second.
+        columns: `NAMES`, by track, then frame. usual_px: see `body_px`.
     """
-    columns = table.by_track(_NAMES)
-    box = np.stack([columns[name] for name in ("left", "top", "width", "height")], axis=1)
+    box = boxes(columns)
     source = rows_in_run(columns, run)
-    stop = max(table.frame_stop, run.frames[1] if run else 0)
     track = columns["track"].astype(np.int64)
     frame = columns["frame"].astype(np.int64)
     return Evidence(
         track=track,
         frame=frame,
         key=keys(track, frame),
-        place=_places(columns, box),
+        place=_places(columns, box, usual_px),
         box=box,
         predicted=columns["predicted"],
         visibility=np.nan_to_num(columns["visibility"].astype(np.float64), nan=1.0),
@@ -126,11 +138,24 @@ def gathered(table: TrackTable, run: Run | None, fps: float) -> Evidence:
     )
 
 
-def _places(columns: Columns, box: Floats) -> Floats:
+def body_px(columns: Columns) -> int:
+    """The usual height of boxes in px where hardly anybody stands on a floor; else 0."""
+    x, y, height = columns["x"], columns["y"], columns["height"]
+    on_floor = np.isfinite(x) & np.isfinite(y)
+    if not len(x) or on_floor.mean() > _ON_FLOOR:
+        return 0
+    # Whole, so that one box more or less leaves all distances what they were.
+    return max(round(float(np.nanmedian(height))), 1) if np.isfinite(height).any() else 1
+
+
+def boxes(columns: Columns) -> Floats:
+    """(n, 4) left, top, width and height in px."""
+    return np.stack([columns[name] for name in ("left", "top", "width", "height")], axis=1)
+
+
+def _places(columns: Columns, box: Floats, usual_px: int) -> Floats:
     """(n, 2) m, or the feet in units of a usual body where hardly anybody stands on a floor."""
-    places = np.stack((columns["x"], columns["y"]), axis=1)
-    if np.isfinite(places).all(axis=1).mean() > _ON_FLOOR or not len(box):
-        return places
-    usual = float(np.nanmedian(box[:, 3])) if np.isfinite(box[:, 3]).any() else 1.0
+    if not usual_px:
+        return np.stack((columns["x"], columns["y"]), axis=1)
     feet = np.stack((box[:, 0] + box[:, 2] / 2, box[:, 1] + box[:, 3]), axis=1)
-    return np.asarray(feet * (BODY_M / max(usual, 1e-6)))
+    return np.asarray(feet * (BODY_M / usual_px))

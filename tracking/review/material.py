@@ -44,7 +44,7 @@ class Material:
 
     @classmethod
     def of(
-        cls, evidence: Evidence, size: tuple[int, int] | None, occluders: tuple[Occluder, ...]
+        cls, evidence: Evidence, size: tuple[float, float] | None, occluders: tuple[Occluder, ...]
     ) -> Material:
         """Work it out; size: of the picture in px, None where it is not known."""
         near = neighbours(evidence, REACH_M)
@@ -60,7 +60,7 @@ class Material:
             Sides.of(looks),
             first if len(evidence) else first[:0],
             last if len(evidence) else last[:0],
-            size or _reached(evidence),
+            size or reached(evidence.box),
             occluders,
         )
 
@@ -109,9 +109,9 @@ def _within(points: Floats, polygon: Floats) -> Flags:
     return inside
 
 
-def _reached(evidence: Evidence) -> tuple[float, float]:
-    """How far to the right and down any box reaches, in px."""
-    far = evidence.box[:, :2] + evidence.box[:, 2:]
+def reached(box: Floats) -> tuple[float, float]:
+    """How far to the right and down any box (n, 4) reaches, in px."""
+    far = box[:, :2] + box[:, 2:]
     far = far[np.isfinite(far).all(axis=1)]
     if not len(far):
         return 0.0, 0.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,6 +81,25 @@ def rows_in_run(columns: Columns, run: Run | None) -> RunRows:
     moved = np.flatnonzero(row < 0)
     row[moved] = _found_by_value(columns, moved, run.tracks)
     return RunRows(run, row, np.where(row >= 0, theirs[row], -1))
+
+
+def run_within(run: Run | None, start: int, end: int) -> Run | None:
+    """What a run holds of a half-open range of frames, as far as it is looked up here."""
+    if run is None:
+        return None
+    return replace(
+        run,
+        tracks=_within(run.tracks, start, end),
+        associations=_within(run.associations, start, end),
+        parts=_within(run.parts, start, end),
+        signals=_within(run.signals, start, end),
+    )
+
+
+def _within(columns: Columns, start: int, end: int) -> Columns:
+    frame = columns["frame"]
+    rows = np.flatnonzero((frame >= start) & (frame < end))
+    return {name: column[rows] for name, column in columns.items()}
 
 
 def _found_by_value(columns: Columns, rows: Rows, tracks: Columns) -> Rows:

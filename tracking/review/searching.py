@@ -2,32 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from tracking.geometry import View
+from tracking.review.block import Block, Scene, looked_through
 from tracking.review.costs import costs
-from tracking.review.evidence import gathered
-from tracking.review.hazard.expected import Hazards
-from tracking.review.joining import Reasons, joined_places, stacked
-from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
-from tracking.review.material import Material
+from tracking.review.evidence import Rows
+from tracking.review.footage import Footage
 from tracking.review.queue import ranked
-from tracking.review.reasons import REASONS
-from tracking.review.speaking import Speaker
-from tracking.review.stretches import stretches
 from tracking.review.suspicion import Suspicion
-from tracking.review.wording import fix
 from tracking.tracks import Labels, Run, TrackTable
 
 Progress = Callable[[int, int], None]
 """Told steps done and steps in all; may raise to cancel."""
 
-JOINED_S = 0.75
-"""Reasons about the same people so near in time are one suspicion."""
-_LEAST = 0.01
-"""Less likely suspicions are not mentioned."""
 MOST = 10_000
 """Of more than these, more than anybody ever looks through, those worth most are kept."""
 
@@ -56,69 +46,80 @@ def find_suspicions(
         progress: told how far it is; what it raises ends the search.
         size: of the picture in px, where there is no view.
     """
-    tell = progress or _untold
-    total = len(REASONS) + 3
-    tell(0, total)
-    if not len(table):
-        return ()
-    evidence = gathered(table, run, fps)
-    tell(1, total)
-    picture = view.camera.size if view else size
-    material = Material.of(evidence, picture, labels.occluders if labels else ())
-    found = []
-    for number, look in enumerate(REASONS.values()):
-        tell(2 + number, total)
-        found.append(look(material))
-    tell(total - 1, total)
-    reasons = stacked(found, [max(WEIGHTS[each.kind], LEAST_WEIGHT) for each in found])
-    suspicions = _suspicions(material, reasons)
-    tell(total, total)
-    return ranked(suspicions, "worth")
+    return Lookout().find(table, run, fps, labels, view, progress, size=size)
+
+
+class Lookout:
+    """Looks through tracks again after each edit, anew only where something is another.
+
+    The footage is looked through block after block, each with some seconds around it; a block
+    whose rows hold what they held is not looked through again. What is found does not depend on
+    what was looked through before.
+    """
+
+    def __init__(self) -> None:
+        self._run: Run | None = None
+        self._known: dict[tuple[object, ...], Block] = {}
+
+    def find(
+        self,
+        table: TrackTable,
+        run: Run | None,
+        fps: float,
+        labels: Labels | None = None,
+        view: View | None = None,
+        progress: Progress | None = None,
+        *,
+        size: tuple[int, int] | None = None,
+    ) -> tuple[Suspicion, ...]:
+        """See `find_suspicions`. What was done before progress raised is kept for the next time."""
+        tell = progress or _untold
+        if run is not self._run:
+            self._run, self._known = run, {}
+        footage = Footage.of(table)
+        if not len(footage.key):
+            tell(1, 1)
+            return ()
+        occluders = labels.occluders if labels else ()
+        scene = Scene.of(footage, run, fps, view.camera.size if view else size, occluders)
+        blocks = self._blocks(footage, run, scene, tell)
+        return ranked(_worth_most(blocks, footage.key, fps), "worth")
+
+    def _blocks(
+        self, footage: Footage, run: Run | None, scene: Scene, tell: Progress
+    ) -> list[Block]:
+        length = footage.length(scene.stop, scene.fps)
+        starts = range(0, scene.stop, length)
+        now: dict[tuple[object, ...], Block] = {}
+        for number, start in enumerate(starts):
+            tell(number, len(starts))
+            end = start + length
+            rows = footage.around(start, end, scene.around)
+            known = (start, end, scene, footage.fingerprint(rows))
+            now[known] = self._known.get(known) or looked_through(
+                footage, rows, run, scene, start, end
+            )
+            self._known[known] = now[known]
+        self._known = now
+        tell(len(starts), len(starts))
+        return list(now.values())
 
 
 def _untold(done: int, total: int) -> None:
     """Nobody asked."""
 
 
-def _suspicions(material: Material, reasons: Reasons) -> list[Suspicion]:
-    evidence = material.evidence
-    places = joined_places(reasons, evidence.frames_of(JOINED_S))
-    leader = places.leader
-    watched = stretches(reasons, places, Hazards.of(material))
-    likely = likelihoods(reasons.kinds, places.strength, watched.expected)
-    cost = costs(material, reasons.first[leader], reasons.second[leader], watched.frame)
-    told = np.flatnonzero(likely >= _LEAST)
-    told = told[np.argsort(-(likely * cost)[told], kind="stable")[:MOST]]
-    columns = (leader, watched.frame, watched.start, watched.end, likely, cost)
-    figures = (column[told].tolist() for column in columns)
-    speaker = Speaker.of(reasons, places, evidence.fps)
-    return [
-        _suspicion(speaker, place, *numbers)
-        for place, *numbers in zip(told.tolist(), *figures, strict=True)
-    ]
-
-
-def _suspicion(
-    speaker: Speaker,
-    place: int,
-    leader: int,
-    frame: int,
-    start: int,
-    end: int,
-    likelihood: float,
-    cost: float,
-) -> Suspicion:
-    kind, first, second, _, _ = speaker.reasons[leader]
-    text, *others = speaker.said(place, leader)
-    return Suspicion(
-        kind=kind,
-        tracks=(min(first, second), max(first, second)) if second else (first,),
-        frame=frame,
-        start=start,
-        end=end,
-        likelihood=likelihood,
-        cost=cost,
-        text=text,
-        fix=fix(kind, second),
-        others=tuple(others),
+def _worth_most(blocks: Sequence[Block], key: Rows, fps: float) -> list[Suspicion]:
+    """What is worth most of all blocks, with what it costs where it is right."""
+    meeting = np.sort(np.concatenate([block.meeting for block in blocks]))
+    frame, likely, tracks = (
+        np.concatenate([getattr(block, name) for block in blocks])
+        for name in ("frame", "likelihood", "tracks")
     )
+    cost = costs(key, meeting, tracks, frame, fps)
+    told = np.argsort(-(likely * cost), kind="stable")[:MOST]
+    place = [(block, row) for block in blocks for row in range(len(block.suspicions))]
+    return [
+        place[number][0].costing(place[number][1], worth)
+        for number, worth in zip(told.tolist(), cost[told].tolist(), strict=True)
+    ]

@@ -16,12 +16,13 @@ class Speaker:
     """Says why a place is there.
 
     Attributes:
-        reasons: kind, both tracks, frame and figure of each reason, as plain values.
+        kinds: names. columns: number of the kind, both tracks, frame and figure of each reason.
         cuts: the reasons of place i are numbers cuts[i] to cuts[i + 1] of `spoken`.
         spoken: reasons place after place, each place's weightiest first.
     """
 
-    reasons: Sequence[tuple[str, int, int, int, float]]
+    kinds: Sequence[str]
+    columns: tuple[list[int], list[int], list[int], list[int], list[float]]
     cuts: Sequence[int]
     spoken: Sequence[int]
     fps: float
@@ -31,18 +32,27 @@ class Speaker:
         """Put the reasons of each place in order."""
         order = np.lexsort((-reasons.weight[places.reason], places.place))
         cuts = np.searchsorted(places.place[order], np.arange(len(places.leader) + 1))
-        columns = (reasons.first, reasons.second, reasons.frame, reasons.figure)
-        kinds = [reasons.kinds[number] for number in reasons.kind.tolist()]
-        plain = list(zip(kinds, *(column.tolist() for column in columns), strict=True))
-        return cls(plain, cuts.tolist(), places.reason[order].tolist(), fps)
+        columns = (
+            *(column.tolist() for column in (reasons.kind, reasons.first, reasons.second)),
+            *(column.tolist() for column in (reasons.frame, reasons.figure)),
+        )
+        return cls(reasons.kinds, columns, cuts.tolist(), places.reason[order].tolist(), fps)
+
+    def kind(self, reason: int) -> str:
+        """Of a reason."""
+        return self.kinds[self.columns[0][reason]]
+
+    def tracks(self, reason: int) -> tuple[int, int]:
+        """Whom a reason is about; 0 for nobody else."""
+        return self.columns[1][reason], self.columns[2][reason]
 
     def said(self, place: int, leader: int) -> list[str]:
         """Sentences: the leader's, then the strongest of each other kind."""
         strongest: dict[str, int] = {}
         for row in (leader, *self.spoken[self.cuts[place] : self.cuts[place + 1]]):
-            strongest.setdefault(self.reasons[row][0], row)
-        return [self._sentence(row) for row in strongest.values()]
+            strongest.setdefault(self.kind(row), row)
+        return [self._sentence(kind, row) for kind, row in strongest.items()]
 
-    def _sentence(self, row: int) -> str:
-        kind, first, second, frame, figure = self.reasons[row]
+    def _sentence(self, kind: str, row: int) -> str:
+        first, second, frame, figure = (column[row] for column in self.columns[1:])
         return sentence(kind, first, second, figure, frame / self.fps)

@@ -11,13 +11,13 @@ from app.background import Job, Progress
 from app.presenters.reviewing.review_meter import measured, measures_text
 from app.presenters.words import tr
 from tracking.recording import Recording
-from tracking.review import find_suspicions
+from tracking.review import Lookout
 from tracking.tracks import Labels, Run, TrackTable
 
 Subject = tuple[TrackTable, Run | None, Labels]
 """The tracks to look through, the run they come from, the labels."""
 
-_QUIET_MS = 700
+_QUIET_MS = 200
 
 
 class ReviewSearch(QObject):
@@ -45,6 +45,7 @@ class ReviewSearch(QObject):
         self.measuring = False
         self._subject = subject
         self._recording = recording
+        self._lookout = Lookout()
         self._job: Job | None = None
         self._again = False
         self._found: tuple[object, TrackTable] | None = None
@@ -89,11 +90,11 @@ class ReviewSearch(QObject):
             return  # it begins when the one at work has let go
         self._again = False
         table, run, labels = self._subject()
-        recording = self._recording
+        recording, lookout = self._recording, self._lookout
 
         def find(progress: Progress) -> object:
             view, size = recording.view, recording.size
-            return find_suspicions(table, run, recording.fps, labels, view, progress, size=size)
+            return lookout.find(table, run, recording.fps, labels, view, progress, size=size)
 
         self._tell(tr("Looking for what may be wrong..."), self.measures)
         self._start(find, lambda found: self._take(found, table))

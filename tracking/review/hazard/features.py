@@ -119,7 +119,7 @@ def _ends(material: Material) -> Columns:
     """How long ago the track began, and how long ago where people do not come from."""
     evidence = material.evidence
     first, _ = _ends_of_tracks(material)
-    age_s = np.minimum((np.arange(len(evidence)) - first) / evidence.fps, _LONG_S)
+    age_s = np.minimum((evidence.frame - evidence.frame[first]) / evidence.fps, _LONG_S)
     explained = material.at_border(first) | (evidence.frame[first] < evidence.frames_of(0.5))
     return {"age_s": _single(age_s), "born_s": _single(np.where(explained, _LONG_S, age_s))}
 

@@ -1,0 +1,139 @@
+"""Looks through one block of frames."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tracking.review.evidence import Floats, Rows, body_px, boxes, evidence_of
+from tracking.review.footage import AROUND_S, Footage
+from tracking.review.hazard.expected import Hazards
+from tracking.review.joining import joined_places, stacked
+from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
+from tracking.review.material import REACH_M, Material, reached
+from tracking.review.reasons import REASONS
+from tracking.review.run_rows import run_within
+from tracking.review.speaking import Speaker
+from tracking.review.stretches import stretches
+from tracking.review.suspicion import Suspicion
+from tracking.review.wording import fix
+from tracking.tracks import Occluder, Run
+
+JOINED_S = 0.75
+"""Reasons about the same people so near in time are one suspicion."""
+_LEAST = 0.01
+"""Less likely suspicions are not mentioned."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """What counts for all blocks.
+
+    Attributes:
+        fps: frames a second. stop: one past the last frame.
+        size: of the picture in px; of what the boxes reach where no camera is known.
+        usual_px: see `tracking.review.evidence.body_px`.
+    """
+
+    fps: float
+    stop: int
+    size: tuple[float, float]
+    usual_px: int
+    occluders: tuple[Occluder, ...]
+
+    @classmethod
+    def of(
+        cls,
+        footage: Footage,
+        run: Run | None,
+        fps: float,
+        size: tuple[float, float] | None,
+        occluders: tuple[Occluder, ...],
+    ) -> Scene:
+        """size: of the picture in px, None where it is not known."""
+        columns = footage.columns
+        stop = max(int(columns["frame"].max()) + 1, run.frames[1] if run else 0)
+        return cls(fps, stop, size or reached(boxes(columns)), body_px(columns), occluders)
+
+    @property
+    def around(self) -> int:
+        """How many frames before and after a block can tell about it."""
+        return round(AROUND_S * self.fps)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Block:
+    """What was found in a block, a row each.
+
+    Attributes:
+        suspicions: their cost, which depends on rows far away, is written in later. frame,
+            likelihood: (k,) of these. tracks: (k, 2) whom they are about, 0 for nobody else.
+        meeting: (m,) keys of the block's rows that are near somebody, see `costs`.
+    """
+
+    suspicions: list[Suspicion]
+    frame: Rows
+    likelihood: Floats
+    tracks: Rows
+    meeting: Rows
+
+    def costing(self, row: int, cost: float) -> Suspicion:
+        """One of the suspicions; most cost what they did when they were asked for last."""
+        if self.suspicions[row].cost != cost:
+            self.suspicions[row] = replace(self.suspicions[row], cost=cost)
+        return self.suspicions[row]
+
+
+def looked_through(
+    footage: Footage, rows: Rows, run: Run | None, scene: Scene, start: int, end: int
+) -> Block:
+    """Look through a half-open range of frames; rows: those in it and around it."""
+    columns = {name: column[rows] for name, column in footage.columns.items()}
+    noticed = run_within(run, start - scene.around, end + scene.around)
+    evidence = evidence_of(columns, noticed, scene.fps, scene.stop, scene.usual_px)
+    material = Material.of(evidence, scene.size, scene.occluders)
+    inside = (evidence.frame >= start) & (evidence.frame < end)
+    meeting = evidence.key[inside & (material.near.nearest_m < REACH_M)]
+    return _told(material, meeting, start, end)
+
+
+def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
+    """The suspicions whose frame lies in the range."""
+    evidence = material.evidence
+    found = [look(material) for look in REASONS.values()]
+    reasons = stacked(found, [max(WEIGHTS[each.kind], LEAST_WEIGHT) for each in found])
+    places = joined_places(reasons, evidence.frames_of(JOINED_S))
+    watched = stretches(reasons, places, Hazards.of(material))
+    likely = likelihoods(reasons.kinds, places.strength, watched.expected)
+    frame = watched.frame
+    told = np.flatnonzero((likely >= _LEAST) & (frame >= start) & (frame < end))
+    leader = places.leader[told]
+    tracks = np.stack((reasons.first[leader], reasons.second[leader]), axis=1)
+    columns = (leader, frame[told], watched.start[told], watched.end[told], likely[told])
+    figures = (column.tolist() for column in columns)
+    speaker = Speaker.of(reasons, places, evidence.fps)
+    suspicions = [
+        _suspicion(speaker, place, *numbers)
+        for place, *numbers in zip(told.tolist(), *figures, strict=True)
+    ]
+    return Block(suspicions, frame[told], likely[told], tracks, meeting)
+
+
+def _suspicion(
+    speaker: Speaker, place: int, leader: int, frame: int, start: int, end: int, likelihood: float
+) -> Suspicion:
+    kind, (first, second) = speaker.kind(leader), speaker.tracks(leader)
+    text, *others = speaker.said(place, leader)
+    return Suspicion(
+        kind=kind,
+        tracks=(min(first, second), max(first, second)) if second else (first,),
+        frame=frame,
+        start=start,
+        end=end,
+        likelihood=likelihood,
+        cost=0.0,
+        text=text,
+        fix=fix(kind, second),
+        others=tuple(others),
+    )
