@@ -108,7 +108,6 @@ def test_labels_of_further_sessions_are_added(labelled, window, qtbot, parted_se
     dialog.reject()
 
 
-@pytest.mark.slow
 def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
     result, labelled, window, qtbot
 ):
@@ -136,7 +135,6 @@ def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
     assert document.detector == DetectorChoice()
 
 
-@pytest.mark.slow
 def test_the_operating_point_is_dragged_stepped_and_chosen_for_one_part(result, window, tmp_path):
     shown = window.files.detectors.result
     area = result.plot._area()
@@ -165,7 +163,6 @@ def test_the_operating_point_is_dragged_stepped_and_chosen_for_one_part(result, 
     assert np.array_equal(load_detector(path).thresholds, shown.detector.thresholds)
 
 
-@pytest.mark.slow
 def test_a_mistake_is_a_small_picture_that_takes_one_to_its_frame(result, labelled, window, qtbot):
     shown = window.files.detectors.result
     for _ in range(3):
