@@ -16,10 +16,9 @@ def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> No
     """Print the suspicions that nobody has decided yet."""
     with closing(Session.open(path)) as session, progress("looking through the tracks") as told:
         fps, labels = session.recording.fps, session.labels
-        adopted = session.adopted_run
         found = find_suspicions(
             session.tracks,
-            None if adopted is None else session.runs[adopted],
+            session.corrected_run,
             fps,
             labels,
             progress=told,

@@ -14,7 +14,7 @@ from tracking.session.runs import Runs
 from tracking.session.stamping import author_named
 from tracking.session.store import Store
 from tracking.session.whereabouts import Whereabouts
-from tracking.tracks import Labels, TrackTable
+from tracking.tracks import Labels, Run, TrackTable
 
 
 class Held:
@@ -65,8 +65,16 @@ class Held:
 
     @property
     def adopted_run(self) -> int | None:
-        """The run the corrected table began as."""
+        """The number of the run the corrected table began as; None: of none."""
         return self._adopted
+
+    @property
+    def corrected_run(self) -> Run | None:
+        """The run the corrected table began as; None where it began with nothing.
+
+        Raises SessionError where it is still in the file and that cannot be read.
+        """
+        return None if self._adopted is None else self._runs[self._adopted]
 
     @property
     def history(self) -> History:

@@ -149,10 +149,7 @@ class Document:
     @property
     def _adopted(self) -> Run | None:
         """The run the corrected tracks began as."""
-        session = self.session
-        if session is None or session.adopted_run is None:
-            return None
-        return session.runs[session.adopted_run]
+        return None if self.session is None else self.session.corrected_run
 
     # what the views show
 
@@ -284,8 +281,8 @@ class Document:
             return Ground(TrackTable(), Labels(), self._footing) if idle else None
         if self._live_shown or session.read_only:
             return None
-        adopted = session.adopted_run
-        signals = session.runs[adopted].signals if adopted is not None else None
+        run = session.corrected_run
+        signals = run.signals if run is not None else None
         return Ground(session.tracks, session.labels, self._footing, signals)
 
     def confirm_edit(self) -> Change | None:

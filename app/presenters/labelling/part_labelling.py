@@ -53,9 +53,7 @@ class PartLabelling:
     @property
     def _run(self) -> Run | None:
         session = self._document.session
-        if session is None or session.adopted_run is None:
-            return None
-        return session.runs[session.adopted_run]
+        return None if session is None else session.corrected_run
 
     @property
     def _track(self) -> int:

@@ -43,8 +43,8 @@ class TrackerWords:
         if session is not None and session.adopted_run is None:
             nobody = tr("Nobody is labelled yet. Draw a person in the picture (Ins).")
             return TrackerState("", tr("labelled by hand"), nobody)
-        if session is not None and session.adopted_run is not None:
-            name = session.runs[session.adopted_run].tracker
+        if session is not None and session.corrected_run is not None:
+            name = session.corrected_run.tracker
             return TrackerState(name, tr("tracked"), tr("Nobody was tracked."))
         if not self.best:
             said = tr("No tracks: {why}.", why=self.why_not)

@@ -23,13 +23,13 @@ def ask_again(desk: Desk) -> None:
         "People go on under the ids they have before the first frame. What a person corrected or "
         "reviewed is not overwritten, and you see what would change before anything does."
     )
-    adopted = session.runs[session.adopted_run] if session.adopted_run is not None else None
-    tracker = adopted.tracker if adopted is not None else desk.best_tracker
+    run = session.corrected_run
+    tracker = run.tracker if run is not None else desk.best_tracker
     asked = desk.document.parts_asked
     dialog = TrackDialog(recording, tracker, told, desk.window_page, asked)
     dialog.setWindowTitle(tr("Track again"))
-    if adopted is not None:
-        dialog.put_settings(adopted.tracker, adopted.settings, adopted.seed)
+    if run is not None:
+        dialog.put_settings(run.tracker, run.settings, run.seed)
     start, end = desk.document.correcting.marked or (
         desk.playback.clock.frame,
         recording.frame_count,

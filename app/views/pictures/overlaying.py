@@ -62,8 +62,7 @@ class Overlaying(QObject):
         if self._at_work is not None:
             return self._at_work
         session = self._document.session
-        adopted = session.adopted_run if session is not None else None
-        run = session.runs[adopted] if session is not None and adopted is not None else None
+        run = session.corrected_run if session is not None else None
         try:
             painter = OverlayPainter(self._document.recording, run)
         except CalibrationError as error:
