@@ -13,8 +13,7 @@ from made_up_sessions import make_recording, make_run
 from tracking.editing import plan_label_part, plan_swap
 from tracking.errors import SessionError
 from tracking.failure import FEATURE_NAMES
-from tracking.session import Session
-from tracking.session.samples import session_samples
+from tracking.session import Session, session_samples
 from tracking.tracks import PART_COLUMNS, PartLabel
 
 

@@ -1,5 +1,6 @@
 """The document, its HDF5 file, and what keeps both whole."""
 
+from tracking.session.body_parts import labels_in_place, session_samples
 from tracking.session.document import Session
 from tracking.session.edit_log import log_as_json, write_log_csv, write_log_json
 from tracking.session.errors import RecordingMissing
@@ -9,12 +10,7 @@ from tracking.session.older import Generation, check_generation, list_generation
 from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import Runs
-from tracking.session.samples import (
-    labels_in_place,
-    parts_as_corrected,
-    samples_from,
-    session_samples,
-)
+from tracking.session.samples import parts_as_corrected, samples_from
 from tracking.session.saving import generations
 from tracking.session.stamping import author_named
 from tracking.session.waiting import read_history

@@ -19,7 +19,10 @@ _MOST_NAMED = 4
 def in_words(side: State, other: State) -> str:
     """One side of an edit; of labels of tracks only what the other side says otherwise."""
     groups: list[Iterable[str]] = [
-        (f"track {track} {scope_text(start, end)}" for track, start, end in side.stretches.tolist()),
+        (
+            f"track {track} {scope_text(start, end)}"
+            for track, start, end in side.stretches.tolist()
+        ),
         _rows(side.rows),
         _track_labels(side.labels.tracks, other.labels.tracks),
         *_other_labels(side.labels),

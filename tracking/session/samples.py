@@ -2,42 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING
-
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.errors import FormatError
 from tracking.failure import Samples, no_samples, samples_of
-from tracking.formats import GivenLabel
 from tracking.review.run_rows import rows_in_run
-from tracking.tracks import PART_NAMES, Columns, Labels, PartLabel, Run, TrackTable
-from tracking.tracks.part_labels import Box
-
-if TYPE_CHECKING:
-    from tracking.session.document import Session
+from tracking.tracks import Columns, Labels, Run, TrackTable
 
 _TELLING = ("frame", "track", "left", "top", "x", "y")
 """Columns by which a row of the corrected table is found in the run it came from."""
 
 
-def session_samples(session: Session) -> Samples:
-    """The samples that a session's labels give with the run its tracks began as.
-
-    Raises SessionError where that run cannot be read.
-    """
-    adopted = session.adopted_run
-    run = session.runs[adopted] if adopted is not None else None
-    recording = session.recording
-    return samples_from(session.labels, session.tracks, run, recording.fps, recording.name)
-
-
 def samples_from(
     labels: Labels, tracks: TrackTable, run: Run | None, fps: float, recording: str
 ) -> Samples:
-    """The same of the pieces; none without labels, or where the run followed no parts."""
+    """The samples that labels give with the run the tracks began as; fps and name of the recording.
+
+    No samples without labels, or where the run followed no parts.
+    """
     if run is None or not len(labels.parts) or not len(run.parts.get("frame", ())):
         return no_samples()
     people = {label.track for label in labels.parts.values()}
@@ -70,54 +52,3 @@ def parts_as_corrected(tracks: TrackTable, people: set[int], run: Run) -> Column
 
 def _keys(track: NDArray[np.integer], frame: NDArray[np.integer]) -> NDArray[np.int64]:
     return (track.astype(np.int64) << 32) + frame
-
-
-def labels_in_place(session: Session, given: Sequence[GivenLabel]) -> list[PartLabel]:
-    """Labels made elsewhere, checked against a session; those without a box get the tracker's.
-
-    Raises FormatError, with its line, for a label of a frame the recording does not have, of
-    somebody who is not tracked there, or without a box where the tracker followed no parts.
-    """
-    adopted = session.adopted_run
-    run = session.runs[adopted] if adopted is not None else None
-    boxes = _tracked_boxes(session.tracks, {one.label.track for one in given}, run)
-    return [_in_place(session, one, boxes) for one in given]
-
-
-def _in_place(
-    session: Session, given: GivenLabel, boxes: Mapping[tuple[int, int, int], Box]
-) -> PartLabel:
-    label = given.label
-    if label.frame >= session.recording.frame_count:
-        last = session.recording.frame_count - 1
-        raise FormatError(f"{given.place}: frame {label.frame}; the recording has 0 to {last}")
-    if label.frame not in session.tracks.frames_of_track(label.track):
-        raise FormatError(
-            f"{given.place}: track {label.track} is not there in frame {label.frame}; "
-            "correct or remove the row"
-        )
-    if given.has_box:
-        return label
-    box = boxes.get(label.key)
-    if box is None:
-        raise FormatError(
-            f"{given.place}: no {PART_NAMES[label.part]} of track {label.track} was tracked in "
-            f"frame {label.frame}; give left, top, width and height"
-        )
-    return replace(label, box=box)
-
-
-def _tracked_boxes(
-    tracks: TrackTable, people: set[int], run: Run | None
-) -> dict[tuple[int, int, int], Box]:
-    """By frame, track and part: where the run saw them."""
-    if run is None or not len(run.parts.get("frame", ())):
-        return {}
-    parts = parts_as_corrected(tracks, people, run)
-    names = ("frame", "track", "part", "cx", "cy", "width", "height")
-    return {
-        (frame, track, part): (x - width / 2, y - height / 2, width, height)
-        for frame, track, part, x, y, width, height in zip(
-            *(parts[name].tolist() for name in names), strict=True
-        )
-    }

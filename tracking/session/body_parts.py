@@ -1,0 +1,69 @@
+"""What a session says of body parts: the samples it gives, and labels made elsewhere put in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from tracking.errors import FormatError
+from tracking.failure import Samples
+from tracking.formats import GivenLabel
+from tracking.session.document import Session
+from tracking.session.samples import parts_as_corrected, samples_from
+from tracking.tracks import PART_NAMES, PartKey, PartLabel, Run, TrackTable
+from tracking.tracks.part_labels import Box
+
+
+def session_samples(session: Session) -> Samples:
+    """The samples that a session's labels give with the run its tracks began as.
+
+    Raises SessionError where that run cannot be read.
+    """
+    recording, run = session.recording, session.corrected_run
+    return samples_from(session.labels, session.tracks, run, recording.fps, recording.name)
+
+
+def labels_in_place(session: Session, given: Sequence[GivenLabel]) -> list[PartLabel]:
+    """Labels made elsewhere, checked against a session; those without a box get the tracker's.
+
+    Raises FormatError, with its line, for a label of a frame the recording does not have, of
+    somebody who is not tracked there, or without a box where the tracker followed no parts.
+    """
+    people = {one.label.track for one in given}
+    boxes = _tracked_boxes(session.tracks, people, session.corrected_run)
+    return [_in_place(session, one, boxes) for one in given]
+
+
+def _in_place(session: Session, given: GivenLabel, boxes: Mapping[PartKey, Box]) -> PartLabel:
+    label = given.label
+    if label.frame >= session.recording.frame_count:
+        last = session.recording.frame_count - 1
+        raise FormatError(f"{given.place}: frame {label.frame}; the recording has 0 to {last}")
+    if label.frame not in session.tracks.frames_of_track(label.track):
+        raise FormatError(
+            f"{given.place}: track {label.track} is not there in frame {label.frame}; "
+            "correct or remove the row"
+        )
+    if given.has_box:
+        return label
+    box = boxes.get(label.key)
+    if box is None:
+        raise FormatError(
+            f"{given.place}: no {PART_NAMES[label.part]} of track {label.track} was tracked in "
+            f"frame {label.frame}; give left, top, width and height"
+        )
+    return replace(label, box=box)
+
+
+def _tracked_boxes(tracks: TrackTable, people: set[int], run: Run | None) -> dict[PartKey, Box]:
+    """By frame, track and part: left, top, width, height in px where the run saw them."""
+    if run is None or not len(run.parts.get("frame", ())):
+        return {}
+    parts = parts_as_corrected(tracks, people, run)
+    names = ("frame", "track", "part", "cx", "cy", "width", "height")
+    return {
+        (frame, track, part): (x - width / 2, y - height / 2, width, height)
+        for frame, track, part, x, y, width, height in zip(
+            *(parts[name].tolist() for name in names), strict=True
+        )
+    }
