@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Job, Progress
 from app.presenters.document.document import Document
-from app.presenters.labelling.labelling_scene import LabellingScene, Tool
+from app.presenters.labelling.labelling_scene import LabellingScene, Suggested, Tool
 from app.presenters.labelling.suggesting import SuggestionQueue
 from app.presenters.parts.suggestions import suggestions_for
 from app.presenters.words import tr
@@ -41,11 +40,10 @@ class Suggesting(QObject):
         if session is None:
             return
         self.asked = True
-        table, labels, adopted = session.tracks.snapshot(), session.labels, session.adopted_run
-        run = session.runs[adopted] if adopted is not None else None
+        table, labels, run = session.tracks.snapshot(), session.labels, session.corrected_run
         fps, detector = self._document.recording.fps, self._document.detector
 
-        def work(_: Progress) -> object:
+        def work(_: Progress) -> tuple[Suggested, ...]:
             return suggestions_for(table, run, labels, fps, detector.load())
 
         self._job = Job("suggestions of parts", work, self)
@@ -83,7 +81,7 @@ class Suggesting(QObject):
             "track again with it."
         )
 
-    def _take(self, found: Any) -> None:
+    def _take(self, found: tuple[Suggested, ...]) -> None:
         self._drop()
         session = self._document.session
         if session is not None:
