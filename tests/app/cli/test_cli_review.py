@@ -54,7 +54,20 @@ def test_lines_are_as_many_as_asked_for(trackwright: Trackwright, session: Path)
     status, printed, _ = trackwright("review", session, "--order", "time", "--most", "1")
     assert status == 0
     heading, *suspicions = printed.splitlines()
-    assert heading.split() == ["frame", "sure", "rows", "what", "may", "be", "wrong", "(what", "would", "put", "it", "right)"]
+    assert heading.split() == [
+        "frame",
+        "sure",
+        "rows",
+        "what",
+        "may",
+        "be",
+        "wrong",
+        "(what",
+        "would",
+        "put",
+        "it",
+        "right)",
+    ]
     assert len(suspicions) == 1
 
 
