@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench accuracy kills model pictures lock clean
+.PHONY: help demo test format bench accuracy results detector kills model pictures lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -42,6 +42,12 @@ bench: $(STAMP) ## measure speed (not part of make test)
 
 accuracy: $(STAMP) ## the accuracy table of the README, on scenes no setting was chosen on (half an hour)
 	$(BIN)/python -m tests.benchmarks.accuracy
+
+results: $(STAMP) ## docs/results.md: body parts on scenes no setting was chosen on (half an hour)
+	$(BIN)/python -m tests.benchmarks.parts --report
+
+detector: $(STAMP) ## the built-in failure detector: rendered, tracked, labelled from truth, trained (ten minutes)
+	$(BIN)/python -m tests.benchmarks.parts.detector
 
 kills: $(STAMP) ## kill the window 1,000 times while tracks are corrected in it: nothing may be lost (20 minutes)
 	$(BIN)/python -m tests.sweeps.kill
