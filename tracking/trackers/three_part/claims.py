@@ -16,6 +16,8 @@ _OWN = 0.3
 """Share of somebody's parts that must lie in a region for it to be theirs."""
 _WHOLE = (0.85, 1.25)
 """Height of a region, in heights of its person, that shows all of them."""
+_TWICE = 1.8
+"""The same from which on it is no longer one person."""
 _OTHERS = 0.15
 """Share of somebody's parts in other regions from which on they may be hidden there."""
 _TAKEN = 0.1
@@ -75,6 +77,17 @@ def seen_whole(claims: Claims, seen: Detections, height: Floats) -> Flags:
     ratio = tall / np.maximum(height, 1.0)
     alone = claims.alone & (claims.share.sum(axis=1) - claims.own_share <= _OTHERS)
     return np.asarray(alone & ~cut & (ratio > _WHOLE[0]) & (ratio < _WHOLE[1]))
+
+
+def seen_taller(claims: Claims, seen: Detections, height: Floats) -> Flags:
+    """(people,) seen alone and so much taller that they were begun without their feet.
+
+    Clothes like the floor hide legs for a while; somebody twice as tall is two people.
+    """
+    tall = np.append(seen.box[:, 3], 0.0)[claims.region]
+    cut = np.append(seen.truncated, True)[claims.region]
+    ratio = tall / np.maximum(height, 1.0)
+    return np.asarray(claims.alone & ~cut & (ratio >= _WHOLE[1]) & (ratio < _TWICE))
 
 
 def shares_on(mask: NDArray[np.integer], rectangles: Floats) -> Floats:

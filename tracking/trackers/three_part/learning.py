@@ -44,19 +44,25 @@ def colours_learnt(
 
 
 def poses_learnt(
-    people: Followed, box: Floats, claims: Claims, whole: Flags, elapsed_s: float
+    people: Followed,
+    box: Floats,
+    claims: Claims,
+    whole: Flags,
+    taller: Flags,
+    elapsed_s: float,
 ) -> Followed:
     """How the parts stand to each other and how high people are, from clear views of them.
 
     Args:
         box: (people, 4) of their regions. whole: (people,) seen alone and all of them.
+        taller: (people,) seen alone and taller than they are taken for.
     """
     clear = ~people.hidden & ~people.failed.any(axis=1) & (~people.touching | whole)
     clear &= claims.support.min(axis=1) >= _GOOD_VIEW
     share = np.where(clear, 1.0 - np.exp(-elapsed_s / _POSE_MEMORY_S), 0.0)[:, None, None]
     return people.replace(
         pose=people.pose + share * (posed(people.rectangles) - people.pose),
-        height=heights_after(people.height, box, whole, elapsed_s),
+        height=heights_after(people.height, box, whole | taller, elapsed_s),
     )
 
 

@@ -23,7 +23,13 @@ from tracking.trackers.three_part.bodies import (
     share_inside,
     shown_boxes,
 )
-from tracking.trackers.three_part.claims import Claims, claims_of, seen_whole, shares_on
+from tracking.trackers.three_part.claims import (
+    Claims,
+    claims_of,
+    seen_taller,
+    seen_whole,
+    shares_on,
+)
 from tracking.trackers.three_part.detectors import NO_DETECTOR
 from tracking.trackers.three_part.finding import found_again
 from tracking.trackers.three_part.followed import Followed, Layout, nobody, together
@@ -35,9 +41,11 @@ from tracking.trackers.three_part.occlusion import (
     behind_what_is_drawn,
     covered_mask,
 )
+from tracking.trackers.three_part.poses import HIP_LEG
 from tracking.trackers.three_part.result import Shown, step_result
 from tracking.trackers.three_part.resuming import resumed
 from tracking.trackers.three_part.settings import WholeBodySettings
+from tracking.trackers.three_part.silhouettes import legs_elsewhere
 from tracking.trackers.three_part.starting import all_seen, begun, begun_anew, regions_rectangles
 from tracking.trackers.three_part.watching import Watch
 
@@ -176,11 +184,14 @@ class PartTracker:
             return people
         scene = Scene(seen, claims_of(people.rectangles, seen), picture)
         failed = said.failed | clear_failures(people, scene)
+        off, legs = legs_elsewhere(people, scene.seen, scene.claims, picture)
+        failed[off, HIP_LEG] = True
         if not failed.any():
             return people
         several = said.several | (failed.sum(axis=1) > 1)
         boxes = outlined_boxes(people.rectangles, people.outline)
         places = adjusted(people, boxes, failed, several, scene)
+        places[off, HIP_LEG] = legs[off]
         people = people.replace(failed=failed)
         return begun_anew(people, places, picture, self._layout, self._random)
 
@@ -232,7 +243,8 @@ class PartTracker:
         cut = np.append(seen.truncated, True)[claims.region]
         alone = claims.alone & ~people.hidden
         whole = seen_whole(claims, seen, people.height) & ~people.hidden
-        people = poses_learnt(people, own, claims, whole, elapsed_s)
+        taller = seen_taller(claims, seen, people.height) & ~people.hidden
+        people = poses_learnt(people, own, claims, whole, taller, elapsed_s)
         outline = outlines_after(
             people.outline, people.rectangles, own, alone & ~cut, elapsed_s, people.age_s
         )
