@@ -168,7 +168,7 @@ def test_what_a_run_noticed_goes_with_its_rows_whatever_their_ids_are_now() -> N
 
 def test_a_run_that_noticed_nothing_has_nothing_to_tell() -> None:
     table = table_of_ways(*ways((1.2, 0.0), (1.2, 0.0), 0.6))
-    signals = signals_of(table, run_of(table, {}), (1, 2))
+    signals = signals_of(table, run_of(table, empty(SIGNAL_COLUMNS)), (1, 2))
     assert signals.keys() == SIGNAL_COLUMNS.keys()
     assert not any(map(len, signals.values()))
     assert propose_swap_frames(table, 1, 2, signals=signals) == propose_swap_frames(table, 1, 2)

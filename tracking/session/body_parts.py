@@ -57,7 +57,7 @@ def _in_place(session: Session, given: GivenLabel, boxes: Mapping[PartKey, Box])
 
 def _tracked_boxes(tracks: TrackTable, people: set[int], run: Run | None) -> dict[PartKey, Box]:
     """By frame, track and part: left, top, width, height in px where the run saw them."""
-    if run is None or not len(run.parts.get("frame", ())):
+    if run is None or not len(run.parts["frame"]):
         return {}
     parts = parts_as_corrected(tracks, people, run)
     names = ("frame", "track", "part", "cx", "cy", "width", "height")

@@ -164,7 +164,7 @@ def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
     }
     for name, columns in tables.items():
         types = RUN_TABLES[name]
-        packer.table(group, name, types, _by_frame_and_track(columns or empty(types)))
+        packer.table(group, name, types, _by_frame_and_track(columns))
     for name, particles in (("particles", run.particles), ("part_particles", run.part_particles)):
         table = packer.table(group, name, RUN_TABLES[name], particles.columns)
         packer.column(table, "start", particles.start, np.dtype(np.int64))

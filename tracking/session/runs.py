@@ -26,6 +26,7 @@ from tracking.tracks import (
     Particles,
     Run,
     check_tracks,
+    empty,
 )
 
 _BLOCKS_KEPT = 16
@@ -44,13 +45,17 @@ class StoredRun:
     number: int
 
     def load(self) -> Run:
-        """Tracks, detections and associations in memory, particles as they are asked for."""
+        """The run: its tables in memory, particles as they are asked for.
+
+        What a file of an older format does not have is there with all its columns and no rows.
+        Raises SessionError where the file is damaged or out of reach.
+        """
         with opened(self.path) as file:
             group = file[f"runs/{self.number}"]
             tables = {
-                name: _read_table(group[name], name)
-                for name in RUN_TABLES
-                if name in group and name not in PARTICLE_TABLES
+                name: _read_table(group[name], name) if name in group else empty(types)
+                for name, types in RUN_TABLES.items()
+                if name not in PARTICLE_TABLES
             }
             first, stop = (int(frame) for frame in group.attrs["frames"])
             _check_run(tables["tracks"], (first, stop))
@@ -59,12 +64,8 @@ class StoredRun:
                 settings=json.loads(text_attribute(group, "settings")),
                 seed=int(group.attrs["seed"]),
                 frames=(first, stop),
-                tracks=tables["tracks"],
-                detections=tables["detections"],
+                **tables,
                 particles=self._particles(group, "particles"),
-                associations=tables.get("associations", {}),
-                parts=tables.get("parts", {}),
-                signals=tables.get("signals", {}),
                 part_particles=self._particles(group, "part_particles")
                 if "part_particles" in group
                 else Particles.none(PART_PARTICLE_COLUMNS),

@@ -20,7 +20,7 @@ def samples_from(
 
     No samples without labels, or where the run followed no parts.
     """
-    if run is None or not len(labels.parts) or not len(run.parts.get("frame", ())):
+    if run is None or not len(labels.parts) or not len(run.parts["frame"]):
         return no_samples()
     people = {label.track for label in labels.parts.values()}
     parts = parts_as_corrected(tracks, people, run)

@@ -62,6 +62,8 @@ class Particles:
 class Run:
     """One tracker's result over a recording (or a stretch of it), never changed by edits.
 
+    Every table has all its columns, also where it has no rows.
+
     Attributes:
         tracker: name in the catalogue, e.g. "stereo-direction".
         settings: the settings in force, as plain JSON values.

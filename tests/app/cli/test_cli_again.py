@@ -15,7 +15,7 @@ from app.presenters.files.opening import open_path
 from tracking.editing import apply_change, plan_mark_reviewed, plan_move_box, plan_swap
 from tracking.recording import open_recording
 from tracking.session import Session
-from tracking.tracks import Labels, Run, TrackTable
+from tracking.tracks import SIGNAL_COLUMNS, Labels, Run, TrackTable, empty
 
 CUT = 40
 
@@ -44,7 +44,8 @@ def mistaken(footage: Path, tiny_run: Run, tmp_path: Path) -> tuple[Path, int, i
     tracks = {name: table.columns()[name] for name in tiny_run.tracks}
     path = tmp_path / "mistaken.h5"
     with open_recording(footage) as recording:
-        Session.create(recording, [replace(tiny_run, tracks=tracks, signals={})], path).close()
+        run = replace(tiny_run, tracks=tracks, signals=empty(SIGNAL_COLUMNS))
+        Session.create(recording, [run], path).close()
     return path, there[0], there[1]
 
 

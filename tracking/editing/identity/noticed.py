@@ -21,7 +21,7 @@ def signals_of(
     rows that a person moved and those of another run have none.
     """
     parts: list[Columns] = [empty(SIGNAL_COLUMNS)]
-    if len(run.signals.get("frame", ())):
+    if len(run.signals["frame"]):
         parts += [_noticed(run, table.of_track(track, start, end), track) for track in tracks]
     return {name: np.concatenate([part[name] for part in parts]) for name in SIGNAL_COLUMNS}
 
