@@ -54,5 +54,5 @@ class Speaker:
         return [self._sentence(kind, row) for kind, row in strongest.items()]
 
     def _sentence(self, kind: str, row: int) -> str:
-        first, second, frame, figure = (column[row] for column in self.columns[1:])
-        return sentence(kind, first, second, figure, frame / self.fps)
+        _, _, _, frame, figure = self.columns
+        return sentence(kind, *self.tracks(row), figure[row], frame[row] / self.fps)

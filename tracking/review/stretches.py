@@ -22,6 +22,8 @@ _AS_LIKELY, _GROWN_S = 0.4, 0.6
 _CHANGED_OVER = frozenset({"turn", "exchange"})
 _TOGETHER_M, _TOGETHER_S, _PARTED_S = 0.5, 0.8, 0.15
 """Who is who after two changed over shows only once they part: waited for that long at most."""
+_EXACT = 1.1
+"""So much more counts what a reason that knows the frame shows: it says best what went wrong."""
 _FOR_NEAR = 1e-3
 """Of stretches in which about as much goes wrong, that around the reason's moment."""
 
@@ -53,7 +55,8 @@ def stretches(reasons: Reasons, places: Places, hazards: Hazards) -> Stretches:
     end = np.minimum(np.maximum(end, _parted(reasons, places, evidence)), evidence.stop)
     start = np.maximum(start, 0)
     frame = np.where(vague, _worst(hazards, tracks, start, end, told), told)
-    order = np.argsort(-_both(hazards, tracks, start, end), kind="stable")
+    shown = _both(hazards, tracks, start, end) * np.where(vague, 1.0, _EXACT)
+    order = np.argsort(-shown, kind="stable")
     return Stretches(start, end, frame, hazards.once(tracks, start, end, order))
 
 

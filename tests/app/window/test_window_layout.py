@@ -10,7 +10,7 @@ from app.views.window.main_window import MainWindow
 @pytest.fixture
 def window_on_a_laptop(window, qtbot, tiny_session, monkeypatch):
     """Nothing is suspected: what is found, and when, would share the room in other ways."""
-    monkeypatch.setattr(review_search, "find_suspicions", lambda *_, **__: ())
+    monkeypatch.setattr(review_search.Lookout, "find", lambda *_, **__: ())
     window.resize(1440, 900)
     window.files.open_path(tiny_session)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
