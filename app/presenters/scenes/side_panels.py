@@ -29,7 +29,8 @@ class HistoryItem:
     """One edit in the history panel; undone edits are shown greyed.
 
     Attributes:
-        kind: one word, e.g. "swap". taken_by: the later edit that takes this one back alone; 0.
+        kind: one word, e.g. "swap".
+        taken_by: the later edit that takes this one back alone; 0: none.
     """
 
     edit: int
