@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import argparse
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import cv2
 import numpy as np
@@ -46,7 +46,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.review", description=__doc__)
     parser.add_argument("--fit", action="store_true", help="fit the likelihoods anew")
     parser.add_argument("--tuning", action="store_true", help="report on the scenes for fitting")
-    parser.add_argument("--fresh", action="store_true", help="report on scenes never used before")
+    parser.add_argument("--fresh", action="store_true", help="report on scenes looked at once")
+    parser.add_argument("--each", action="store_true", help="a line for each place as well")
     parser.add_argument("--match", choices=("floor", "box"), default="floor")
     parser.add_argument("--order", choices=("yield", "worth", "likelihood"), default="yield")
     asked = parser.parse_args()
@@ -59,6 +60,12 @@ def main() -> None:
         return
     print("|", " | ".join(_COLUMNS), "|")
     print("|", " | ".join("---" for _ in _COLUMNS), "|")
+    for name, group in _groups(found, asked.each):
+        print(_row(name, group, asked.order), flush=True)
+
+
+def _groups(found: Sequence[Case], each: bool) -> Iterator[tuple[str, Sequence[Case]]]:
+    """Results with errors that are told in a line, with its name; each: a line for each place."""
     for calm in (True, False):
         for swapped in (False, True):
             group = [
@@ -68,7 +75,9 @@ def main() -> None:
             ]
             name = f"{'calm' if calm else 'crowded'}, {'swapped' if swapped else 'as tracked'}"
             if group:
-                print(_row(name, group, asked.order), flush=True)
+                yield name, group
+            for scene in sorted({case.footage.scene for case in group}) if each else ():
+                yield f"{name}, {scene}", [case for case in group if case.footage.scene == scene]
 
 
 def _row(name: str, group: Sequence[Case], order: str) -> str:

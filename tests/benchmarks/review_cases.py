@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from tracking.editing import apply_change, plan_swap
-from tracking.errors import EditError
+from tracking.errors import EditError, TrackwrightError
 from tracking.formats import read_mot
 from tracking.geometry import View
 from tracking.pipeline import track
@@ -77,9 +77,10 @@ REPORTED = (
     *_footage(30, _USUAL, (3311, 3312, 3333, 3314, 3315, 3316)),
 )
 """Scenes that nothing was fitted on; what was tried was compared on them."""
-FRESH = tuple(
-    Footage(scene, 90, 24, seed)
-    for scene, seed in zip(("lobby", "square", "pillars"), range(3801, 3804), strict=True)
+FRESH = (
+    Footage("lobby", 45, 12, 3811),
+    Footage("plaza", 45, 12, 3812),
+    Footage("uniforms", 45, 12, 3814),
 )
 """Scenes that were looked at once, when all was done."""
 
@@ -138,16 +139,33 @@ def _tracked(folder: Path, tracker: str) -> tuple[Run, View, float]:
     """The tracker's run, kept as a session beside the footage."""
     path = folder.with_name(f"{folder.name}-{tracker}.h5")
     with open_recording(folder) as recording:
-        if not path.is_file():
+        assert recording.view is not None
+        view, fps = recording.view, recording.fps
+        run = _kept(path)
+        if run is None:
             print(f"tracking {path}", file=sys.stderr)
             with track(recording, tracker) as tracking:
                 for _ in tracking:
                     pass
-                Session.create(recording, [tracking.run()], path).close()
-        assert recording.view is not None
-        view, fps = recording.view, recording.fps
-    with closing(Session.open(path)) as session:
-        return session.runs[0], view, fps
+                run = tracking.run()
+            Session.create(recording, [run], path).close()
+    return run, view, fps
+
+
+def _kept(path: Path) -> Run | None:
+    """The run kept in a session; None where there is none, or none that this program can read.
+
+    What a program of another day kept and this one refuses is deleted, to be tracked anew.
+    """
+    if not path.is_file():
+        return None
+    try:
+        with closing(Session.open(path)) as session:
+            return session.runs[0]
+    except (TrackwrightError, LookupError) as error:
+        print(f"tracking anew: {error}", file=sys.stderr)
+        path.unlink()
+        return None
 
 
 def _swap(table: TrackTable, run: Run, fps: float, seed: int) -> int:
