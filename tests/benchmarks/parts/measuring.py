@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -36,6 +36,16 @@ def rates(
             for variant in variants
         },
     }
+
+
+def rates_one_by_one(
+    clips: Sequence[Clip], kept: Path | None = None, variants: Sequence[Variant] = VARIANTS
+) -> Iterator[Figures]:
+    """The same as far as it has come, after each variant: they take minutes."""
+    found: Figures = {}
+    for variant in variants:
+        found |= rates(clips, kept, [variant])["variants"]
+        yield {"clips": [f"{clip.scene} {clip.seed}" for clip in clips], "variants": dict(found)}
 
 
 def _curves(judged: Sequence[Sequence[Judged]]) -> Figures:
