@@ -19,6 +19,7 @@ from tests.benchmarks.parts.words import (
     PICTURE,
     REAL,
     SHADOWS,
+    SHORT,
     SPEED,
 )
 
@@ -93,14 +94,14 @@ def rates_tables(figures: Figures) -> str:
 
 def _rates(figures: Figures) -> str:
     variants = figures["variants"]
-    sections = [HOW_RATES.format(clips=len(figures["clips"]), first=figures["clips"][0])]
+    sections = [HOW_RATES.format(clips=len(figures["clips"])).strip()]
     sections.append(_rates_table(variants, "right"))
-    sections.append(_verdicts(variants))
+    sections += [_verdicts(variants), SHORT.strip()]
     sections.append("![rates over frames](parts-rates.svg)")
     sections.append(PICTURE.strip())
     sections.append(
-        "The stricter reading: right in *every* frame from the start to frame "
-        f"{AT_FRAME}, so that a part which comes back stays lost."
+        f"The stricter reading: right in *every* frame from the start to frame {AT_FRAME}, so that a\n"
+        "part which comes back stays lost."
     )
     sections.append(_rates_table(variants, "unbroken"))
     sections += [SHADOWS.strip(), _foreign_table(variants)]

@@ -35,6 +35,15 @@ start, as in the paper, whose curves rise where a part is found again. Behind ±
 95 % interval.
 """
 
+SHORT = """
+What is lost is lost among people who hide each other. In these scenes every second person's way is
+planned to cross another's, up to five within a few metres, and some walk in as one bunch: two who
+come in one behind the other begin as one track, and the second one counts as wrong to the end.
+Without adjustment parts are drawn by colours alone, with the model learning whatever is there; the
+torso, large and of one cloth, is seldom lost that way, so adjustment has less to mend there than in
+the paper.
+"""
+
 PICTURE = """
 ![two frames of the first clip, with adjustment and without](parts-walkway.jpg)
 
