@@ -100,8 +100,8 @@ def _rates(figures: Figures) -> str:
     sections.append("![rates over frames](parts-rates.svg)")
     sections.append(PICTURE.strip())
     sections.append(
-        f"The stricter reading: right in *every* frame from the start to frame {AT_FRAME}, so that a\n"
-        "part which comes back stays lost."
+        f"The stricter reading: right in *every* frame from the start to frame {AT_FRAME}, so\n"
+        "that a part which comes back stays lost."
     )
     sections.append(_rates_table(variants, "unbroken"))
     sections += [SHADOWS.strip(), _foreign_table(variants)]
