@@ -68,7 +68,7 @@ def svg(panels: Sequence[Panel], columns: int = 2) -> str:
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:g} {height:g}" '
         f'width="{width:g}" height="{height:g}" font-family="sans-serif" font-size="13" '
-        f'fill="{_INK}"><rect width="100%" height="100%" fill="{_PAPER}"/>'
+        f'fill="{_INK}"><rect width="{width:g}" height="{height:g}" fill="{_PAPER}"/>'
         + "\n".join(body)
         + "</svg>\n"
     )
