@@ -7,8 +7,6 @@ from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import numpy as np
-
 from app.cli.tracks import is_session
 from tracking.errors import TrainingError
 from tracking.failure import (
@@ -17,6 +15,7 @@ from tracking.failure import (
     labels_from_truth,
     read_true_parts,
     samples_of,
+    told_apart,
 )
 from tracking.formats import read_samples
 from tracking.session import Session, samples_from
@@ -42,33 +41,30 @@ class Taught:
 
     Attributes:
         path: the session, or the table of samples.
-        name: of the recording. identity: tells recordings of one name apart.
+        name: of the recording. footage: tells recordings of one name apart; "" for a table.
         labels: by frame, track and part; none for a table.
     """
 
     path: Path
     name: str
-    identity: str
+    footage: str
     samples: Samples
     labels: Mapping[PartKey, PartLabel]
 
-    def renamed(self) -> Taught:
-        """The same, of a recording that bears the session's name too."""
-        name = f"{self.name} ({self.path.stem})"
-        recording = np.full(len(self.samples), name, object)
-        columns = {**self.samples.columns, "recording": recording}
-        return replace(self, name=name, samples=Samples(columns, self.samples.features))
+    def named_by(self, samples: Samples) -> Taught:
+        """The same, with the names that its recordings have among others."""
+        names = samples.columns["recording"]
+        return replace(self, name=str(names[0]) if len(names) else self.name, samples=samples)
 
 
-def told_apart(taught: Sequence[Taught]) -> list[Taught]:
-    """The same, where different recordings of one name bear the session's name too.
+def all_taught(paths: Sequence[Path], how: How) -> list[Taught]:
+    """The samples of sessions and tables, different recordings under different names.
 
-    Two sessions of one recording keep its name: their people are the same people.
+    Raises as `taught_by`.
     """
-    first: dict[str, str] = {}
-    for one in taught:
-        first.setdefault(one.name, one.identity)
-    return [one if first[one.name] == one.identity else one.renamed() for one in taught]
+    taught = [taught_by(path, how) for path in paths]
+    apart = told_apart((one.samples, one.footage, one.path.stem) for one in taught)
+    return [one.named_by(samples) for one, samples in zip(taught, apart, strict=True)]
 
 
 def taught_by(path: Path, how: How) -> Taught:
@@ -79,16 +75,13 @@ def taught_by(path: Path, how: How) -> Taught:
     if not is_session(path):
         if how.from_truth:
             raise TrainingError(f"{path} is a table of samples: truth belongs to sessions")
-        return Taught(path, str(path), str(path), read_samples(path), {})
+        return Taught(path, str(path), "", read_samples(path), {})
     with closing(Session.open(path)) as session:
-        adopted = session.adopted_run
-        run = session.runs[adopted] if adopted is not None else None
-        recording = session.recording
+        recording, run = session.recording, session.corrected_run
         if run is None or not len(run.parts.get("frame", ())):
             raise TrainingError(
                 f"{path}: its tracks have no body parts; track it with three-part first"
             )
-        identity = " ".join(source.sha256 for source in recording.sources)
         if how.from_truth:
             labels = _true_labels(session, path, run.parts, how)
             samples = samples_of(labels, run.parts, recording.fps, recording.name)
@@ -98,7 +91,7 @@ def taught_by(path: Path, how: How) -> Taught:
                 session.labels, session.tracks, run, recording.fps, recording.name
             )
             said = session.labels.parts
-        return Taught(path, recording.name, identity, samples, said)
+        return Taught(path, recording.name, recording.footage, samples, said)
 
 
 def _true_labels(session: Session, path: Path, parts: Columns, how: How) -> list[PartLabel]:

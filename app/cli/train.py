@@ -10,7 +10,7 @@ import numpy as np
 from app.cli.destination import check_file, check_folder, check_replaced, nearest_folder
 from app.cli.mistakes import pictures_of
 from app.cli.output import print_json, progress, say
-from app.cli.taught import How, taught_by, told_apart
+from app.cli.taught import How, all_taught
 from tracking.errors import TrainingError
 from tracking.failure import (
     Trained,
@@ -48,7 +48,7 @@ def run_train(wish: Wish, *, as_json: bool) -> None:
     Raises TrainingError where the samples are too few.
     """
     _check(wish)
-    taught = told_apart([taught_by(path, wish.how) for path in wish.sources])
+    taught = all_taught(wish.sources, wish.how)
     samples = joined(one.samples for one in taught)
     if not len(samples):
         names = ", ".join(map(str, wish.sources))

@@ -8,6 +8,7 @@ from tracking.failure.machines import Machine, Machines
 from tracking.failure.operating import Curve
 from tracking.failure.past import PastStates, states_before
 from tracking.failure.preparation import Preparation
+from tracking.failure.recordings import told_apart
 from tracking.failure.samples import (
     SAMPLE_COLUMNS,
     SAMPLE_SOURCES,
@@ -68,6 +69,7 @@ __all__ = [
     "save_detector",
     "states_before",
     "suggest",
+    "told_apart",
     "train",
     "write_report",
 ]

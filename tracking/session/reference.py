@@ -114,6 +114,11 @@ class RecordingReference:
         parts = [f"{part.size_bytes} {part.sha256}" for part in self.sources]
         return hashlib.sha256("\n".join([*parts, self.manifest]).encode()).hexdigest()
 
+    @property
+    def footage(self) -> str:
+        """What the pictures alone are known by, whatever the recording is called."""
+        return " ".join(part.sha256 for part in self.sources)
+
     def found_as(self, recording: Footage, session_folder: Path) -> RecordingReference:
         """The reference by which it is found again as it was opened now.
 

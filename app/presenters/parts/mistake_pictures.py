@@ -24,8 +24,7 @@ def cut_out(document: Document, item: MistakeItem) -> tuple[NDArray[np.uint8], B
         return None
     if not 0 <= item.frame < recording.frame_count:
         return None
-    adopted = session.adopted_run
-    run = session.runs[adopted] if adopted is not None else None
+    run = session.corrected_run
     there = parts_of(session.labels, session.tracks, run, item.track, item.frame)
     if item.part not in there:
         return None

@@ -47,9 +47,7 @@ class PartsPresenter:
     def run(self) -> Run | None:
         """The run the corrected tracks began as."""
         session = self._document.session
-        if session is None or session.adopted_run is None:
-            return None
-        return session.runs[session.adopted_run]
+        return None if session is None else session.corrected_run
 
     @property
     def any_tracked(self) -> bool:

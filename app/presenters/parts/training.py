@@ -17,18 +17,17 @@ from tracking.failure import (
     Trained,
     TrainingPlan,
     joined,
-    no_samples,
+    told_apart,
     train,
 )
+from tracking.failure.training.questions import LEAST_PEOPLE, LEAST_SAMPLES
 from tracking.formats import read_samples
-from tracking.session import RecordingReference, Session, session_samples
+from tracking.session import Session, session_samples
 from tracking.setting import setting
 from tracking.tracks import PART_NAMES
 
 Report = Callable[[int, int], None]
 _PLAN = TrainingPlan()
-LEAST_SAMPLES, LEAST_PEOPLE = 10, 2
-"""Of each answer of each part, as training asks for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,13 +72,13 @@ class Source:
 
     Attributes:
         title: for people. path: of the file; None for the open session. samples: its labels.
-        identity: tells recordings of one name apart.
+        footage: tells recordings of one name apart; "" for a table.
     """
 
     title: str
     path: Path | None
     samples: Samples
-    identity: str
+    footage: str
 
     @property
     def said(self) -> str:
@@ -94,15 +93,10 @@ def source_at(path: Path) -> Source:
     Raises SessionError or FormatError where it is neither or cannot be read.
     """
     if path.suffix.lower() == ".csv":
-        return Source(path.name, path, read_samples(path), str(path))
+        return Source(path.name, path, read_samples(path), "")
     with closing(Session.open(path)) as session:
         title = f"{session.recording.name} ({path.name})"
-        return Source(title, path, session_samples(session), identity_of(session.recording))
-
-
-def identity_of(recording: RecordingReference) -> str:
-    """Tells recordings apart, whatever they are called."""
-    return " ".join(source.sha256 for source in recording.sources)
+        return Source(title, path, session_samples(session), session.recording.footage)
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,26 +140,8 @@ def _missing(on: int, off: int, people_on: int, people_off: int) -> str:
 
 
 def all_samples(sources: Sequence[Source]) -> Samples:
-    """Those of several sources.
-
-    Different recordings of one name are told apart: their people are not the same people, and
-    are not held out together.
-    """
-    first: dict[str, str] = {}
-    told_apart = []
-    for one in sources:
-        names = set(one.samples.columns["recording"].tolist())
-        strange = any(first.setdefault(name, one.identity) != one.identity for name in names)
-        told_apart.append(_renamed(one) if strange else one.samples)
-    return joined(told_apart) if told_apart else no_samples()
-
-
-def _renamed(source: Source) -> Samples:
-    """The samples of a recording that bears the source's name, too."""
-    columns = source.samples.columns
-    names = [f"{name} ({source.title})" for name in columns["recording"].tolist()]
-    renamed = {**columns, "recording": np.array(names, object)}
-    return Samples(renamed, source.samples.features)
+    """Those of several sources, different recordings under different names."""
+    return joined(told_apart((one.samples, one.footage, one.title) for one in sources))
 
 
 def trained_from(samples: Samples, settings: TrainingSettings, report: Report) -> Trained:

@@ -15,7 +15,6 @@ from app.presenters.parts.mistake_pictures import cut_out
 from app.presenters.parts.training import (
     Source,
     TrainingSettings,
-    identity_of,
     trained_from,
 )
 from app.presenters.parts.training_result import MistakeItem, TrainingResult
@@ -206,8 +205,7 @@ class Detectors(QObject):
         if document is None or document.session is None:
             return
         session, recording = document.session, document.recording
-        table, labels, adopted = session.tracks.snapshot(), session.labels, session.adopted_run
-        run = session.runs[adopted] if adopted is not None else None
+        table, labels, run = session.tracks.snapshot(), session.labels, session.corrected_run
 
         def work(_: object) -> Change:
             return plan_truth_labels(recording, table, run, labels)
@@ -225,9 +223,6 @@ def _labels_here(document: Document) -> Source:
     """The labels of the open session; called off the GUI thread."""
     session, recording = document.session, document.recording
     assert session is not None
-    adopted = session.adopted_run
-    run = session.runs[adopted] if adopted is not None else None
-    samples = samples_from(
-        session.labels, session.tracks.snapshot(), run, recording.fps, recording.name
-    )
-    return Source(tr("This session"), None, samples, identity_of(session.recording))
+    run, table = session.corrected_run, session.tracks.snapshot()
+    samples = samples_from(session.labels, table, run, recording.fps, recording.name)
+    return Source(tr("This session"), None, samples, session.recording.footage)

@@ -246,7 +246,7 @@ def test_what_cannot_be_is_told_in_one_line(
     assert not (tmp_path / "o.h5").exists()
 
 
-def test_recordings_of_one_name_keep_their_people_apart(
+def test_a_table_beside_its_session_names_the_same_people(
     trackwright: Trackwright, labelled: Path, tmp_path: Path
 ) -> None:
     table = tmp_path / "s.csv"

@@ -71,6 +71,11 @@ def test_people_of_different_recordings_with_one_name_are_different_people():
     assert set(apart.columns["recording"]) == {"lobby", "lobby (c)"}
 
 
+def test_a_table_beside_its_session_names_the_same_people():
+    session, table = Source("a", None, samples(), "first"), Source("a.csv", None, samples(), "")
+    assert len(np.unique(all_samples([session, table]).people())) == 4
+
+
 def test_training_stops_where_the_user_cancels():
     def report(done: int, total: int) -> None:
         assert 0 < done <= total
