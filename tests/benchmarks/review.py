@@ -3,7 +3,7 @@
 Renders and tracks scenes that nothing was fitted on, as they are and with tracks swapped on
 purpose, and walks the suspicions in the order that finds most for the time watched. Beside it
 stands what the best of all queues would find, one that knows the errors and shows each for half a
-second. `--fresh` reports on scenes that were looked at once, `--fit` fits hazards and likelihoods
+second. `--fresh` reports on scenes that nothing was chosen by, `--fit` fits hazards and likelihoods
 anew on other scenes, `--match box` takes errors by boxes instead of floor distance. What is
 rendered and tracked stays in the temporary folder; the first time takes an hour.
 """
@@ -46,7 +46,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.review", description=__doc__)
     parser.add_argument("--fit", action="store_true", help="fit the likelihoods anew")
     parser.add_argument("--tuning", action="store_true", help="report on the scenes for fitting")
-    parser.add_argument("--fresh", action="store_true", help="report on scenes looked at once")
+    parser.add_argument(
+        "--fresh", action="store_true", help="report on scenes nothing was chosen by"
+    )
     parser.add_argument("--each", action="store_true", help="a line for each place as well")
     parser.add_argument("--match", choices=("floor", "box"), default="floor")
     parser.add_argument("--order", choices=("yield", "worth", "likelihood"), default="yield")

@@ -78,11 +78,16 @@ REPORTED = (
 )
 """Scenes that nothing was fitted on; what was tried was compared on them."""
 FRESH = (
+    Footage("lobby", 90, 24, 3801),
+    Footage("square", 90, 24, 3802),
+    Footage("pillars", 90, 24, 3803),
     Footage("lobby", 45, 12, 3811),
     Footage("plaza", 45, 12, 3812),
+    Footage("pillars", 45, 12, 3813),
     Footage("uniforms", 45, 12, 3814),
+    Footage("square", 45, 12, 3815),
 )
-"""Scenes that were looked at once, when all was done."""
+"""Scenes that nothing was chosen by: looked at when all was done."""
 
 
 @dataclass(frozen=True)

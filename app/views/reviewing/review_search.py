@@ -82,7 +82,7 @@ class ReviewSearch(QObject):
             job.cancel()
             job.wait()
             job.deleteLater()
-        self._found = None
+        self._found, self._lookout = None, Lookout()
         self._tell("", "")
 
     def _begin(self) -> None:
