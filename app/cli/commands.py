@@ -198,7 +198,7 @@ def track(
     eyes = Bare(left, right, calibration, height, tilt, roll, fps, layout, first, allow_outside)
     order = Order(tracker, tuple(setting or ()), frames, seed, detector, occluders)
     if (wish := asked_again(again, start, until, accept=accept)) is not None:
-        wish = replace(wish, recording=recording, out=out, allow_outside=allow_outside)
+        wish = replace(wish, recording=recording or left, out=out, allow_outside=allow_outside)
         run_track_again(wish, order, force=force, as_json=json)
         return
     if out is None:

@@ -33,7 +33,7 @@ Again = Annotated[
 ]
 From = Annotated[
     int | None,
-    typer.Option("--from", min=1, help="The first frame to track again.", rich_help_panel=_AGAIN),
+    typer.Option("--from", min=0, help="The first frame to track again.", rich_help_panel=_AGAIN),
 ]
 Until = Annotated[
     int | None,

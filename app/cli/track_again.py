@@ -17,7 +17,7 @@ from app.cli.part_options import settings_texts
 from app.cli.track import BYTES_A_FRAME, Order, parsed_settings, refuse_to_lose, run_of
 from app.presenters.files.opening import open_path, remember_place
 from tracking.editing import Change, Difference, differences, plan_take
-from tracking.errors import EditError, SessionError, SettingsError
+from tracking.errors import EditError, RecordingError, SessionError, SettingsError
 from tracking.pipeline import track
 from tracking.recording import OpenOptions, Recording
 from tracking.session import RecordingMissing, Session
@@ -96,6 +96,8 @@ def run_track_again(again: Again, order: Order, *, force: bool, as_json: bool) -
 def _opened(again: Again) -> Iterator[tuple[Session, Recording]]:
     if again.session.suffix.lower() != ".h5":
         raise SettingsError(f"{again.session} is no session; make one with track -o NAME.h5 first")
+    if again.recording is not None and not again.recording.exists():
+        raise RecordingError(f"there is nothing at {again.recording}; check the path")
     options = OpenOptions(allow_outside=again.allow_outside)
     try:
         opening = open_path(again.session, again.recording, options)
@@ -105,9 +107,26 @@ def _opened(again: Again) -> Iterator[tuple[Session, Recording]]:
     with closing(opening) as opened:
         session = opened.document.session
         assert session is not None
+        _check_named(session, opened.document.recording, again)
         for note in session.notes:
             say(f"note: {note}")
         yield session, opened.document.recording
+
+
+def _check_named(session: Session, recording: Recording, again: Again) -> None:
+    """Refuse a named recording that is not the session's own, which was found elsewhere then."""
+    named = again.recording
+    if named is None:
+        return
+    folder = recording.folder.resolve()
+    # As where a moved one is looked for: itself, the folder it stands in, or a file of it.
+    meant = {named.resolve(), (named / folder.name).resolve()}
+    files = [folder / "recording.toml", *(source.resolve() for source in recording.sources)]
+    if folder not in meant and named.resolve() not in files:
+        raise RecordingMissing(
+            f'{named} is not the recording of {again.session} ("{session.recording.name}"); '
+            "name that one or leave it out"
+        )
 
 
 def _check_place(session: Session, recording: Recording, again: Again, *, force: bool) -> None:
@@ -126,14 +145,14 @@ def _check_place(session: Session, recording: Recording, again: Again, *, force:
 
 def _tracked_again(session: Session, recording: Recording, again: Again, order: Order) -> Run:
     """The new run: by default the same tracker with the settings of the run that was corrected."""
-    if not 0 < again.start < recording.frame_count:
+    if not 0 <= again.start < recording.frame_count:
         raise SettingsError(
             f"frame {again.start}: tracking again goes on from a frame within "
-            f"1:{recording.frame_count}; choose --from there"
+            f"0:{recording.frame_count}; choose --from there"
         )
     name, settings = _tracker(session, recording, order)
     stop = recording.frame_count if again.until is None else again.until
-    resume = Resume.of(session.tracks, again.start, recording.fps)
+    resume = Resume.of(session.tracks, again.start, recording.fps) if again.start else None
     with track(recording, name, settings, order.seed, (again.start, stop), resume) as work:
         return run_of(work, recording, f"tracking again from frame {again.start} with {name}")
 
@@ -223,10 +242,10 @@ def _tell(
     change: Change | None,
     kept: Path | None,
 ) -> None:
-    say(f"{run.tracker}: frames {run.frames[0]}:{run.frames[1]}, {rate:.1f} frames a second")
+    say(f"{run.tracker}: frames {run.frames[0]} to {run.frames[1] - 1}, {rate:.1f} frames a second")
     for each in found:
         stays = "  (protected, stays as it is)" if each.protected else ""
-        print(f"{each.start:>8}:{each.end:<8} {each.text}{stays}")
+        print(f"frames {each.start} to {each.end - 1}: {each.text}{stays}")
     if not found:
         say("nothing would change" if change is None else "nothing changes by much")
     if change is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
@@ -132,7 +133,7 @@ def test_a_run_made_again_knows_the_tracks_after_reopening(
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
-        (["--from", "80"], "frame 80: tracking again goes on from a frame within 1:80"),
+        (["--from", "80"], "frame 80: tracking again goes on from a frame within 0:80"),
         (["--from", "50", "--until", "40"], "within 0:80"),
         (["--from", "50", "--tracker", "psychic"], "available are stereo-direction"),
     ],
@@ -173,3 +174,44 @@ def test_a_recording_that_is_not_found_is_asked_for(
     status, _, err = trackwright("track", "--again", session, "--from", "5")
     assert status == 1
     assert "name its place (track RECORDING --again ...)" in err
+
+
+def test_another_recording_than_the_sessions_is_refused(
+    trackwright: Trackwright, footage: Path, made: Path, tmp_path: Path
+) -> None:
+    beside = Path(shutil.copytree(footage, tmp_path / "real" / "square"))
+    session = Path(shutil.copy(made, tmp_path / "real" / "square.h5"))
+    other = Path(shutil.copytree(footage, tmp_path / "other"))
+    images = sorted(file for file in other.rglob("*") if file.suffix in (".avi", ".mp4", ".mkv"))
+    images[0].write_bytes(images[-1].read_bytes())
+    words = ["--again", session, "--from", "78"]
+    assert trackwright("track", beside, *words)[0] == 0
+    words += ["-o", tmp_path / "x.h5"]
+    status, out, err = trackwright("track", other, *words)
+    assert (status, out, err.count("\n")) == (1, "", 1)
+    assert f"{other} is not the recording of {session}" in err
+    assert not (tmp_path / "x.h5").exists()
+
+
+def test_a_recording_named_by_its_manifest_or_its_parent_is_known_again(
+    trackwright: Trackwright, footage: Path, session: Path
+) -> None:
+    for named in (footage / "recording.toml", footage.parent):
+        assert trackwright("track", named, "--again", session, "--from", "78")[0] == 0
+
+
+def test_a_missing_recording_is_refused_though_the_session_would_find_its_own(
+    trackwright: Trackwright, footage: Path, session: Path, tmp_path: Path
+) -> None:
+    assert trackwright("track", footage, "--again", session, "--from", "78")[0] == 0
+    status, out, err = trackwright("track", tmp_path / "no", "--again", session, "--from", "78")
+    assert (status, out, err.count("\n")) == (1, "", 1)
+    assert f"there is nothing at {tmp_path / 'no'}; check the path" in err
+
+
+def test_everything_can_be_tracked_again(
+    trackwright: Trackwright, footage: Path, session: Path
+) -> None:
+    words = ["--from", "0", "--until", "3", "--json"]
+    status, out, _ = trackwright("track", footage, "--again", session, *words)
+    assert (status, json.loads(out)["frames"]) == (0, [0, 3])
