@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import asdict, replace
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QSize, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
@@ -33,10 +33,11 @@ from app.views.widgets.remembered import Remembered
 from app.views.widgets.work import Work
 from app.views.window.command_palette import CommandPalette
 from app.views.window.context_menu import ContextMenu
+from app.views.window.fitting import fit_to_screen, keep_on_screen
 from app.views.window.menus import Menus, TypingGuard
 from app.views.window.runnable import runnable_commands
 
-_FIRST_SIZE = (1440, 900)
+_FIRST_SIZE = QSize(1440, 900)
 _NOTE_MS = 6000
 _PROGRESS_MS = 200
 _MARGIN = 8
@@ -283,10 +284,11 @@ class MainWindow(QMainWindow):
     # coming and going
 
     def _restore(self) -> None:
-        self.resize(*_FIRST_SIZE)
+        fit_to_screen(self, _FIRST_SIZE)
         geometry = self.remembered.state("window/geometry")
         if geometry is not None:
             self.restoreGeometry(geometry)
+            keep_on_screen(self)
         self.workspace.restore(self.remembered)
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name

@@ -1,0 +1,46 @@
+"""A window is no larger than the screen it opens on."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import QMargins, QRect, QSize
+from PySide6.QtGui import QGuiApplication
+
+from app.views.window.fitting import fitted, keep_on_screen
+from app.views.window.main_window import MainWindow
+
+FRAME = QMargins(4, 24, 4, 4)
+_SIDES = st.integers(200, 4000)
+
+
+@given(_SIDES, _SIDES, st.integers(-2000, 2000), _SIDES, _SIDES)
+def test_the_window_and_its_frame_lie_inside_the_room(width, height, left, wide, high):
+    room = QRect(left, 30, width, height)
+    place = fitted(room, QSize(wide, high), FRAME)
+    assert room.contains(place.marginsAdded(FRAME))
+
+
+def test_a_window_that_fits_has_the_size_it_wants():
+    place = fitted(QRect(0, 0, 1920, 1080), QSize(1440, 900), FRAME)
+    assert place.size() == QSize(1440, 900)
+
+
+@pytest.fixture
+def fresh(qtbot, remembered):
+    window = MainWindow(remembered)
+    yield window
+    window.close()
+    window.deleteLater()
+
+
+def test_a_first_start_on_a_small_screen_opens_inside_it(fresh):
+    room = QGuiApplication.primaryScreen().availableGeometry()
+    assert room.width() < 1440
+    assert room.contains(fresh.geometry())
+
+
+def test_one_that_was_made_larger_than_the_screen_comes_back_inside_it(fresh):
+    room = QGuiApplication.primaryScreen().availableGeometry()
+    fresh.setGeometry(100, 100, 1600, 1000)
+    keep_on_screen(fresh)
+    assert room.contains(fresh.geometry())
