@@ -324,6 +324,7 @@ class Document:
         change = entry.change
         self.session.undo()
         self._take_changed(change.inverse)
+        self._select_touched(change)
         return change
 
     def redo(self) -> Change | None:
@@ -335,6 +336,7 @@ class Document:
         change = entry.change
         self.session.redo()
         self._take_changed(change)
+        self._select_touched(change)
         return change
 
     def undo_alone(self, edit: int) -> Change:
@@ -348,6 +350,7 @@ class Document:
         self._refuse_while_live()
         change = self.session.undo_alone(edit).change
         self._take_changed(change)
+        self._select_touched(change)
         return change
 
     def why_not_alone(self, edit: int) -> str:
@@ -368,3 +371,10 @@ class Document:
         self._timeline.take_changed(change.tracks, self._tracks, frames, marks)
         self._timeline.take_reviewed(self.session.labels.reviewed)
         self.selection.keep(track for track in self.selection.all if track in table)
+
+    def _select_touched(self, change: Change) -> None:
+        """Select who an edit taken back or done again is about, where nobody of them is."""
+        known = set(self._tracks.ids)
+        there = [track for track in change.tracks if track in known]
+        if there and not set(there) & set(self.selection.all):
+            self.selection.choose_all(there)

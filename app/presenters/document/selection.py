@@ -31,6 +31,10 @@ class Selection:
         self.track, self.also = track, ()
         return changed
 
+    def choose_all(self, tracks: Sequence[int]) -> None:
+        """Select these together, as if they had been picked one after the other."""
+        self.track, self.also = (tracks[-1], tuple(tracks[-2::-1])) if tracks else (0, ())
+
     def add(self, track: int) -> None:
         """Add a track to the selected ones, or take it out where it is among them."""
         if not track:

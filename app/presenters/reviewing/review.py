@@ -119,6 +119,23 @@ class ReviewQueue:
         self._last_place = max(0, self.place)
         return self.current
 
+    def return_to(self, key: SuspicionKey) -> Suspicion | None:
+        """Look again at one whose decision was undone, also where another kind alone is listed.
+
+        Found anew meanwhile it may lie a little beside the frame it was decided at. None where it
+        is still to be found: it is the current one as soon as it is.
+        """
+        near = [
+            one
+            for one in self._open
+            if (one.kind, one.tracks) == key[:2] and abs(one.frame - key[2]) <= self._fps
+        ]
+        if near:
+            key = min(near, key=lambda one: abs(one.frame - key[2])).key
+        if self.kind not in ("", key[0]):
+            self.narrow("")
+        return self.choose(key)
+
     def walk(self, step: int) -> Suspicion | None:
         """Go to the next (1) or the previous (-1) one; around at the ends, None where all is done.
 

@@ -289,8 +289,8 @@ class Desk(QObject):
     def draw(self) -> None:
         """Draw everything."""
         view, document = self._workspace, self.document
+        self.reviewing.refresh()  # first: it may select who a suspicion is about
         self.draw_instant()
-        self.reviewing.refresh()
         self.draw_playhead()
         view.card.show_scene(document.card())
         view.history.show_scene(document.history())

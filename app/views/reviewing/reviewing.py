@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -89,19 +89,30 @@ class Reviewing(QObject):
             self.queue.take((), Labels())
         else:
             now = (session, session.tracks.revision, session.adopted_run)
+            first = not self._looked_at or self._looked_at[0] is not session
             if now != self._looked_at:
-                first = not self._looked_at or self._looked_at[0] is not session
                 self._looked_at, self._problem = now, ""
                 if first:
                     self._meter = MeterWords(session.labels, session.history)
                 self._search.look(at_once=first)
             if session.labels is not self._labels:
-                self._labels = session.labels
+                before, self._labels = self._labels, session.labels
                 self.queue.take_labels(session.labels)
+                if before is not None and not first:
+                    self._return_to(before.verdicts.keys() - session.labels.verdicts.keys())
             self.queue.take_names(
                 {track: label.name for track, label in session.labels.tracks.items()}
             )
         self._show()
+
+    def _return_to(self, undecided: Set[SuspicionKey]) -> None:
+        """A decision was undone: its suspicion is looked at again; of several none is."""
+        if len(undecided) == 1:
+            (key,) = undecided
+            self.queue.return_to(key)
+            self._select(key[1])
+        elif undecided:
+            self.queue.choose(None)
 
     def _subject(self) -> tuple[TrackTable, Run | None, Labels]:
         session = self._document.session

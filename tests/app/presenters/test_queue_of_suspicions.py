@@ -52,6 +52,19 @@ def test_the_walk_back_begins_at_the_last(queue):
     assert queue.walk(-1) == MARGIN
 
 
+def test_one_whose_decision_was_undone_is_returned_to_though_another_kind_is_listed(queue):
+    queue.narrow("jump")
+    assert queue.return_to(CROSSING.key) == CROSSING
+    assert CROSSING.key in _listed(queue)
+
+
+def test_returning_does_not_take_another_one_of_the_same_two_far_away(queue):
+    far = ("crossing", (4, 7), CROSSING.frame + int(FPS) + 1)
+    near = ("crossing", (4, 7), CROSSING.frame + int(FPS))
+    assert queue.return_to(far) is None
+    assert queue.return_to(near) == CROSSING
+
+
 def test_after_a_decision_the_next_one_is_what_took_its_place(queue):
     queue.walk(1)
     change = verdict_on(CROSSING, "right", Labels())

@@ -136,6 +136,29 @@ def test_a_decision_can_be_undone_and_is_asked_for_again(desk, press):
     assert len(desk.reviewing.queue.open) == left
 
 
+def test_undoing_a_decision_looks_at_its_suspicion_and_its_people_again(desk, press):
+    press(Key.Key_N)
+    first = desk.reviewing.queue.current
+    press(Key.Key_Backspace)
+    assert desk.reviewing.queue.current != first
+    press(Key.Key_Z, _CTRL)
+    assert desk.reviewing.queue.current == first
+    assert set(desk.document.selection.all) == set(first.tracks)
+    assert first.start <= desk.playback.clock.frame <= first.end
+
+
+def test_undoing_what_put_a_suspicion_right_looks_at_it_again(desk, press, to_the_swap, qtbot):
+    current = to_the_swap()
+    press(Key.Key_E)
+    press(Key.Key_Return)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    press(Key.Key_N)
+    press(Key.Key_Z, _CTRL)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    qtbot.waitUntil(lambda: desk.reviewing.queue.current is not None, timeout=10_000)
+    assert desk.reviewing.queue.current.key == current.key
+
+
 def test_e_and_enter_put_a_swap_right_and_remember_it_in_one_edit(desk, press, to_the_swap, qtbot):
     current = to_the_swap()
     press(Key.Key_E)
