@@ -2,10 +2,11 @@
 
 Renders and tracks scenes that nothing was fitted on, as they are and with tracks swapped on
 purpose, and walks the suspicions in the order that finds most for the time watched. Beside it
-stands what the best of all queues would find, one that knows the errors and shows each for half a
-second. `--fresh` reports on scenes that nothing was chosen by, `--fit` fits hazards and likelihoods
-anew on other scenes, `--match box` takes errors by boxes instead of floor distance. What is
-rendered and tracked stays in the temporary folder; the first time takes an hour.
+stands what a queue would find that knows the errors and shows each for half a second, always next
+what shows most: about the best there is, not a bound. `--fresh` reports on scenes that nothing was
+chosen by, `--each` has a line for each place as well, `--fit` fits hazards and likelihoods anew on
+other scenes, `--match box` takes errors by boxes instead of floor distance. What is rendered and
+tracked stays in the temporary folder; the first time takes an hour.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ FOOTAGE = 0.05
 RECALL = 0.95
 _AROUND_S = 0.25
 _BEFORE_S, _AFTER_S = 0.15, 0.4
-"""What the best queue shows of an error."""
+"""What a queue that knows the errors shows of one."""
 _COLUMNS = (
     "scenes",
     "results",
