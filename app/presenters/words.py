@@ -34,3 +34,9 @@ def time_text(seconds: float) -> str:
     hours, minutes = divmod(minutes, 60)
     clock = f"{minutes:02d}:{rest // 100:02d}.{rest % 100:02d}"
     return f"{hours}:{clock}" if hours else clock
+
+
+def span_text(first_s: float, last_s: float) -> str:
+    """From the first to the last frame of a stretch, by their times; one time for a single one."""
+    first, last = time_text(first_s), time_text(last_s)
+    return first if first == last else tr("{first} to {last}", first=first, last=last)

@@ -14,7 +14,7 @@ from app.presenters.comparing.agreement_scene import (
 )
 from app.presenters.comparing.other_people import OtherPeople
 from app.presenters.palette import colour_of_track
-from app.presenters.words import time_text, tr
+from app.presenters.words import span_text, tr
 from tracking.errors import SessionError
 from tracking.recording import Recording
 from tracking.scoring import Agreement, Disagreement, ScoringTable, agreement
@@ -146,8 +146,7 @@ class AgreementPresenter:
             there = tr("{b} (your {own})", b=one.track_b, own=own) if own else str(one.track_b)
             text = tr("{a} here, {there} there", a=one.track_a, there=there)
         first, last = self._recording.time_s(one.start), self._recording.time_s(one.end - 1)
-        when = tr("{first} to {last}", first=time_text(first), last=time_text(last))
-        return DisagreementRow(text, when, one.start, one.track_a)
+        return DisagreementRow(text, span_text(first, last), one.start, one.track_a)
 
 
 def _share(value: float) -> str:

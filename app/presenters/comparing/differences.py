@@ -20,7 +20,7 @@ from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.palette import colour_of_track
 from app.presenters.reviewing.review_scene import ReviewPerson
 from app.presenters.scenes import PreviewTrail
-from app.presenters.words import time_text, tr
+from app.presenters.words import span_text, tr
 from tracking.editing import (
     Change,
     Difference,
@@ -111,6 +111,12 @@ class Comparison:
         if self._found is None or self._current is None:
             return None
         return self._found.differences[self._current]
+
+    @property
+    def offers(self) -> bool:
+        """Whether there is anything to take; two runs are looked at whether there is or not."""
+        found = self._found.differences if self._found is not None else ()
+        return self.base is not None or any(not one.protected for one in found)
 
     def choose(self, number: int) -> Difference | None:
         """Look at a difference."""
@@ -287,7 +293,7 @@ class Comparison:
             number=number,
             title=tr(_KINDS.get(one.kind, one.kind)),
             people=tuple(_person(track) for track in one.tracks),
-            when=f"{time_text(one.start / self._fps)} \u2013 {time_text(one.end / self._fps)}",
+            when=span_text(one.start / self._fps, (one.end - 1) / self._fps),
             text=one.text,
             ticked=number in self._ticked,
             locked=locked if one.protected else "",

@@ -21,7 +21,7 @@ class DifferenceItem:
 
     Attributes:
         number: of the difference, which gestures name. title: its kind in words.
-        when: from and to in time. text: what would change, in words.
+        when: from the first to the last frame, in time. text: what would change, in words.
         ticked: it is to be taken. locked: why it cannot be, "" where it can.
     """
 

@@ -19,12 +19,12 @@ from app.presenters.words import counted
 from app.views.look.theme import scaled_font
 from app.views.widgets.parts import NOTICE_MARGINS, quiet
 
-_ROWS = 7
+_MOST_ROWS = 4
 _NO_PARENT = QModelIndex()
 
 
 class _Rows(QAbstractListModel):
-    """The stretches, a line each."""
+    """The stretches: what, and below it when."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -50,7 +50,7 @@ class _Rows(QAbstractListModel):
             return None
         row = self.rows[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
-            return f"{row.when}   {row.text}"
+            return f"{row.text}\n{row.when}"
         return row.text if role == Qt.ItemDataRole.ToolTipRole else None
 
 
@@ -102,7 +102,6 @@ class ComparePanel(QFrame):
         view.setModel(self._model)
         view.setAccessibleName(self.tr("Where the sessions disagree"))
         view.setUniformItemSizes(True)
-        view.setFixedHeight(_ROWS * (view.fontMetrics().height() + 4))
         view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         view.selectionModel().currentChanged.connect(self._seek)
         view.clicked.connect(self._seek)
@@ -134,7 +133,14 @@ class ComparePanel(QFrame):
         dashed = self.tr("Their people are dashed.")
         self._hint.setText(" ".join(part for part in (stretches, dashed, changed) if part))
         self._list.setVisible(bool(scene.rows))
+        self._fit_list(len(scene.rows))
         self._again.setVisible(scene.outdated)
+
+    def _fit_list(self, rows: int) -> None:
+        """As high as its rows, up to a few: below it stands the review queue."""
+        frame = 2 * self._list.frameWidth()
+        height = max(1, self._list.sizeHintForRow(0))
+        self._list.setFixedHeight(min(max(rows, 1), _MOST_ROWS) * height + frame)
 
     def _seek(self, index: QModelIndex) -> None:
         if index.isValid():

@@ -48,6 +48,7 @@ class Comparing(QObject):
         self._searched: tuple[object, ...] = ()
         self._job: Job | None = None
         self._share: float | None = None  # of the search, done by now
+        self._taken = False  # something, since the last search
         self._connect()
 
     def _connect(self) -> None:
@@ -80,7 +81,7 @@ class Comparing(QObject):
             return
         self.close()
         self._document.correcting.leave()
-        self._searched = ()
+        self._searched, self._taken = (), False
         self._comparison = Comparison(session, run, base, self._document.recording.fps)
         self._document.comparison = self._comparison
         self.refresh()
@@ -164,13 +165,22 @@ class Comparing(QObject):
 
     def _found(self, comparison: Comparison, found: Found) -> None:
         self._forget_job()
-        first = comparison.current is None
+        first, taken = comparison.current is None, self._taken
+        self._taken = False
         comparison.take(found)
+        if taken and not comparison.offers:
+            self._end_taken(comparison)
+            return
         self._dashed = OtherPeople(self._document.recording, found.dashed)
         if first:
             self._look_at(comparison.walk(1))
         else:
             self._editing.changed.emit()
+
+    def _end_taken(self, comparison: Comparison) -> None:
+        """Nothing of the run is left to take: the panels come back by themselves."""
+        self.close()
+        self.said.emit(tr("Nothing is left to take from run {n}", n=comparison.run))
 
     def _fail(self, error: Exception) -> None:
         self._forget_job()
@@ -253,6 +263,7 @@ class Comparing(QObject):
         for plan in plans:
             change = plan()
             self._document.apply(change)
+            self._taken = True
             self.said.emit(tr("Done: {what}", what=change.text))
 
     def _show(self) -> None:

@@ -164,8 +164,10 @@ class DifferencesPanel(Panel):
         self._legend.set_words(scene.dashed.short, scene.solid.short)
         self._count.setText(str(len(scene.items)) if scene.items else "")
         listed = bool(scene.items)
-        for widget in (self._legend, self._list, self._people, self._orders, *self._tick_line):
+        for widget in (self._legend, self._list, self._people, self._orders):
             widget.setVisible(listed)
+        for widget in self._tick_line:
+            widget.setVisible(scene.takeable > 0)
         self._text.setText(scene.text)
         self._text.setVisible(bool(scene.text))
         self._working.show_work(scene.doing, scene.share)
@@ -176,8 +178,8 @@ class DifferencesPanel(Panel):
         take = self.tr("Take {0} from {1}")
         self._take_dashed.setText(take.format(scene.ticked, scene.dashed.short))
         self._take_solid.setText(take.format(scene.ticked, scene.solid.short))
-        self._take_dashed.setVisible(bool(scene.items))
-        self._take_solid.setVisible(bool(scene.items) and scene.solid.can_give)
+        self._take_dashed.setVisible(scene.takeable > 0)
+        self._take_solid.setVisible(scene.takeable > 0 and scene.solid.can_give)
         for button in (self._take_dashed, self._take_solid):
             button.setEnabled(scene.ticked > 0 and not scene.doing)
         self._drop.setVisible(scene.can_drop)

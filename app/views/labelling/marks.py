@@ -11,7 +11,13 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from app.presenters.labelling.labelling_scene import PART_COLOURS, Outline, PartMark
 from app.presenters.scenes import Colour
 from app.views.look.theme import Theme, faded
-from app.views.pictures.name_plates import draw_name, draw_plate, place_plates, plate_rect
+from app.views.pictures.name_plates import (
+    draw_name,
+    draw_plate,
+    place_plates,
+    plate_rect,
+    plate_text,
+)
 from app.views.pictures.viewport import Points, Viewport, path_through
 
 _CASING = QColor(0, 0, 0, 130)
@@ -30,10 +36,11 @@ def draw_outlines(
     metrics = QFontMetricsF(painter.font())
     named = [(one, _name_at(viewport.to_widget(one.points), area)) for one in outlines]
     seen = [(one, at) for one, at in named if at is not None and one.name]
-    wanted = [plate_rect(metrics, one.name, at) for one, at in seen]
+    names = [plate_text(metrics, one.name) for one, _ in seen]
+    wanted = [plate_rect(metrics, n, at) for n, (_, at) in zip(names, seen, strict=True)]
     placed = place_plates(wanted, area)
-    for (one, _), rect in zip(seen, placed, strict=True):
-        draw_name(painter, rect, one.name, QColor(*one.colour), theme, one.picked)
+    for (one, _), name, rect in zip(seen, names, placed, strict=True):
+        draw_name(painter, rect, name, QColor(*one.colour), theme, one.picked)
 
 
 def draw_outline(painter: QPainter, outline: Outline, viewport: Viewport, colour: QColor) -> None:

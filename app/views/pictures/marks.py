@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from app.presenters.scenes import Colour, PersonMark, PreviewTrail
 from app.views.look.theme import faded
-from app.views.pictures.name_plates import draw_plate, place_plates, plate_rect
+from app.views.pictures.name_plates import draw_plate, place_plates, plate_rect, plate_text
 from app.views.pictures.viewport import Points, Viewport, polygon
 
 _CORNER = 4.0
@@ -33,13 +33,14 @@ def draw_people(
         _draw_box(painter, person, viewport.rect(QRectF(*person.box)))
     ordered = sorted(people, key=lambda person: not person.selected)
     metrics = QFontMetricsF(painter.font())
+    names = [plate_text(metrics, one.label) for one in ordered]
     wanted = [
-        plate_rect(metrics, one.label, viewport.point(one.box[0], one.box[1]) + QPointF(-1, -4))
-        for one in ordered
+        plate_rect(metrics, name, viewport.point(one.box[0], one.box[1]) + QPointF(-1, -4))
+        for one, name in zip(ordered, names, strict=True)
     ]
-    placed = list(zip(ordered, place_plates(wanted, area), strict=True))
-    for person, rect in reversed(placed):
-        draw_plate(painter, rect, person.label, QColor(*person.colour), person.selected)
+    placed = list(zip(ordered, names, place_plates(wanted, area), strict=True))
+    for person, name, rect in reversed(placed):
+        draw_plate(painter, rect, name, QColor(*person.colour), person.selected)
 
 
 def draw_fading_trail(

@@ -10,6 +10,8 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from app.views.look.theme import Theme, faded, ink_on
 
 _GAP = 2.0
+_MOST_LETTERS = 16
+"""Of a name on a plate, in average letters: a long one would hide other people."""
 
 
 def place_plates(wanted: Sequence[QRectF], area: QRectF) -> list[QRectF]:
@@ -46,6 +48,12 @@ def _pushed(rect: QRectF, placed: list[QRectF], area: QRectF, way: int) -> QRect
         if moved.bottom() > area.bottom() or moved.top() < area.top():
             return None
     return None
+
+
+def plate_text(metrics: QFontMetricsF, name: str) -> str:
+    """As much of a name as stands on a plate."""
+    room = _MOST_LETTERS * metrics.averageCharWidth()
+    return metrics.elidedText(name, Qt.TextElideMode.ElideRight, room)
 
 
 def plate_rect(metrics: QFontMetricsF, text: str, corner: QPointF) -> QRectF:

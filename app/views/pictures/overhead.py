@@ -16,7 +16,13 @@ from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_places
 from app.views.pictures.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
 from app.views.pictures.marks import draw_fading_trail, draw_preview
-from app.views.pictures.name_plates import draw_message, draw_plate, place_plates, plate_rect
+from app.views.pictures.name_plates import (
+    draw_message,
+    draw_plate,
+    place_plates,
+    plate_rect,
+    plate_text,
+)
 from app.views.pictures.particles import darkened, draw_particles
 
 _PICK_REACH_PX = 22.0
@@ -301,17 +307,15 @@ class OverheadView(Canvas):
         painter.setFont(scaled_font(self.font(), 0.92, bold=True))
         metrics, radius = QFontMetricsF(painter.font()), self._radius()
         ordered = sorted(scene.people, key=lambda person: not person.selected)
+        names = [plate_text(metrics, one.label) for one in ordered]
+        beside = QPointF(radius + 3, -radius)
         wanted = [
-            plate_rect(
-                metrics,
-                one.label,
-                self.viewport.point(*one.position) + QPointF(radius + 3, -radius),
-            )
-            for one in ordered
+            plate_rect(metrics, name, self.viewport.point(*one.position) + beside)
+            for one, name in zip(ordered, names, strict=True)
         ]
         shown = area.adjusted(4, 4, -4, -4)
-        placed = list(zip(ordered, place_plates(wanted, shown), strict=True))
-        for person, rect in reversed(placed):
+        placed = list(zip(ordered, names, place_plates(wanted, shown), strict=True))
+        for person, name, rect in reversed(placed):
             if area.contains(self.viewport.point(*person.position)):
                 colour = theme.track(person.colour)
-                draw_plate(painter, rect, person.label, colour, person.selected)
+                draw_plate(painter, rect, name, colour, person.selected)

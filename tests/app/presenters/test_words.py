@@ -21,6 +21,11 @@ def test_times_are_said_as_on_a_clock():
     assert words.time_text(3725.5) == "1:02:05.50"
 
 
+def test_a_stretch_is_said_by_both_its_ends_and_one_frame_by_its_time():
+    assert words.span_text(16.25, 16.3) == "00:16.25 to 00:16.30"
+    assert words.span_text(16.25, 16.25) == "00:16.25"
+
+
 @pytest.mark.parametrize(("count", "said"), [(0, "0 frames"), (1, "1 frame"), (2, "2 frames")])
 def test_one_is_not_said_in_the_plural(count, said):
     assert words.counted(count, "{n} frame", "{n} frames") == said

@@ -55,6 +55,15 @@ def test_figures_and_stretches_are_listed_and_a_click_goes_there(
     assert {one.label for one in window.workspace.overhead._others} == there
 
 
+def test_what_they_disagree_about_is_not_cut(compared):
+    view = compared._list
+    metrics = view.fontMetrics()
+    for row in compared._model.rows:
+        for line in (row.text, row.when):
+            assert metrics.horizontalAdvance(line) < view.viewport().width() - 10
+    assert view.sizeHintForRow(0) >= 2 * metrics.height()
+
+
 def test_after_an_edit_it_can_be_compared_again(window, desk, compared, anns, qtbot):
     _, a, b = anns
     session = desk.document.session

@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from app.presenters.comparing.differences import Comparison
 from app.presenters.files import opening
 from app.presenters.runs.runs import CORRECTED
+from app.presenters.words import span_text
 from app.views.runs.runs_dialog import RunsDialog
 from app.views.runs.track_dialog import TrackDialog
 from tracking.editing import plan_delete, plan_mark_reviewed
@@ -106,6 +107,25 @@ def test_taking_what_is_ticked_is_one_edit_that_undo_takes_back(compared, window
     assert len(desk.document.session.history) == 1
     desk.editing.undo()
     assert _place(desk, track, 65) == wrong
+
+
+def test_once_all_is_taken_the_comparison_closes_and_says_so(compared, window, qtbot):
+    said = []
+    compared.comparing.said.connect(said.append)
+    compared.document.comparison.tick_listed(True)
+    window.workspace.differences.taken.emit(1)
+    compared.draw()
+    qtbot.waitUntil(lambda: not compared.comparing.shown, timeout=30_000)
+    assert window.workspace.differences.isHidden()
+    assert said[-1] == "Nothing is left to take from run 1"
+
+
+def test_a_stretch_is_told_by_its_first_and_last_frame(compared):
+    found = compared.document.comparison.current
+    assert (found.start, found.end) == SHIFTED
+    fps = compared.document.recording.fps
+    wanted = span_text(found.start / fps, (found.end - 1) / fps)
+    assert [item.when for item in _items(compared)] == [wanted]
 
 
 def test_a_click_on_a_box_ticks_and_a_click_beside_it_goes_there(compared, window, qtbot):

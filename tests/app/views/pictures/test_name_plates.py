@@ -6,12 +6,12 @@ import pytest
 from drawn_scenes import RED, person, picture
 from hypothesis import example, given
 from hypothesis import strategies as st
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QFontMetricsF
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QFont, QFontMetricsF
 
 from app.presenters.scenes import Eye
 from app.views.look.theme import contrast, ink_on
-from app.views.pictures.name_plates import place_plates, plate_rect
+from app.views.pictures.name_plates import place_plates, plate_rect, plate_text
 from app.views.pictures.picture import PictureView
 
 AREA = QRectF(0, 0, 800, 600)
@@ -66,3 +66,13 @@ def test_a_plate_is_readable_in_any_colour(colour):
 
 def test_red_plates_take_the_better_of_black_and_white():
     assert ink_on(QColor(*RED)).lightness() > 200
+
+
+@pytest.mark.usefixtures("qtbot")
+def test_a_long_name_is_cut_at_its_end_and_a_short_one_is_not():
+    metrics = QFontMetricsF(QFont())
+    cut = plate_text(metrics, "3 Bob Mueller with a very long name indeed")
+    assert cut.startswith("3 Bob M")
+    assert cut.endswith("\u2026")
+    assert plate_rect(metrics, cut, QPointF()).width() < 18 * metrics.averageCharWidth() + 10
+    assert plate_text(metrics, "3 Bob") == "3 Bob"
