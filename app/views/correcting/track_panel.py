@@ -222,6 +222,7 @@ class TrackPanel(Panel):
         self._confidence.setText(f"{card.mean_confidence:.2f}" if known else self.tr("not known"))
         if other or not self._name.hasFocus():
             self._name.setText(card.name)
+            self._name.setCursorPosition(0)  # of a long name the beginning is seen
         if other or not self._notes.hasFocus():
             self._notes.setPlainText(card.notes)
         self._attributes.show_pairs(card.attributes, keep_editing=not other)
@@ -256,6 +257,7 @@ class TrackPanel(Panel):
         if self._card is not None and self._name.text() != self._card.name:
             self.name_edited.emit(self._card.track, self._name.text())
             self._name.setText(self._card.name)  # the old one, where it was refused
+            self._name.setCursorPosition(0)
 
     def _send_notes(self) -> None:
         if self._card is not None and self._notes.toPlainText() != self._card.notes:

@@ -104,3 +104,8 @@ def test_a_name_that_was_refused_is_put_back(track_panel, qtbot, heard):
 def test_a_single_frame_is_not_said_in_the_plural(track_panel):
     track_panel.show_scene(replace(CARD, frames_seen=1, frames_predicted=0))
     assert "1 frame, 0 predicted" in words(track_panel)
+
+
+def test_of_a_long_name_the_beginning_is_seen(track_panel):
+    track_panel.show_scene(replace(CARD, name="Bob Mueller with a very long name indeed " * 3))
+    assert track_panel._name.cursorPosition() == 0
