@@ -60,5 +60,8 @@ def _drawn(image: NDArray[np.uint8], parts: Columns, frame: int) -> NDArray[np.u
 
 
 def _write(image: NDArray[np.uint8], text: str, place: tuple[int, int]) -> None:
-    for colour, thickness in (((0, 0, 0), 3), ((255, 255, 255), 1)):
-        cv2.putText(image, text, place, cv2.FONT_HERSHEY_SIMPLEX, 0.5, colour, thickness)
+    font, size, ink = cv2.FONT_HERSHEY_SIMPLEX, 0.5, (255, 255, 255)
+    (width, height), below = cv2.getTextSize(text, font, size, 1)
+    left, bottom = place
+    cv2.rectangle(image, (left - 2, bottom - height - 2), (left + width, bottom + below), 0, -1)
+    cv2.putText(image, text, place, font, size, ink, 1)

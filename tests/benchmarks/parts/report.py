@@ -217,7 +217,9 @@ def _detector(figures: Figures) -> str:
         "new scenes: area", "false alarms, %", "found, %",
     )  # fmt: skip
     text = DETECTOR.format(people=figures["people"], recordings=figures["recordings"])
-    return "\n\n".join((text, table(head, rows), "![receiver operating curves](detector-roc.svg)"))
+    return "\n\n".join(
+        (text.strip(), table(head, rows), "![receiver operating curves](detector-roc.svg)")
+    )
 
 
 def _on_new_scenes(new: Figures | None) -> list[str]:

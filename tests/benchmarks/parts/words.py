@@ -79,7 +79,8 @@ DETECTOR = """
 The built-in detector was trained by `python -m tests.benchmarks.parts.detector` on {recordings}
 clips with {people} tracked people, labelled from truth, none of them among those reported here.
 On and off are its samples on and off their part. Areas and "found at" are of people held out in
-training; the last two columns are the detector as it ships on runs over the reported clips.
+training; the last columns are the detector as it ships on runs over the reported clips. "Several"
+tells several lost parts from one, and stands where both answers are right equally often.
 """
 
 REAL = """
