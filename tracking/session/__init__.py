@@ -1,5 +1,6 @@
 """The document, its HDF5 file, and what keeps both whole."""
 
+from tracking.session.belonging import ids_by_now, parts_by_now
 from tracking.session.body_parts import labels_in_place, session_samples
 from tracking.session.document import Session
 from tracking.session.edit_log import log_as_json, write_log_csv, write_log_json
@@ -10,7 +11,7 @@ from tracking.session.older import Generation, check_generation, list_generation
 from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import Runs
-from tracking.session.samples import parts_as_corrected, samples_from
+from tracking.session.samples import samples_from
 from tracking.session.saving import generations
 from tracking.session.stamping import author_named
 from tracking.session.waiting import read_history
@@ -28,10 +29,11 @@ __all__ = [
     "check_generation",
     "describe",
     "generations",
+    "ids_by_now",
     "labels_in_place",
     "list_generations",
     "log_as_json",
-    "parts_as_corrected",
+    "parts_by_now",
     "read_history",
     "samples_from",
     "session_samples",

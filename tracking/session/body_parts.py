@@ -8,8 +8,9 @@ from dataclasses import replace
 from tracking.errors import FormatError
 from tracking.failure import Samples
 from tracking.formats import GivenLabel
+from tracking.session.belonging import parts_by_now
 from tracking.session.document import Session
-from tracking.session.samples import parts_as_corrected, samples_from
+from tracking.session.samples import samples_from
 from tracking.tracks import PART_NAMES, PartKey, PartLabel, Run, TrackTable
 from tracking.tracks.part_labels import Box
 
@@ -59,7 +60,7 @@ def _tracked_boxes(tracks: TrackTable, people: set[int], run: Run | None) -> dic
     """By frame, track and part: left, top, width, height in px where the run saw them."""
     if run is None or not len(run.parts["frame"]):
         return {}
-    parts = parts_as_corrected(tracks, people, run)
+    parts = parts_by_now(tracks, run, people)
     names = ("frame", "track", "part", "cx", "cy", "width", "height")
     return {
         (frame, track, part): (x - width / 2, y - height / 2, width, height)

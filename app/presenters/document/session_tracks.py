@@ -7,10 +7,9 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.belonging import ids_after_edits, renamed
 from app.presenters.document.shown import Spans
-from app.presenters.parts.history import parts_behind
 from app.presenters.scenes import SpanKind
+from tracking.session import ids_by_now, parts_by_now
 from tracking.tracks import (
     DETECTION_COLUMNS,
     PART_COLUMNS,
@@ -82,7 +81,7 @@ class SessionTracks:
             return empty(DETECTION_COLUMNS)
         rows = _of_frame(self._run.detections, frame)
         unmatched = rows["track"] == 0
-        ids = renamed(rows["track"], self._after_edits(frame))
+        ids = _renamed(rows["track"], self._after_edits(frame))
         kept = unmatched | (ids >= 0)
         named = {**rows, "track": np.where(unmatched, 0, ids).astype(np.int32)}
         return {name: column[kept] for name, column in named.items()}
@@ -115,12 +114,12 @@ class SessionTracks:
             return empty(PART_COLUMNS)
         asked = (self._table.revision, track)
         if self._parts[0] != asked:
-            self._parts = (asked, parts_behind(self.of_track(track), self._run))
+            self._parts = (asked, parts_by_now(self._table, self._run, [track]))
         return self._parts[1]
 
     def _owned(self, rows: Columns, frame: int) -> Columns:
         """Rows of a frame of the run with the ids of now, less those of who was taken out."""
-        ids = renamed(rows["track"], self._after_edits(frame))
+        ids = _renamed(rows["track"], self._after_edits(frame))
         kept = ids >= 0
         return {name: column[kept] for name, column in {**rows, "track": ids}.items()}
 
@@ -130,8 +129,7 @@ class SessionTracks:
             return {}
         asked = (self._table.revision, frame)
         if self._ids[0] != asked:
-            made, now = _of_frame(self._run.tracks, frame), self._table.of_frame(frame)
-            self._ids = (asked, ids_after_edits(made, now))
+            self._ids = (asked, ids_by_now(self._table, self._run, frame))
         return self._ids[1]
 
     def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
@@ -178,6 +176,13 @@ def _grouped(track: NDArray[np.int32], values: NDArray[np.int64]) -> dict[int, N
     ids, starts = np.unique(track, return_index=True)
     parts = np.split(values, starts[1:])
     return {int(one): part for one, part in zip(ids, parts, strict=False)}
+
+
+def _renamed(tracks: NDArray[np.int32], after: dict[int, int]) -> NDArray[np.int32]:
+    """Ids (n,) of a run as they are after the edits; those that `after` lacks become -1."""
+    known, inverse = np.unique(tracks, return_inverse=True)
+    ids = np.array([after.get(track, -1) for track in known.tolist()], np.int32)
+    return np.asarray(ids[inverse], np.int32) if len(ids) else tracks
 
 
 def _of_frame(columns: Columns, frame: int) -> Columns:

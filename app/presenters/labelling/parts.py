@@ -7,8 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.presenters.document.belonging import ids_after_edits
-from app.presenters.parts.history import parts_behind
+from tracking.session import parts_by_now
 from tracking.tracks import PART_NAMES, Columns, Labels, PartLabel, Run, TrackTable
 
 Box = tuple[float, float, float, float]
@@ -34,14 +33,9 @@ def parts_of(
         if (frame, track, part) in labels.parts
     }
     rows = table.of_track(track, frame, frame + 1)
-    guesses = (
-        {}
-        if not len(rows["frame"])
-        else {
-            **_from_box(rows, track, frame),
-            **_from_run(run, table, track, frame),
-        }
-    )
+    guesses = _from_box(rows, track, frame) if len(rows["frame"]) else {}
+    seen = _boxes_seen(parts_by_now(table, run, [track], (frame, frame + 1)))
+    guesses |= {label.part: label for label in seen}
     parts = sorted({*given, *guesses})
     return {
         part: (given[part], True) if part in given else (guesses[part], False) for part in parts
@@ -63,7 +57,8 @@ def parts_over(
     track, part = person
     rows = table.of_track(track, *frames)
     given = {one.frame: one for one in labels.parts.of_track(track, *frames) if one.part == part}
-    seen = _boxes_seen(parts_behind(rows, run), part)
+    boxes = _boxes_seen(parts_by_now(table, run, [track], frames))
+    seen = [label for label in boxes if label.part == part]
     guessed = (
         {label.frame: label for label in seen}
         if seen
@@ -77,19 +72,19 @@ def parts_over(
     return [everything[frame] for frame in sorted(everything)]
 
 
-def _boxes_seen(parts: Columns, part: int) -> list[PartLabel]:
-    """One part's rectangles in `PART_COLUMNS`, where they are any."""
+def _boxes_seen(parts: Columns) -> list[PartLabel]:
+    """The rectangles in `PART_COLUMNS`, where they are any."""
     numbers = np.column_stack([parts[name] for name in ("cx", "cy", "width", "height")])
     good = np.isfinite(numbers).all(axis=1) & (numbers[:, 2:] > 0).all(axis=1)
     return [
         PartLabel(
             int(parts["frame"][at]),
             int(parts["track"][at]),
-            part,
+            int(parts["part"][at]),
             (u - width / 2, v - height / 2, width, height),
             source="tracker",
         )
-        for at in np.flatnonzero(good & (parts["part"] == part)).tolist()
+        for at in np.flatnonzero(good).tolist()
         for u, v, width, height in [numbers[at].tolist()]
     ]
 
@@ -112,25 +107,3 @@ def _from_box(rows: Mapping[str, np.ndarray], track: int, frame: int) -> dict[in
         )
         for part, (upper, lower, across) in enumerate(_SHARES)
     }
-
-
-def _from_run(run: Run | None, table: TrackTable, track: int, frame: int) -> dict[int, PartLabel]:
-    """Where the tracker saw the parts of whoever bears the id by now."""
-    if run is None or not len(run.parts["frame"]):
-        return {}
-    low, high = np.searchsorted(run.parts["frame"], (frame, frame + 1))
-    first, last = np.searchsorted(run.tracks["frame"], (frame, frame + 1))
-    of_run = {name: column[first:last] for name, column in run.tracks.items()}
-    now = ids_after_edits(of_run, table.of_frame(frame))
-    seen = {}
-    for at in range(int(low), int(high)):
-        if now.get(int(run.parts["track"][at])) != track:
-            continue
-        centre_u, centre_v, width, height = (
-            float(run.parts[name][at]) for name in ("cx", "cy", "width", "height")
-        )
-        part = int(run.parts["part"][at])
-        if math.isfinite(centre_u + centre_v + width + height) and width > 0 and height > 0:
-            box = (centre_u - width / 2, centre_v - height / 2, width, height)
-            seen[part] = PartLabel(frame, track, part, box, source="tracker")
-    return seen

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.presenters.document.belonging import ids_after_edits
 from app.presenters.document.document import Document
 from app.presenters.document.setting import Instant, Pictured
 from app.presenters.parts.failures import PartFailures
@@ -22,7 +21,8 @@ from app.presenters.parts.picturing import (
     with_particles,
 )
 from app.presenters.parts.truth_labels import truth_path
-from tracking.tracks import Columns, Run, between
+from tracking.session import ids_by_now
+from tracking.tracks import Columns, Run
 
 _NO_CURVES: tuple[PartCurve, ...] = ()
 
@@ -105,9 +105,7 @@ class PartsPresenter:
             self._failures, self._last = PartFailures(run.parts), None
 
         def ids(at: int) -> dict[int, int]:
-            here = between(run.tracks["frame"], at, at + 1)
-            rows = {name: column[here] for name, column in run.tracks.items()}
-            return ids_after_edits(rows, session.tracks.of_frame(at))
+            return ids_by_now(session.tracks, run, at)
 
         track = self._document.selection.track
         found = self._failures.walk(frame, step, ids, track, self._last)

@@ -8,7 +8,7 @@ from app.presenters.parts.picturing import part_name
 from app.presenters.words import time_text, tr
 from tracking.errors import EditError
 from tracking.failure import Detector, Suggestion, suggest
-from tracking.session.samples import parts_as_corrected
+from tracking.session.belonging import parts_by_now
 from tracking.tracks import Labels, Run, TrackTable
 
 
@@ -21,7 +21,7 @@ def suggestions_for(
     """
     if run is None or not len(run.parts["frame"]):
         raise EditError(tr("No parts were tracked: track with three-part (Ctrl+T) first"))
-    parts = parts_as_corrected(table, set(table.track_ids), run)
+    parts = parts_by_now(table, run, table.track_ids)
     found = suggest(parts, fps, detector, labels.parts)
     return tuple(_suggested(one, labels, fps) for one in found)
 

@@ -9,7 +9,7 @@ from tracking.editing import Change, plan_label_part
 from tracking.errors import EditError
 from tracking.failure import TRUE_PARTS, labels_from_truth, read_true_parts
 from tracking.recording import Recording
-from tracking.session.samples import parts_as_corrected
+from tracking.session.belonging import parts_by_now
 from tracking.tracks import Labels, Run, TrackTable
 
 
@@ -29,7 +29,7 @@ def plan_truth_labels(
     path = truth_path(recording)
     if path is None or run is None or not len(run.parts["frame"]):
         raise EditError(tr("{name} has no true parts, or none were tracked", name=recording.name))
-    parts = parts_as_corrected(table, set(table.track_ids), run)
+    parts = parts_by_now(table, run, table.track_ids)
     known = labels_from_truth(read_true_parts(path), parts, recording.fps)
     new = [label for label in known if label.key not in labels.parts]
     if not new:

@@ -2,7 +2,6 @@ import numpy as np
 import pytest
 import two_people
 
-from app.presenters.document.belonging import NOBODY_KNOWN, ids_after_edits
 from app.presenters.document.live_tracks import LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
 from tracking.editing import apply_change, plan_delete, plan_merge, plan_split, plan_swap
@@ -121,13 +120,6 @@ def test_a_row_that_was_moved_a_little_by_hand_keeps_its_particles():
     rows["left"][rows["track"] == 4] += 8
     shown = SessionTracks(TrackTable(rows), two_people.run())
     assert shown.particles(20)["track"].tolist() == [4] * 5 + [7] * 5
-
-
-def test_particles_that_may_be_either_of_two_are_nobodys():
-    made = {name: column[:1] for name, column in two_people.columns().items()}
-    twice = {name: np.repeat(column, 2) for name, column in made.items()}
-    twice["track"] = np.array([8, 9], np.int32)
-    assert ids_after_edits(made, twice) == {4: NOBODY_KNOWN}
 
 
 def test_tracks_without_a_run_have_no_particles():
