@@ -249,4 +249,4 @@ _SCENES = (
 
 SCENES: Mapping[str, SceneSpec] = MappingProxyType({scene.name: scene for scene in _SCENES})
 """Scenes by name, the papers' camera set-ups among them ([Kawashita2012], [Kawashita2014],
-[ZhaoLee2009]).""" ""
+[ZhaoLee2009])."""
