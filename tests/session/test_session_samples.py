@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import h5py
 import numpy as np
@@ -12,7 +13,7 @@ from made_up_sessions import make_recording, make_run
 
 from tracking.editing import plan_label_part, plan_swap
 from tracking.errors import SessionError
-from tracking.failure import FEATURE_NAMES
+from tracking.failure import FEATURE_NAMES, Samples, samples_of
 from tracking.session import Session, session_samples
 from tracking.tracks import PART_COLUMNS, PartLabel
 
@@ -86,6 +87,53 @@ def test_a_session_without_labels_has_no_samples_and_opens(session: Session) -> 
     again = Session.open(path)
     assert len(session_samples(again)) == 0
     again.close()
+
+
+def test_samples_that_cannot_be_made_are_logged_and_the_session_is_saved(
+    session: Session, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def broken(*_: object) -> None:
+        raise ValueError("no features")
+
+    frame = frames_of_both(session)[20]
+    session.apply(plan_label_part(session.labels, label(session, frame, 1, 1, False)))
+    with monkeypatch.context() as broke:
+        broke.setattr("tracking.session.samples.samples_of", broken)
+        path = session.save()
+    assert "samples of the part labels could not be made" in caplog.text
+    with h5py.File(path) as file:
+        assert not len(file["samples"])
+    session.save()
+    session.close()
+    again = Session.open(path)
+    assert list(again.labels.parts) == [(frame, 1, 1)]
+    with h5py.File(path) as file:
+        assert len(file["samples/label"]) == 1
+    again.close()
+
+
+def test_samples_are_made_anew_only_where_labels_or_tracks_changed(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = []
+
+    def counted(*given: Any) -> Samples:
+        made.append(given)
+        return samples_of(*given)
+
+    monkeypatch.setattr("tracking.session.samples.samples_of", counted)
+    frame = frames_of_both(session)[20]
+    session.save()
+    assert len(made) == 0
+    session.apply(plan_label_part(session.labels, label(session, frame, 1, 1, False)))
+    session.save()
+    kept = session.save()
+    assert len(made) == 1
+    session.apply(plan_swap(session.tracks, 1, 2, frames_of_both(session)[2]))
+    session.save(kept)
+    assert len(made) == 2
+    with h5py.File(kept) as file:
+        assert file["samples/track"][()].tolist() == [2]
 
 
 def test_a_file_with_half_a_table_of_samples_is_refused(session: Session) -> None:

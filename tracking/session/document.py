@@ -263,6 +263,8 @@ class Session(Held):
             labels=self.labels,
             edits=self.history.entries,
             touched=self.history.touches,
+            began_as=self._runs.in_memory(self._adopted),
+            samples=self._samples,
         )
         self._pending = PendingSave(snapshot, target, self._content, store)
         return self._pending

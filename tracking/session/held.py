@@ -11,6 +11,7 @@ from tracking.session.older import Generation, list_generations
 from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference
 from tracking.session.runs import Runs
+from tracking.session.samples import KeptSamples
 from tracking.session.stamping import author_named
 from tracking.session.store import Store
 from tracking.session.whereabouts import Whereabouts
@@ -31,6 +32,7 @@ class Held:
         self.author = author
         self._store: Store | None = None
         self._pending: PendingSave | None = None
+        self._samples = KeptSamples()
         self._notes: list[str] = []
         self._why_read_only = ""
         self._recovered = 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import h5py
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing import TOUCHED_COLUMNS, Entry, History, TouchIndex
-from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS
+from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS, Samples
 from tracking.session.image_file import ImageFile
 from tracking.session.label_tables import tables_of
 from tracking.session.layout import (
@@ -29,7 +29,7 @@ from tracking.session.layout import (
 from tracking.session.packing import Packer
 from tracking.session.reference import RecordingReference
 from tracking.session.runs import StoredRun
-from tracking.session.samples import samples_from
+from tracking.session.samples import KeptSamples
 from tracking.tracks import (
     CORRECTED_COLUMNS,
     Columns,
@@ -70,6 +70,8 @@ class Snapshot:
         edits: the log; touched: `TOUCHED_COLUMNS` of those of which it is known.
         runs: in memory, or still in a file they are copied from.
         newer: it was read from a file that may say more than this program knows.
+        began_as: the adopted run where it is in memory already.
+        samples: what the save before made of the labels.
     """
 
     stamps: Stamps
@@ -81,6 +83,19 @@ class Snapshot:
     edits: tuple[Entry, ...]
     touched: Columns
     newer: bool = False
+    began_as: Run | None = None
+    samples: KeptSamples = field(default_factory=KeptSamples)
+
+    def samples_now(self) -> Samples:
+        """What the part labels teach the failure detector; none where that cannot be told."""
+        recording = self.recording.fps, self.recording.name
+        return self.samples.of(self.labels, self.tracks, self._loaded, recording)
+
+    def _loaded(self) -> Run | None:
+        if self.adopted is None or self.began_as is not None:
+            return self.began_as
+        run = self.runs[self.adopted]
+        return run.load() if isinstance(run, StoredRun) else run
 
     def history(self) -> History:
         """The log, to go on with."""
@@ -116,7 +131,7 @@ def write_image(snapshot: Snapshot, image: ImageFile) -> None:
         _write_labels(packer, file, snapshot.labels)
         packer.table(file, "edits", EDIT_COLUMNS, _edit_columns(snapshot.edits))
         packer.table(file, "edits/touched", TOUCHED_COLUMNS, snapshot.touched)
-        _write_samples(packer, file, snapshot)
+        _write_samples(packer, file, snapshot.samples_now())
         rows = Trajectory(columns)
         trajectory = packer.column(file, "trajectory", rows, TRAJECTORY_TYPE)
         trajectory.attrs["fps"] = snapshot.recording.fps
@@ -185,14 +200,7 @@ def _write_labels(packer: Packer, file: h5py.File, labels: Labels) -> None:
         packer.table(file, path, types, columns)
 
 
-def _write_samples(packer: Packer, file: h5py.File, snapshot: Snapshot) -> None:
-    run = snapshot.runs[snapshot.adopted] if snapshot.adopted is not None else None
-    if not len(snapshot.labels.parts) or run is None:
-        file.create_group("samples")
-        return
-    run = run.load() if isinstance(run, StoredRun) else run
-    recording = snapshot.recording
-    samples = samples_from(snapshot.labels, snapshot.tracks, run, recording.fps, recording.name)
+def _write_samples(packer: Packer, file: h5py.File, samples: Samples) -> None:
     if not len(samples):
         file.create_group("samples")
         return

@@ -240,6 +240,13 @@ class Runs(Sequence[Run]):
         """The runs as they are held, without loading any."""
         return tuple(self._held)
 
+    def in_memory(self, number: int | None) -> Run | None:
+        """A run where nothing need be read for it; None else, and for none."""
+        if number is None:
+            return None
+        held = self._held[number]
+        return held if isinstance(held, Run) else self._loaded.get(number)
+
     def stored_in(self, path: Path, count: int) -> None:
         """Note that the first so many now stand in a file; what is loaded stays loaded."""
         for number in range(count):
