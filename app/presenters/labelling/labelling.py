@@ -154,11 +154,22 @@ class LabellingPresenter:
         return LabellingScene(
             Tool.REVIEWED,
             tr("Reviewed ranges"),
-            tr("Mark what you have looked at and found right; click a range to go there."),
+            tr(
+                "Choose the frames you have looked at and found right, and mark them; click a "
+                "range to go there."
+            ),
             ranges=ranges,
-            proposed=(frame, max(frame, self._document.recording.frame_count - 1)),
+            proposed=self._proposed(frame),
             selected=self._who() if self.track else "",
         )
+
+    def _proposed(self, frame: int) -> tuple[int, int]:
+        """First and last frame to be marked: the range that is set, else a second from here."""
+        start, end = self._document.correcting.marked or (
+            frame,
+            frame + max(1, round(self._document.recording.fps)),
+        )
+        return start, max(start, min(end, self._document.recording.frame_count) - 1)
 
     def _who(self) -> str:
         return self.labels.title(self.track)

@@ -174,7 +174,10 @@ class TimelinePresenter:
         self._chosen = None
 
     def _make_lane(self, track: int, instant: Instant) -> Lane:
-        marks = (*self._edits.get(track, ()), *self._suspicions.get(track, ()))
+        first, end = int(self._spans[track][0, 0]), int(self._spans[track][-1, 1])
+        # Where a track no longer reaches, an older edit of it is not on its lane either.
+        edits = [mark for mark in self._edits.get(track, ()) if first <= mark.frame <= end]
+        marks = (*edits, *self._suspicions.get(track, ()))
         return Lane(
             track=track,
             label=instant.label(track),

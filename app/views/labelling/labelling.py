@@ -85,6 +85,9 @@ class Labelling(QObject):
             layer.removal_asked.connect(self._remove_picked)
             layer.left.connect(self.leave)
 
+        for view in (self._workspace.left, self._workspace.right):
+            view.picture_clicked.connect(self._tell_where)
+
     def _connect_panel(self) -> None:
         """Each connection ends with this object."""
         labelling, panel = self, self._panel
@@ -228,6 +231,13 @@ class Labelling(QObject):
         if number != self._presenter.choice.picked:
             self._presenter.choice.picked = number
             self.changed.emit()
+
+    def _tell_where(self) -> None:
+        """A click in a view the tool does not draw on; on its own a layer lies above."""
+        if self.tool is Tool.OCCLUDERS:
+            self.said.emit(tr("Occluders are drawn in the left eye"))
+        elif self.tool is not None and self.tool.on_floor:
+            self.said.emit(tr("Lines and regions are drawn on the floor, in the view from above"))
 
     def _change(self, plan: Callable[..., Change]) -> None:
         tool = self.tool

@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.labelling.labelling_scene import LabellingScene, RangeLine
-from app.views.look.icons import IconButton
 from app.views.widgets.parts import quiet
 
 _ROWS = 4
@@ -54,7 +53,8 @@ class DrawnList(QWidget):
         line = QHBoxLayout()
         self._rename_button = QPushButton(self.tr("Name"), self)
         self._rename_button.clicked.connect(self._edit)
-        self._remove = IconButton("remove", self.tr("Take it away"), "Del", self)
+        self._remove = QPushButton(self.tr("Take away"), self)
+        self._remove.setToolTip(self.tr("Take away what is chosen (Del)"))
         self._remove.clicked.connect(lambda: self.removed.emit(self._list.currentRow()))
         line.addWidget(self._rename_button)
         line.addWidget(self._remove)
@@ -143,7 +143,8 @@ class RangesList(QWidget):
         line.addWidget(quiet(self.tr("to"), self))
         line.addWidget(self._last)
         line.addStretch(1)
-        self._unmark = IconButton("remove", self.tr("Take the mark away"), parent=self)
+        self._unmark = QPushButton(self.tr("Take away"), self)
+        self._unmark.setToolTip(self.tr("Take the mark of the chosen range away"))
         self._unmark.setEnabled(False)
         self._unmark.clicked.connect(self._take_away)
         line.addWidget(self._unmark)
@@ -168,6 +169,7 @@ class RangesList(QWidget):
             self._list.addItems([one.text for one in scene.ranges])
         self._empty.setVisible(not scene.ranges)
         self._list.setVisible(bool(scene.ranges))
+        self._unmark.setVisible(bool(scene.ranges))
         if scene.proposed != self._proposed:
             self._proposed = scene.proposed
             self._first.setValue(scene.proposed[0])

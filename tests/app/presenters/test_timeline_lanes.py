@@ -159,3 +159,12 @@ def test_edits_are_marked_while_they_are_in_force(table, tmp_path):
     assert marks.of(session.history) == {}
     session.redo()
     assert set(marks.of(session.history)) == {4, 7}
+
+
+def test_an_edit_is_not_marked_on_a_lane_that_ends_before_it(tracks):
+    presenter = TimelinePresenter(two_people.FRAMES, 20.0)
+    last = int(tracks.spans()[7][-1, 1])
+    reached, beyond = (TimelineMark(MarkKind.SWAP, f, 7, "Swap 4 and 7") for f in (last, last + 1))
+    presenter.take(tracks, {7: (reached, beyond)})
+    (lane,) = (one for one in _scene(presenter, tracks).lanes if one.track == 7)
+    assert lane.marks == (reached,)

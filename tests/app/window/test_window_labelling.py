@@ -219,6 +219,31 @@ def test_reviewed_ranges_are_listed_marked_and_unmarked(window, desk, press, lab
     assert labels().reviewed == ()
 
 
+def test_no_more_than_a_second_is_proposed_as_reviewed_or_the_range_that_is_set(
+    window, desk, press
+):
+    press(Key.Key_5, _ALT)
+    ranges = window.workspace.labelling.ranges
+    frame, fps = desk.playback.number, desk.document.recording.fps
+    assert ranges._first.value() == frame
+    assert ranges._last.value() == min(frame + round(fps), desk.document.recording.frame_count) - 1
+    assert ranges._unmark.isHidden()
+    desk.document.correcting.marked = (5, 9)
+    desk.draw()
+    assert (ranges._first.value(), ranges._last.value()) == (5, 8)
+
+
+def test_a_click_where_a_tool_does_not_draw_is_answered(window, desk, press):
+    said = []
+    desk.labelling.said.connect(said.append)
+    press(Key.Key_2, _ALT)
+    window.workspace.right.picture_clicked.emit(5.0, 5.0)
+    assert said == ["Occluders are drawn in the left eye"]
+    desk.labelling.leave()
+    window.workspace.right.picture_clicked.emit(5.0, 5.0)
+    assert len(said) == 1
+
+
 def test_labels_can_be_hidden_and_an_edit_takes_over_from_a_tool(window, desk, press):
     press(Key.Key_2, _ALT)
     _draw(desk.labelling._on_picture, TRIANGLE)
