@@ -78,7 +78,7 @@ def _held_at(path: Path) -> str | None:
 
 def _readable(size_bytes: int) -> str:
     """A size in the greatest unit of which there is one at least."""
-    for shift, unit in ((20, "MiB"), (10, "KiB")):
+    for shift, unit in ((20, "MB"), (10, "kB")):
         if size_bytes >> shift:
             return f"{size_bytes >> shift} {unit}"
     return f"{size_bytes} bytes"

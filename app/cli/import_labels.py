@@ -20,7 +20,8 @@ def run_import_labels(path: Path, into: Path, author: str | None, *, as_json: bo
     """
     with closing(Session.open(into)) as session:
         if session.read_only:
-            raise SessionError(f"{into} cannot be changed: {session.why_read_only}")
+            why = session.why_read_only.removeprefix(f"{session.path}: ")
+            raise SessionError(f"{into} cannot be changed: {why}")
         given = read_part_labels(path, author if author is not None else session.author)
         labels = labels_in_place(session, given)
         new = [label for label in labels if session.labels.parts.get(label.key) != label]

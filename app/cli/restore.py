@@ -24,7 +24,8 @@ def run_restore(path: Path, number: int, *, only_list: bool, as_json: bool) -> N
     with closing(Session.open(path)) as session:
         check_generation(session.path or path, number)
         if session.read_only:
-            raise SessionError(f"{path} cannot be restored: {session.why_read_only}")
+            why = session.why_read_only.removeprefix(f"{session.path}: ")
+            raise SessionError(f"{path} cannot be restored: {why}")
         with closing(session.restore(number)) as restored:
             edits = sum(not entry.undone for entry in restored.history)
     if as_json:
@@ -63,6 +64,6 @@ def _line(generation: Generation) -> str:
     if generation.problem:
         return f"{generation.number}  {generation.problem}"
     when = generation.saved[:19].replace("T", " ")
-    size = f"{generation.size_bytes / 2**20:.1f} MiB"
+    size = f"{generation.size_bytes / 2**20:.1f} MB"
     held = f"{counted(generation.edits, 'edit')}, {counted(generation.tracks, 'track')}"
     return f"{generation.number}  saved {when} UTC  {held}  {size}"

@@ -199,7 +199,7 @@ def test_an_edit_inside_a_swapped_stretch_stands_on_the_swap(desk: Desk) -> None
     with pytest.raises(EditError) as told:
         desk.undo_alone(1)
     assert str(told.value) == (
-        "edit 3 (Delete 1 from frame 25 on) stands on it: undo that first, then 1 more"
+        '"Delete 1 from frame 25 on" (edit 3) was made on top of it: undo that first, then 1 more'
     )
 
 

@@ -107,7 +107,7 @@ def test_a_huge_file_is_refused_unread(tmp_path: Path) -> None:
     path = tmp_path / "huge.txt"
     with path.open("wb") as stream:
         stream.truncate((1 << 30) + 1)
-    with pytest.raises(FormatError, match="larger than 1024 MiB"):
+    with pytest.raises(FormatError, match="larger than 1024 MB"):
         read_mot(path)
 
 

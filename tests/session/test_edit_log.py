@@ -53,8 +53,8 @@ def test_csv_has_a_line_an_edit(edited: Session, tmp_path: Path) -> None:
     assert [row["undoes"] for row in rows] == ["", "", "", "1", ""]
     assert {row["author"] for row in rows} == {"ada"}
     assert rows[0]["tracks"] == "1 2"
-    assert rows[0]["before"] == "track 1 in frames 10 to 39; track 2 in frames 10 to 39"
-    assert rows[0]["after"] == "track 2 in frames 10 to 39; track 1 in frames 10 to 39"
+    assert rows[0]["before"] == "track 1 within frames 10 to 39; track 2 within frames 10 to 39"
+    assert rows[0]["after"] == "track 2 within frames 10 to 39; track 1 within frames 10 to 39"
     assert [row["frames"] for row in rows] == ["10:", "", "", "", "0:20"]
 
 

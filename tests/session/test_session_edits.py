@@ -33,7 +33,7 @@ def test_edits_survive_a_crash(session: Session, tmp_path: Path) -> None:
     assert state_of(again) == state_of(session)
     assert again.recovered == 3
     assert again.dirty
-    assert again.notes == ("recovered: 3 edits made after the session was saved last",)
+    assert again.notes == ("Recovered: 3 edits made after the session was saved last",)
     again.close()
 
 

@@ -118,7 +118,7 @@ def test_a_damaged_journal_does_not_keep_a_session_from_opening(
 def test_one_recovered_edit_is_told_as_one(session: Session, tmp_path: Path) -> None:
     edit(session)
     again = Session.open(crashed(session, tmp_path / "after"))
-    assert again.notes == ("recovered: 1 edit made after the session was saved last",)
+    assert again.notes == ("Recovered: 1 edit made after the session was saved last",)
     again.close()
 
 

@@ -23,7 +23,7 @@ def numbered_rows(
     """
     try:
         if path.stat().st_size > _MOST_BYTES:
-            raise FormatError(f"{path} is larger than {_MOST_BYTES >> 20} MiB; split it first")
+            raise FormatError(f"{path} is larger than {_MOST_BYTES >> 20} MB; split it first")
         with path.open(encoding="utf-8-sig", newline="") as stream:
             rows = csv.reader(stream, strict=True)
             header = [name.strip() for name in next(rows, [])]

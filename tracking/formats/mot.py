@@ -93,7 +93,7 @@ def as_truth(columns: Columns) -> Columns:
 def _text_of(path: Path) -> str:
     try:
         if path.stat().st_size > MAX_BYTES:
-            raise FormatError(f"{path} is larger than {MAX_BYTES >> 20} MiB; split it first")
+            raise FormatError(f"{path} is larger than {MAX_BYTES >> 20} MB; split it first")
         return path.read_text(encoding="utf-8-sig")
     except OSError as error:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error

@@ -51,7 +51,7 @@ WORDS: Mapping[str, Words] = MappingProxyType(
             fix_two="look",
         ),
         "colour": Words("{a} has other colours from {time} on", fix_one="split"),
-        "height": Words("{a} is {figure:.2f} m taller or shorter from {time} on", fix_one="split"),
+        "height": Words("the height of {a} changes by {figure:.2f} m at {time}", fix_one="split"),
         "jump": Words("{a} jumps by {figure:.1f} m at {time}", fix_one="split"),
         "reversal": Words(
             "{a} turns back at {figure:.1f} m/s, half hidden, at {time}", fix_one="split"

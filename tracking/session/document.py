@@ -215,7 +215,7 @@ class Session(Held):
             self._store.release(keep_journal=True)
             self._store = None
         self._why_read_only = why
-        self._notes.append(f"open for reading only: {why}")
+        self._notes.append(f"Open for reading only: {why}")
         if not self._recovered and self._path is not None and edits_wait(self._path):
             self._notes.append("edits made after it was saved last are not shown here")
 

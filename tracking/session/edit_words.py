@@ -19,15 +19,17 @@ _MOST_NAMED = 4
 def in_words(side: State, other: State) -> str:
     """One side of an edit; of labels of tracks only what the other side says otherwise."""
     groups: list[Iterable[str]] = [
-        (
-            f"track {track} {scope_text(start, end)}"
-            for track, start, end in side.stretches.tolist()
-        ),
+        (f"track {track} {_within(start, end)}" for track, start, end in side.stretches.tolist()),
         _rows(side.rows),
         _track_labels(side.labels.tracks, other.labels.tracks),
         *_other_labels(side.labels),
     ]
     return "; ".join(text for group in groups for text in _few(list(group))) or NOTHING
+
+
+def _within(start: int, end: int) -> str:
+    """The frames of a stretch: what the edit reaches, which a track may end or begin inside."""
+    return scope_text(start, end).replace("in frames", "within frames", 1)
 
 
 def _rows(rows: Columns) -> Iterator[str]:

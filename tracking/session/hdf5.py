@@ -33,8 +33,12 @@ def opened(path: Path) -> Iterator[h5py.File]:
             f"{path} is out of reach: it was moved or its disk has gone; connect it again"
         ) from why
     except _FAILURES as why:
-        reason = " ".join(str(why).split())
-        raise SessionError(f"{path}: the session file is damaged or cut short ({reason})") from why
+        # What the library says of a file that is cut short tells its users nothing.
+        reason = f" ({' '.join(str(why).split())})" if isinstance(why, ValueError) else ""
+        raise SessionError(
+            f"{path}: the session file is damaged or cut short{reason}; "
+            "restore an older state of it"
+        ) from why
 
 
 def read_columns(group: h5py.Group, types: Types) -> dict[str, Any]:

@@ -77,7 +77,7 @@ def _begin(journal: Journal, stamps: Stamps, steps: list[Step]) -> None:
 def _told(made: int) -> tuple[str, ...]:
     if not made:
         return ()
-    return (f"recovered: {_edits(made)} made after the session was saved last",)
+    return (f"Recovered: {_edits(made)} made after the session was saved last",)
 
 
 def _edits(number: int) -> str:

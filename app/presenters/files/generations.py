@@ -46,7 +46,7 @@ def older_states(path: Path) -> tuple[GenerationLine, ...]:
 def what_differs(
     path: Path, number: int, now: TrackTable, entries: Sequence[Entry], report: Report
 ) -> tuple[str, ...]:
-    """What would be other than now after an older state is restored, a line each.
+    """What would be different after an older state is restored, a line each.
 
     Raises:
         SessionError: it cannot be read. CancelledError: by `report`.
@@ -84,14 +84,14 @@ def _edits_apart(now: Sequence[Entry], then: Sequence[Entry]) -> list[str]:
     back = [one for key, one in there.items() if key not in here]
     lines = []
     if gone:
-        lines.append(counted(len(gone), "Without {n} edit of now:", "Without {n} edits of now:"))
+        lines.append(counted(len(gone), "Without {n} edit:", "Without {n} edits:"))
         lines += _named(gone)
     if back:
         lines.append(
             counted(
                 len(back),
-                "With {n} edit that is not in force now:",
-                "With {n} edits that are not in force now:",
+                "With {n} edit that is undone or gone now:",
+                "With {n} edits that are undone or gone now:",
             )
         )
         lines += _named(back)
@@ -115,7 +115,7 @@ def _tracks_apart(now: TrackTable, then: TrackTable) -> list[str]:
         lines.append(tr("With the tracks {ids}", ids=_ids(there - here)))
     rows = _rows_apart(now.columns(), then.columns())
     if rows:
-        lines.append(counted(rows, "{n} row is another one", "{n} rows are others"))
+        lines.append(counted(rows, "{n} box is different", "{n} boxes are different"))
     return lines
 
 

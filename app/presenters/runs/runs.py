@@ -115,7 +115,7 @@ class RunList:
     def _row(self, number: int, run: Run) -> RunRow:
         name = tr("run {n}", n=number)
         if number == self._session.adopted_run:
-            name = tr("run {n}, corrected from", n=number)
+            name = tr("run {n}, being corrected", n=number)
         return RunRow(
             number,
             name,

@@ -1,4 +1,4 @@
-"""A list of older states of the session, and what would be other than now."""
+"""A list of older states of the session, and what would be different."""
 
 from __future__ import annotations
 
@@ -54,10 +54,10 @@ class GenerationsDialog(QDialog):
         rows.addWidget(text)
         self._table = self._build_table()
         rows.addWidget(self._table)
-        rows.addWidget(heading(self.tr("What would be other than now"), self))
+        rows.addWidget(heading(self.tr("What would be different"), self))
         self._differences = QPlainTextEdit(self)
         self._differences.setReadOnly(True)
-        self._differences.setAccessibleName(self.tr("What would be other than now"))
+        self._differences.setAccessibleName(self.tr("What would be different"))
         self._differences.setMinimumHeight(9 * self.fontMetrics().lineSpacing())
         rows.addWidget(self._differences, 1)
         rows.addWidget(self._build_buttons())

@@ -96,8 +96,9 @@ class HistoryPanel(Panel):
         line = QHBoxLayout()
         line.setSpacing(4)
         self._text = QLineEdit(self)
-        self._text.setPlaceholderText(self.tr("Find: words, a track's id"))
+        self._text.setPlaceholderText(self.tr("Find"))
         self._text.setAccessibleName(self.tr("Find edits by words or a track's id"))
+        self._text.setToolTip(self._text.accessibleName())
         self._text.setClearButtonEnabled(True)
         for button in self._text.findChildren(QToolButton):
             button.setAccessibleName(self.tr("Clear"))

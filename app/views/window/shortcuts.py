@@ -22,7 +22,7 @@ from app.views.widgets.parts import heading, quiet
 
 _MOST_COLUMNS = 3
 _SCREEN_SHARE = 0.9
-_MARGIN, _SCROLL_BAR = 16, 16
+_MARGIN, _SCROLL_BAR, _APART = 16, 16, 16
 
 
 class ShortcutsDialog(QDialog):
@@ -113,6 +113,7 @@ class ShortcutsDialog(QDialog):
         grid = QGridLayout()
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setVerticalSpacing(4)
+        grid.setHorizontalSpacing(_APART)
         grid.setColumnStretch(0, 1)
         grid.addWidget(heading(menu, page), 0, 0, 1, 2)
         for line, item in enumerate(items, start=1):

@@ -48,12 +48,12 @@ def test_a_full_disk_is_told_before_the_work(
 ) -> None:
     monkeypatch.setattr(shutil, "disk_usage", lambda _: Usage(2 << 30, 1 << 30, 20 << 20))
     check_folder(tmp_path, 1 << 20)
-    with pytest.raises(OutputError, match="has 20 MiB of free space"):
+    with pytest.raises(OutputError, match="has 20 MB of free space"):
         check_folder(tmp_path, 1 << 30)
 
 
 @pytest.mark.parametrize(
-    ("free", "told"), [(700 << 10, "has 700 KiB of free"), (12, "has 12 bytes of free")]
+    ("free", "told"), [(700 << 10, "has 700 kB of free"), (12, "has 12 bytes of free")]
 )
 def test_little_space_is_told_in_small_units(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, free: int, told: str

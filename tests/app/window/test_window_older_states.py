@@ -42,7 +42,7 @@ def test_older_states_are_listed_with_what_would_be_other_than_now(dialog, saved
     qtbot.waitUntil(lambda: "Without" in _differences(dialog))
     told = _differences(dialog)
     a, b = saved_twice
-    assert "Without 2 edits of now:" in told
+    assert "Without 2 edits:" in told
     assert f"Delete track {b}" in told
     assert f'Name {a} "not saved"' in told
     assert f"With the tracks {b}" in told

@@ -166,7 +166,7 @@ class History:
         last = self._entries[standing[-1] - 1]
         others = len(standing) - 1
         first = "undo that first" if not others else f"undo that first, then {others} more"
-        return f"edit {last.id} ({last.text}) stands on it: {first}"
+        return f'"{last.text}" (edit {last.id}) was made on top of it: {first}'
 
     def _standing_on(self, number: int) -> list[int]:
         """The later edits that touch what an edit touched, ascending.
