@@ -6,12 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from people_of_three_blocks import HEIGHT, RED_BLUE, Blocks, observations, walking
+from people_of_three_blocks import GREEN_BROWN, HEIGHT, RED_BLUE, Blocks, observations, walking
 
 from tracking.people.observation import Observation
 from tracking.people.parts import ycbcr
 from tracking.trackers.three_part.births import without_pieces
-from tracking.trackers.three_part.claims import claims_of, seen_taller, seen_whole
+from tracking.trackers.three_part.bodies import outlined_boxes
+from tracking.trackers.three_part.claims import claims_of, seen_taller, seen_whole, sharing
+from tracking.trackers.three_part.finding import found_again
 from tracking.trackers.three_part.followed import Followed, Layout
 from tracking.trackers.three_part.poses import HIP_LEG
 from tracking.trackers.three_part.silhouettes import legs_elsewhere
@@ -90,3 +92,28 @@ def test_a_low_region_within_somebody_s_reach_is_a_piece_of_them(seen: Observati
     assert without_pieces(free, low, box, TALL).tolist() == []
     assert without_pieces(free, low, box + np.array([150.0, 0, 0, 0]), TALL).tolist() == [0]
     assert without_pieces(free, low, np.zeros((0, 4)), np.zeros(0)).tolist() == [0]
+
+
+@pytest.mark.parametrize(("clothes", "goes"), [(GREEN_BROWN, True), (RED_BLUE, False)])
+def test_who_stands_in_somebody_else_goes_to_where_their_own_clothes_are(
+    clothes: tuple[tuple[int, int, int], ...], goes: bool
+) -> None:
+    first = Blocks(walking((120.0, 60.0), (0.0, 0.0)), RED_BLUE)
+    second = Blocks(walking((170.0, 60.0), (0.0, 0.0)), clothes)
+    both = next(observations([first, second], 1))
+    assert both.picture is not None
+    picture, ids, still = ycbcr(both.picture), np.array([1, 2], np.int32), np.zeros((2, 2))
+    places = regions_rectangles(both.people, np.arange(2), picture, LAYOUT)
+    people = begun(ids, places, still, picture, LAYOUT, np.random.default_rng(1))
+    state = people.state.copy()
+    state[1] = state[0]
+    people = people.replace(state=state, height=np.full(2, float(HEIGHT)))
+    claims = claims_of(people.rectangles, both.people)
+    two = sharing(claims, both.people)
+    assert two.tolist() == [True, True]
+    boxes = outlined_boxes(people.rectangles, people.outline)
+    free = np.array([1], np.intp)
+    lost = np.zeros(2, bool)
+    found, left = found_again(people, boxes, lost, two, both.people, free, picture, LAYOUT)
+    assert np.isfinite(found).all(axis=(1, 2)).tolist() == [False, goes]
+    assert len(left) == (not goes)

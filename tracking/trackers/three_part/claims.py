@@ -90,6 +90,13 @@ def seen_taller(claims: Claims, seen: Detections, height: Floats) -> Flags:
     return np.asarray(claims.alone & ~cut & (ratio >= _WHOLE[1]) & (ratio < _TWICE))
 
 
+def sharing(claims: Claims, seen: Detections) -> Flags:
+    """(people,) who has somebody else in a region that shows no more than one person."""
+    count = np.bincount(claims.region[claims.region >= 0], minlength=len(seen))
+    two = np.append((count > 1) & ~seen.merged, False)
+    return np.asarray(two[claims.region])
+
+
 def shares_on(mask: NDArray[np.integer], rectangles: Floats) -> Floats:
     """(people, parts) the share of each rectangle (people, parts, 4) where a mask is not 0."""
     return np.asarray((_probed(rectangles, mask) > 0).mean(axis=2))

@@ -19,12 +19,15 @@ _ALIKE = 0.75
 """Mean similarity of the parts from which on a region may be somebody lost."""
 _SIZE = (0.6, 1.6)
 """Height of such a region, in heights of the person."""
+_BETTER = 0.06
+"""By how much more somebody who shares a region must look like themselves elsewhere."""
 
 
 def found_again(
     people: Followed,
     boxes: Floats,
     lost: Flags,
+    sharing: Flags,
     seen: Detections,
     free: Indices,
     picture: NDArray[np.uint8],
@@ -44,7 +47,7 @@ def found_again(
         (people, parts, 4) the parts of those found, NaN for the others; the regions still free.
     """
     parts = np.full((len(people), layout.parts, 4), np.nan)
-    who = np.flatnonzero(lost)
+    who = np.flatnonzero(lost | sharing)
     if not len(who) or not len(free):
         return parts, free
     rectangles = regions_rectangles(seen, free, picture, layout)
@@ -53,8 +56,11 @@ def found_again(
         np.broadcast_to(look[None], (len(who), *look.shape)),
         np.broadcast_to(people.looks[who][:, None], (len(who), *look.shape)),
     ).mean(axis=2)
-    possible = _near(people, boxes, who, seen, free) & (alike >= _ALIKE) & all_seen(rectangles)
-    pairs = associate(1.0 - alike, possible, 1.0)
+    here = resemblance(looked_at(picture, people.rectangles[who]), people.looks[who]).mean(axis=1)
+    needed = np.where(sharing[who], np.maximum(here + _BETTER, _ALIKE), _ALIKE)[:, None]
+    possible = _near(people, boxes, who, seen, free) & (alike >= needed) & all_seen(rectangles)
+    # Who gains most goes: of two in a region only one does not belong there.
+    pairs = associate(1.0 - alike + needed, possible, 2.0)
     parts[who[pairs.track]] = rectangles[pairs.detection]
     return parts, np.delete(free, pairs.detection)
 

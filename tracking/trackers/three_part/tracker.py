@@ -29,6 +29,7 @@ from tracking.trackers.three_part.claims import (
     seen_taller,
     seen_whole,
     shares_on,
+    sharing,
 )
 from tracking.trackers.three_part.detectors import NO_DETECTOR
 from tracking.trackers.three_part.finding import found_again
@@ -217,7 +218,8 @@ class PartTracker:
         free = births.without_pieces(free, seen, boxes, people.height)
         if self._adjust:
             lost = people.missed_s > _MISSED_S
-            places, free = found_again(people, boxes, lost, seen, free, picture, self._layout)
+            two = sharing(claims, seen) & ~lost
+            places, free = found_again(people, boxes, lost, two, seen, free, picture, self._layout)
             people = begun_anew(people, places, picture, self._layout, self._random)
             again = all_seen(places)
             people = people.replace(missed_s=np.where(again, 0.0, people.missed_s))
