@@ -21,6 +21,7 @@ from app.views.widgets.id_edit import IdEdit
 from app.views.widgets.parts import NOTICE_MARGINS, quiet
 
 _CHOICE_ROWS = 2
+_SPACING, _LITTLE_SPACING = 8, 3
 
 
 class EditPanel(QFrame):
@@ -46,14 +47,14 @@ class EditPanel(QFrame):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._asking = False
+        self._asking = self._terse = False
         self._ready_with = 0
         self._had_keyboard: QWidget | None = None
         self.setProperty("notice", True)
         self.setAccessibleName(self.tr("Edit preview"))
         rows = QVBoxLayout(self)
         rows.setContentsMargins(*NOTICE_MARGINS)
-        rows.setSpacing(8)
+        rows.setSpacing(_SPACING)
         self._title = self._words(rows)
         self._title.setFont(scaled_font(self.font(), 1.1, bold=True))
         self._build_other(rows)
@@ -147,6 +148,17 @@ class EditPanel(QFrame):
             line.addWidget(button)
         rows.addLayout(line)
 
+    def set_terse(self, terse: bool) -> None:
+        """On a low window: leave out what only explains, so that all of the rest is in sight."""
+        if terse == self._terse:
+            return
+        self._terse = terse
+        rows = self.layout()
+        if rows is not None:
+            rows.setSpacing(_LITTLE_SPACING if terse else _SPACING)
+        self._hint.setVisible(bool(self._hint.text()) and not terse)
+        self._legend.setVisible(self._confirm.isEnabled() and not terse)
+
     def show_scene(self, preview: EditPreview | None) -> None:
         """Show what would be done, or nothing."""
         if preview is None:
@@ -160,13 +172,14 @@ class EditPanel(QFrame):
         self._details.setText("\n".join(preview.details))
         self._details.setVisible(bool(preview.details))
         self._hint.setText(preview.hint)
-        self._hint.setVisible(bool(preview.hint))
+        self._hint.setVisible(bool(preview.hint) and not self._terse)
+        self.setToolTip(preview.hint)
         self._frame.setText(str(preview.frame))
         self._until.setVisible(preview.end is not None)
         self._end.setText(str(preview.end - 1) if preview.end is not None else "")
         self._frames.setVisible(preview.has_cut and preview.other != 0)
         self._confirm.setEnabled(preview.ready)
-        self._legend.setVisible(preview.ready)
+        self._legend.setVisible(preview.ready and not self._terse)
         self._other_line.setVisible(preview.other is not None)
         typing = self._goes_on_typing(preview.other or 0)
         if not typing:

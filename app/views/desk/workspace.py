@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractScrollArea,
     QApplication,
@@ -33,6 +34,8 @@ from app.views.timeline import TimelineView
 from app.views.widgets.remembered import Remembered
 
 _PANEL_LETTERS = 48
+_LOW_LINES = 36
+"""A page of fewer lines of text is low."""
 
 
 class Workspace(QWidget):
@@ -130,6 +133,11 @@ class Workspace(QWidget):
         splitter.setSizes([100 * share for share in shares])
         self._splitters[name] = splitter
         return splitter
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """The page is higher or lower."""
+        super().resizeEvent(event)
+        self.preview.set_terse(self.height() < _LOW_LINES * self.fontMetrics().lineSpacing())
 
     def show_differences(self, scene: DifferencesScene | None) -> None:
         """Show a comparison in the place of the panels, or the panels again."""

@@ -49,7 +49,7 @@ class Canvas(QWidget, metaclass=AbstractQt):
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.setMinimumSize(160, 120)
+        self.setMinimumSize(160, 96)
 
     # what a canvas of a kind defines
 

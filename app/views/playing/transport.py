@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from app.presenters.scenes import TransportScene
 from app.views.look.icons import IconButton
 from app.views.look.theme import current_theme, scaled_font
+from app.views.playing.room_left import RoomLeft
 from app.views.widgets.parts import Swatch, quiet
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
@@ -79,8 +80,10 @@ class TransportBar(QFrame):
         self._build_buttons(row)
         row.addSpacing(12)
         self._build_place(row)
-        row.addStretch(1)
-        self._build_state(row)
+        state = QWidget(self)
+        self._build_state(state)
+        self._rest = RoomLeft(state, self)
+        row.addWidget(self._rest, 1)
 
     def _build_buttons(self, row: QHBoxLayout) -> None:
         self._play = IconButton("play", self.tr("Play"), self.tr("Space"), self, primary=True)
@@ -138,7 +141,10 @@ class TransportBar(QFrame):
         self._time.setAccessibleName(self.tr("Time"))
         row.addWidget(self._time)
 
-    def _build_state(self, row: QHBoxLayout) -> None:
+    def _build_state(self, state: QWidget) -> None:
+        row = QHBoxLayout(state)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
         self._tracker = QToolButton(self)
         self._tracker.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._tracker.setToolTip(self.tr("Tracker and its settings"))
@@ -174,6 +180,7 @@ class TransportBar(QFrame):
         if before is None or (before.status, before.live) != (scene.status, scene.live):
             self._status.setText(scene.status)
             self._colour_light()
+            self._rest.fit()
 
     def edit_frame(self) -> None:
         """Put the cursor into the frame number, to go elsewhere."""

@@ -13,7 +13,10 @@ def fit_to_screen(window: QWidget, wanted: QSize) -> None:
 
     All in the screen's own units: at a scale of 200 % a screen has room for half as much.
     """
-    window.setGeometry(fitted(window.screen().availableGeometry(), wanted, _frame_of(window)))
+    frame = _frame_of(window)
+    place = fitted(window.screen().availableGeometry(), wanted, frame)
+    window.resize(place.size())
+    window.move(place.marginsAdded(frame).topLeft())
 
 
 def keep_on_screen(window: QWidget) -> None:
