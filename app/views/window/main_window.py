@@ -38,6 +38,8 @@ from app.views.window.menus import Menus, TypingGuard
 from app.views.window.runnable import runnable_commands
 
 _FIRST_SIZE = QSize(1440, 900)
+_BEGIN_TYPING = frozenset({"tracks.rename", "tracks.attributes", "tracks.notes"})
+"""Commands after which text is typed."""
 _NOTE_MS = 6000
 _PROGRESS_MS = 200
 _MARGIN = 8
@@ -239,10 +241,19 @@ class MainWindow(QMainWindow):
         """Do a command of the catalogue, where it can be done now; else say why not."""
         item = {item.command: item for item in self.command_items()}[name]
         if not item.enabled:
-            self.say(tr("{title}: {why}", title=item.title.rstrip("."), why=item.why_not))
+            self._refuse(item)
             return
         self._commands[name]()
         self.refresh()
+
+    def _refuse(self, item: CommandItem) -> None:
+        """Say why a command cannot be done; text typed after it must run no other ones."""
+        said = tr("{title}: {why}", title=item.title.rstrip("."), why=item.why_not)
+        if item.command not in _BEGIN_TYPING:
+            self.say(said)
+            return
+        self._guard.hold()
+        self.notice.say(tr("{said}. What is typed now is not taken.", said=said), is_error=True)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
         """A key whose command cannot be done now comes here: say why not."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
@@ -32,6 +32,10 @@ _TYPING = (
     QComboBox,
     AttributesTable,  # a letter begins to type into its cell
 )
+
+_HOLD_MS = 3000
+_OF_TEXT = (Qt.Key.Key_Backspace, Qt.Key.Key_Shift, Qt.Key.Key_AltGr, Qt.Key.Key_CapsLock)
+"""Keys without letters that are part of typing."""
 
 
 class Menus(QObject):
@@ -107,6 +111,10 @@ class TypingGuard(QObject):
 
     Keys with Ctrl stay shortcuts unless the field itself wants them.
 
+    After `hold` it takes what is typed from everybody: the text was meant for a field that could
+    not be opened, and must not run as one command after the other. Enter, Esc, a click, any other
+    key or a pause end that.
+
     Attributes:
         typed: the key pressed last went into a field: it is no command, also where the field
             passes it on, as it does with Enter.
@@ -115,9 +123,23 @@ class TypingGuard(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.typed = False
+        self._holding = QTimer(self, singleShot=True, interval=_HOLD_MS)
+
+    @property
+    def holds(self) -> bool:
+        """Whether what is typed now is taken from everybody."""
+        return self._holding.isActive()
+
+    def hold(self) -> None:
+        """Take what is typed from everybody until it ends."""
+        self._holding.start()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Accept the keys for the field; Qt then types them instead of running a shortcut."""
+        if event.type() == QEvent.Type.MouseButtonPress:
+            self._holding.stop()
+        if self.holds and isinstance(event, QKeyEvent):
+            return self._take(event)
         if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
             return super().eventFilter(watched, event)
         self.typed = (
@@ -129,6 +151,23 @@ class TypingGuard(QObject):
         if self.typed:
             event.accept()
         return self.typed or super().eventFilter(watched, event)
+
+    def _take(self, event: QKeyEvent) -> bool:
+        """Keep a key of the text from everybody; its last one, Enter or Esc, too."""
+        ends = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape)
+        letters = bool(event.text()) and event.text().isprintable()
+        of_text = ends or letters or event.key() in _OF_TEXT
+        if event.type() == QEvent.Type.ShortcutOverride:
+            if not of_text:
+                self._holding.stop()
+                return False
+            event.accept()
+        elif event.type() == QEvent.Type.KeyPress:
+            if ends:
+                self._holding.stop()
+            else:
+                self._holding.start()
+        return True
 
 
 def _tip(item: CommandItem) -> str:

@@ -357,3 +357,27 @@ def test_of_several_selected_the_panel_names_all_and_what_can_be_done(hands, tra
     first, second = sorted((track, other))
     assert said.text().startswith(f"2 selected: {first}, {second}. You can swap or merge")
     assert said.isVisibleTo(hands.window)
+
+
+def test_undoing_the_deletion_of_a_track_selects_it_again(hands, track):
+    hands.press(Key.Key_Delete, CTRL)
+    hands.press(Key.Key_Return)
+    assert not hands.desk.document.selection
+    hands.press(Key.Key_Z, CTRL)
+    assert hands.desk.document.selection.all == (track,)
+    hands.press(Key.Key_Z, CTRL | SHIFT)
+    assert not hands.desk.document.selection
+
+
+def test_a_name_typed_after_f2_was_refused_runs_no_command(hands):
+    hands.press(Key.Key_Escape)
+    before = len(hands.desk.document.session.history), hands.desk.pictured
+    hands.press(Key.Key_F2)
+    assert "select a person first" in hands.window.notice.text
+    hands.type("Bow Xzs z")
+    hands.press(Key.Key_Return)
+    assert (len(hands.desk.document.session.history), hands.desk.pictured) == before
+    assert hands.desk.document.flow is None
+    assert not hands.desk.playback.clock.playing
+    hands.press(Key.Key_Tab)  # Enter ended that: keys are commands again
+    assert hands.desk.document.selection
