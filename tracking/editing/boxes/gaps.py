@@ -63,20 +63,21 @@ def plan_fill_gaps(
     Raises EditError where there is none.
     """
     chosen = checked_tracks(table, tracks)
-    way, parts, count = Way(how, view, fps), [no_rows()], 0
+    way, parts, filled = Way(how, view, fps), [no_rows()], list[Gap]()
     for track in chosen:
         gaps = [gap for gap in gaps_of(table, track) if gap[1] - gap[0] <= longest]
         if gaps:
-            count += len(gaps)
+            filled += gaps
             parts.append(_filling(table, track, gaps, way))
     rows = stacked(parts)
-    if not count:
+    if not filled:
         raise EditError(
             f"{tracks_text(chosen)}: no gap of up to {frames_text(longest)}; allow longer ones"
         )
-    gaps_text = "the gap" if count == 1 else f"{count} gaps"
+    gaps_text = "the gap" if len(filled) == 1 else f"{len(filled)} gaps"
     text = f"Fill {gaps_text} of {tracks_text(chosen)} of up to {frames_text(longest)}"
-    return Change("fill", text, int(rows["frame"][0]), State(), State(rows=rows))
+    scope = Scope(min(start for start, _ in filled), max(end for _, end in filled))
+    return Change("fill", text, int(rows["frame"][0]), State(), State(rows=rows), scope)
 
 
 def _filling(table: TrackTable, track: int, gaps: list[Gap], way: Way) -> Rows:

@@ -57,14 +57,17 @@ def key_row_change(
         raise EditError(f"track {track} is already so in frame {frame}; nothing to change")
     old = rows_around(table, track, frame)
     new = respanned(old, with_row(old, row), way)
+    scope = Scope(frame, frame + 1)
     if join:
-        new = stacked([new, _bridges(new, frame, way)])
+        bridges = _bridges(new, frame, way)
+        scope = _reaching(scope, bridges["frame"])
+        new = stacked([new, bridges])
     before, after = replaced(old, _with_velocity(new, frame, way.fps))
     kind, text = kind_and_text
     following = len(after["frame"]) - 1
     if following:
         text += f"; {frames_text(following)} around it interpolated"
-    return Change(kind, text, frame, State(rows=before), State(rows=after))
+    return Change(kind, text, frame, State(rows=before), State(rows=after), scope)
 
 
 def plan_add_keyframe(table: TrackTable, track: int, frame: int) -> Change:
@@ -78,7 +81,8 @@ def plan_add_keyframe(table: TrackTable, track: int, frame: int) -> Change:
     if old["source"][0] == Source.PERSON:
         raise EditError(f"frame {frame} is a keyframe of track {track} already")
     text = f"Make frame {frame} a keyframe of {track}"
-    return Change("keyframe", text, frame, State(rows=old), State(rows=new))
+    scope = Scope(frame, frame + 1)
+    return Change("keyframe", text, frame, State(rows=old), State(rows=new), scope)
 
 
 def plan_delete_keyframe(
@@ -110,7 +114,8 @@ def plan_delete_keyframe(
     gone = len(before["frame"]) - len(after["frame"])
     if gone > 1:
         text += f", and the {frames_text(gone - 1)} interpolated from it"
-    return Change("keyframe", text, frame, State(rows=before), State(rows=after))
+    scope = Scope(frame, frame + 1)
+    return Change("keyframe", text, frame, State(rows=before), State(rows=after), scope)
 
 
 def plan_interpolate(
@@ -198,6 +203,12 @@ def _bridges(rows: Columns, frame: int, way: Way) -> Rows:
     stop = int(ends["frame"][-1])
     frames = np.setdiff1d(np.arange(ends["frame"][0], stop, dtype=np.int32), ends["frame"])
     return spanned(ends, frames, way, picked(rows, slice(0, 0)))
+
+
+def _reaching(scope: Scope, frames: NDArray[np.int32]) -> Scope:
+    """The scope, made to reach over some more frames."""
+    reached = [scope.start, *frames.tolist()]
+    return Scope(min(reached), max(reached) + 1)
 
 
 def _with_velocity(rows: Rows, frame: int, fps: float | None) -> Rows:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from tracking.editing.change import Change, LabelState, State
+from tracking.editing.change import Change, LabelState, Scope, State
 from tracking.editing.labels.labelling import writable
 from tracking.editing.scope import scope_text, tracks_text
 from tracking.errors import EditError
@@ -31,7 +31,7 @@ def plan_mark_reviewed(labels: Labels, tracks: int | Iterable[int], start: int, 
     if new == labels.reviewed:
         raise EditError(f"{who}: marked as reviewed already {scope_text(start, end)}")
     text = f"Mark {who} as reviewed {scope_text(start, end)}"
-    return _change("reviewed", text, start, labels.reviewed, new)
+    return _change("reviewed", text, Scope(start, end), labels.reviewed, new)
 
 
 def plan_unmark_reviewed(
@@ -58,7 +58,7 @@ def plan_unmark_reviewed(
         why = "marked for all tracks together; unmark all" if together else "not marked as reviewed"
         raise EditError(f"{who}: {why} {scope_text(start, end)}")
     text = f"Unmark {who} as reviewed {scope_text(start, end)}"
-    return _change("unreviewed", text, start, labels.reviewed, tuple(new))
+    return _change("unreviewed", text, Scope(start, end), labels.reviewed, tuple(new))
 
 
 def plan_verdict(labels: Labels, verdict: Verdict, text: str = "") -> Change:
@@ -143,11 +143,11 @@ def _joined(ranges: Sequence[ReviewedRange]) -> tuple[ReviewedRange, ...]:
 def _change(
     kind: str,
     text: str,
-    frame: int,
+    scope: Scope,
     old: tuple[ReviewedRange, ...],
     new: tuple[ReviewedRange, ...],
 ) -> Change:
     out, into = set(old) - set(new), set(new) - set(old)
     before = LabelState(reviewed=tuple(sorted(out)))
     after = LabelState(reviewed=tuple(sorted(into)))
-    return Change(kind, text, frame, State(labels=before), State(labels=after))
+    return Change(kind, text, scope.start, State(labels=before), State(labels=after), scope)

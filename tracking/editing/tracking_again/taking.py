@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, State, Stretches
+from tracking.editing.change import Change, Scope, State, Stretches
 from tracking.editing.log.history import History
 from tracking.editing.scope import scope_text, tracks_text
 from tracking.editing.selection import Rows, differing, picked
@@ -65,7 +65,7 @@ def plan_take(
     again = "as tracked again by" if run.known_tracks else "from the run of"
     text = f"Take {tracks_text(touched)} {_where(found, table)}, {again} {run.tracker}"
     first = min(int(rows["frame"][0]) for rows in (before, after) if len(rows["frame"]))
-    return Change("take", text, first, State(rows=before), State(rows=after))
+    return Change("take", text, first, State(rows=before), State(rows=after), Scope(*found.frames))
 
 
 def _chosen(
