@@ -19,7 +19,7 @@ from tracking.editing.boxes.rows import (
 from tracking.editing.boxes.standing import Box, body_position, standing_box
 from tracking.editing.boxes.thinning import plan_thin
 from tracking.editing.boxes.visibility import plan_mark_occluded
-from tracking.editing.change import Change, LabelState, Scope, State, apply_change
+from tracking.editing.change import Change, LabelState, State, apply_change
 from tracking.editing.identity.crossing import SwapFrame, propose_swap_frame, propose_swap_frames
 from tracking.editing.identity.identities import plan_reassign, plan_split, plan_swap
 from tracking.editing.identity.merging import Keep, plan_merge, plan_merge_tracks
@@ -42,6 +42,7 @@ from tracking.editing.log.history import Entry, History
 from tracking.editing.log.text import rows_beyond_the_log, state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
 from tracking.editing.log.touched import touched
+from tracking.editing.scope import Scope
 from tracking.editing.tracking_again.differences import (
     Difference,
     compare_runs,

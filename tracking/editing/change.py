@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -10,43 +9,11 @@ from numpy.typing import NDArray
 
 from tracking.editing.label_state import LabelState as LabelState
 from tracking.editing.label_state import relabelled
+from tracking.editing.scope import Scope
 from tracking.errors import EditError
-from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, Labels, TrackTable, empty
+from tracking.tracks import CORRECTED_COLUMNS, Columns, Labels, TrackTable, empty
 
 Stretches = NDArray[np.int64]
-_SCOPE = re.compile(r"(\d{1,10}):(\d{1,10})?", re.ASCII)
-
-
-@dataclass(frozen=True, slots=True)
-class Scope:
-    """The frames an edit was made for, whatever of them it found rows in.
-
-    Attributes:
-        start: the first frame.
-        end: one past the last; None: from there on, with all that comes.
-    """
-
-    start: int
-    end: int | None = None
-
-    @property
-    def as_text(self) -> str:
-        """As the log keeps it: "834:900", "834:" from there on."""
-        return f"{self.start}:{'' if self.end is None else self.end}"
-
-    @classmethod
-    def of_text(cls, text: str) -> Scope | None:
-        """The scope of a text of the log; None for an empty one.
-
-        Raises EditError where it is none.
-        """
-        if not text:
-            return None
-        found = _SCOPE.fullmatch(text)
-        scope = found and cls(int(found[1]), int(found[2]) if found[2] else None)
-        if not scope or not scope.start < (scope.end or LARGEST_NUMBER + 1) <= LARGEST_NUMBER + 1:
-            raise EditError(f"an edit in the log was made for {text!r}, which are no frames")
-        return scope
 
 
 def no_rows() -> Columns:

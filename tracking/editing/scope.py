@@ -1,16 +1,51 @@
-"""Which frames and tracks an edit touches, checked and put into words."""
+"""Which frames and tracks an edit is about: as a value, checked, and put into words."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from tracking.errors import EditError
 from tracking.tracks import LARGEST_NUMBER, TrackTable, check_known
 
+_SCOPE = re.compile(r"(\d{1,10}):(\d{1,10})?", re.ASCII)
 _NAMED = 4
 """So many tracks are named one by one in an edit's text."""
 FARTHEST_NEW = 1_000_000
 """How far above the highest id ever used a new one may be: ids in between are never given out."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """The frames an edit was made for, whatever of them it found rows in.
+
+    Attributes:
+        start: the first frame.
+        end: one past the last; None: from there on, with all that comes.
+    """
+
+    start: int
+    end: int | None = None
+
+    @property
+    def as_text(self) -> str:
+        """As the log keeps it: "834:900", "834:" from there on."""
+        return f"{self.start}:{'' if self.end is None else self.end}"
+
+    @classmethod
+    def of_text(cls, text: str) -> Scope | None:
+        """The scope of a text of the log; None for an empty one.
+
+        Raises EditError where it is none.
+        """
+        if not text:
+            return None
+        found = _SCOPE.fullmatch(text)
+        scope = found and cls(int(found[1]), int(found[2]) if found[2] else None)
+        if not scope or not scope.start < (scope.end or LARGEST_NUMBER + 1) <= LARGEST_NUMBER + 1:
+            raise EditError(f"an edit in the log was made for {text!r}, which are no frames")
+        return scope
 
 
 def scope_text(start: int, end: int | None) -> str:

@@ -8,8 +8,8 @@ import numpy as np
 
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.stretches import spanned
-from tracking.editing.change import Change, Scope, State, no_rows
-from tracking.editing.scope import checked_tracks, frames_text, scope_text, tracks_text
+from tracking.editing.change import Change, State, no_rows
+from tracking.editing.scope import Scope, checked_tracks, frames_text, scope_text, tracks_text
 from tracking.editing.selection import Rows, rows_in, stacked
 from tracking.errors import EditError
 from tracking.geometry import View

@@ -15,8 +15,8 @@ from tracking.editing.boxes.stretches import (
     stands_fast,
     with_row,
 )
-from tracking.editing.change import Change, Scope, State
-from tracking.editing.scope import check_scope, frames_text, scope_text
+from tracking.editing.change import Change, State
+from tracking.editing.scope import Scope, check_scope, frames_text, scope_text
 from tracking.editing.selection import Rows, differing, picked, stacked
 from tracking.errors import EditError
 from tracking.geometry import View

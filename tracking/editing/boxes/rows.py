@@ -18,8 +18,15 @@ from tracking.editing.boxes.standing import (
     places_of,
     standing_box,
 )
-from tracking.editing.change import Change, Scope, State
-from tracking.editing.scope import check_id, check_scope, checked_tracks, scope_text, tracks_text
+from tracking.editing.change import Change, State
+from tracking.editing.scope import (
+    Scope,
+    check_id,
+    check_scope,
+    checked_tracks,
+    scope_text,
+    tracks_text,
+)
 from tracking.editing.selection import Rows, stacked
 from tracking.errors import EditError
 from tracking.geometry import View

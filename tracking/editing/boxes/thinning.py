@@ -8,8 +8,8 @@ from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.keyframes import vouch_for
 from tracking.editing.boxes.standing import Floats, boxes_of, places_of
 from tracking.editing.boxes.stretches import Flags, replaced, spanned
-from tracking.editing.change import Change, Scope, State
-from tracking.editing.scope import check_scope, scope_text
+from tracking.editing.change import Change, State
+from tracking.editing.scope import Scope, check_scope, scope_text
 from tracking.editing.selection import Rows, picked, stacked
 from tracking.errors import EditError
 from tracking.geometry import View

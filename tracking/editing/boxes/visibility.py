@@ -6,8 +6,8 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from tracking.editing.change import Change, Scope, State
-from tracking.editing.scope import check_scope, checked_tracks, scope_text, tracks_text
+from tracking.editing.change import Change, State
+from tracking.editing.scope import Scope, check_scope, checked_tracks, scope_text, tracks_text
 from tracking.editing.selection import picked, stacked
 from tracking.errors import EditError
 from tracking.tracks import TrackTable

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from tracking.editing.change import Change, LabelState, Scope, State
+from tracking.editing.change import Change, LabelState, State
 from tracking.editing.labels.labelling import writable
-from tracking.editing.scope import scope_text, tracks_text
+from tracking.editing.scope import Scope, scope_text, tracks_text
 from tracking.errors import EditError
 from tracking.tracks import (
     Labels,

@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, Scope, no_rows
+from tracking.editing.change import Change, no_rows
 from tracking.editing.log.text import cells_in_text, stretches_in_text
+from tracking.editing.scope import Scope
 from tracking.tracks import Columns
 
 Handed = tuple[int, int, int, int]

@@ -7,9 +7,9 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, Scope, State, Stretches
+from tracking.editing.change import Change, State, Stretches
 from tracking.editing.log.history import History
-from tracking.editing.scope import scope_text, tracks_text
+from tracking.editing.scope import Scope, scope_text, tracks_text
 from tracking.editing.selection import Rows, differing, picked
 from tracking.editing.tracking_again.alignment import Alignment, aligned, exchanged
 from tracking.editing.tracking_again.counterparts import same_keys
