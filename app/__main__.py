@@ -5,12 +5,19 @@ from __future__ import annotations
 import signal
 import sys
 from collections.abc import Sequence
+from typing import Any
+
+import typer
 
 from app.cli.commands import program
 from app.cli.failure import MISUSED, told
 
 NOT_BUILT = ("count", "import", "batch")
 """Commands that are announced; typing one is answered with a line of its own."""
+_MISUSE: type[Exception] = next(
+    kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "UsageError"
+)
+"""What all wrong arguments raise; typer has no name for it that all its versions share."""
 
 
 def main() -> None:
@@ -27,7 +34,25 @@ def run(arguments: Sequence[str]) -> int:
     if words and words[0] in NOT_BUILT:
         print(f"trackwright: {words[0]} is not built yet", file=sys.stderr)
         return MISUSED
-    return told(lambda: program(words, prog_name="trackwright"), debug=debug)
+    return told(lambda: _obey(words), debug=debug)
+
+
+def _obey(words: list[str]) -> None:
+    """Run the command; what is wrongly asked for is told in a line like any other error."""
+    try:
+        status = program(words or ["--help"], prog_name="trackwright", standalone_mode=False)
+    except typer.Abort as stop:
+        raise KeyboardInterrupt from stop
+    except _MISUSE as misuse:
+        print(f"trackwright: {_told_of(misuse)}", file=sys.stderr)
+        raise SystemExit(MISUSED) from misuse
+    raise SystemExit((status or 0) if words else MISUSED)
+
+
+def _told_of(misuse: Any) -> str:
+    message = " ".join(misuse.format_message().split()).rstrip(".")
+    asked = misuse.ctx.command_path if misuse.ctx is not None else "trackwright"
+    return f"{message}; see {asked} --help"
 
 
 if __name__ == "__main__":

@@ -61,11 +61,10 @@ def asked_again(
         typer.BadParameter: some of them are missing.
     """
     if session is None:
-        if start is not None or until is not None or accept:
-            raise typer.BadParameter(
-                "--from, --until and --accept go with a session to track again",
-                param_hint="--again",
-            )
+        given = {"--from": start is not None, "--until": until is not None, "--accept": accept}
+        if any(given.values()):
+            named = next(name for name, is_given in given.items() if is_given)
+            raise typer.BadParameter("it needs a session, --again NAME.h5", param_hint=named)
         return None
     if start is None:
         raise typer.BadParameter("name the first frame to track again", param_hint="--from")

@@ -113,3 +113,27 @@ def test_a_closed_pipe_ends_quietly(tmp_path: Path) -> None:
         env={"PYTHONPATH": str(Path(__file__).parents[3]), "PATH": "/usr/bin:/bin"},
     )
     assert done.stderr == ""
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["score"], "trackwright: Missing argument 'result'; see trackwright score --help"),
+        (["review", "x.h5", "--most", "0"], "greater than or equal to 1; see trackwright review"),
+        (["track", "x", "--from", "abc"], "'--from'"),
+        (["track", "x", "--from", "5"], "--from: it needs a session, --again NAME.h5"),
+        (["nonsense"], "No such command 'nonsense'; see trackwright --help"),
+    ],
+)
+def test_what_is_wrongly_asked_for_is_told_in_a_line(
+    capsys: pytest.CaptureFixture[str], words: list[str], said: str
+) -> None:
+    assert run(words) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    assert said in err
+
+
+def test_nothing_asked_for_shows_the_help(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run([]) == 2
+    assert "Usage: trackwright" in "".join(capsys.readouterr())
