@@ -10,7 +10,7 @@ from app.presenters.correcting.kinds import (
     PLACING,
     SCOPES,
     EditKind,
-    Scope,
+    Reach,
     Way,
 )
 from app.presenters.correcting.preview import (
@@ -37,7 +37,7 @@ __all__ = [
     "PlannedEdit",
     "PreviewedTracks",
     "Range",
-    "Scope",
+    "Reach",
     "Way",
     "begun_box",
     "begun_place",

@@ -17,7 +17,7 @@ from app.presenters.correcting import (
     Place,
     PlannedEdit,
     Range,
-    Scope,
+    Reach,
     begun_box,
     begun_place,
     planned_edit,
@@ -71,7 +71,7 @@ class Correcting:
 
     # beginning
 
-    def begin(self, kind: EditKind, frame: int, scope: Scope | None = None, other: int = 0) -> None:
+    def begin(self, kind: EditKind, frame: int, scope: Reach | None = None, other: int = 0) -> None:
         """Begin an edit of who is selected at a frame, perhaps with the second person already."""
         on = self._ground()
         if on is None or not (self._selection or kind is EditKind.DRAW):
@@ -273,4 +273,4 @@ def _with_proposal(flow: EditFlow, on: Ground) -> EditFlow:
     made = on.table.of_track(flow.track)["source"]
     by_hand = bool(flow.track) and len(made) > 0 and bool(np.any(made != 0))
     joined = flow.kind is EditKind.DRAW and by_hand
-    return replace(flow, box=box, place=place, scope=Scope.JOINED if joined else flow.scope)
+    return replace(flow, box=box, place=place, scope=Reach.JOINED if joined else flow.scope)

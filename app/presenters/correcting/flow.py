@@ -13,7 +13,7 @@ from app.presenters.correcting.kinds import (
     WAYS,
     EditKind,
     Longest,
-    Scope,
+    Reach,
     Way,
 )
 from tracking.editing import SwapFrame
@@ -29,7 +29,7 @@ class Fill(Enum):
     FILL = "fill between them"
 
 
-Option = Scope | Way | Fill | Longest
+Option = Reach | Way | Fill | Longest
 """One of the things that can be chosen between."""
 
 
@@ -39,7 +39,7 @@ class EditFlow:
 
     Attributes:
         kind: what. track: the selected person; 0: one who is still to be drawn.
-        cut: the first frame that changes. end: half-open, used by `Scope.RANGE` alone.
+        cut: the first frame that changes. end: half-open, used by `Reach.RANGE` alone.
         also: others who are selected too. other: the second person, or the other id; 0: not yet.
         scope: how far. way, fill: how. longest: of the gaps that are filled.
         proposed: the cut is one of `cuts`, found from how the two walked and looked.
@@ -57,7 +57,7 @@ class EditFlow:
     end: int
     also: tuple[int, ...] = ()
     other: int = 0
-    scope: Scope = Scope.ON
+    scope: Reach = Reach.ON
     way: Way = Way.FLOOR
     fill: Fill = Fill.LEAVE
     longest: Longest = Longest.SECOND
@@ -78,7 +78,7 @@ class EditFlow:
         frame: int,
         fps: float,
         *,
-        scope: Scope | None = None,
+        scope: Reach | None = None,
         marked: Range | None = None,
         has_floor: bool = False,
     ) -> EditFlow:
@@ -118,12 +118,12 @@ class EditFlow:
     @property
     def has_cut(self) -> bool:
         """Whether the cut can be moved."""
-        return not self.places and self.scope not in (Scope.WHOLE,)
+        return not self.places and self.scope not in (Reach.WHOLE,)
 
     @property
     def has_end(self) -> bool:
         """Whether the end can be moved."""
-        return self.scope is Scope.RANGE
+        return self.scope is Reach.RANGE
 
     @property
     def leads(self) -> bool:
@@ -133,12 +133,12 @@ class EditFlow:
     @property
     def start(self) -> int:
         """The first frame the edit may touch."""
-        return 0 if self.scope is Scope.WHOLE else self.cut
+        return 0 if self.scope is Reach.WHOLE else self.cut
 
     @property
     def stop(self) -> int | None:
         """The frame the edit ends before; None: it goes on to the end."""
-        return {Scope.RANGE: self.end, Scope.FRAME: self.cut + 1}.get(self.scope)
+        return {Reach.RANGE: self.end, Reach.FRAME: self.cut + 1}.get(self.scope)
 
     # steps
 
@@ -173,13 +173,13 @@ class EditFlow:
     def with_range(self, start: int, end: int) -> EditFlow:
         """The edit over a range; where it can go that far, it does from now on."""
         ranged = replace(self, marked=(start, end))
-        return ranged.with_scope(Scope.RANGE) if Scope.RANGE in SCOPES[self.kind] else ranged
+        return ranged.with_scope(Reach.RANGE) if Reach.RANGE in SCOPES[self.kind] else ranged
 
-    def with_scope(self, scope: Scope) -> EditFlow:
+    def with_scope(self, scope: Reach) -> EditFlow:
         """The edit going as far; a range is the one the user has set, where there is one."""
         if scope not in SCOPES[self.kind]:
             return self
-        if scope is Scope.RANGE and self.marked is not None:
+        if scope is Reach.RANGE and self.marked is not None:
             start, end = self.marked
             return replace(self, scope=scope, cut=start, end=end, proposed=False)
         return replace(self, scope=scope)
@@ -195,7 +195,7 @@ class EditFlow:
         if self.kind is EditKind.FILL_ALL:
             return tuple(Longest), ways
         if self.kind is EditKind.DRAW and not self.track:
-            return (Scope.FRAME,), ()
+            return (Reach.FRAME,), ()
         return SCOPES[self.kind], ways
 
     def chosen(self, row: int) -> int:
@@ -210,7 +210,7 @@ class EditFlow:
         if not options:
             return self
         option = options[number % len(options)]
-        if isinstance(option, Scope):
+        if isinstance(option, Reach):
             return self.with_scope(option)
         if isinstance(option, Longest):
             return replace(self, longest=option)

@@ -29,7 +29,7 @@ class EditKind(Enum):
     REVIEW = "review"
 
 
-class Scope(Enum):
+class Reach(Enum):
     """How far an edit goes."""
 
     ON = "from here on"
@@ -66,25 +66,25 @@ class Way(Enum):
     FLOOR = "floor"
 
 
-_ANY: Final = (Scope.ON, Scope.RANGE, Scope.FRAME, Scope.WHOLE)
-_STRETCH: Final = (Scope.FRAME, Scope.RANGE, Scope.ON, Scope.WHOLE)
+_ANY: Final = (Reach.ON, Reach.RANGE, Reach.FRAME, Reach.WHOLE)
+_STRETCH: Final = (Reach.FRAME, Reach.RANGE, Reach.ON, Reach.WHOLE)
 _PATHS: Final = (Way.FLOOR, Way.LINEAR)
 
-SCOPES: Final[Mapping[EditKind, tuple[Scope, ...]]] = {
+SCOPES: Final[Mapping[EditKind, tuple[Reach, ...]]] = {
     EditKind.SWAP: _ANY,
-    EditKind.SPLIT: (Scope.ON,),
-    EditKind.MERGE: (Scope.WHOLE,),
+    EditKind.SPLIT: (Reach.ON,),
+    EditKind.MERGE: (Reach.WHOLE,),
     EditKind.REASSIGN: _ANY,
     EditKind.DELETE: _ANY,
-    EditKind.DRAW: (Scope.FRAME, Scope.JOINED),
-    EditKind.MOVE: (Scope.FRAME,),
-    EditKind.FLOOR: (Scope.FRAME,),
-    EditKind.INTERPOLATE: (Scope.BETWEEN, Scope.RANGE),
-    EditKind.FILL: (Scope.GAP,),
-    EditKind.FILL_ALL: (Scope.WHOLE,),
-    EditKind.KEYFRAME: (Scope.FRAME,),
-    EditKind.NO_KEYFRAME: (Scope.FRAME,),
-    EditKind.THIN: (Scope.RANGE, Scope.ON, Scope.WHOLE),
+    EditKind.DRAW: (Reach.FRAME, Reach.JOINED),
+    EditKind.MOVE: (Reach.FRAME,),
+    EditKind.FLOOR: (Reach.FRAME,),
+    EditKind.INTERPOLATE: (Reach.BETWEEN, Reach.RANGE),
+    EditKind.FILL: (Reach.GAP,),
+    EditKind.FILL_ALL: (Reach.WHOLE,),
+    EditKind.KEYFRAME: (Reach.FRAME,),
+    EditKind.NO_KEYFRAME: (Reach.FRAME,),
+    EditKind.THIN: (Reach.RANGE, Reach.ON, Reach.WHOLE),
     EditKind.OCCLUDE: _STRETCH,
     EditKind.SHOW: _STRETCH,
     EditKind.REVIEW: _STRETCH,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.presenters.correcting.flow import EditFlow, Fill, Option
-from app.presenters.correcting.kinds import EditKind, Longest, Scope, Way
+from app.presenters.correcting.kinds import EditKind, Longest, Reach, Way
 from app.presenters.words import tr
 
 
@@ -33,7 +33,7 @@ def title_of(kind: EditKind) -> str:
 
 def question(option: Option) -> str:
     """What is chosen with an option."""
-    if isinstance(option, Scope):
+    if isinstance(option, Reach):
         return tr("How far")
     if isinstance(option, Fill):
         return tr("Where neither stands")
@@ -45,7 +45,7 @@ def question(option: Option) -> str:
 
 def option_name(option: Option, flow: EditFlow) -> str:
     """One of the things that can be chosen between."""
-    if isinstance(option, Scope):
+    if isinstance(option, Reach):
         return _scope_name(option)
     if isinstance(option, Longest):
         return _length_name(option)
@@ -63,15 +63,15 @@ def option_name(option: Option, flow: EditFlow) -> str:
     return names[option]
 
 
-def _scope_name(scope: Scope) -> str:
+def _scope_name(scope: Reach) -> str:
     names = {
-        Scope.ON: tr("from here on"),
-        Scope.RANGE: tr("this range"),
-        Scope.FRAME: tr("this frame"),
-        Scope.WHOLE: tr("the whole track"),
-        Scope.BETWEEN: tr("between the keyframes"),
-        Scope.GAP: tr("this gap"),
-        Scope.JOINED: tr("and the gap beside it"),
+        Reach.ON: tr("from here on"),
+        Reach.RANGE: tr("this range"),
+        Reach.FRAME: tr("this frame"),
+        Reach.WHOLE: tr("the whole track"),
+        Reach.BETWEEN: tr("between the keyframes"),
+        Reach.GAP: tr("this gap"),
+        Reach.JOINED: tr("and the gap beside it"),
     }
     return names[scope]
 

@@ -11,7 +11,7 @@ from app.presenters.correcting.flow import EditFlow, Fill
 from app.presenters.correcting.footing import box_of
 from app.presenters.correcting.gap_places import gap_near
 from app.presenters.correcting.ground import Ground
-from app.presenters.correcting.kinds import EditKind, Scope, Way
+from app.presenters.correcting.kinds import EditKind, Reach, Way
 from app.presenters.words import tr
 from tracking.editing import (
     Change,
@@ -121,7 +121,7 @@ def _draw(flow: EditFlow, on: Ground) -> Change:
         flow.box,
         view=view,
         fps=fps,
-        join=flow.scope is Scope.JOINED,
+        join=flow.scope is Reach.JOINED,
     )
 
 
@@ -149,7 +149,7 @@ def _drag(flow: EditFlow, on: Ground) -> Change:
 
 def _interpolate(flow: EditFlow, on: Ground) -> Change:
     start, end = flow.cut, flow.end
-    if flow.scope is Scope.BETWEEN:
+    if flow.scope is Reach.BETWEEN:
         start, end = stretch_between_keyframes(on.table, flow.track, flow.cut)
     how, footing = _HOWS[flow.way], on.footing
     return plan_interpolate(

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
-from app.presenters.correcting import EditFlow, EditKind, Scope
+from app.presenters.correcting import EditFlow, EditKind, Reach
 from app.presenters.document.document import Document
 from app.presenters.files import opening
 from app.presenters.words import tr
@@ -40,7 +40,7 @@ class Editing(QObject):
 
     # an edit on its way
 
-    def begin(self, kind: EditKind, scope: Scope | None = None, other: int = 0) -> None:
+    def begin(self, kind: EditKind, scope: Reach | None = None, other: int = 0) -> None:
         """Begin an edit of who is selected at the playhead, perhaps with the second person."""
         self._begun(lambda frame: self._document.correcting.begin(kind, frame, scope, other))
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
-from app.presenters.correcting import Scope
+from app.presenters.correcting import Reach
 from app.presenters.document.document import Document
 from app.presenters.labelling.labelling_scene import Suggested
 from app.presenters.labelling.part_labelling import PartLabelling
@@ -100,7 +100,7 @@ class PartKeys(QObject):
             return
         choice = self._presenter.choice
         choice.part = (choice.part + 1) % len(PART_NAMES)
-        if choice.part == 0 and choice.step and choice.scope is Scope.FRAME:
+        if choice.part == 0 and choice.step and choice.scope is Reach.FRAME:
             self._playback.step(choice.step)
         self.changed.emit()
 
@@ -150,7 +150,7 @@ class PartKeys(QObject):
             self.said.emit(tr("Nothing suggested is left to label"))
         else:
             frame, track, choice.part = suggested.key
-            choice.scope = Scope.FRAME
+            choice.scope = Reach.FRAME
             self._playback.pause()
             self._document.selection.choose(track)
             self._playback.go(frame)

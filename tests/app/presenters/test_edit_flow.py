@@ -7,7 +7,7 @@ from app.presenters.correcting import (
     Footing,
     Ground,
     PreviewedTracks,
-    Scope,
+    Reach,
     planned_edit,
     preview_trails,
 )
@@ -90,18 +90,18 @@ def test_the_scope_goes_round_and_says_where_the_edit_ends(table):
         flow = flow.with_choice(0, flow.chosen(0) + 1)
     cut = flow.cut
     assert stops == [
-        (Scope.ON, cut, None),
-        (Scope.RANGE, cut, cut + 20),
-        (Scope.FRAME, cut, cut + 1),
-        (Scope.WHOLE, 0, None),
-        (Scope.ON, cut, None),
+        (Reach.ON, cut, None),
+        (Reach.RANGE, cut, cut + 20),
+        (Reach.FRAME, cut, cut + 1),
+        (Reach.WHOLE, 0, None),
+        (Reach.ON, cut, None),
     ]
 
 
 def test_a_range_the_user_has_set_is_the_one_that_is_meant():
     flow = EditFlow.begin(EditKind.DELETE, 4, 30, FPS, marked=(12, 18))
     assert (flow.cut, flow.stop) == (30, None)
-    ranged = flow.with_scope(Scope.RANGE)
+    ranged = flow.with_scope(Reach.RANGE)
     assert (ranged.cut, ranged.stop) == (12, 18)
 
 
@@ -194,7 +194,7 @@ def test_a_merge_can_fill_what_lies_between_the_two(table):
 
 
 def test_the_rows_of_a_frame_are_previewed_as_applying_the_change_leaves_them(table):
-    change = plan_of(_swap(table).with_scope(Scope.RANGE), _on(table))
+    change = plan_of(_swap(table).with_scope(Reach.RANGE), _on(table))
     seen = PreviewedTracks(SessionTracks(table, None), change)
     previewed = [seen.of_frame(frame) for frame in range(two_people.FRAMES)]
     apply_change(table, Labels(), change)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.presenters.correcting import EditKind, Scope
+from app.presenters.correcting import EditKind, Reach
 from app.presenters.labelling.labelling_scene import Tool
 from app.views.desk.desk import Desk
 from app.views.window.runnable.on_desk import OnDesk
@@ -17,7 +17,7 @@ def _to_track(end: bool) -> OnDesk:
     return go
 
 
-def _begin(kind: EditKind, scope: Scope | None = None) -> OnDesk:
+def _begin(kind: EditKind, scope: Reach | None = None) -> OnDesk:
     return lambda desk: desk.editing.begin(kind, scope)
 
 
@@ -56,10 +56,10 @@ CORRECTING: dict[str, OnDesk] = {
     "tracks.split": _begin(EditKind.SPLIT),
     "tracks.merge": _begin(EditKind.MERGE),
     "tracks.reassign": _begin(EditKind.REASSIGN),
-    "tracks.end_here": _begin(EditKind.DELETE, Scope.ON),
-    "tracks.delete_frame": _begin(EditKind.DELETE, Scope.FRAME),
-    "tracks.delete_range": _begin(EditKind.DELETE, Scope.RANGE),
-    "tracks.delete_track": _begin(EditKind.DELETE, Scope.WHOLE),
+    "tracks.end_here": _begin(EditKind.DELETE, Reach.ON),
+    "tracks.delete_frame": _begin(EditKind.DELETE, Reach.FRAME),
+    "tracks.delete_range": _begin(EditKind.DELETE, Reach.RANGE),
+    "tracks.delete_track": _begin(EditKind.DELETE, Reach.WHOLE),
     "tracks.draw": lambda desk: desk.editing.begin_drawing(),
     "tracks.new": lambda desk: desk.editing.begin_drawing(new=True),
     "tracks.move_box": _begin(EditKind.MOVE),
