@@ -15,8 +15,8 @@ from tracking.trackers.three_part.bodies import outlined_boxes
 from tracking.trackers.three_part.claims import claims_of, seen_taller, seen_whole, sharing
 from tracking.trackers.three_part.finding import found_again
 from tracking.trackers.three_part.followed import Followed, Layout
-from tracking.trackers.three_part.poses import HIP_LEG
-from tracking.trackers.three_part.silhouettes import legs_elsewhere
+from tracking.trackers.three_part.poses import HEAD, HIP_LEG
+from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
 from tracking.trackers.three_part.starting import begun, regions_rectangles
 
 LAYOUT = Layout(parts=3, together=1)
@@ -117,3 +117,15 @@ def test_who_stands_in_somebody_else_goes_to_where_their_own_clothes_are(
     found, left = found_again(people, boxes, lost, two, both.people, free, picture, LAYOUT)
     assert np.isfinite(found).all(axis=(1, 2)).tolist() == [False, goes]
     assert len(left) == (not goes)
+
+
+def test_a_head_slid_down_is_drawn_up_to_its_place_with_its_particles(seen: Observation) -> None:
+    assert seen.picture is not None
+    right, slid = _followed(seen), _followed(seen, (HEAD, -8.0))
+    claims = claims_of(slid.rectangles, seen.people)
+    drawn = drawn_home(slid, seen.people, claims, ycbcr(seen.picture), 0.05, LAYOUT)
+    step = drawn.rectangles - slid.rectangles
+    assert -7.0 < step[0, HEAD, 1] < -1.0
+    assert drawn.rectangles[0, 1:] == pytest.approx(right.rectangles[0, 1:])
+    moved = (drawn.clouds.state - slid.clouds.state)[drawn.clouds.owner == HEAD, 0, 1]
+    assert moved == pytest.approx(step[0, HEAD, 1], abs=1e-4)

@@ -1,20 +1,25 @@
-"""Legs that slid up their own silhouette."""
+"""Parts that leave their places in their own silhouette, and those that are lost there."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.filtering import Clouds
 from tracking.people import Detections
 from tracking.people.parts import decompose, inner_rectangles
 from tracking.trackers.three_part.claims import Claims, seen_whole
-from tracking.trackers.three_part.followed import Flags, Floats, Followed
+from tracking.trackers.three_part.followed import Flags, Floats, Followed, Layout
 from tracking.trackers.three_part.poses import HIP_LEG
+from tracking.trackers.three_part.starting import by_filter, regions_rectangles
 
 _HELD = 0.5
 """A rectangle of which less lies in its section is lost, as in the paper's measure."""
 _LARGEST = 4.0
 """So is one whose area is more than so many times the inner rectangle's there, or less by that."""
+
+_HOME_S = 0.1
+"""In what time parts are drawn most of the way to where a silhouette has them."""
 
 
 def legs_elsewhere(
@@ -40,6 +45,37 @@ def legs_elsewhere(
         off[row] = np.isfinite(inner).all() and _is_off(rectangles[row], section, inner)
         belong[row] = inner
     return off, belong
+
+
+def drawn_home(
+    people: Followed,
+    seen: Detections,
+    claims: Claims,
+    picture: NDArray[np.uint8],
+    elapsed_s: float,
+    layout: Layout,
+) -> Followed:
+    """The people with their parts drawn to where the silhouettes have them.
+
+    Where we go past [ZhaoLee2009]: colours alone let a head slide to the neck long before anything
+    can be called lost. Estimates and particles of those seen alone and whole move a share of the
+    way to the inner rectangles, so that a line between parts that is off in one frame does little.
+
+    Args:
+        picture: (height, width, 3) of `ycbcr`.
+    """
+    rows = np.flatnonzero(seen_whole(claims, seen, people.height) & ~people.hidden)
+    if not len(rows) or elapsed_s <= 0.0:
+        return people
+    home = regions_rectangles(seen, claims.region[rows], picture, layout)
+    step = np.zeros(people.rectangles.shape)
+    share = 1.0 - np.exp(-elapsed_s / _HOME_S)
+    step[rows] = share * np.nan_to_num(home - people.rectangles[rows])
+    state, clouds = people.state.copy(), people.clouds
+    state[..., :4] += step
+    moved = clouds.state.copy()
+    moved[..., :4] += by_filter(step, layout)[clouds.owner].astype(np.float32)
+    return people.replace(state=state, clouds=Clouds(moved, clouds.weight, clouds.start))
 
 
 def _legs(seen: Detections, region: int, picture: NDArray[np.uint8]) -> tuple[Floats, Floats]:

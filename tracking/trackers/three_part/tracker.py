@@ -46,7 +46,7 @@ from tracking.trackers.three_part.poses import HIP_LEG
 from tracking.trackers.three_part.result import Shown, step_result
 from tracking.trackers.three_part.resuming import resumed
 from tracking.trackers.three_part.settings import WholeBodySettings
-from tracking.trackers.three_part.silhouettes import legs_elsewhere
+from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
 from tracking.trackers.three_part.starting import all_seen, begun, begun_anew, regions_rectangles
 from tracking.trackers.three_part.watching import Watch
 
@@ -81,6 +81,8 @@ class PartTracker:
 
     Where we differ from the source and why:
         - people are found, and let go, by regions of the foreground, which the paper leaves open;
+        - with adjustment, parts of people seen alone and whole are drawn to where the silhouette
+          has them, in every frame;
         - somebody lost behind others is looked for by colours around the place expected;
         - with adjustment, parts that are occluded move with those of the person that are not;
         - the box is the person's, learnt from regions seen alone: inner rectangles are smaller.
@@ -134,7 +136,7 @@ class PartTracker:
         elapsed_s = 0.0 if self._time_s is None else time_s - self._time_s
         self._time_s = time_s
         people = self._filtered(seen, picture, elapsed_s)
-        people = self._put_right(people, seen, picture, time_s)
+        people = self._put_right(people, seen, picture, elapsed_s)
         claims = claims_of(people.rectangles, seen)
         people = colours_learnt(people, picture, claims, self._settings)
         people = self._aged(people, claims, elapsed_s)
@@ -174,11 +176,15 @@ class PartTracker:
         return people.replace(occluded=hidden, touching=touching)
 
     def _put_right(
-        self, people: Followed, seen: Detections, picture: Picture, time_s: float
+        self, people: Followed, seen: Detections, picture: Picture, elapsed_s: float
     ) -> Followed:
         """Failures judged and, where that is wanted, adjusted."""
         if self._layout.parts == 1:
             return people
+        if self._adjust:
+            claims = claims_of(people.rectangles, seen)
+            people = drawn_home(people, seen, claims, picture, elapsed_s, self._layout)
+        time_s = self._time_s or 0.0
         said = self._watch.judge(time_s, people, ~people.hidden)
         people = people.replace(failed=said.failed, score=said.score)
         if not self._adjust:
