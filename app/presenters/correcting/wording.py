@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from app.presenters.correcting.flow import EditFlow
 from app.presenters.correcting.ground import Ground
-from app.presenters.correcting.kinds import EditKind
+from app.presenters.correcting.kinds import EditKind, Reach
 from app.presenters.correcting.naming import option_name, question, title_of
+from app.presenters.correcting.nearness import metres_apart
 from app.presenters.palette import colour_of_track
 from app.presenters.scenes import ChoiceRow, EditPreview, Proposal
 from app.presenters.words import counted, time_text, tr
@@ -18,6 +19,8 @@ from tracking.editing import Change
 from tracking.tracks import Columns, TrackTable, next_track
 
 _MOST_NAMED = 4
+_FAR_APART_M = 1.5
+"""Who is never nearer than this was hardly taken for the other."""
 Places = NDArray[np.int64]
 
 
@@ -35,8 +38,10 @@ def preview_scene(
         choices=choices,
         other=flow.other if flow.takes_other else None,
         others=_others(flow, on),
-        cuts=_cuts(flow) if change is not None else (),
+        cuts=_cuts(flow, on) if change is not None else (),
         has_cut=flow.has_cut,
+        begins=flow.scope in (Reach.ON, Reach.RANGE),
+        gives=flow.kind is EditKind.REASSIGN,
         ready=change is not None,
         hint=_hint(flow, change is not None),
     )
@@ -76,18 +81,21 @@ def _others(flow: EditFlow, on: Ground) -> tuple[Proposal, ...]:
     )
 
 
-def _cuts(flow: EditFlow) -> tuple[Proposal, ...]:
+def _cuts(flow: EditFlow, on: Ground) -> tuple[Proposal, ...]:
     """The frames where the two may have changed over, the likeliest first."""
     return tuple(
-        Proposal(number, str(cut.frame), number == flow.cut_number, None, _why(flow, number))
+        Proposal(number, str(cut.frame), number == flow.cut_number, None, _why(flow, number, on))
         for number, cut in enumerate(flow.cuts)
     )
 
 
-def _why(flow: EditFlow, number: int) -> str:
+def _why(flow: EditFlow, number: int, on: Ground) -> str:
+    """Why a frame was found; a share of all found only where there are others to choose from."""
     cut = flow.cuts[number]
-    if len(flow.cuts) == 1 and cut.likelihood == 1.0:
-        return cut.text  # nothing was weighed
+    if metres_apart(on.table, flow.track, flow.other, cut.frame) > _FAR_APART_M:
+        return tr("nothing shows that they changed over: {why}", why=cut.text)
+    if len(flow.cuts) == 1:
+        return tr("the only frame found: {why}", why=cut.text)
     return tr("{share} %: {why}", share=round(100 * cut.likelihood), why=cut.text)
 
 
@@ -98,7 +106,7 @@ def _details(flow: EditFlow, change: Change, on: Ground) -> tuple[str, ...]:
     lines, fps = [], on.footing.fps
     when = time_text(flow.cut / fps)
     if flow.proposed and flow.cut_number >= 0:
-        why = _why(flow, flow.cut_number)
+        why = _why(flow, flow.cut_number, on)
         lines.append(tr("Frame {n} ({when}), {why}", n=flow.cut, when=when, why=why))
     elif flow.has_cut or flow.places:
         lines.append(tr("Frame {n} ({when})", n=flow.cut, when=when))

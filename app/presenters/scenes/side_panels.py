@@ -83,6 +83,8 @@ class EditPreview:
         title: e.g. "Swap 4 and 7 from frame 834 on".
         details: lines that say what will change.
         frame: the cut, moved by the arrow keys, where it `has_cut`.
+        begins: the edit begins at that frame; else it is one inside of what is changed.
+        gives: the second person takes over from the first, as in giving rows to an id.
         end: one past the last frame of a range; None where the edit goes over none.
         choices: what can be chosen.
         other: id of the second person, 0 while they are to be picked, None where none is needed.
@@ -100,5 +102,7 @@ class EditPreview:
     others: tuple[Proposal, ...] = ()
     cuts: tuple[Proposal, ...] = ()
     has_cut: bool = True
+    begins: bool = True
+    gives: bool = False
     ready: bool = True
     hint: str = ""

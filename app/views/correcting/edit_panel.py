@@ -119,6 +119,7 @@ class EditPanel(QFrame):
         line.setContentsMargins(0, 0, 0, 0)
         line.setSpacing(12)
         cut, self._frame = self._nudge(self.tr("From"), self.tr("Left"), self.tr("Right"))
+        self._cut_title = cut.title
         cut.moved.connect(self.cut_moved)
         keys = self.tr("Ctrl+Left"), self.tr("Ctrl+Right")
         self._until, self._end = self._nudge(self.tr("to"), *keys)
@@ -175,6 +176,8 @@ class EditPanel(QFrame):
         self._hint.setVisible(bool(preview.hint) and not self._terse)
         self.setToolTip(preview.hint)
         self._frame.setText(str(preview.frame))
+        self._cut_title.setText(self.tr("From") if preview.begins else self.tr("At"))
+        self._other_title.setText(self.tr("To") if preview.gives else self.tr("With"))
         self._until.setVisible(preview.end is not None)
         self._end.setText(str(preview.end - 1) if preview.end is not None else "")
         self._frames.setVisible(preview.has_cut and preview.other != 0)
@@ -228,6 +231,7 @@ class _Nudge(QWidget):
 
     def __init__(self, title: str, back_key: str, on_key: str, parent: QWidget) -> None:
         super().__init__(parent)
+        self.title = quiet(title, self)
         self.label = QLabel(self)
         self.label.setFont(scaled_font(parent.font(), 1.0, bold=True))
         earlier = IconButton(
@@ -239,7 +243,7 @@ class _Nudge(QWidget):
         line = QHBoxLayout(self)
         line.setContentsMargins(0, 0, 0, 0)
         line.setSpacing(4)
-        for widget in (quiet(title, self), earlier, self.label, later):
+        for widget in (self.title, earlier, self.label, later):
             line.addWidget(widget)
         for button in (earlier, later):
             button.setAutoRepeat(True)

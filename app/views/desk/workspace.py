@@ -22,6 +22,7 @@ from app.views.comparing.compare_panel import ComparePanel
 from app.views.comparing.differences_panel import DifferencesPanel
 from app.views.correcting.edit_panel import EditPanel
 from app.views.correcting.track_panel import TrackPanel
+from app.views.desk.pane_ring import PaneRing
 from app.views.history.history_panel import HistoryPanel
 from app.views.labelling.labelling_panel import LabellingPanel
 from app.views.parts.curves_panel import CurvesPanel
@@ -31,6 +32,7 @@ from app.views.pictures.picture import PictureView
 from app.views.playing.transport import TransportBar
 from app.views.reviewing.review_panel import ReviewPanel
 from app.views.timeline import TimelineView
+from app.views.widgets.parts import bring_into_view
 from app.views.widgets.remembered import Remembered
 
 _PANEL_LETTERS = 48
@@ -60,6 +62,7 @@ class Workspace(QWidget):
         self._splitters: dict[str, QSplitter] = {}
         self.timeline.area.axis_changed.connect(self.curves.plot.show_axis)
         self._lay_out()
+        self._ring = PaneRing(self)
 
     def _lay_out(self) -> None:
         eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
@@ -157,17 +160,23 @@ class Workspace(QWidget):
             typed_into.clearFocus()
 
     def focus_next_pane(self) -> None:
-        """Give the keyboard to the next part: picture, floor, card, history, timeline."""
-        panes = (self.left, self.overhead, self.card, self.history, self.timeline)
+        """Give the keyboard to the next part that is shown, and lay a ring around it.
+
+        Picture, floor, queue, card, history, timeline; a list among them can be walked then.
+        """
+        lists = (self.review, self.card, self.history)
+        every = (self.left, self.overhead, *lists, self.differences, self.timeline)
+        panes = [pane for pane in every if pane.isVisible()]
         now = QApplication.focusWidget()
         inside = [now is not None and (now is pane or pane.isAncestorOf(now)) for pane in panes]
         following = panes[(inside.index(True) + 1) % len(panes)] if any(inside) else panes[0]
-        if following is self.card or following is self.history:
+        bring_into_view(following)
+        fields: list[QAbstractScrollArea] = []
+        if following in (*lists, self.differences):
             fields = following.findChildren(QAbstractScrollArea)
-            visible = [field for field in fields if field.isVisible()]
-            (visible[0] if visible else following).setFocus()
-        else:
-            following.setFocus()
+        visible = [field for field in fields if field.isVisible()]
+        (visible[0] if visible else following).setFocus()
+        self._ring.show_around(following)
 
     def remember(self, remembered: Remembered) -> None:
         """Keep how the parts are laid out."""

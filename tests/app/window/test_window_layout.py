@@ -1,6 +1,7 @@
 """How the room of an ordinary screen is shared."""
 
 import pytest
+from PySide6.QtWidgets import QApplication
 
 from app.views.reviewing import review_search
 from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder
@@ -58,3 +59,33 @@ def test_lanes_remembered_in_a_way_that_is_unknown_stand_as_ever(window, remembe
     controls = window.workspace.timeline.area.controls
     controls.restore(remembered)
     assert controls.arrangement == Arrangement()
+
+
+def test_f6_walks_the_parts_with_a_ring_around_the_one_that_has_the_keyboard(window_on_a_laptop):
+    window = window_on_a_laptop
+    space = window.workspace
+    window.activateWindow()
+    space.timeline.setFocus()
+    walked = []
+    for _ in range(6):
+        window.run_command("view.next_pane")
+        pane = space._ring.pane
+        walked.append(pane)
+        now = QApplication.focusWidget()
+        assert now is pane or pane.isAncestorOf(now)
+        assert space._ring.isVisible()
+        assert space._ring.size().height() <= pane.height()
+    assert walked == [
+        space.left, space.overhead, space.review, space.card, space.history, space.timeline
+    ]  # fmt: skip
+    space.left.setFocus()
+    assert space._ring.isHidden()
+
+
+def test_f6_shows_where_the_keyboard_is(window_on_a_laptop):
+    window = window_on_a_laptop
+    window.activateWindow()
+    window.workspace.timeline.setFocus()
+    before = window.grab().toImage()
+    window.run_command("view.next_pane")
+    assert window.grab().toImage() != before

@@ -97,3 +97,16 @@ def test_what_the_trails_of_a_preview_mean_is_said_once_there_are_any(preview):
     assert not preview._legend.isHidden()
     preview.show_scene(replace(SWAP, ready=False, other=0))
     assert preview._legend.isHidden()
+
+
+def test_the_frame_is_said_as_the_begin_only_where_the_edit_begins_there(preview):
+    assert "From" in words(preview)
+    preview.show_scene(replace(SWAP, begins=False))
+    assert "At" in words(preview)
+    assert "From" not in words(preview)
+
+
+def test_an_id_is_given_to_and_swapped_with(preview):
+    assert "With" in words(preview)
+    preview.show_scene(replace(SWAP, gives=True))
+    assert "To" in words(preview)

@@ -1,0 +1,72 @@
+"""Which part of the window has the keyboard, shown while it is walked to by keys."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QApplication, QWidget
+
+from app.views.look.theme import current_theme
+
+_WIDTH_PX = 3
+
+
+class PaneRing(QWidget):
+    """A ring over a part of the window; it goes once the keyboard is elsewhere."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._ground = parent
+        self._pane: QWidget | None = None
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._follow)
+        self.hide()
+
+    @property
+    def pane(self) -> QWidget | None:
+        """What it lies around; None while it is not shown."""
+        return self._pane
+
+    def show_around(self, pane: QWidget) -> None:
+        """Lie around a part, which has the keyboard."""
+        self._leave()
+        self._pane = pane
+        pane.installEventFilter(self)
+        self._fit()
+        self.show()
+        self.raise_()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+        """Stay as large as the part and where it is."""
+        if watched is self._pane and event.type() in (QEvent.Type.Resize, QEvent.Type.Move):
+            self._fit()
+        return super().eventFilter(watched, event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
+        """Nothing but the ring."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(current_theme().accent, _WIDTH_PX))
+        half = _WIDTH_PX // 2 + 1
+        painter.drawRoundedRect(self.rect().adjusted(half, half, -half, -half), 4, 4)
+        painter.end()
+
+    def _fit(self) -> None:
+        if self._pane is not None:
+            corner = self._pane.mapTo(self._ground, QPoint(0, 0))
+            inside = QRect(corner, self._pane.size()) & self._ground.rect()
+            self.setGeometry(inside)
+
+    def _follow(self, _: QWidget | None, now: QWidget | None) -> None:
+        pane = self._pane
+        if pane is not None and not (now is pane or (now is not None and pane.isAncestorOf(now))):
+            self._leave()
+
+    def _leave(self) -> None:
+        if self._pane is not None:
+            self._pane.removeEventFilter(self)
+        self._pane = None
+        self.hide()
