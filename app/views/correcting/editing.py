@@ -79,6 +79,10 @@ class Editing(QObject):
 
     def next_proposal(self, step: int) -> None:
         """Up or Down: another of the frames, or of the people, that were found."""
+        flow = self._document.flow
+        if flow is not None and not flow.needs_other and len(flow.cuts) == 1:
+            self.said.emit(tr("No other frame was found: Left / Right move this one"))
+            return
         self._picked(lambda: self._document.correcting.next_proposal(step))
 
     def put_proposed_cut(self, number: int) -> None:
