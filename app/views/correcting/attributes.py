@@ -18,6 +18,7 @@ from app.views.widgets.parts import bring_into_view
 
 _Hint = QAbstractItemDelegate.EndEditHint
 _STEPS = {_Hint.SubmitModelCache: 1, _Hint.EditNextItem: 1, _Hint.EditPreviousItem: -1}
+_LEAST_ROWS = 3
 Pairs = tuple[tuple[str, str], ...]
 
 
@@ -47,7 +48,8 @@ class AttributesTable(QTableWidget):
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.setAccessibleName(self.tr("Attributes of the track"))
         self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 10)
-        self.setMinimumHeight(3 * (self.fontMetrics().height() + 10))
+        rows = _LEAST_ROWS * self.verticalHeader().defaultSectionSize()
+        self.setMinimumHeight(self.horizontalHeader().sizeHint().height() + rows + 4)
         self.add_button = IconButton("add", self.tr("Add an attribute"), parent=self)
         self.add_button.clicked.connect(self.add_row)
         self.remove_button = IconButton("remove", self.tr("Remove the attribute"), parent=self)

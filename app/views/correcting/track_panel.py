@@ -105,6 +105,9 @@ class TrackPanel(Panel):
         self._scroll.setFrameShape(QFrame.Shape.NoFrame)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._scroll.setMinimumHeight(_LEAST_LINES * self.fontMetrics().lineSpacing())
+        # Selecting somebody must not move the panels below away from the pointer.
+        self._empty.setMinimumHeight(self._scroll.minimumHeight())
+        self._empty.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._scroll.setMinimumWidth(self._body.minimumSizeHint().width())
         self._scroll.setFocusProxy(self._attributes)
         both.addWidget(self._scroll)
@@ -210,6 +213,8 @@ class TrackPanel(Panel):
         if card is None or card == before:
             return
         other = before is None or before.track != card.track
+        if other:  # whose track it is stands above
+            self._scroll.verticalScrollBar().setValue(0)
         self._several.setVisible(bool(card.others))
         self._several.setText(self._words_on(card))
         self._swatch.set_colour(current_theme().track(card.colour))

@@ -109,3 +109,23 @@ def test_a_single_frame_is_not_said_in_the_plural(track_panel):
 def test_of_a_long_name_the_beginning_is_seen(track_panel):
     track_panel.show_scene(replace(CARD, name="Bob Mueller with a very long name indeed " * 3))
     assert track_panel._name.cursorPosition() == 0
+
+
+def test_another_person_is_shown_from_the_top(track_panel, qtbot):
+    track_panel.show_scene(CARD)
+    track_panel.resize(300, 220)
+    track_panel.show()
+    qtbot.waitExposed(track_panel)
+    bar = track_panel._scroll.verticalScrollBar()
+    bar.setValue(bar.maximum())
+    assert bar.value() > 0
+    track_panel.show_scene(replace(CARD, mean_confidence=0.5))
+    assert bar.value() > 0  # the same person: nothing moves
+    track_panel.show_scene(replace(CARD, track=CARD.track + 1))
+    assert bar.value() == 0
+
+
+def test_three_attributes_are_in_sight_at_least(track_panel):
+    table = track_panel._attributes
+    rows = table.minimumHeight() - table.horizontalHeader().sizeHint().height()
+    assert rows >= 3 * table.verticalHeader().defaultSectionSize()
