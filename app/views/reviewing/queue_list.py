@@ -155,7 +155,9 @@ class PeopleDelegate(QStyledItemDelegate, metaclass=AbstractQt):
 
 
 class ReviewDelegate(PeopleDelegate):
-    """Draws a :class:`ReviewItem`."""
+    """Draws a :class:`ReviewItem`, its reason on two lines."""
+
+    lower_lines = 2
 
     def below(self, item: ReviewItem) -> str:
         """Why it is listed."""

@@ -22,12 +22,12 @@ class QueueView(QListView):
 
 
 class FewLines(QWidget):
-    """Words on at most two lines, always as high: what is beside it stays where it is.
+    """Words on at most three lines, always as high: what is beside it stays where it is.
 
     What has no room ends in an ellipsis; the tooltip says it all.
     """
 
-    LINES = 2
+    LINES = 3
     _ABOVE = 4
 
     def __init__(self, parent: QWidget) -> None:

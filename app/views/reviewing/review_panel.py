@@ -24,9 +24,9 @@ from app.views.look.theme import scaled_font
 from app.views.reviewing.queue_list import ReviewDelegate, ReviewModel, row_height
 from app.views.reviewing.queue_view import FewLines, QueueView
 from app.views.widgets.command_list import native_keys
-from app.views.widgets.parts import Panel, quiet
+from app.views.widgets.parts import Panel, bring_into_view, quiet
 
-_ROWS = 4  # seen at least
+_ROWS = 3  # seen at least
 _SIGNS = {"Backspace": "\u232b", "Return": "\u21b5"}
 """Keys with a sign of their own, where there is little room."""
 
@@ -96,7 +96,9 @@ class ReviewPanel(Panel):
         self._list.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # N and P walk it from everywhere
         self._list.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._list.setMinimumHeight(_ROWS * row_height(self._list.font()))
+        self._list.setMinimumHeight(
+            _ROWS * row_height(self._list.font(), ReviewDelegate.lower_lines)
+        )
         self._list.clicked.connect(
             lambda index: self.item_chosen.emit(self._model.item(index.row()).key)
         )
@@ -168,8 +170,12 @@ class ReviewPanel(Panel):
             self._list.clearSelection()
             return
         index = self._model.index(row)
+        another = index != self._list.currentIndex() or not self._list.selectedIndexes()
         self._list.setCurrentIndex(index)
         self._list.scrollTo(index)
+        if another and not self._list.underMouse():  # what is pointed at stays where it is
+            for widget in (*self._tools[:1], self._list):
+                bring_into_view(widget)
 
     def _show_kinds(self, scene: ReviewScene) -> None:
         titles = [(self.tr("All kinds"), "")]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -27,6 +27,7 @@ class Panel(QFrame):
 
     def __init__(self, title: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._low = False
         self.setProperty("panel", True)
         self.setAccessibleName(title)
         self._rows = QVBoxLayout(self)
@@ -47,7 +48,22 @@ class Panel(QFrame):
 
     def keep_low(self, low: bool) -> None:
         """Give the room that is not needed to the other panels, or take it again."""
-        self.setMaximumHeight(self._rows.totalMinimumSize().height() if low else _UNLIMITED)
+        self._low = low
+        self._limit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Words wrap at another place."""
+        super().resizeEvent(event)
+        if self._low:
+            self._limit()
+
+    def _limit(self) -> None:
+        """A low panel is exactly as high as all its words are at its width."""
+        rows, height = self._rows, self._rows.totalMinimumSize().height()
+        if self._low and rows.hasHeightForWidth():
+            height = max(height, rows.totalHeightForWidth(self.width()))
+        self.setMinimumHeight(height if self._low else 0)
+        self.setMaximumHeight(height if self._low else _UNLIMITED)
 
 
 def heading(text: str, parent: QWidget) -> QLabel:

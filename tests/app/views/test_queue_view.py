@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from app.presenters.reviewing.review_scene import ReviewItem, ReviewScene
+from app.views.reviewing.queue_list import row_height
 from app.views.reviewing.review_panel import ReviewPanel
 
 WORDS = "2 and 8 were seen as one for 0.8 s until 00:18; "
@@ -17,22 +18,22 @@ ITEMS = tuple(
 def shown(qtbot, scene: ReviewScene) -> ReviewPanel:
     panel = ReviewPanel()
     qtbot.addWidget(panel)
-    panel.resize(330, 330)
     panel.show_scene(scene)
+    panel.resize(330, 380)
     panel.show()
     qtbot.waitExposed(panel)
     return panel
 
 
-def test_further_reasons_take_two_lines_however_many_they_are(qtbot, dark):
+def test_further_reasons_take_three_lines_however_many_they_are(qtbot, dark):
     scene = ReviewScene(items=ITEMS, current=0, left=40, also=WORDS)
     panel = shown(qtbot, scene)
     list_height = panel._list.height()
     panel.show_scene(replace(scene, also=9 * WORDS))
     assert panel._list.height() == list_height
     assert panel._list.geometry().bottom() < panel._also.geometry().top()
-    assert len(panel._also.lines()) == 2
-    assert panel._also.lines()[1].endswith("\u2026")
+    assert len(panel._also.lines()) == 3
+    assert panel._also.lines()[2].endswith("\u2026")
     assert panel._also.toolTip() == 9 * WORDS
 
 
@@ -47,6 +48,22 @@ def test_the_current_row_stays_in_sight_as_the_room_changes(qtbot, dark):
     assert in_sight()
     panel.resize(330, 700)
     assert in_sight()
-    panel.resize(330, 330)
+    panel.resize(330, 380)
     panel.show_scene(replace(scene, also=WORDS, meter="12 decided"))
     qtbot.waitUntil(in_sight)
+
+
+def test_a_reason_stands_on_two_lines_below_what_and_when(qtbot, dark):
+    panel = shown(qtbot, ReviewScene(items=ITEMS, left=40))
+    row = panel._list.visualRect(panel._model.index(0)).height()
+    assert row >= row_height(panel._list.font(), 2)
+    assert panel._list.viewport().height() >= 3 * row
+
+
+def test_without_a_list_the_panel_is_as_high_as_all_its_words(qtbot, dark):
+    panel = shown(qtbot, ReviewScene(items=ITEMS, left=40))
+    panel.show_scene(ReviewScene(title="Nothing left", text=5 * WORDS))
+    panel.resize(240, 400)
+    qtbot.wait(1)
+    assert panel._text.height() >= panel._text.heightForWidth(panel._text.width())
+    assert panel.maximumHeight() < 400
