@@ -253,7 +253,8 @@ class MainWindow(QMainWindow):
             self.say(said)
             return
         self._guard.hold()
-        self.notice.say(tr("{said}. What is typed now is not taken.", said=said), is_error=True)
+        said = tr("{said}. What is typed now is not taken.", said=said)
+        self.notice.say(said, is_error=True, passing=True)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
         """A key whose command cannot be done now comes here: say why not."""
