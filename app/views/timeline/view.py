@@ -44,13 +44,14 @@ class TimelineView(QFrame):
         self.overview.frame_sought.connect(self.frame_sought)
         self.overview.window_sought.connect(self.area.centre)
         self.overview.zoomed.connect(self.area.zoom)
-        self._selected = 0
+        self._selected: tuple[int, ...] = ()
 
     def show_scene(self, scene: TimelineScene) -> None:
-        """Draw another instant; a newly selected track is scrolled to."""
+        """Draw another instant; newly selected tracks are scrolled to, all of them if they fit."""
         self.area.show_scene(scene)
         self.overview.show_scene(scene)
-        selected = next((lane.track for lane in scene.lanes if lane.selected), 0)
+        selected = tuple(lane.track for lane in scene.lanes if lane.selected)
         if selected != self._selected:
             self._selected = selected
-            self.area.reveal(selected)
+            for track in reversed(selected):
+                self.area.reveal(track)
