@@ -65,6 +65,7 @@ class MainWindow(QMainWindow):
         self._pages = QStackedWidget(self)
         self._guard = TypingGuard(self)
         self._commands: dict[str, Callable[[], None]] = runnable_commands(self)
+        self._refused = ""
         self._told_after: tuple[object, ...] = ()
         self._refreshing = QTimer(self, singleShot=True, interval=0)
         self._progressing = QTimer(self, singleShot=True, interval=_PROGRESS_MS)
@@ -167,7 +168,7 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(self.files.title())
         self.setWindowModified(self.files.unsaved)
         self._show_progress()
-        if self._edits() != self._told_after:
+        if self._edits() != self._told_after or self._may_type_now:
             self.notice.settle()
 
     def _progress_soon(self) -> None:
@@ -255,6 +256,13 @@ class MainWindow(QMainWindow):
         self._guard.hold()
         said = tr("{said}. What is typed now is not taken.", said=said)
         self.notice.say(said, is_error=True, passing=True)
+        self._refused = said
+
+    @property
+    def _may_type_now(self) -> bool:
+        """Somebody is selected by now, and that nobody was is still told."""
+        told = self.notice.text == self._refused != ""
+        return told and self.desk is not None and bool(self.desk.document.selection)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
         """A key whose command cannot be done now comes here: say why not."""

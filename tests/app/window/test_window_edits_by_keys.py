@@ -381,3 +381,4 @@ def test_a_name_typed_after_f2_was_refused_runs_no_command(hands):
     assert not hands.desk.playback.clock.playing
     hands.press(Key.Key_Tab)  # Enter ended that: keys are commands again
     assert hands.desk.document.selection
+    assert hands.window.notice.text == ""  # and what was told is over
