@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from app.presenters.labelling.labelling_scene import Suggested
-from tracking.tracks import PartLabels
+from tracking.tracks import PartKey, PartLabels
 
 _LISTED = 200
 
@@ -70,6 +70,12 @@ class SuggestionQueue:
         if 0 <= number < len(self._open):
             self._place, self._current = number, self._open[number]
         return self._current
+
+    def return_to(self, key: PartKey) -> Suggested | None:
+        """What was said of a part was taken back: it is looked at again where it is listed."""
+        numbers = [number for number, one in enumerate(self._open) if one.key == key]
+        self._current = None
+        return self.choose(numbers[0]) if numbers else None
 
     def leave(self) -> None:
         """Nothing suggested is looked at any more."""

@@ -73,6 +73,7 @@ class Desk(QObject):
         self.playback.shown.connect(self.draw_instant)
         self.playback.moved.connect(self.draw_playhead)
         self.playback.failed.connect(self.failed)
+        self.editing.changed.connect(self.labelling.follow_edits)
         self.editing.changed.connect(self.draw)
         self.editing.previewed.connect(self.draw_preview)
         self.editing.failed.connect(self.failed)

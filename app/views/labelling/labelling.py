@@ -134,6 +134,7 @@ class Labelling(QObject):
         self._document.correcting.leave()
         self._presenter.choice.tool = tool
         self._presenter.choice.picked = -1
+        self.keys.see_labels(self._presenter.labels.parts)
         self.keys.end_suggestions()
         for layer in self._layers:
             layer.hide()
@@ -182,6 +183,11 @@ class Labelling(QObject):
             return
         self._need_parts()
         self.keys.begin_suggestions()
+
+    def follow_edits(self) -> None:
+        """An edit was taken back or done again: of a body part, it is looked at again."""
+        if self.tool is Tool.PARTS:
+            self.keys.follow_labels(self._presenter.labels.parts)
 
     def _need_parts(self) -> None:
         if self.tool is not Tool.PARTS:
@@ -263,6 +269,7 @@ class Labelling(QObject):
             self.failed.emit(error)
             self.changed.emit()
             return False
+        self.keys.see_labels(self._presenter.labels.parts)
         self.said.emit(tr("Done: {what}", what=change.text))
         self.changed.emit()
         return True

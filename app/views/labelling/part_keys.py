@@ -15,7 +15,7 @@ from app.presenters.words import tr
 from app.views.labelling.suggesting import Suggesting
 from app.views.playing.playback import Playback
 from tracking.editing import Change
-from tracking.tracks import PART_NAMES
+from tracking.tracks import PART_NAMES, PartLabels
 
 Do = Callable[[Callable[[], Change]], bool]
 """Does what is planned; whether it was done."""
@@ -44,6 +44,7 @@ class PartKeys(QObject):
         super().__init__(parent)
         self._document, self._playback = document, playback
         self._presenter, self._do = presenter, do
+        self._seen = PartLabels()
         self.suggesting = Suggesting(document, self)
         self.suggesting.changed.connect(self._follow)
 
@@ -109,6 +110,30 @@ class PartKeys(QObject):
         suggested = self._presenter.choice.suggested
         here = (frame, self._document.selection.track, self.part)
         return suggested is not None and suggested.key == here
+
+    # labels that are taken back
+
+    def see_labels(self, labels: PartLabels) -> None:
+        """These are known; what differs afterwards was taken back or done again."""
+        self._seen = labels
+
+    def follow_labels(self, labels: PartLabels) -> None:
+        """Look again at the person and the part of which something was taken back."""
+        seen, self._seen = self._seen, labels
+        before, after = ({one.key: one for one in side} for side in seen.unlike(labels))
+        keys = [key for key in before | after if before.get(key) != after.get(key)]
+        if len({track for _, track, _ in keys}) != 1:
+            return
+        choice, queue = self._presenter.choice, self.suggesting.queue
+        queue.take_labels(labels)
+        frame, track, part = min(keys)
+        self._document.selection.choose(track)
+        if {of for _, _, of in keys} == {part}:
+            choice.part = part
+        if self.suggesting.asked and len(keys) == 1:
+            choice.suggested = queue.return_to(keys[0])
+            self._playback.go(frame)
+            self.close_asked.emit(self._presenter.person_box(frame))
 
     # suggestions
 

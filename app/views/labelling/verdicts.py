@@ -102,7 +102,7 @@ class PartsGrid(QWidget):
     def _build_step(self) -> QHBoxLayout:
         line = QHBoxLayout()
         line.setContentsMargins(0, 0, 0, 0)
-        line.addWidget(QLabel(self.tr("After the last part go on"), self))
+        line.addWidget(QLabel(self.tr("Then go on"), self))
         self._step = QSpinBox(self)
         self._step.setRange(0, _LONGEST_STEP)
         self._step.setAccessibleName(self.tr("Frames to go on after the last part"))

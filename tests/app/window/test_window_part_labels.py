@@ -103,6 +103,49 @@ def test_undo_brings_a_suggestion_back(hands, suggested, labels, window):
     assert shown._model.rowCount() == len(suggested().open)
 
 
+def test_undo_looks_at_the_person_part_and_row_of_the_label_that_was_taken_back(
+    hands, suggested, labels, qtbot
+):
+    number = next(
+        number
+        for number, (one, after) in enumerate(
+            zip(suggested().open, suggested().open[1:], strict=False)
+        )
+        if one.key[1] != after.key[1]
+    )
+    one = suggested().open[number]
+    for _ in range(number):
+        hands.press(Key.Key_N)
+    wait_there(hands, qtbot)
+    hands.press(Key.Key_5)
+    wait_there(hands, qtbot)
+    assert hands.desk.document.selection.track != one.key[1]
+    hands.press(Key.Key_Z, CTRL)
+    wait_there(hands, qtbot)
+    frame, track, part = one.key
+    assert hands.desk.playback.number == frame
+    assert hands.desk.document.selection.track == track
+    assert hands.desk.labelling.part == part
+    assert suggested().current == one
+    hands.press(Key.Key_4)
+    assert labels()[one.key].on_part is True
+    assert len(labels()) == 1
+
+
+def test_a_key_labels_nobody_where_the_person_is_not_in_the_frame(hands, labels, window):
+    track = hands.people()[0]
+    hands.desk.editing.pick(track)
+    hands.press(Key.Key_1, ALT)
+    there = set(hands.frames(track))
+    count = hands.desk.document.recording.frame_count
+    away = [frame for frame in range(count) if frame not in there]
+    hands.desk.playback.go(away[-1])
+    hands.qtbot.waitUntil(lambda: hands.desk.playback.number == away[-1])
+    hands.press(Key.Key_4)
+    assert len(labels()) == 0
+    assert "has no box in frame" in window.notice._text.text()
+
+
 def test_an_answer_elsewhere_goes_on_from_there(hands, suggested, labels, qtbot):
     first = suggested().open[0]
     track = first.key[1]
