@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt
+from PySide6.QtCore import QEvent, QObject, QRect, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -18,6 +18,7 @@ class PaneRing(QWidget):
         super().__init__(parent)
         self._ground = parent
         self._pane: QWidget | None = None
+        self._around: list[QWidget] = []
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         application = QApplication.instance()
@@ -34,14 +35,18 @@ class PaneRing(QWidget):
         """Lie around a part, which has the keyboard."""
         self._leave()
         self._pane = pane
-        pane.installEventFilter(self)
+        step: QWidget | None = pane
+        while step is not None and step is not self._ground:
+            step.installEventFilter(self)
+            self._around.append(step)
+            step = step.parentWidget()
         self._fit()
         self.show()
         self.raise_()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
-        """Stay as large as the part and where it is."""
-        if watched is self._pane and event.type() in (QEvent.Type.Resize, QEvent.Type.Move):
+        """Stay around the part wherever it, or what it lies in, is moved."""
+        if watched in self._around and event.type() in (QEvent.Type.Resize, QEvent.Type.Move):
             self._fit()
         return super().eventFilter(watched, event)
 
@@ -56,9 +61,9 @@ class PaneRing(QWidget):
 
     def _fit(self) -> None:
         if self._pane is not None:
-            corner = self._pane.mapTo(self._ground, QPoint(0, 0))
-            inside = QRect(corner, self._pane.size()) & self._ground.rect()
-            self.setGeometry(inside)
+            seen = self._pane.visibleRegion().boundingRect() & self._pane.rect()
+            corner = self._pane.mapTo(self._ground, seen.topLeft())
+            self.setGeometry(QRect(corner, seen.size()) & self._ground.rect())
 
     def _follow(self, _: QWidget | None, now: QWidget | None) -> None:
         pane = self._pane
@@ -66,7 +71,8 @@ class PaneRing(QWidget):
             self._leave()
 
     def _leave(self) -> None:
-        if self._pane is not None:
-            self._pane.removeEventFilter(self)
+        for widget in self._around:
+            widget.removeEventFilter(self)
+        self._around = []
         self._pane = None
         self.hide()

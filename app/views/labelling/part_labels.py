@@ -14,6 +14,7 @@ from app.views.look.theme import Theme
 from app.views.pictures.canvas import Canvas
 
 _REACH_PX = 7.0
+_HANDLE_PX = 7.0
 _LEAST_PX = 2.0  # of the picture; less is a click
 Sides = tuple[int, int]
 """Which sides are held: -1 left or top, 1 right or bottom, 0 neither of both."""
@@ -157,5 +158,7 @@ def _cursor(sides: Sides | None) -> Qt.CursorShape:
 def _draw_handles(painter: QPainter, rect: QRectF, part: int) -> None:
     painter.setPen(QPen(QColor(20, 20, 20, 220), 1.0))
     painter.setBrush(QColor(*part_colour(part)))
+    # Of somebody far away little would be seen between handles of the full size.
+    side = max(2.0, min(_HANDLE_PX, rect.width() / 4, rect.height() / 4))
     for corner in (rect.topLeft(), rect.topRight(), rect.bottomLeft(), rect.bottomRight()):
-        painter.drawRect(QRectF(corner.x() - 3.5, corner.y() - 3.5, 7, 7))
+        painter.drawRect(QRectF(corner.x() - side / 2, corner.y() - side / 2, side, side))

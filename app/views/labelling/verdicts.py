@@ -25,6 +25,7 @@ from tracking.tracks import PART_NAMES
 
 _ANSWERS: tuple[tuple[str, bool | None], ...] = (("on", True), ("off", False), ("unsure", None))
 _LONGEST_STEP = 1000
+_STEP_LETTERS = 11
 
 
 class PartsGrid(QWidget):
@@ -102,9 +103,10 @@ class PartsGrid(QWidget):
     def _build_step(self) -> QHBoxLayout:
         line = QHBoxLayout()
         line.setContentsMargins(0, 0, 0, 0)
-        line.addWidget(QLabel(self.tr("Then go on"), self))
+        line.addWidget(QLabel(self.tr("After the last, go on"), self))
         self._step = QSpinBox(self)
         self._step.setRange(0, _LONGEST_STEP)
+        self._step.setMaximumWidth(_STEP_LETTERS * self.fontMetrics().averageCharWidth())
         self._step.setAccessibleName(self.tr("Frames to go on after the last part"))
         self._step.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._step.valueChanged.connect(self.step_chosen)
