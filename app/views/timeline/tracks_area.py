@@ -37,6 +37,8 @@ from app.views.widgets.still_picture import StillPicture
 
 _PLAYHEAD_PX = 8.0  # to either side of its line
 _RIGHT_PX = BAR_PX + 2
+_LEAST_LOWERED = 0.7
+"""Lanes lower than this share of their height would be hard to read."""
 
 
 class TracksArea(QWidget):
@@ -63,6 +65,7 @@ class TracksArea(QWidget):
         self._scene: TimelineScene | None = None
         self._axis = TimeAxis(0.0, 1.0, 0.0, 1.0, 0)
         self._rows = LaneRows()
+        self._lowered = 1.0
         self._still = StillPicture(self)
         self._gestures = Gestures(self)
         self.lanes_drawn = 0
@@ -100,8 +103,9 @@ class TracksArea(QWidget):
 
     @property
     def lane_height(self) -> float:
-        """Of a row, by the font and the user's choice."""
-        return float(round(self.fontMetrics().height() * self.controls.arrangement.height.value))
+        """Of a row, by the font and the user's choice; lower where all selected must be seen."""
+        chosen = self.fontMetrics().height() * self.controls.arrangement.height.value
+        return float(round(chosen * self._lowered))
 
     @property
     def ruler_height(self) -> float:
@@ -136,11 +140,22 @@ class TracksArea(QWidget):
             self._follow(scene.frame)
         self._update_moved(before, scene)
 
-    def reveal(self, track: int) -> None:
-        """Scroll to a track's lane."""
-        row = self._rows.row_of(track)
-        if row is not None:
+    def reveal(self, tracks: tuple[int, ...]) -> None:
+        """Scroll to the lanes of these; a little lower ones where only so all of them are seen."""
+        rows = [row for row in map(self._rows.row_of, tracks) if row is not None]
+        self._lower_for(1 + max(rows) - min(rows) if rows else 1)
+        for row in sorted(rows, reverse=True):
             self._reveal_row(row)
+
+    def _lower_for(self, lanes: int) -> None:
+        """Make lanes so low that so many are seen at once, where they stay readable."""
+        before, self._lowered = self._lowered, 1.0
+        share = self._lanes_rect().height() / (lanes * self.lane_height)
+        if _LEAST_LOWERED <= share < 1.0:
+            self._lowered = int(share * self.lane_height) / self.lane_height
+        if self._lowered != before:
+            self._fit_scroll_bars()
+            self._redraw()
 
     def _follow(self, frame: int) -> None:
         """Scroll to somebody who is there at a frame where nobody in sight is."""

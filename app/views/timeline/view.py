@@ -53,5 +53,4 @@ class TimelineView(QFrame):
         selected = tuple(lane.track for lane in scene.lanes if lane.selected)
         if selected != self._selected:
             self._selected = selected
-            for track in reversed(selected):
-                self.area.reveal(track)
+            self.area.reveal(selected)

@@ -138,6 +138,19 @@ def test_a_newly_selected_lane_is_scrolled_to(view):
     assert view.area.ruler_height <= lane_point(view, 899, 10).y() <= view.area.height()
 
 
+def test_the_lanes_of_all_who_are_selected_are_in_sight_a_little_lower_where_need_be(view):
+    room = view.area.height() - view.area.ruler_height
+    apart, usual = int(room // view.area.lane_height) + 1, view.area.lane_height
+    lanes = [lane(n, selected=n in (5, 4 + apart)) for n in range(1, 60)]
+    view.show_scene(timeline(*lanes))
+    first, last = lane_point(view, 4, 10), lane_point(view, 3 + apart, 10)
+    assert view.area.lane_at(QPointF(first)).track == 5
+    assert view.area.lane_at(QPointF(last)).track == 4 + apart
+    assert 0.7 * usual <= view.area.lane_height < usual
+    view.show_scene(timeline(*(lane(n, selected=n == 5) for n in range(1, 60))))
+    assert view.area.lane_height == usual
+
+
 def test_while_playing_the_people_who_are_there_come_into_sight(view):
     lanes = tuple(lane(track, (10 * track, 10 * track + 10, 0)) for track in range(1, 91))
     view.show_scene(timeline(*lanes))
