@@ -62,7 +62,7 @@ class Document:
         self._live, self._live_shown = LiveTracks(), session is None
         self._continues_at: int | None = None
         self.settle: Settle | None = None
-        self.detector = DetectorChoice()
+        self.detector, self.detector_chosen = DetectorChoice(), False
         self.comparison: Comparison | None = None
         self._marks, self._history = EditMarks(), HistoryList()
         self._retake()

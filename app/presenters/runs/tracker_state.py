@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from app.presenters.parts.detector_choice import DETECTOR
 from app.presenters.words import tr
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
 from tracking.session import Session
-from tracking.trackers import best_tracker
+from tracking.trackers import TRACKERS, best_tracker, settings_fields
+
+_IN_PARTS = "three-part"
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +37,15 @@ class TrackerWords:
         except TrackwrightError as error:
             self.best, self.why_not = "", str(error)
 
+    def proposed(self, session: Session | None, *, in_parts: bool) -> str:
+        """The tracker to track again with: that of the corrected tracks, else the best.
+
+        Where somebody just chose a failure detector (`in_parts`), it is one that uses it.
+        """
+        run = session.corrected_run if session is not None else None
+        name = run.tracker if run is not None and run.tracker in TRACKERS else self.best
+        return _IN_PARTS if in_parts and self.best and not _uses_detector(name) else name
+
     def working(self, name: str, status: str) -> TrackerState:
         """While a tracker is at work."""
         return TrackerState(name, status, tr("Everybody who is tracked gets a lane here."))
@@ -53,3 +65,18 @@ class TrackerWords:
             "No tracks yet. Press Space: it plays, is tracked, and everybody gets a lane here."
         )
         return TrackerState(self.best, tr("play to track"), said)
+
+
+def _uses_detector(tracker: str) -> bool:
+    spec = TRACKERS.get(tracker)
+    fields = settings_fields(spec.settings_type) if spec is not None else ()
+    return any(field.name == DETECTOR for field in fields)
+
+
+def kept_beside(number: int) -> str:
+    """Where a result is that did not replace the corrected tracks."""
+    return tr(
+        "Tracked: kept as run {n}, and the corrected tracks stay as they are. Compare it or take "
+        "from it under Runs (Ctrl+R).",
+        n=number,
+    )

@@ -10,9 +10,8 @@ from app.presenters.commands import Situation
 from app.presenters.document.document import Document
 from app.presenters.document.setting import Pictured
 from app.presenters.labelling.labelling_scene import Tool
-from app.presenters.runs.tracker_state import TrackerState, TrackerWords
+from app.presenters.runs.tracker_state import TrackerState, TrackerWords, kept_beside
 from app.presenters.scenes import Eye, TransportScene
-from app.presenters.words import tr
 from app.views.comparing.comparing import Comparing
 from app.views.correcting.dragging import Dragging
 from app.views.correcting.editing import Editing
@@ -150,6 +149,12 @@ class Desk(QObject):
         """The tracker that play starts; "" where none can work on the recording."""
         return self._words.best
 
+    @property
+    def proposed_tracker(self) -> str:
+        """The tracker that is asked about first."""
+        document = self.document
+        return self._words.proposed(document.session, in_parts=document.detector_chosen)
+
     def leave(self) -> None:
         """Esc: leave the labelling, else the edit that waits, else let the person go."""
         if self.labelling.tool is not None:
@@ -239,7 +244,7 @@ class Desk(QObject):
         if self._again:
             self.comparing.open(number)
         if session.adopted_run != number:
-            self.said.emit(tr("Kept as run {n}: the corrected tracks stay as they are", n=number))
+            self.noted.emit((kept_beside(number), *self.live.notes))
         self.draw()
 
     def _last_tracked(self) -> int | None:

@@ -223,7 +223,9 @@ class Files(QObject):
             )
         document = desk.document
         asked = document.parts_asked
-        dialog = TrackDialog(document.recording, desk.best_tracker, warning, self._window, asked)
+        dialog = TrackDialog(
+            document.recording, desk.proposed_tracker, warning, self._window, asked
+        )
         dialog.accepted.connect(lambda: self._track(dialog))
         dialog.open()
 

@@ -170,6 +170,7 @@ class Detectors(QObject):
         self._remembered.set_text(_REMEMBERED, choice.path)
         if self._window.desk is not None:
             self.begin(self._window.desk)
+            self._window.desk.document.detector_chosen = True
         self._tell(tr("From now on people are tracked in parts with: {name}", name=choice.name))
         self.changed.emit()
 

@@ -1,5 +1,6 @@
 """What the window says of tracking while no tracker is at work."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -31,3 +32,24 @@ def test_without_a_session_playing_tracks(recording: Recording):
     words = TrackerWords(recording)
     assert words.resting(None).name == words.best != ""
     assert words.resting(None).status == "play to track"
+
+
+def test_tracking_again_proposes_the_tracker_of_the_corrected_tracks(
+    recording: Recording, tiny_run: Run
+):
+    words = TrackerWords(recording)
+    run = replace(tiny_run, tracker="three-part-joint")
+    session = Session.create(recording, [run])
+    assert words.best != "three-part-joint"
+    assert words.proposed(session, in_parts=False) == "three-part-joint"
+    assert words.proposed(session, in_parts=True) == "three-part-joint"
+    assert words.proposed(None, in_parts=False) == words.best
+
+
+def test_once_a_detector_is_chosen_a_tracker_that_uses_it_is_proposed(
+    recording: Recording, tiny_run: Run
+):
+    session = Session.create(recording, [replace(tiny_run, tracker="stereo-direction")])
+    words = TrackerWords(recording)
+    assert words.proposed(session, in_parts=False) == "stereo-direction"
+    assert words.proposed(session, in_parts=True) == "three-part"

@@ -90,6 +90,9 @@ def test_tracking_again_never_touches_corrected_tracks(opened, qtbot):
     assert len(session.runs) == 2
     assert np.array_equal(session.tracks.columns()["x"], corrected, equal_nan=True)
     assert desk.document.label(track).name == "first"
+    assert opened.notice.isVisible()
+    assert "run 1" in opened.notice._text.text()
+    assert "Ctrl+R" in opened.notice._text.text()
 
 
 def test_a_part_of_the_recording_can_be_tracked(opened, qtbot):
