@@ -166,8 +166,8 @@ class DifferencesPanel(Panel):
         listed = bool(scene.items)
         for widget in (self._legend, self._list, self._people, self._orders):
             widget.setVisible(listed)
-        for widget in self._tick_line:
-            widget.setVisible(scene.takeable > 0)
+        for part in self._tick_line:
+            part.setVisible(scene.takeable > 0)
         self._text.setText(scene.text)
         self._text.setVisible(bool(scene.text))
         self._working.show_work(scene.doing, scene.share)

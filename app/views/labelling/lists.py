@@ -21,6 +21,7 @@ from app.views.widgets.parts import quiet
 
 _ROWS = 4
 _FRAME_LETTERS = 13
+_NAME_LETTERS = 14
 _LARGEST_FRAME = 2**31 - 2
 
 
@@ -116,6 +117,10 @@ class RangesList(QWidget):
         self._proposed: tuple[int, int] = (-1, -1)
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
+        self._unmark = QPushButton(self.tr("Take away"), self)
+        self._unmark.setToolTip(self.tr("Take the mark of the chosen range away"))
+        self._unmark.setEnabled(False)
+        self._unmark.clicked.connect(self._take_away)
         self._empty = quiet(self.tr("Nothing is marked as reviewed yet."), self)
         rows.addWidget(self._empty)
         self._list = _short_list(self)
@@ -125,6 +130,7 @@ class RangesList(QWidget):
         )
         self._list.currentRowChanged.connect(lambda row: self._unmark.setEnabled(row >= 0))
         rows.addWidget(self._list)
+        rows.addWidget(self._unmark, 0, Qt.AlignmentFlag.AlignLeft)
         rows.addLayout(self._build_frames())
         rows.addLayout(self._build_buttons())
 
@@ -143,11 +149,6 @@ class RangesList(QWidget):
         line.addWidget(quiet(self.tr("to"), self))
         line.addWidget(self._last)
         line.addStretch(1)
-        self._unmark = QPushButton(self.tr("Take away"), self)
-        self._unmark.setToolTip(self.tr("Take the mark of the chosen range away"))
-        self._unmark.setEnabled(False)
-        self._unmark.clicked.connect(self._take_away)
-        line.addWidget(self._unmark)
         return line
 
     def _build_buttons(self) -> QHBoxLayout:
@@ -176,8 +177,11 @@ class RangesList(QWidget):
             self._last.setValue(scene.proposed[1])
         self._one.setEnabled(bool(scene.selected))
         who = scene.selected or self.tr("selected")
-        self._one.setText(self.tr("Mark {0}").format(who))
-        self._one.setToolTip(self._one.text())
+        self._one.setToolTip(self.tr("Mark {0}").format(who))
+        room = _NAME_LETTERS * self.fontMetrics().averageCharWidth()
+        self._one.setText(
+            self.fontMetrics().elidedText(self._one.toolTip(), Qt.TextElideMode.ElideRight, room)
+        )
 
     def _mark(self, everybody: bool) -> None:
         self.marked.emit(everybody, self._first.value(), self._last.value() + 1)
