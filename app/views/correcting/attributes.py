@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemDelegate,
@@ -57,6 +57,10 @@ class AttributesTable(QTableWidget):
         self.itemSelectionChanged.connect(self._enable)
         self.itemChanged.connect(self._take_change)
         self._enable()
+
+    def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """Its least rows: a table's usual hint is higher than the card on a low screen."""
+        return QSize(super().sizeHint().width(), self.minimumHeight())
 
     def pairs(self) -> Pairs:
         """What stands in the table; rows that are only begun are left out."""

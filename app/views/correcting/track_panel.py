@@ -26,7 +26,7 @@ from app.views.correcting.attributes import AttributesTable
 from app.views.look.theme import current_theme, scaled_font
 from app.views.widgets.parts import Panel, Swatch, bring_into_view, heading, quiet
 
-_LEAST_LINES = 7
+_LEAST_LINES = 9
 _MOST_NAMED = 8
 
 

@@ -18,6 +18,7 @@ from app.views.look.theme import scaled_font
 
 NOTICE_MARGINS = (16, 10, 20, 10)
 """Of what stands above the panels: flush with their words, clear of the window's edge."""
+_CLEARANCE_PX = 4
 _UNLIMITED = 2**24 - 1
 """The height that Qt takes for no limit at all."""
 
@@ -112,5 +113,5 @@ def bring_into_view(widget: QWidget) -> None:
     around = widget.parentWidget()
     while around is not None:
         if isinstance(around, QScrollArea):
-            around.ensureWidgetVisible(widget)
+            around.ensureWidgetVisible(widget, 0, _CLEARANCE_PX)  # Qt's own would scroll past it
         around = around.parentWidget()
