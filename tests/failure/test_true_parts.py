@@ -105,6 +105,8 @@ def test_hidden_and_occluded_parts_are_not_labelled(tmp_path: Path, people) -> N
         ("-1,1,head,0,0,1,1,5", "line 3"),
         ("0,0,head,0,0,1,1,5", "line 3"),
         ("x,1,head,0,0,1,1,5", "line 3"),
+        ("0,1,head,0,0,-1,1,5", "line 3"),
+        (f"0,1,head,0,0,1,1,{10**30}", "line 3"),
     ],
 )
 def test_a_line_that_is_no_part_is_named(tmp_path: Path, line: str, why: str) -> None:

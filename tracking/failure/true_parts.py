@@ -80,6 +80,8 @@ def _rows(path: Path, stream: Iterable[str]) -> Iterator[tuple[float, ...]]:
                 raise ValueError("a number is missing")
             if not (0 <= row[0] <= LARGEST_NUMBER and 0 < row[1] <= LARGEST_NUMBER):
                 raise ValueError("frame or id")
+            if min(row[5], row[6]) < 0 or not 0 <= row[7] <= LARGEST_NUMBER:
+                raise ValueError("less than nothing, or far too many pixels")
         except (ValueError, KeyError, OverflowError) as error:
             raise FormatError(
                 f"{path}, line {lines.line_num}: {','.join(line)[:60]!r} is no true part ({error})"

@@ -71,7 +71,8 @@ class CurvesPlot(QWidget):
 
     def show_axis(self, axis: TimeAxis) -> None:
         """Show the frames the timeline's lanes show."""
-        self._shown, self._drawn = axis, None
+        self._shown = axis
+        self._still.forget()
         self.update()
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name

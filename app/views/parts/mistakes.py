@@ -28,9 +28,11 @@ class MistakesList(QListWidget):
 
     Signals:
         sought(object): a :class:`MistakeItem` was chosen by a click or Enter.
+        failed(object): the error for which pictures are missing.
     """
 
     sought = Signal(object)
+    failed = Signal(object)
 
     def __init__(self, cut: Cutter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -91,13 +93,19 @@ class MistakesList(QListWidget):
 
         self._job = Job("thumbnails", work, self)
         self._job.done.connect(self._take)
-        self._job.failed.connect(lambda _: self._end())
+        self._job.failed.connect(self._fail)
         self._job.start()
 
     def _take(self, found: dict[MistakeItem, Cut | None]) -> None:
         self._pictures.update(found)
         self._end()
         self._draw_known()
+        # Others may have been asked for meanwhile.
+        self._begin()
+
+    def _fail(self, error: Exception) -> None:
+        self._end()
+        self.failed.emit(error)
 
     def _end(self) -> None:
         if self._job is not None:

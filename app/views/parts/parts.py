@@ -37,9 +37,8 @@ class Parts(QObject):
         self._document, self._playback = document, playback
         self._workspace, self._labelling = workspace, labelling
         self.presenter = PartsPresenter(document, lambda: labelling.part)
-        parts, view = self, workspace
-        view.curves.frame_sought.connect(parts._playback.go)
-        view.left.part_picked.connect(parts._choose)
+        workspace.curves.frame_sought.connect(playback.go)
+        workspace.left.part_picked.connect(labelling.choose_part)
 
     def close(self) -> None:
         """Leave nothing on the views, which outlive the document."""
@@ -92,6 +91,3 @@ class Parts(QObject):
         if step > 0:
             return tr("No part {whose} fails after this frame", whose=whose)
         return tr("No part {whose} fails before this frame", whose=whose)
-
-    def _choose(self, part: int) -> None:
-        self._labelling.choose_part(part)

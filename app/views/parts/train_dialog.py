@@ -67,7 +67,7 @@ class TrainDialog(QDialog):
         if here is not None:
             self._read(here)
         else:
-            self._told.setText(self.tr("No session is open: add sessions or samples with labels"))
+            self._tell(self.tr("No session is open: add sessions or samples with labels"))
             self._show_counts()
 
     # what it looks like
@@ -143,19 +143,19 @@ class TrainDialog(QDialog):
     def add(self, path: Path) -> None:
         """Read the labels of another session."""
         if any(one.path == path for one in self._sources):
-            self._told.setText(self.tr("{0} is listed already").format(path.name))
+            self._tell(self.tr("{0} is listed already").format(path.name))
             return
         self._read(lambda: source_at(path))
 
     def _read(self, read: Callable[[], Source]) -> None:
         if self._job is not None:
-            self._told.setText(self.tr("Wait until the session before is read"))
+            self._tell(self.tr("Wait until the session before is read"))
             return
 
         def work(_: Progress) -> object:
             return read()
 
-        self._told.setText(self.tr("Reading labels..."))
+        self._tell(self.tr("Reading labels..."))
         self._job = Job("labels", work, self)
         self._job.done.connect(self._take)
         self._job.failed.connect(lambda error: self._end(explain(error)))
@@ -181,8 +181,12 @@ class TrainDialog(QDialog):
         if self._job is not None:
             self._job.deleteLater()
             self._job = None
-        self._told.setText(told)
+        self._tell(told)
         self._show_counts()
+
+    def _tell(self, text: str) -> None:
+        self._told.setText(text)
+        self._told.setVisible(bool(text))
 
     def _remove(self) -> None:
         row = self._list.currentRow()
@@ -204,7 +208,6 @@ class TrainDialog(QDialog):
             self._show_count(cells, count)
         enough = not any(count.missing for count in counts)
         self._train.setEnabled(enough and self._job is None)
-        self._told.setVisible(bool(self._told.text()))
 
     def _show_count(self, cells: tuple[QLabel, ...], count: PartCount) -> None:
         people = self.tr("{0} on, {1} off").format(count.people_on, count.people_off)

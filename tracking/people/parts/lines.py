@@ -22,6 +22,7 @@ def decompose(
 
     [ZhaoLee2009] section 4.1: the lines start at fixed shares of the height and move while the
     difference of the mean colours on both sides grows; one that strays goes back to its start.
+    Where we differ: a line looks a few rows ahead, so that one noisy row does not stop it.
 
     Args:
         mask: (height, width) non-zero where the person is seen.

@@ -1,0 +1,75 @@
+"""Plots of a person's parts, and the small pictures of what a detector is wrong about."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from app.presenters.parts.part_curve import PartCurve
+from app.presenters.parts.parts_scene import CurvesScene
+from app.presenters.parts.training_result import MistakeItem
+from app.views.parts.curves_plot import CurvesPlot
+from app.views.parts.mistakes import MistakesList
+from app.views.timeline.axis import TimeAxis
+
+
+def _curve(count: int = 100) -> PartCurve:
+    share = np.linspace(0.0, 1.0, count)
+    no = np.zeros(count, bool)
+    return PartCurve(np.arange(count), share, 200 + 800 * share, 2 * share - 1, no, no)
+
+
+def _mistake(frame: int) -> MistakeItem:
+    return MistakeItem("lobby", frame, 1, 0, "head of 1", "missed", "00:00.00")
+
+
+@pytest.fixture
+def plot(qtbot, dark):
+    plot = CurvesPlot()
+    qtbot.addWidget(plot)
+    plot.resize(500, 300)
+    plot.show_axis(TimeAxis(left=0.0, width=500.0, start=0.0, frames=50.0, frame_count=100))
+    names = ("head", "torso", "hip-leg")
+    plot.show_scene(CurvesScene("", (_curve(),) * 3, names, frame=90, frame_count=100, fps=20.0))
+    return plot
+
+
+def test_plots_follow_the_frames_the_timeline_shows(plot, drawn):
+    before = drawn(plot)
+    plot.show_axis(TimeAxis(left=0.0, width=500.0, start=0.0, frames=20.0, frame_count=100))
+    assert drawn(plot) != before
+
+
+@pytest.fixture
+def cutting(qtbot, dark):
+    """Makes a list of mistakes; it lives on until its jobs are gone."""
+    made = []
+
+    def make(cut):
+        made.append(MistakesList(cut))
+        qtbot.addWidget(made[-1])
+        return made[-1]
+
+    yield make
+    for one in made:
+        one.close_pictures()
+
+
+def test_mistakes_shown_while_others_are_cut_get_their_pictures_too(qtbot, cutting):
+    cut = []
+    mistakes = cutting(lambda one: cut.append(one.frame))
+    mistakes.show_items([_mistake(1)])
+    mistakes.show_items([_mistake(2)])
+    qtbot.waitUntil(lambda: mistakes._job is None)
+    assert cut == [1, 2]
+
+
+def test_why_pictures_are_missing_is_told(qtbot, cutting):
+    def broken(_: MistakeItem) -> None:
+        raise ValueError("no picture")
+
+    mistakes = cutting(broken)
+    with qtbot.waitSignal(mistakes.failed) as told:
+        mistakes.show_items([_mistake(1)])
+    assert str(told.args[0]) == "no picture"
+    qtbot.waitUntil(lambda: mistakes._job is None)
