@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.cli.output import say
-from app.cli.taught import How, Taught
+from app.cli.taught import How, Taught, footage_of
 from tracking.errors import TrackwrightError
 from tracking.failure import Mistake, TrainingReport
 from tracking.recording import Recording
@@ -41,7 +41,7 @@ def pictures_of(report: TrainingReport, taught: Sequence[Taught], how: How) -> d
 def _of_recording(taught: Taught, mistakes: Iterable[Mistake], how: How) -> dict[int, bytes]:
     with (
         closing(Session.open(taught.path)) as session,
-        session.open_recording(allow_outside=how.allow_outside) as recording,
+        footage_of(session, how) as recording,
     ):
         return {
             mistake.sample: picture

@@ -18,7 +18,8 @@ from tracking.failure import (
     told_apart,
 )
 from tracking.formats import read_samples
-from tracking.session import Session, samples_from
+from tracking.recording import Recording
+from tracking.session import RecordingMissing, Session, samples_from
 from tracking.tracks import Columns, PartKey, PartLabel
 
 
@@ -94,9 +95,19 @@ def taught_by(path: Path, how: How) -> Taught:
         return Taught(path, recording.name, recording.footage, samples, said)
 
 
+def footage_of(session: Session, how: How) -> Recording:
+    """The recording of a session. Raises RecordingMissing, which names what `train` can be told."""
+    try:
+        return session.open_recording(allow_outside=how.allow_outside)
+    except RecordingMissing as missing:
+        way = "put it beside the session" if how.allow_outside else "allow it (--allow-outside)"
+        named = str(missing).replace("name its place (--recording PATH)", way)
+        raise RecordingMissing(f"{session.path}: {named}") from missing
+
+
 def _true_labels(session: Session, path: Path, parts: Columns, how: How) -> list[PartLabel]:
     """Labels of the run as it was made, by the truth beside its recording."""
-    with session.open_recording(allow_outside=how.allow_outside) as recording:
+    with footage_of(session, how) as recording:
         truth = recording.folder / TRUE_PARTS
         if not truth.is_file():
             raise TrainingError(f"{path}: beside its recording is no {TRUE_PARTS}; label by hand")
