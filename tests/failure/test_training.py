@@ -148,6 +148,16 @@ def test_too_few_samples_are_told_in_one_line(samples: Samples, kept, why: str) 
     assert "\n" not in str(told.value)
 
 
+def test_all_that_is_short_is_told_at_once(samples: Samples) -> None:
+    columns = samples.columns
+    kept = (columns["part"] == 2) | ((columns["part"] == 0) & (columns["label"] == 1))
+    with pytest.raises(TrainingError) as told:
+        train(samples[kept], QUICK, random=np.random.default_rng(7))
+    assert "head: 0 samples off the part, of 0 people; torso: 0 samples off" in str(told.value)
+    assert "and 0 samples on the part" in str(told.value)
+    assert "hip-leg" not in str(told.value)
+
+
 def test_without_instants_of_several_two_failed_parts_are_several(samples: Samples) -> None:
     instants = np.column_stack((samples.people(), samples.columns["frame"]))
     which = np.unique(instants, axis=0, return_inverse=True)[1].reshape(-1)

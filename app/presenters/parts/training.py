@@ -130,13 +130,13 @@ def counts_of(samples: Samples) -> tuple[PartCount, ...]:
 
 
 def _missing(on: int, off: int, people_on: int, people_off: int) -> str:
-    if min(on, off) < LEAST_SAMPLES:
-        which = tr("on") if on < off else tr("off")
-        return tr("label {n} more {which}", n=LEAST_SAMPLES - min(on, off), which=which)
-    if min(people_on, people_off) < LEAST_PEOPLE:
-        which = tr("on") if people_on < people_off else tr("off")
-        return tr("label one more person {which}", which=which)
-    return ""
+    said = []
+    for samples, people, which in ((on, people_on, tr("on")), (off, people_off, tr("off"))):
+        if samples < LEAST_SAMPLES:
+            said.append(tr("label {n} more {which}", n=LEAST_SAMPLES - samples, which=which))
+        elif people < LEAST_PEOPLE:
+            said.append(tr("label one more person {which}", which=which))
+    return ", ".join(said)
 
 
 def all_samples(sources: Sequence[Source]) -> Samples:

@@ -59,7 +59,7 @@ class Question:
 def questions_of(samples: Samples) -> list[Question]:
     """The questions that samples can answer: the three parts, then one-or-several if possible.
 
-    Raises TrainingError where a part has too few samples, of too few people.
+    Raises TrainingError where parts have too few samples, of too few people; names them all.
     """
     people, part = samples.people(), samples.columns["part"]
     lost = samples.columns["label"] == 0
@@ -67,10 +67,12 @@ def questions_of(samples: Samples) -> list[Question]:
         _question(number, np.flatnonzero(part == number), samples, lost, people)
         for number in range(PARTS)
     ]
-    for question in asked:
-        why = shortage(question)
-        if why:
-            raise TrainingError(why)
+    short = [why for question in asked if (why := shortage(question))]
+    if short:
+        raise TrainingError(
+            f"{'; '.join(short)}: add labels or sessions until each has at least "
+            f"{LEAST_SAMPLES} of {LEAST_PEOPLE} people or more"
+        )
     several = one_or_several(samples, people)
     return asked if shortage(several) else [*asked, several]
 
@@ -110,14 +112,12 @@ def _question(
 
 
 def shortage(question: Question) -> str:
-    """What is missing to learn the answer, in one line; "" where nothing is."""
+    """Of which answers there are too few samples to learn it; "" where there are enough."""
+    short = []
     for yes, side in ((True, "off"), (False, "on")):
         chosen = question.yes == yes
         samples, people = int(chosen.sum()), len(np.unique(question.people[chosen]))
         if samples < LEAST_SAMPLES or people < LEAST_PEOPLE:
             who = "person" if people == 1 else "people"
-            return (
-                f"{question.name}: {samples} samples {side} the part, of {people} {who}; "
-                f"label at least {LEAST_SAMPLES} of {LEAST_PEOPLE} people or more"
-            )
-    return ""
+            short.append(f"{samples} samples {side} the part, of {people} {who}")
+    return f"{question.name}: {' and '.join(short)}" if short else ""
