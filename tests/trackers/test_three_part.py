@@ -224,3 +224,9 @@ def test_who_leaves_the_picture_is_let_go():
 def test_what_is_no_outline_is_refused(text):
     with pytest.raises(SettingsError, match="setting occluders: must be outlines"):
         occluders_from(text)
+
+
+def test_no_fewest_particles_above_the_most() -> None:
+    with pytest.raises(SettingsError, match="2000 is more than most_particles, 1000"):
+        ThreePartSettings(least_particles=2000)
+    assert WholeBodySettings(least_particles=1000).most_particles == 1000

@@ -132,7 +132,7 @@ def _next_counts(
         np.nan_to_num(entropy, nan=1.0 / settings.particle_growth),
         settings.particle_growth,
         settings.least_particles,
-        max(settings.most_particles, settings.least_particles),
+        settings.most_particles,
     )
     return np.asarray(next_)
 

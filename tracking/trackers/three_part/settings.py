@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from tracking.errors import SettingsError
 from tracking.foreground import ForegroundSettings
 from tracking.people import PeopleSettings
 from tracking.setting import setting
@@ -56,8 +57,13 @@ class WholeBodySettings:
     people: PeopleSettings = field(default_factory=PeopleSettings)
 
     def __post_init__(self) -> None:
-        """Check the outlines, before any work; raises `SettingsError`."""
+        """Check what belongs together, before any work; raises `SettingsError`."""
         occluders_from(self.occluders)
+        if self.least_particles > self.most_particles:
+            raise SettingsError(
+                f"least_particles: {self.least_particles} is more than most_particles, "
+                f"{self.most_particles}; raise that one or lower this one"
+            )
 
 
 @dataclass(frozen=True, slots=True)
