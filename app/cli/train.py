@@ -81,8 +81,14 @@ def _print(made: Trained, wish: Wish, page: Path | None, *, as_json: bool) -> No
     for question in report.questions:
         say(
             f"{question.name:<8} {question.found:6.1%} of {question.confusion[1].sum()} found, "
-            f"{question.false_alarms:5.1%} of {question.confusion[0].sum()} false alarms; "
-            f"{question.candidate}"
+            f"{question.false_alarms:5.1%} of {question.confusion[0].sum()} false alarms, "
+            f"area under the curve {question.curve.area():.2f}; {question.candidate}"
+        )
+    if report.by_chance:
+        names = ", ".join(question.name for question in report.by_chance)
+        say(
+            f"warning: no better than chance: {names}; do not track with this detector before "
+            "labels were looked over, or more parts labelled"
         )
     print(wish.out)
     if page is not None:

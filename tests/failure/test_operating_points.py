@@ -51,3 +51,12 @@ def test_without_samples_there_is_no_rate() -> None:
     curve = Curve(np.zeros(0), np.zeros(0))
     assert math.isnan(curve.found(0))
     assert curve.threshold_for(0.02) == 0.0
+
+
+def test_a_machine_that_draws_lots_is_called_no_better_than_chance() -> None:
+    random = np.random.default_rng(4109)
+    lots = Curve(np.sort(random.normal(0, 1, 300)), np.sort(random.normal(0, 1, 300)))
+    better = Curve(np.sort(random.normal(0, 1, 300)), np.sort(random.normal(1, 1, 300)))
+    assert lots.by_chance
+    assert not better.by_chance
+    assert not Curve(np.zeros(0), np.zeros(3)).by_chance

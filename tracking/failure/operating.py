@@ -9,6 +9,9 @@ import numpy as np
 
 from tracking.failure.features import Floats
 
+NO_BETTER_THAN_CHANCE = 0.6
+"""Below this area under its curve a machine found hardly more than drawing lots finds (0.5)."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Curve:
@@ -58,6 +61,12 @@ class Curve:
         grid = np.linspace(0.0, most_false_alarms, 201)
         at = np.searchsorted(points[:, 1], grid + 1e-12, "right") - 1
         return float(points[np.maximum(at, 0), 2].mean())
+
+    @property
+    def by_chance(self) -> bool:
+        """Whether the machine is no better than chance; see `NO_BETTER_THAN_CHANCE`."""
+        known = len(self.on) > 0 and len(self.off) > 0
+        return known and self.area() < NO_BETTER_THAN_CHANCE
 
 
 def _above(scores: Floats, threshold: float) -> float:

@@ -37,6 +37,7 @@ class PartFigures:
     Attributes:
         on, off: samples on and off their part. found: of those off, how many are called failed;
             false_alarms: of those on.
+        area: under the whole curve: 1 always right, 0.5 chance.
     """
 
     name: str
@@ -44,17 +45,20 @@ class PartFigures:
     off: int
     false_alarms: int
     found: int
+    area: float
 
     @property
     def said(self) -> str:
         """In words, for screen readers."""
         return tr(
-            "{part}: {found} of {off} failures found, {alarms} of {on} false alarms",
+            "{part}: {found} of {off} failures found, {alarms} of {on} false alarms, "
+            "area under the curve {area:.2f}",
             part=self.name,
             found=self.found,
             off=self.off,
             alarms=self.false_alarms,
             on=self.on,
+            area=self.area,
         )
 
 
@@ -83,6 +87,7 @@ class ResultScene:
     Attributes:
         curves: of head, torso and hip-leg. chosen: whose point is moved; -1: of all alike.
         figures: a part each. lines: what it was made from. mistakes: most informative first.
+        warning: what is no better than chance, and what to do; "" where nothing is.
     """
 
     curves: tuple[RocCurve, ...]
@@ -90,6 +95,7 @@ class ResultScene:
     figures: tuple[PartFigures, ...]
     lines: tuple[str, ...]
     mistakes: tuple[MistakeItem, ...] = field(default=())
+    warning: str = ""
 
 
 class TrainingResult:
@@ -105,6 +111,7 @@ class TrainingResult:
         self.detector: Detector = trained.detector
         self.chosen = -1
         self._fps = fps
+        self._areas = [curve.area() for curve in self._curves]
         self._points = [curve.points() for curve in self._curves]
 
     @property
@@ -144,12 +151,30 @@ class TrainingResult:
             )
         )
         figures = tuple(self._figures(part) for part in range(len(PART_NAMES)))
-        return ResultScene(curves, self.chosen, figures, self._lines(), self._mistakes())
+        mistakes, warning = self._mistakes(), self._warning()
+        return ResultScene(curves, self.chosen, figures, self._lines(), mistakes, warning)
 
     def _figures(self, part: int) -> PartFigures:
         curve, threshold = self._curves[part], float(self.detector.thresholds[part])
         alarms, found = int((curve.on > threshold).sum()), int((curve.off > threshold).sum())
-        return PartFigures(part_name(part), len(curve.on), len(curve.off), alarms, found)
+        on, off, area = len(curve.on), len(curve.off), self._areas[part]
+        return PartFigures(part_name(part), on, off, alarms, found, area)
+
+    def _warning(self) -> str:
+        """What the detector tells no better than chance: those who use it should know."""
+        questions = self.trained.report.questions
+        names = [
+            part_name(number) if number < len(PART_NAMES) else tr("one part or several")
+            for number, one in enumerate(questions)
+            if one.curve.by_chance
+        ]
+        if not names:
+            return ""
+        return tr(
+            "No better than chance: {names}. Look over the labels or label more parts before "
+            "people are tracked with this detector.",
+            names=", ".join(names),
+        )
 
     def _lines(self) -> tuple[str, ...]:
         origin, report = self.detector.origin, self.trained.report

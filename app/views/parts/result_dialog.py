@@ -17,9 +17,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.presenters.explaining import explain
 from app.presenters.labelling.labelling_scene import PART_COLOURS
 from app.presenters.parts.training_result import PartFigures, TrainingResult
-from app.views.look.theme import current_theme
+from app.views.look.theme import current_theme, scaled_font
 from app.views.parts.mistakes import Cutter, MistakesList
 from app.views.parts.roc import RocPlot
 from app.views.widgets.parts import Swatch, heading, quiet
@@ -51,11 +52,15 @@ class ResultDialog(QDialog):
         self._cells: list[tuple[QLabel, ...]] = []
         self._about = quiet("", self)
         self._about.setWordWrap(True)
+        self._warning = QLabel(self)
+        self._warning.setWordWrap(True)
+        self._warning.setFont(scaled_font(self.font(), 1.0, bold=True))
         self._told = QLabel(self)
         self._told.setWordWrap(True)
         self._no_mistakes = quiet(self.tr("None: nothing was judged wrongly."), self)
         self.mistakes = MistakesList(cut, self)
         self.mistakes.sought.connect(self.mistake_sought)
+        self.mistakes.failed.connect(lambda error: self.tell(explain(error)))
         self._lay_out()
         self._show()
 
@@ -98,6 +103,7 @@ class ResultDialog(QDialog):
         column.addLayout(line)
         column.addLayout(self._steps())
         column.addLayout(self._figures_grid())
+        column.addWidget(self._warning)
         column.addWidget(self._about)
         column.addStretch(1)
         return column
@@ -127,13 +133,14 @@ class ResultDialog(QDialog):
             self.tr("missed"),
             self.tr("false alarms"),
             self.tr("rightly passed"),
+            self.tr("area under curve"),
         )
         for column, title in enumerate(titles):
             grid.addWidget(quiet(title, self), 0, column)
         for part in range(len(PART_COLOURS)):
             swatch = Swatch(self)
             swatch.set_colour(current_theme().track(PART_COLOURS[part]))
-            cells = tuple(QLabel(self) for _ in range(5))
+            cells = tuple(QLabel(self) for _ in range(6))
             grid.addWidget(swatch, part + 1, 0)
             for column, cell in enumerate(cells, start=1):
                 grid.addWidget(cell, part + 1, column)
@@ -175,6 +182,8 @@ class ResultDialog(QDialog):
         self.plot.show_scene(scene)
         for cells, figures in zip(self._cells, scene.figures, strict=True):
             _fill(cells, figures)
+        self._warning.setText(scene.warning)
+        self._warning.setVisible(bool(scene.warning))
         self._about.setText("\n".join(scene.lines))
         self._no_mistakes.setVisible(not scene.mistakes)
         self.mistakes.setVisible(bool(scene.mistakes))
@@ -194,6 +203,7 @@ def _fill(cells: tuple[QLabel, ...], figures: PartFigures) -> None:
         f"{figures.off - figures.found}",
         f"{figures.false_alarms}  ({_share(figures.false_alarms, figures.on)})",
         f"{figures.on - figures.false_alarms}",
+        f"{figures.area:.2f}",
     )
     for cell, text in zip(cells, texts, strict=True):
         cell.setText(text)

@@ -113,6 +113,25 @@ def test_more_false_alarms_find_more(
     assert found[1] > found[0]
 
 
+def test_a_detector_no_better_than_chance_is_told(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path
+) -> None:
+    table, drawn = tmp_path / "s.csv", tmp_path / "drawn.csv"
+    assert trackwright("export", labelled, "-o", table, "--format", "samples")[0] == 0
+    with table.open(newline="") as source, drawn.open("w", newline="") as out:
+        rows = list(csv.DictReader(source))
+        lots = np.random.default_rng(4110).integers(0, 2, len(rows)).tolist()
+        writer = csv.DictWriter(out, rows[0].keys())
+        writer.writeheader()
+        writer.writerows(row | {"label": lot} for row, lot in zip(rows, lots, strict=True))
+    status, _, err = trackwright("train", drawn, "-o", tmp_path / "d.h5")
+    assert status == 0
+    assert "area under the curve 0." in err
+    assert "no better than chance: " in err
+    told = trackwright("train", labelled, "-o", tmp_path / "good.h5")[2]
+    assert "no better than chance: head" not in told
+
+
 def test_exported_samples_train_the_same_detector(
     trackwright: Trackwright, labelled: Path, tmp_path: Path
 ) -> None:
@@ -215,6 +234,15 @@ def test_truth_beside_the_recording_labels_by_itself(labelled: Path) -> None:
     assert set(samples.columns["label"].tolist()) == {0, 1}
     by_hand = taught_by(labelled, How()).samples
     assert set(by_hand.columns["source"].tolist()) == {"label"}
+
+
+def test_a_recording_elsewhere_is_told_with_the_option_train_has(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path
+) -> None:
+    status, _, err = trackwright("train", labelled, "-o", tmp_path / "d.h5", "--from-truth")
+    assert (status, err.count("\n")) == (1, 1)
+    assert "--allow-outside" in err
+    assert "--recording" not in err
 
 
 def test_without_truth_beside_it_a_recording_does_not_label_itself(

@@ -18,8 +18,8 @@ from tracking.failure.samples import samples_from_rows
 FPS = 20.0
 
 
-def samples(recording="lobby", people=4, each=24, seed=4105) -> Samples:
-    """Parts that failed stand a little aside; one in ten is labelled the wrong way round."""
+def samples(recording="lobby", people=4, each=24, seed=4105, wrong=0.1) -> Samples:
+    """Parts that failed stand a little aside; a share is labelled the `wrong` way round."""
     random = np.random.default_rng(seed)
     rows, features = [], []
     for person in range(1, people + 1):
@@ -28,7 +28,7 @@ def samples(recording="lobby", people=4, each=24, seed=4105) -> Samples:
                 on = number % 2
                 values = random.normal(0.0, 1.0, len(FEATURE_NAMES))
                 values[part * 6] += 0.0 if on else 3.0
-                label = on if random.random() > 0.1 else 1 - on
+                label = on if random.random() > wrong else 1 - on
                 rows.append((recording, person, number, part, label, "somebody", "", "label"))
                 features.append(values)
     return samples_from_rows(rows, np.array(features))
@@ -59,6 +59,11 @@ def test_samples_are_counted_by_part_answer_and_person():
 def test_what_is_missing_is_said_of_samples_and_of_people():
     assert "more off" in counts_of(samples(people=2, each=4))[0].missing
     assert "one more person" in counts_of(samples(people=1, each=40))[0].missing
+
+
+def test_both_answers_that_are_missing_are_said():
+    said = counts_of(samples(people=0, each=0))[0].missing
+    assert said == "label 10 more on, label 10 more off"
 
 
 def test_people_of_different_recordings_with_one_name_are_different_people():
@@ -138,3 +143,16 @@ def test_mistakes_are_those_at_the_operating_point(result):
     assert all("called failed" in one.said for one in result.scene().mistakes)
     result.put(0.0)
     assert all("missed" in one.said for one in result.scene().mistakes)
+
+
+def test_the_area_under_each_curve_is_told(result, trained):
+    for figures, question in zip(result.scene().figures, trained.report.questions, strict=False):
+        assert figures.area == question.curve.area() > 0.6
+        assert f"area under the curve {figures.area:.2f}" in figures.said
+
+
+def test_parts_judged_no_better_than_by_chance_are_warned_of(result):
+    settings = TrainingSettings(folds=2, searched=100)
+    lots = TrainingResult(trained_from(samples(wrong=0.5), settings, lambda *_: None), FPS)
+    assert "No better than chance: head" in lots.scene().warning
+    assert "head" not in result.scene().warning

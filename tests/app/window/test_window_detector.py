@@ -73,7 +73,9 @@ def test_too_few_labels_are_told_part_by_part(hands, window, qtbot):
     dialog = _train_dialog(window, qtbot)
     assert "holds no labels" in dialog._told.text()
     assert not dialog._train.isEnabled()
-    assert [cells[4].text() for cells in dialog._cells] == ["label 10 more off"] * 3
+    assert [cells[4].text() for cells in dialog._cells] == [
+        "label 10 more on, label 10 more off"
+    ] * 3
     dialog.reject()
 
 
@@ -101,6 +103,9 @@ def test_labels_of_further_sessions_are_added(labelled, window, qtbot, parted_se
     qtbot.waitUntil(lambda: dialog._job is None)
     assert dialog._list.count() == 2
     assert int(dialog._cells[1][1].text()) == 2 * alone
+    dialog.add(other)
+    assert "listed already" in dialog._told.text()
+    assert dialog._told.isVisible()
     dialog.add(tmp_path / "missing.h5")
     qtbot.waitUntil(lambda: dialog._job is None)
     assert "missing.h5" in dialog._told.text()
@@ -115,6 +120,9 @@ def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
     assert trained.detector.origin.recordings == (labelled.desk.document.recording.name,)
     found = [cells[1].text() for cells in result._cells]
     assert all("%" in text for text in found)
+    areas = [float(cells[5].text()) for cells in result._cells]
+    assert all(0.0 <= area <= 1.0 for area in areas)
+    assert result._warning.isVisible() == bool(trained.scene().warning)
     use = next(
         b
         for b in result.findChildren(type(window.menuBar().cornerWidget()))
@@ -124,6 +132,7 @@ def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
     choice = labelled.desk.document.detector
     assert load_detector(Path(choice.path)).fingerprint == trained.detector.fingerprint
     assert choice.name in result._told.text()
+    assert labelled.desk.proposed_tracker == "three-part"
     document = labelled.desk.document
     asked = TrackDialog(document.recording, "three-part", "", window, document.parts_asked)
     name, settings, _, _ = asked.answer()

@@ -87,6 +87,11 @@ class TrainingReport:
     folds: int
     detector: Detector
 
+    @property
+    def by_chance(self) -> tuple[QuestionReport, ...]:
+        """Those whose answers are no better than chance."""
+        return tuple(one for one in self.questions if one.curve.by_chance)
+
     def as_json(self) -> dict[str, Any]:
         """Plain values; shares of nothing are null."""
         origin = self.detector.origin
@@ -99,6 +104,7 @@ class TrainingReport:
             "people": origin.people,
             "recordings": list(origin.recordings),
             "folds": self.folds,
+            "no_better_than_chance": [question.name for question in self.by_chance],
             "measured_in": "bodies" if self.by_size else "pixels",
             "questions": {question.name: _as_json(question) for question in self.questions},
         }
