@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.parts.parts_scene import Failure
+from app.presenters.parts.picturing import by_rule
 from tracking.tracks import Columns
 
 Ids = Callable[[int], dict[int, int]]
@@ -54,7 +55,8 @@ class PartFailures:
             frame = int(self._frames[place])
             owner = ids(frame).get(int(self.parts["track"][row]), 0)
             if owner > 0 and track in (0, owner):
-                yield Failure(frame, owner, int(self.parts["part"][row]), place)
+                rule = by_rule(True, float(self.parts["score"][row]))
+                yield Failure(frame, owner, int(self.parts["part"][row]), place, rule)
 
 
 def first_failures(parts: Columns) -> NDArray[np.int64]:

@@ -21,7 +21,8 @@ class PartBox:
         track, part: whose, and 0 head, 1 torso, 2 hip-leg.
         box: left, top, width, height in pixels of the left eye as recorded.
         colour: the person's.
-        failed: the detector says it is off its part. occluded: hidden; it follows motion alone.
+        failed: the detector, or a rule of the tracker, says it is off its part.
+        occluded: hidden; it follows motion alone.
         text: what is said of it, e.g. "torso: off, 1.32".
         selected: of the selected person. chosen: the part that is looked at, too.
     """
@@ -79,9 +80,15 @@ class CurvesScene:
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """Where a part begins to fail; `place` is its number among all of the run."""
+    """Where a part begins to fail.
+
+    Attributes:
+        place: its number among all of the run. by_rule: a rule of the tracker says so, not the
+            detector.
+    """
 
     frame: int
     track: int
     part: int
     place: int
+    by_rule: bool = False

@@ -8,7 +8,7 @@ import numpy as np
 
 from app.presenters.document.setting import Instant
 from app.presenters.palette import colour_of_track
-from app.presenters.parts.part_curve import PartCurve
+from app.presenters.parts.part_curve import THRESHOLD, PartCurve
 from app.presenters.parts.parts_scene import (
     Box,
     CurvesScene,
@@ -53,15 +53,22 @@ def _box(rows: Columns, row: int, instant: Instant, part: int) -> PartBox | None
 
 
 def verdict_text(part: int, failed: bool, occluded: bool, score: float) -> str:
-    """What the detector says of a part, e.g. "torso: off, 1.32"."""
+    """What is said of a part, e.g. "torso: off, +1.32"; see `by_rule`."""
     name = part_name(part)
     if occluded:
         return tr("{part}: hidden", part=name)
     if not math.isfinite(score):
         judged = tr("{part}: off") if failed else tr("{part}: not judged")
         return judged.format(part=name)
+    if by_rule(failed, score):
+        return tr("{part}: off, by rule", part=name)
     said = tr("{part}: off, {score:+.2f}") if failed else tr("{part}: on, {score:+.2f}")
     return said.format(part=name, score=score)
+
+
+def by_rule(failed: bool, score: float) -> bool:
+    """Whether a part was called failed by a rule of the tracker, not by the detector's score."""
+    return failed and not score > THRESHOLD
 
 
 def part_name(part: int) -> str:
@@ -120,7 +127,9 @@ def _said(name: str, curve: PartCurve, frame: int) -> str:
         return tr("{part}: not tracked here", part=name)
     figures = []
     if math.isfinite(curve.score[at]):
-        figures.append(tr("score {score:+.2f}", score=curve.score[at]))
+        figures.append(tr("score {score:+.2f} in the run", score=curve.score[at]))
+        if by_rule(bool(curve.failed[at]), float(curve.score[at])):
+            figures.append(tr("off by rule"))
     if math.isfinite(curve.entropy[at]):
         figures.append(tr("entropy {entropy:.2f}", entropy=curve.entropy[at]))
     figures.append(tr("{n:.0f} particles", n=curve.particles[at]))

@@ -4,32 +4,33 @@ from __future__ import annotations
 
 from app.presenters.labelling.labelling_scene import Suggested
 from app.presenters.palette import colour_of_track
+from app.presenters.parts.detector_choice import DetectorChoice
 from app.presenters.parts.picturing import part_name
 from app.presenters.words import time_text, tr
 from tracking.errors import EditError
-from tracking.failure import Detector, Suggestion, suggest
+from tracking.failure import Suggestion, suggest
 from tracking.session.belonging import parts_by_now
 from tracking.tracks import Labels, Run, TrackTable
 
 
 def suggestions_for(
-    table: TrackTable, run: Run | None, labels: Labels, fps: float, detector: Detector
+    table: TrackTable, run: Run | None, labels: Labels, fps: float, choice: DetectorChoice
 ) -> tuple[Suggested, ...]:
     """The parts nearest to the detector's operating point, the nearest first.
 
-    Raises EditError where no parts were tracked.
+    Raises EditError where no parts were tracked, FormatError where the detector is gone.
     """
     if run is None or not len(run.parts["frame"]):
         raise EditError(tr("No parts were tracked: track with three-part (Ctrl+T) first"))
     parts = parts_by_now(table, run, table.track_ids)
-    found = suggest(parts, fps, detector, labels.parts)
-    return tuple(_suggested(one, labels, fps) for one in found)
+    found = suggest(parts, fps, choice.load(), labels.parts)
+    return tuple(_suggested(one, labels, fps, choice.name) for one in found)
 
 
-def _suggested(one: Suggestion, labels: Labels, fps: float) -> Suggested:
+def _suggested(one: Suggestion, labels: Labels, fps: float, scored_by: str) -> Suggested:
     return Suggested(
         key=one.key,
-        reason=one.reason,
+        reason=f"unsure: score {one.score:+.2f} of the {scored_by}",
         title=part_name(one.part),
         label=labels.title(one.track),
         colour=colour_of_track(one.track),

@@ -44,7 +44,7 @@ class Suggesting(QObject):
         fps, detector = self._document.recording.fps, self._document.detector
 
         def work(_: Progress) -> tuple[Suggested, ...]:
-            return suggestions_for(table, run, labels, fps, detector.load())
+            return suggestions_for(table, run, labels, fps, detector)
 
         self._job = Job("suggestions of parts", work, self)
         self._job.done.connect(self._take)

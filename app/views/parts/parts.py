@@ -65,9 +65,14 @@ class Parts(QObject):
         self._labelling.choose_part(failure.part)
         self._playback.go(failure.frame)
         who = self._document.label(failure.track).name
+        said = tr("The {part} of {track} begins to fail in frame {frame}")
+        if failure.by_rule:
+            said = tr(
+                "The {part} of {track} begins to fail in frame {frame}, by a rule of the tracker: "
+                "its detector had not told so"
+            )
         self.said.emit(
-            tr(
-                "The {part} of {track} begins to fail in frame {frame}",
+            said.format(
                 part=part_name(failure.part),
                 track=f"{failure.track} {who}".rstrip(),
                 frame=failure.frame,

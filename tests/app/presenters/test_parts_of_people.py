@@ -36,6 +36,7 @@ def _same(ids):
     [
         (False, False, -0.5, "torso: on, -0.50"),
         (True, False, 1.25, "torso: off, +1.25"),
+        (True, False, -3.43, "torso: off, by rule"),
         (True, False, float("nan"), "torso: off"),
         (False, False, float("nan"), "torso: not judged"),
         (False, True, float("nan"), "torso: hidden"),
@@ -146,3 +147,24 @@ def _columns(rows):
     for at, name in enumerate(("frame", "track", "part", "failed")):
         made[name][:] = [row[at] for row in ordered]
     return made
+
+
+def test_a_failure_the_detector_had_not_told_is_one_by_rule(run, tracks):
+    parts = {name: column.copy() for name, column in run.parts.items()}
+    parts["score"][:] = np.where(parts["failed"], -3.43, -1.0)
+    told = PartFailures(parts).walk(-1, 1, _same(tracks.ids))
+    assert told.by_rule
+    parts["score"][parts["failed"]] = 0.4
+    assert not PartFailures(parts).walk(-1, 1, _same(tracks.ids)).by_rule
+
+
+def test_the_figures_say_that_a_rule_called_a_part_failed(run):
+    parts = {name: column.copy() for name, column in run.parts.items()}
+    parts["score"][:] = -3.43
+    tracks = SessionTracks(two_people.table(), replace(run, parts=parts))
+    track = tracks.ids[0]
+    curves = curves_of(tracks.parts_of_track(track))
+    part = next(number for number, curve in enumerate(curves) if curve.failed.any())
+    frame = int(curves[part].frames[curves[part].failed][0])
+    scene = curves_scene(Instant(frame, tracks, selected=track), curves, part, 200, 20.0)
+    assert "score -3.43 in the run, off by rule" in scene.said[part]

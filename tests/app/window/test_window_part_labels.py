@@ -47,6 +47,10 @@ def test_suggestions_are_those_of_the_detector_in_use_the_least_sure_first(hands
     assert hands.desk.labelling.part == part
 
 
+def test_the_list_says_whose_scores_it_goes_by(suggested):
+    assert all(one.reason.endswith(" of the built-in detector") for one in suggested().open)
+
+
 def test_an_answer_goes_on_to_the_next_suggestion_and_keeps_who_said_it_and_why(
     hands, suggested, labels, qtbot
 ):
