@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, straight, swapped
@@ -9,6 +11,7 @@ from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, str
 from tracking.editing import apply_change, plan_reassign, plan_swap
 from tracking.errors import CancelledError
 from tracking.review import KINDS, Suspicion, find_suspicions
+from tracking.review.wording import sentence
 from tracking.tracks import Labels, Occluder, Run, TrackTable
 
 MEETING = 80
@@ -187,3 +190,21 @@ def test_people_swapped_across_the_floor_are_told_where_they_were() -> None:
     assert (first.kind, first.tracks, first.frame) == ("turn", (1, 2), MEETING)
     assert first.start <= MEETING < first.end
     assert first.likelihood > 0.5
+
+
+def test_where_no_floor_is_known_nothing_is_said_in_metres() -> None:
+    run = made_run(crossing())
+    tracks = {name: column.copy() for name, column in run.tracks.items()}
+    for name in ("x", "y"):
+        tracks[name][:] = np.nan
+    nowhere = replace(run, tracks=tracks)
+    said = [text for one in found(nowhere) for text in (one.text, *one.others)]
+    assert any("body heights" in text for text in said)
+    assert not any(" m " in text or "floor" in text for text in said)
+
+
+def test_ways_are_said_in_body_heights_where_the_floor_is_not_known() -> None:
+    within = sentence("crossing", 1, 5, 0.85, 4.0, on_floor=False)
+    assert within == "1 and 5 passed within 0.5 body heights at 00:04"
+    begun = sentence("begun", 4, 0, 0.0, 4.0, on_floor=False)
+    assert begun == "4 begins in the middle of the picture at 00:04"

@@ -112,7 +112,7 @@ def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
     tracks = np.stack((reasons.first[leader], reasons.second[leader]), axis=1)
     columns = (leader, frame[told], watched.start[told], watched.end[told], likely[told])
     figures = (column.tolist() for column in columns)
-    speaker = Speaker.of(reasons, places, evidence.fps)
+    speaker = Speaker.of(reasons, places, evidence.fps, on_floor=evidence.on_floor)
     suspicions = [
         _suspicion(speaker, place, *numbers)
         for place, *numbers in zip(told.tolist(), *figures, strict=True)

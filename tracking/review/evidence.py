@@ -42,6 +42,7 @@ class Evidence:
         margin: (n,) of the association; NaN where there was none or no other choice.
         failed: (n,) which of the person's parts have failed: 1 head, 2 torso, 4 hip-leg, summed.
         fps: frames a second. stop: one past the footage's last frame that was tracked.
+        on_floor: whether places are metres of the floor, not feet in units of a usual body.
     """
 
     track: Rows
@@ -59,6 +60,7 @@ class Evidence:
     failed: NDArray[np.int64]
     fps: float
     stop: int
+    on_floor: bool = True
 
     def __len__(self) -> int:
         """The number of rows."""
@@ -135,6 +137,7 @@ def evidence_of(
         failed=source.failed_parts(),
         fps=fps,
         stop=stop,
+        on_floor=not usual_px,
     )
 
 

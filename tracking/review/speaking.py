@@ -19,6 +19,7 @@ class Speaker:
         kinds: names. columns: number of the kind, both tracks, frame and figure of each reason.
         cuts: the reasons of place i are numbers cuts[i] to cuts[i + 1] of `spoken`.
         spoken: reasons place after place, each place's weightiest first.
+        on_floor: whether figures are metres of the floor.
     """
 
     kinds: Sequence[str]
@@ -26,9 +27,10 @@ class Speaker:
     cuts: Sequence[int]
     spoken: Sequence[int]
     fps: float
+    on_floor: bool
 
     @classmethod
-    def of(cls, reasons: Reasons, places: Places, fps: float) -> Speaker:
+    def of(cls, reasons: Reasons, places: Places, fps: float, *, on_floor: bool) -> Speaker:
         """Put the reasons of each place in order."""
         order = np.lexsort((-reasons.weight[places.reason], places.place))
         cuts = np.searchsorted(places.place[order], np.arange(len(places.leader) + 1))
@@ -36,7 +38,8 @@ class Speaker:
             *(column.tolist() for column in (reasons.kind, reasons.first, reasons.second)),
             *(column.tolist() for column in (reasons.frame, reasons.figure)),
         )
-        return cls(reasons.kinds, columns, cuts.tolist(), places.reason[order].tolist(), fps)
+        spoken = places.reason[order].tolist()
+        return cls(reasons.kinds, columns, cuts.tolist(), spoken, fps, on_floor)
 
     def kind(self, reason: int) -> str:
         """Of a reason."""
@@ -55,4 +58,5 @@ class Speaker:
 
     def _sentence(self, kind: str, row: int) -> str:
         _, _, _, frame, figure = self.columns
-        return sentence(kind, *self.tracks(row), figure[row], frame[row] / self.fps)
+        time_s = frame[row] / self.fps
+        return sentence(kind, *self.tracks(row), figure[row], time_s, on_floor=self.on_floor)

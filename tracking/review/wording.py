@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
+from tracking.review.evidence import BODY_M
 from tracking.tracks import PART_NAMES
 
 
@@ -30,32 +31,28 @@ WORDS: Mapping[str, Words] = MappingProxyType(
         "exchange": Words(
             "", "{a} and {b} look like each other from {time} on: their colours changed over"
         ),
-        "turn": Words(
-            "", "{a} goes on as {b} was walking and {b} as {a}, {figure:.1f} m off, at {time}"
-        ),
-        "crossing": Words("", "{a} and {b} passed within {figure:.1f} m at {time}"),
+        "turn": Words("", "{a} goes on as {b} was walking and {b} as {a}, {way} off, at {time}"),
+        "crossing": Words("", "{a} and {b} passed within {way} at {time}"),
         "shared": Words("", "{a} and {b} were seen as one for {figure:.1f} s until {time}"),
         "lost": Words(
             "",
-            "{a} ends in the middle of the floor, and {b} begins near it at {time}",
+            "{a} ends in the middle of the {ground}, and {b} begins near it at {time}",
             fix_two="merge",
         ),
         "ended": Words(
-            "{a} ends in the middle of the floor at {time}",
-            "{a} ends in the middle of the floor at {time}, beside {b}",
+            "{a} ends in the middle of the {ground} at {time}",
+            "{a} ends in the middle of the {ground} at {time}, beside {b}",
             fix_two="look",
         ),
         "begun": Words(
-            "{a} begins in the middle of the floor at {time}",
-            "{a} begins in the middle of the floor at {time}, beside {b}",
+            "{a} begins in the middle of the {ground} at {time}",
+            "{a} begins in the middle of the {ground} at {time}, beside {b}",
             fix_two="look",
         ),
         "colour": Words("{a} has other colours from {time} on", fix_one="split"),
         "height": Words("the height of {a} changes by {figure:.2f} m at {time}", fix_one="split"),
-        "jump": Words("{a} jumps by {figure:.1f} m at {time}", fix_one="split"),
-        "reversal": Words(
-            "{a} turns back at {figure:.1f} m/s, half hidden, at {time}", fix_one="split"
-        ),
+        "jump": Words("{a} jumps by {way} at {time}", fix_one="split"),
+        "reversal": Words("{a} turns back at {way}/s, half hidden, at {time}", fix_one="split"),
         "predicted": Words(
             "{a} was out of sight for {figure:.1f} s and is seen again at {time}",
             "{a} was out of sight for {figure:.1f} s and is seen again at {time}, beside {b}",
@@ -69,7 +66,7 @@ WORDS: Mapping[str, Words] = MappingProxyType(
             "another choice for {a} would have been nearly as good at {time}",
             "another choice for {a} would have been nearly as good at {time}, beside {b}",
         ),
-        "spread": Words("the particles of {a} spread over {figure:.1f} m at {time}"),
+        "spread": Words("the particles of {a} spread over {way} at {time}"),
         "split": Words("the particles of {a} fall in two at {time}"),
         "part": Words("the {parts} of {a} failed at {time}"),
     }
@@ -80,12 +77,22 @@ KINDS = tuple(WORDS)
 """All kinds of suspicions there are."""
 
 
-def sentence(kind: str, first: int, second: int, figure: float, seconds: float) -> str:
-    """A reason as a sentence, e.g. "4 and 7 passed within 0.3 m at 00:41"."""
+def sentence(
+    kind: str, first: int, second: int, figure: float, seconds: float, *, on_floor: bool = True
+) -> str:
+    """A reason as a sentence, e.g. "4 and 7 passed within 0.3 m at 00:41".
+
+    Where the floor is not known (`on_floor`), ways are said in body heights: see `Evidence.place`.
+    """
     words = WORDS[kind]
     said = words.two if second else words.one
     parts = _parts(int(figure)) if kind == "part" else ""
-    return said.format(a=first, b=second, figure=figure, time=clock(seconds), parts=parts)
+    way = f"{figure:.1f} m" if on_floor else f"{figure / BODY_M:.1f} body heights"
+    ground = "floor" if on_floor else "picture"
+    time = clock(seconds)
+    return said.format(
+        a=first, b=second, figure=figure, way=way, ground=ground, time=time, parts=parts
+    )
 
 
 def _parts(which: int) -> str:
