@@ -39,6 +39,14 @@ def run_export(path: Path, out: Path, name: str, run: int | None, *, as_json: bo
         print(out)
 
 
+def _what_first(session: Session) -> str:
+    """What to do before there are samples."""
+    run = session.corrected_run
+    if run is None or not len(run.parts["frame"]):
+        return "its tracks have no body parts: track it with three-part, then label them"
+    return "label tracked body parts first"
+
+
 def _export_parts(path: Path, out: Path, name: str, run: int | None, *, as_json: bool) -> None:
     if run is not None:
         raise OutputError(f"{name} belong to the corrected tracks; leave --run out")
@@ -47,12 +55,14 @@ def _export_parts(path: Path, out: Path, name: str, run: int | None, *, as_json:
     with closing(Session.open(path)) as session:
         if name == "labels":
             labels = list(session.labels.parts.values())
+            if not labels:
+                raise OutputError(f"{path} has no labels of body parts; label some first")
             write_part_labels(out, labels)
             made, rows = [out], len(labels)
         else:
             samples = session_samples(session)
             if not len(samples):
-                raise OutputError(f"{path} has no samples; label tracked body parts first")
+                raise OutputError(f"{path} has no samples; {_what_first(session)}")
             made, rows = write_samples(out, samples), len(samples)
     if as_json:
         written = [str(file) for file in made]

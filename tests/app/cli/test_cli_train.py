@@ -260,7 +260,8 @@ def test_without_truth_beside_it_a_recording_does_not_label_itself(
     ("words", "why"),
     [
         (["train", "{made}", "-o", "{out}"], "no body parts; track it with three-part"),
-        (["export", "{made}", "-o", "{out}", "--format", "samples"], "no samples; label"),
+        (["export", "{made}", "-o", "{out}", "--format", "samples"], "track it with three-part"),
+        (["export", "{made}", "-o", "{out}", "--format", "labels"], "no labels of body parts"),
         (["export", "{made}", "-o", "{out}", "--format", "samples", "--run", "0"], "leave --run"),
         (["train", "{missing}", "-o", "{out}"], "there is no such session"),
     ],
