@@ -199,7 +199,8 @@ def test_info_tells_what_the_session_holds(session: Session) -> None:
     told = describe(session.save())
     assert (told["frames"], told["fps"], told["size"]) == (FRAMES, 20.0, [640, 480])
     assert (told["tracks"], told["edits"], told["undone_edits"]) == (4, 1, 0)
-    assert told["runs"] == [{"tracker": "stereo-direction", "frames": [0, FRAMES], "seed": 0}]
+    run = {"tracker": "stereo-direction", "frames": [0, FRAMES], "seed": 0, "detector": ""}
+    assert told["runs"] == [run]
     assert told["recording"] == "recording"
     json.dumps(told)
 

@@ -42,6 +42,7 @@ def describe(path: Path) -> dict[str, Any]:
                     "tracker": text_attribute(file[f"runs/{number}"], "tracker"),
                     "frames": [int(frame) for frame in file[f"runs/{number}"].attrs["frames"]],
                     "seed": int(file[f"runs/{number}"].attrs["seed"]),
+                    "detector": text_attribute(file[f"runs/{number}"], "detector"),
                 }
                 for number in range(len(file["runs"]))
             ],
