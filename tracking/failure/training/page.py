@@ -89,6 +89,7 @@ def _summary(report: TrainingReport) -> str:
         "<table><tr><th></th><th>off its part</th><th>on its part</th><th>failures found</th>"
         f"<th>false alarms</th><th>area under the curve</th></tr>{rows}</table>"
         "<p class=note>Every rate is of people whom the machine that judged them had not seen. "
+        "Parameters and thresholds were chosen by these rates, so others may fare a little worse. "
         "The row several is about instants with a lost part: several lost, one lost, several told, "
         "and one taken for several.</p>"
     )
