@@ -64,7 +64,9 @@ def test_what_stands_on_it_is_known_after_reopening(edited: Session) -> None:
     path = edited.save()
     edited.close()
     again = Session.open(path)
-    with pytest.raises(EditError, match=r'"Swap 2 and 4 from frame 20 on" \(edit 3\) was made on top'):
+    with pytest.raises(
+        EditError, match=r'"Swap 2 and 4 from frame 20 on" \(edit 3\) was made on top'
+    ):
         again.undo_alone(1)
     again.undo_alone(3)
     again.undo_alone(1)
