@@ -139,16 +139,20 @@ def test_the_verdict_of_another_program_is_told(good: Path, tmp_path: Path) -> N
 
 
 def test_spoilt_bytes_never_end_in_anything_but_an_error(copy: Path) -> None:
-    chance, data = np.random.default_rng(5), copy.read_bytes()
+    chance, data, refused = np.random.default_rng(5), copy.read_bytes(), 0
     for _ in range(40):
         spoilt = bytearray(data)
         for place in chance.integers(0, len(data), chance.integers(1, 60)):
             spoilt[place] = int(chance.integers(0, 256))
         copy.write_bytes(spoilt)
         try:
-            load_detector(copy).judge(np.zeros((2, 36)))
-        except FormatError:
-            continue
+            judged = load_detector(copy).judge(np.zeros((2, 36)))
+        except FormatError as error:
+            assert str(copy) in str(error)
+            refused += 1
+        else:
+            assert judged.failed.shape == judged.score.shape == (2, 3)
+    assert refused > 0
 
 
 def test_a_missing_file_and_a_folder_are_told(tmp_path: Path) -> None:

@@ -241,11 +241,16 @@ def test_a_system_that_refuses_limits_still_looks_files_over(
 ) -> None:
     import resource
 
-    def refusing(*_: object) -> None:
+    asked = []
+
+    def refusing(kind: int, _: object) -> None:
+        asked.append(kind)
         raise ValueError("current limit exceeds maximum limit")
 
     monkeypatch.setattr(resource, "setrlimit", refusing)
     limit()
+    # One that is refused keeps nobody from asking for the others.
+    assert {resource.RLIMIT_AS, resource.RLIMIT_CPU} <= set(asked)
 
 
 def test_particles_that_do_not_add_up_are_told_when_they_are_looked_at(copy: Path) -> None:

@@ -352,4 +352,7 @@ def test_a_damaged_list_of_known_recordings_is_as_good_as_none(
 
 def test_a_list_that_cannot_be_written_bothers_nobody(path: Path, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("no folder")
-    KnownRecordings(tmp_path / "file").remember(reopened(path).recording, tmp_path)
+    known, reference = KnownRecordings(tmp_path / "file"), reopened(path).recording
+    known.remember(reference, tmp_path)
+    assert known.find(reference) is None
+    assert (tmp_path / "file").read_text() == "no folder"

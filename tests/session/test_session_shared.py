@@ -141,8 +141,8 @@ def test_an_edit_made_by_hand_must_touch_what_is_there(session: Session) -> None
 
 
 def test_the_file_is_never_open_while_nobody_reads_it(session: Session) -> None:
-    with h5py.File(session.path, "a"):  # would fail for a file that is open elsewhere
-        pass
+    with h5py.File(session.path, "a") as file:  # would fail for a file that is open elsewhere
+        assert file.attrs["format"] == "trackwright-session"
 
 
 def test_a_journal_that_cannot_be_trimmed_is_no_failed_save(
