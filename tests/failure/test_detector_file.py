@@ -147,8 +147,7 @@ def test_spoilt_bytes_never_end_in_anything_but_an_error(copy: Path) -> None:
         copy.write_bytes(spoilt)
         try:
             judged = load_detector(copy).judge(np.zeros((2, 36)))
-        except FormatError as error:
-            assert str(copy) in str(error)
+        except FormatError:
             refused += 1
         else:
             assert judged.failed.shape == judged.score.shape == (2, 3)

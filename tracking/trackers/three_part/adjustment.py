@@ -44,7 +44,9 @@ class Scene:
 def adjusted(people: Followed, boxes: Floats, lost: Flags, several: Flags, scene: Scene) -> Floats:
     """(people, 3, 4) the rectangles where lost parts belong; NaN where nothing says so.
 
-    [ZhaoLee2009] section 4.3.2.
+    [ZhaoLee2009] section 4.3.2. Where we differ: the caller begins all three anew, too, where
+    more than one part is lost, whatever the fourth machine says, as that one seldom tells; and
+    parts made anew go at their person's pace, not from rest.
 
     Args:
         boxes: (people, 4) left, top, width, height of the people as expected.
@@ -114,7 +116,8 @@ def _one(part: int, rectangles: Floats, mask: Flags) -> Floats:
     Only of people not seen alone and whole; the parts of those are cut out of their region. The
     torso is the mean of the others [ZhaoLee2009, eq. 4]. The head is the inner rectangle of
     the foreground within the torso's width to either side of it, from its upper edge up by twice
-    the distance from torso to hip-leg; the hip-leg likewise below.
+    the distance from torso to hip-leg; the hip-leg likewise below. Where we differ: both
+    reach twice the torso's height at least, for people seen from above, whose parts stand close.
     """
     if part == TORSO:
         return np.asarray((rectangles[HEAD] + rectangles[HIP_LEG]) / 2)
