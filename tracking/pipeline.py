@@ -37,6 +37,7 @@ from tracking.tracks.columns import (
     PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
+    TRACKLET_COLUMNS,
     Columns,
     empty,
 )
@@ -219,6 +220,7 @@ def run_of_steps(
     offsets = partial(_offsets, [step.frame for step in steps], recording.frame_count)
     particles = [step.particles for step in steps]
     part_particles = [step.part_particles for step in steps]
+    tracklets = [step.tracklets for step in steps]
     run = Run(
         tracker=tracker,
         settings=settings,
@@ -233,6 +235,7 @@ def run_of_steps(
         part_particles=Particles(
             offsets(part_particles), _joined(part_particles, PART_PARTICLE_COLUMNS)
         ),
+        tracklets=Particles(offsets(tracklets), _joined(tracklets, TRACKLET_COLUMNS)),
         software=f"trackwright {tracking.__version__}",
         detector=detector_of(tracker, settings),
         known_tracks=resume.highest_track if resume is not None else 0,

@@ -20,11 +20,12 @@ from tracking.tracks import (
     PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
+    TRACKLET_COLUMNS,
     Columns,
 )
 
 _HEAD = struct.Struct("<BQ")  # kind, bytes that follow
-_STEP = struct.Struct("<8q")  # frame, rows of each table
+_STEP = struct.Struct("<9q")  # frame, rows of each table
 _TABLES: tuple[Mapping[str, np.dtype[Any]], ...] = (
     TRACK_COLUMNS,
     DETECTION_COLUMNS,
@@ -33,6 +34,7 @@ _TABLES: tuple[Mapping[str, np.dtype[Any]], ...] = (
     SIGNAL_COLUMNS,
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
+    TRACKLET_COLUMNS,
 )
 
 
@@ -117,7 +119,7 @@ def unpacked_error(payload: bytes) -> Exception:
 def _packed(step: StepResult) -> Iterator[bytes]:
     tables = (
         *(step.tracks, step.detections, step.particles, step.associations, step.signals),
-        *(step.parts, step.part_particles),
+        *(step.parts, step.part_particles, step.tracklets),
     )
     firsts = (next(iter(types)) for types in _TABLES)
     rows = [len(table[first]) for table, first in zip(tables, firsts, strict=True)]

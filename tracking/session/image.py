@@ -35,6 +35,7 @@ from tracking.tracks import (
     Columns,
     Labels,
     ParticleColumn,
+    Particles,
     Run,
     TrackTable,
     empty,
@@ -180,7 +181,12 @@ def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
     for name, columns in tables.items():
         types = RUN_TABLES[name]
         packer.table(group, name, types, _by_frame_and_track(columns))
-    for name, particles in (("particles", run.particles), ("part_particles", run.part_particles)):
+    by_frame: Mapping[str, Particles] = {
+        "particles": run.particles,
+        "part_particles": run.part_particles,
+        "tracklets": run.tracklets,
+    }
+    for name, particles in by_frame.items():
         table = packer.table(group, name, RUN_TABLES[name], particles.columns)
         packer.column(table, "start", particles.start, np.dtype(np.int64))
 

@@ -20,10 +20,11 @@ from tracking.tracks import (
     PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
+    TRACKLET_COLUMNS,
 )
 
 FORMAT = "trackwright-session"
-VERSION = (1, 2)
+VERSION = (1, 3)
 """Major: older programs cannot read it. Minor: they can, and miss something."""
 
 CHUNK_ROWS = 65_536
@@ -121,6 +122,7 @@ RUN_TABLES: Mapping[str, Types] = MappingProxyType(
         "parts": PART_COLUMNS,
         "signals": SIGNAL_COLUMNS,
         "part_particles": PART_PARTICLE_COLUMNS,
+        "tracklets": TRACKLET_COLUMNS,
     }
 )
 
@@ -138,13 +140,13 @@ LATER_COLUMNS: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
 )
 """Columns that tables of format 1.0 do not have: those that came together, all or none."""
 
-LATER_RUN_TABLES = frozenset({"signals", "part_particles"})
-"""Tables of a run that sessions of format 1.0 do not have; the last one came with 1.2."""
+LATER_RUN_TABLES = frozenset({"signals", "part_particles", "tracklets"})
+"""Tables of a run that sessions of format 1.0 do not have; the last ones came with 1.2 and 1.3."""
 
 LATER_RUN_COLUMNS: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
     {"parts": (frozenset({"entropy", "particles", "occluded"}),)}
 )
 """The same of a run's tables; these came with format 1.2."""
 
-PARTICLE_TABLES = ("particles", "part_particles")
+PARTICLE_TABLES = ("particles", "part_particles", "tracklets")
 """Tables of a run that stay in the file, with the column `start`: an offset a frame."""

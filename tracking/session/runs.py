@@ -21,7 +21,6 @@ from tracking.session.layout import CHUNK_ROWS, LATER_RUN_COLUMNS, PARTICLE_TABL
 from tracking.session.stamping import now
 from tracking.tracks import (
     LARGEST_NUMBER,
-    PART_PARTICLE_COLUMNS,
     Columns,
     Particles,
     Run,
@@ -66,9 +65,8 @@ class StoredRun:
                 frames=(first, stop),
                 **tables,
                 particles=self._particles(group, "particles"),
-                part_particles=self._particles(group, "part_particles")
-                if "part_particles" in group
-                else Particles.none(PART_PARTICLE_COLUMNS),
+                part_particles=self._particles(group, "part_particles"),
+                tracklets=self._particles(group, "tracklets"),
                 software=text_attribute(group, "software"),
                 detector=text_attribute(group, "detector"),
                 known_tracks=_known_tracks(group),
@@ -83,6 +81,8 @@ class StoredRun:
         copy_group(self.path, f"runs/{self.number}", image, target)
 
     def _particles(self, run: h5py.Group, table: str) -> Particles:
+        if table not in run:
+            return Particles.none(RUN_TABLES[table])
         group = run[table]
         start = group["start"][()]
         rows = len(group["track"])

@@ -16,6 +16,7 @@ from tracking.tracks.columns import (
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
+    TRACKLET_COLUMNS,
     Columns,
     empty,
 )
@@ -48,6 +49,7 @@ class StepResult:
         parts: `PART_COLUMNS` of this frame, sorted by track then part; empty where the tracker
             follows people whole.
         part_particles: `PART_PARTICLE_COLUMNS` of this frame, grouped by track then part.
+        tracklets: `TRACKLET_COLUMNS` of this frame, grouped by track.
     """
 
     frame: int
@@ -58,6 +60,7 @@ class StepResult:
     signals: Columns = field(default_factory=lambda: empty(SIGNAL_COLUMNS))
     parts: Columns = field(default_factory=lambda: empty(PART_COLUMNS))
     part_particles: Columns = field(default_factory=lambda: empty(PART_PARTICLE_COLUMNS))
+    tracklets: Columns = field(default_factory=lambda: empty(TRACKLET_COLUMNS))
 
 
 class Perception(Protocol):

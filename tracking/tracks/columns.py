@@ -87,6 +87,19 @@ PART_PARTICLE_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
     }
 )
 
+TRACKLET_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
+    {
+        "track": np.dtype(np.int32),  # 0: of nobody who is followed
+        "u0": np.dtype(np.float32),  # px of the left image as recorded: in this frame
+        "v0": np.dtype(np.float32),
+        "u1": np.dtype(np.float32),  # a step before
+        "v1": np.dtype(np.float32),
+        "u2": np.dtype(np.float32),  # two steps before
+        "v2": np.dtype(np.float32),
+    }
+)
+"""Points followed in the picture, with their last positions."""
+
 ASSOCIATION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
     {
         "frame": np.dtype(np.int32),

@@ -15,6 +15,7 @@ from tracking.tracks.columns import (
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
+    TRACKLET_COLUMNS,
     Columns,
     empty,
 )
@@ -37,9 +38,9 @@ class Particles:
     Attributes:
         start: (frames + 1,) int64; the particles of frame i (counted from the recording's first
             frame) are the rows start[i] to start[i + 1].
-        columns: `PARTICLE_COLUMNS`, or `PART_PARTICLE_COLUMNS` where they are of parts; of a run
-            read from a session they stay in the file and are read as they are asked for, by
-            slices. `numpy.asarray` reads a whole one.
+        columns: `PARTICLE_COLUMNS`, `PART_PARTICLE_COLUMNS` where they are of parts, or
+            `TRACKLET_COLUMNS`; of a run read from a session they stay in the file and are read as
+            they are asked for, by slices. `numpy.asarray` reads a whole one.
     """
 
     start: NDArray[np.int64]
@@ -76,6 +77,7 @@ class Run:
             not used.
         parts: `PART_COLUMNS` of a tracker that follows parts; empty from others.
         part_particles: in the picture, of such a tracker; see `PART_PARTICLE_COLUMNS`.
+        tracklets: `TRACKLET_COLUMNS`, of a tracker that follows points; held as particles are.
         signals: `SIGNAL_COLUMNS`, a row for each row of the tracks; empty in runs of programs that
             did not notice them, and in imported ones.
         software: name and version that made it.
@@ -98,6 +100,7 @@ class Run:
     part_particles: Particles = field(
         default_factory=partial(Particles.none, PART_PARTICLE_COLUMNS)
     )
+    tracklets: Particles = field(default_factory=partial(Particles.none, TRACKLET_COLUMNS))
     software: str = ""
     detector: str = ""
     known_tracks: int = 0

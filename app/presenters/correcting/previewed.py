@@ -63,6 +63,10 @@ class PreviewedTracks:
         """Their particles, likewise."""
         return self._handed_over(self._tracks.part_particles(frame), frame)
 
+    def tracklets(self, frame: int) -> Columns:
+        """Likewise the tracklets; those of nobody stay so."""
+        return self._handed_over(self._tracks.tracklets(frame), frame)
+
     def parts_of_track(self, track: int) -> Columns:
         """As before."""
         return self._tracks.parts_of_track(track)

@@ -16,6 +16,7 @@ from tracking.tracks import (
     PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
     TRACK_COLUMNS,
+    TRACKLET_COLUMNS,
     Columns,
     empty,
 )
@@ -92,6 +93,11 @@ class LiveTracks:
         """The particles of the frame's parts."""
         step = self._step(frame)
         return empty(PART_PARTICLE_COLUMNS) if step is None else step.part_particles
+
+    def tracklets(self, frame: int) -> Columns:
+        """The frame's tracklets."""
+        step = self._step(frame)
+        return empty(TRACKLET_COLUMNS) if step is None else step.tracklets
 
     def parts_of_track(self, track: int) -> Columns:
         """The parts of a track so far."""
@@ -209,6 +215,10 @@ class ContinuedTracks:
     def part_particles(self, frame: int) -> Columns:
         """The particles of the frame's parts."""
         return self._part(frame).part_particles(frame)
+
+    def tracklets(self, frame: int) -> Columns:
+        """The frame's tracklets."""
+        return self._part(frame).tracklets(frame)
 
     def parts_of_track(self, track: int) -> Columns:
         """The parts of a track."""

@@ -16,6 +16,7 @@ from tracking.tracks import (
     PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
     TRACK_COLUMNS,
+    TRACKLET_COLUMNS,
     Columns,
     Run,
     Source,
@@ -107,6 +108,14 @@ class SessionTracks:
         if self._run is None:
             return empty(PART_PARTICLE_COLUMNS)
         return self._owned(self._run.part_particles.of_frame(frame), frame)
+
+    def tracklets(self, frame: int) -> Columns:
+        """The run's tracklets, those of people who were taken out being nobody's."""
+        if self._run is None:
+            return empty(TRACKLET_COLUMNS)
+        rows = self._run.tracklets.of_frame(frame)
+        ids = _renamed(rows["track"], self._after_edits(frame))
+        return {**rows, "track": np.maximum(ids, 0)}
 
     def parts_of_track(self, track: int) -> Columns:
         """The parts of a track, kept until another's are asked for."""

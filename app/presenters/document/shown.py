@@ -49,6 +49,9 @@ class ShownTracks(Protocol):
     def part_particles(self, frame: int) -> Columns:
         """`PART_PARTICLE_COLUMNS` of a frame."""
 
+    def tracklets(self, frame: int) -> Columns:
+        """`TRACKLET_COLUMNS` of a frame; none from trackers that follow no points."""
+
     def parts_of_track(self, track: int) -> Columns:
         """`PART_COLUMNS` of a track, sorted by frame."""
 

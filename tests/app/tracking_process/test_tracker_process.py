@@ -43,8 +43,9 @@ def _in_this_process(recording):
 
 def _tables(run):
     yield from (run.tracks, run.detections, run.particles.columns, run.associations, run.signals)
-    yield from (run.parts, run.part_particles.columns)
+    yield from (run.parts, run.part_particles.columns, run.tracklets.columns)
     yield {"start": run.particles.start, "part_start": run.part_particles.start}
+    yield {"tracklet_start": run.tracklets.start}
 
 
 def _assert_same_runs(one, other):
