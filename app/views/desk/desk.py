@@ -127,7 +127,7 @@ class Desk(QObject):
             editing=document.flow is not None,
             labelling=self.labelling.tool is not None,
             saying=self.labelling.tool is Tool.PARTS,
-            suggesting=self.labelling.keys.suggesting.asked,
+            suggesting=self.labelling.suggests,
             parts=self.parts.presenter.any_tracked,
             part_truth=self.parts.presenter.truth_known,
             placing=document.flow is not None and document.flow.places,

@@ -66,24 +66,24 @@ class Labelling(QObject):
         self._parts = PartsLayer(workspace.left)
         self._on_picture = ShapesLayer(workspace.left)
         self._on_floor = ShapesLayer(workspace.overhead)
-        self.keys = PartKeys(document, playback, self._presenter.parts, self._do, self)
-        self.keys.changed.connect(self.changed)
-        self.keys.said.connect(self.said)
-        self.keys.close_asked.connect(self._show_close)
+        self._keys = PartKeys(document, playback, self._presenter.parts, self._do, self)
+        self._keys.changed.connect(self.changed)
+        self._keys.said.connect(self.said)
+        self._keys.close_asked.connect(self._show_close)
         self._connect_layers()
         self._connect_panel()
 
     def _connect_layers(self) -> None:
         self._parts.part_chosen.connect(self.choose_part)
-        self._parts.part_drawn.connect(self.keys.put_box)
+        self._parts.part_drawn.connect(self._keys.put_box)
         self._parts.picked.connect(self._pick_person)
-        self._parts.left.connect(self.leave)
+        self._parts.leave_asked.connect(self.leave)
         for layer in (self._on_picture, self._on_floor):
             layer.drawn.connect(self._add)
             layer.reshaped.connect(self._reshape)
             layer.picked.connect(self._pick)
             layer.removal_asked.connect(self._remove_picked)
-            layer.left.connect(self.leave)
+            layer.leave_asked.connect(self.leave)
 
         for view in (self._workspace.left, self._workspace.right):
             view.picture_clicked.connect(self._tell_where)
@@ -91,12 +91,12 @@ class Labelling(QObject):
     def _connect_panel(self) -> None:
         """Each connection ends with this object."""
         labelling, panel = self, self._panel
-        panel.left.connect(labelling.leave)
+        panel.leave_asked.connect(labelling.leave)
         panel.parts.said.connect(labelling._say_of)
         panel.parts.chosen.connect(labelling.choose_part)
-        panel.parts.step_chosen.connect(labelling.keys.set_step)
-        panel.parts.scope_chosen.connect(labelling.keys.choose_scope)
-        panel.parts.suggestion_chosen.connect(labelling.keys.go_to)
+        panel.parts.step_chosen.connect(labelling._keys.set_step)
+        panel.parts.scope_chosen.connect(labelling._keys.choose_scope)
+        panel.parts.suggestion_chosen.connect(labelling._keys.go_to)
         panel.drawn.picked.connect(labelling._pick)
         panel.drawn.renamed.connect(labelling._rename)
         panel.drawn.removed.connect(labelling._remove)
@@ -106,7 +106,7 @@ class Labelling(QObject):
 
     def close(self) -> None:
         """Take the layers off the views, which outlive the document."""
-        self.keys.end_suggestions()
+        self._keys.end_suggestions()
         for layer in self._layers:
             layer.hide()
             layer.setParent(None)
@@ -134,8 +134,8 @@ class Labelling(QObject):
         self._document.correcting.leave()
         self._presenter.choice.tool = tool
         self._presenter.choice.picked = -1
-        self.keys.see_labels(self._presenter.labels.parts)
-        self.keys.end_suggestions()
+        self._keys.see_labels(self._presenter.labels.parts)
+        self._keys.end_suggestions()
         for layer in self._layers:
             layer.hide()
         used = self._layer_of(tool)
@@ -147,7 +147,7 @@ class Labelling(QObject):
         """Leave the tool; what was drawn and said stays."""
         self._presenter.choice.tool = None
         self._presenter.choice.picked = -1
-        self.keys.end_suggestions()
+        self._keys.end_suggestions()
         for layer in self._layers:
             layer.hide()
         self._workspace.left.setFocus()
@@ -165,29 +165,46 @@ class Labelling(QObject):
     @property
     def part(self) -> int:
         """The part that is looked at, labelled or not."""
-        return self.keys.part
+        return self._keys.part
 
     def choose_part(self, part: int) -> None:
         """Look at a part; the next answer is about it."""
-        self.keys.choose(part)
+        self._keys.choose(part)
 
     def say(self, on_part: bool | None, part: int | None = None) -> None:
         """Say whether a part's rectangle lies on its part, then go on to the next one."""
         self._need_parts()
-        self.keys.say(on_part, part)
+        self._keys.say(on_part, part)
 
     def suggest(self) -> None:
         """Begin to label where the detector is least sure, or leave that."""
-        if self.keys.suggesting.asked and self.tool is Tool.PARTS:
+        if self.suggests and self.tool is Tool.PARTS:
             self.leave()
             return
         self._need_parts()
-        self.keys.begin_suggestions()
+        self._keys.begin_suggestions()
+
+    @property
+    def suggests(self) -> bool:
+        """Whether parts are walked where the detector is least sure."""
+        return self._keys.suggesting.asked
+
+    def walk(self, step: int) -> None:
+        """To the next (1) or previous (-1) suggestion."""
+        self._keys.walk(step)
+
+    def next_scope(self) -> None:
+        """How far an answer goes: this frame, or the range that is set."""
+        self._keys.next_scope()
+
+    def forget(self) -> None:
+        """Take back what was said of the part in the frame, or in the range."""
+        self._keys.forget()
 
     def follow_edits(self) -> None:
         """An edit was taken back or done again: of a body part, it is looked at again."""
         if self.tool is Tool.PARTS:
-            self.keys.follow_labels(self._presenter.labels.parts)
+            self._keys.follow_labels(self._presenter.labels.parts)
 
     def _need_parts(self) -> None:
         if self.tool is not Tool.PARTS:
@@ -269,7 +286,7 @@ class Labelling(QObject):
             self.failed.emit(error)
             self.changed.emit()
             return False
-        self.keys.see_labels(self._presenter.labels.parts)
+        self._keys.see_labels(self._presenter.labels.parts)
         self.said.emit(tr("Done: {what}", what=change.text))
         self.changed.emit()
         return True
@@ -297,7 +314,7 @@ class Labelling(QObject):
         self._panel.show_scene(self._with_suggestions(presenter.scene(frame)))
 
     def _with_suggestions(self, scene: LabellingScene | None) -> LabellingScene | None:
-        return self.keys.suggesting.shown(scene) if scene is not None else None
+        return self._keys.suggesting.shown(scene) if scene is not None else None
 
     def _show(self, left: PictureLabels, right: PictureLabels) -> None:
         self._workspace.left.show_labels(left)

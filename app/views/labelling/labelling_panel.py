@@ -27,10 +27,10 @@ class LabellingPanel(QFrame):
     Its three pages, `parts`, `drawn` and `ranges`, say by their own signals what was done there.
 
     Signals:
-        left(): the button at the end.
+        leave_asked(): the button at the end.
     """
 
-    left = Signal()
+    leave_asked = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -62,7 +62,7 @@ class LabellingPanel(QFrame):
         line.addStretch(1)
         done = QPushButton(self.tr("Done  (Esc)"), self)
         done.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        done.clicked.connect(self.left)
+        done.clicked.connect(self.leave_asked)
         line.addWidget(done)
         return line
 

@@ -23,10 +23,10 @@ class Layer(QWidget, metaclass=AbstractQt):
     to the canvas, so that zooming and panning work as ever.
 
     Signals:
-        left(): Esc, with nothing half drawn.
+        leave_asked(): Esc, with nothing half drawn.
     """
 
-    left = Signal()
+    leave_asked = Signal()
     keys: tuple[Qt.Key, ...] = (Key.Key_Escape,)
 
     def __init__(self, canvas: Canvas) -> None:

@@ -97,7 +97,7 @@ class PartsLayer(Layer):
         if key == Key.Key_Escape and self._held is not None:
             self._held = None
         else:
-            self.left.emit()
+            self.leave_asked.emit()
 
     def paint(self, painter: QPainter, theme: Theme) -> None:  # noqa: ARG002 - one for all layers
         """What is held, where it is by now; handles on the corners of the chosen part."""

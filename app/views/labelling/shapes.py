@@ -123,7 +123,7 @@ class ShapesLayer(Layer):
         elif key == Key.Key_Escape and (self._draft or self._held is not None):
             self._draft, self._held = [], None
         elif key == Key.Key_Escape:
-            self.left.emit()
+            self.leave_asked.emit()
 
     def _put_corner(self, at: QPointF) -> None:
         first = self._on_widget(self._draft[:1])

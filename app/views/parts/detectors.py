@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -31,6 +32,8 @@ from app.views.widgets.work import Work
 from tracking.editing import Change
 from tracking.errors import TrackwrightError
 from tracking.failure import Samples, Trained, load_detector, save_detector
+from tracking.recording import Recording
+from tracking.session import Session
 from tracking.session.samples import samples_from
 
 if TYPE_CHECKING:
@@ -78,7 +81,9 @@ class Detectors(QObject):
         """Ask which labels are learnt from, then train."""
         document = self._document
         session = document.session if document is not None else None
-        here = partial(_labels_here, document) if document is not None and session else None
+        here = None
+        if document is not None and session is not None:
+            here = _labels_here(session, document.recording)
         dialog = TrainDialog(here, self._window)
         dialog.accepted.connect(lambda: self._begin(dialog))
         dialog.open()
@@ -220,10 +225,13 @@ class Detectors(QObject):
         self._work.run(tr("Labelling from the truth"), work, apply)
 
 
-def _labels_here(document: Document) -> Source:
-    """The labels of the open session; called off the GUI thread."""
-    session, recording = document.session, document.recording
-    assert session is not None
-    run, table = session.corrected_run, session.tracks.snapshot()
-    samples = samples_from(session.labels, table, run, recording.fps, recording.name)
-    return Source(tr("This session"), None, samples, session.recording.footage)
+def _labels_here(session: Session, recording: Recording) -> Callable[[], Source]:
+    """Reads the labels as they are now, off the GUI thread: later edits are left out."""
+    run, table, labels = session.corrected_run, session.tracks.snapshot(), session.labels
+    footage = session.recording.footage
+
+    def read() -> Source:
+        samples = samples_from(labels, table, run, recording.fps, recording.name)
+        return Source(tr("This session"), None, samples, footage)
+
+    return read

@@ -199,7 +199,7 @@ class MainWindow(QMainWindow):
         if self.desk is not None:
             pictured = self.desk.pictured
             on.add(f"view.{self.desk.eyes}")
-            if self.desk.labelling.keys.suggesting.asked:
+            if self.desk.labelling.suggests:
                 on.add("detector.suggest")
             if self.desk.reviewing.plays:
                 on.add("review.plays")

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
+from app.views.parts.detectors import _labels_here
 from app.views.parts.result_dialog import ResultDialog
 from app.views.parts.train_dialog import TrainDialog
 from app.views.runs.track_dialog import TrackDialog
@@ -90,6 +91,15 @@ def test_labels_of_a_session_are_counted_and_can_be_left_out(labelled, window, q
     assert dialog._cells[0][2].text() == "0"
     assert not dialog._train.isEnabled()
     dialog.reject()
+
+
+def test_labels_are_learnt_from_as_they_were_when_training_was_asked_for(labelled):
+    session, recording = labelled.desk.document.session, labelled.desk.document.recording
+    read = _labels_here(session, recording)
+    before = len(session.labels.parts)
+    labelled.press(Key.Key_Z, CTRL)
+    assert len(session.labels.parts) == 0
+    assert len(read().samples) == before > 0
 
 
 def test_labels_of_further_sessions_are_added(labelled, window, qtbot, parted_session, tmp_path):

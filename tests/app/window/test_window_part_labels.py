@@ -25,7 +25,7 @@ def labels(hands):
 def suggested(hands, qtbot):
     """Alt+6 was pressed and the first suggestion is looked at."""
     hands.press(Key.Key_6, ALT)
-    queue = lambda: hands.desk.labelling.keys.suggesting.queue  # noqa: E731
+    queue = lambda: hands.desk.labelling._keys.suggesting.queue  # noqa: E731
     qtbot.waitUntil(lambda: queue().current is not None)
     wait_there(hands, qtbot)
     return queue

@@ -37,7 +37,7 @@ def _vertical(down: int, *, far: bool = False, resize: bool = False) -> OnDesk:
 def _next_scope(desk: Desk) -> None:
     """R: how far the edit that waits goes, else an answer about a body part."""
     if desk.document.flow is None and desk.labelling.tool is Tool.PARTS:
-        desk.labelling.keys.next_scope()
+        desk.labelling.next_scope()
     else:
         desk.editing.next_choice(0)
 

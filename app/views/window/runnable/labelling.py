@@ -26,5 +26,5 @@ LABELLING: dict[str, OnDesk] = {
     "labels.head": _choose(0),
     "labels.torso": _choose(1),
     "labels.hip_leg": _choose(2),
-    "labels.forget": lambda desk: desk.labelling.keys.forget(),
+    "labels.forget": lambda desk: desk.labelling.forget(),
 }

@@ -16,8 +16,8 @@ def _walk(step: int) -> OnDesk:
     def walk(desk: Desk) -> None:
         if desk.comparing.shown:
             desk.comparing.walk(step)
-        elif desk.labelling.keys.suggesting.asked:
-            desk.labelling.keys.walk(step)
+        elif desk.labelling.suggests:
+            desk.labelling.walk(step)
         else:
             desk.reviewing.walk(step)
 
