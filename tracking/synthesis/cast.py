@@ -15,8 +15,8 @@ from tracking.synthesis.figures import Figures
 from tracking.synthesis.gait import Steps, steps_of
 from tracking.synthesis.itineraries import plan_itineraries
 from tracking.synthesis.rig import Rig
-from tracking.synthesis.scenes import SceneSpec
 from tracking.synthesis.skeleton import Posture, skeleton_of
+from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.stooping import Stoops, stoops_of
 from tracking.synthesis.wardrobe import ATLAS, PATCHES, random_outfit, texture
 

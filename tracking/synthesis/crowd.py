@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from tracking.synthesis.itineraries import Itinerary, clear_of_walls
-from tracking.synthesis.scenes import SceneSpec
+from tracking.synthesis.specs import SceneSpec
 
 Floats = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.synthesis.rig import Rig
-from tracking.synthesis.scenes import SceneSpec
+from tracking.synthesis.specs import SceneSpec
 
 Floats = NDArray[np.float64]
 

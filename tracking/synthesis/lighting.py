@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.synthesis.raster import DepthBuffer, fill
 from tracking.synthesis.rig import Rig
-from tracking.synthesis.scenes import LampSpec
+from tracking.synthesis.specs import LampSpec
 
 Floats = NDArray[np.float64]
 Float32s = NDArray[np.float32]

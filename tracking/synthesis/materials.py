@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.synthesis.patterns import noise
-from tracking.synthesis.scenes import SceneSpec
+from tracking.synthesis.specs import SceneSpec
 
 Floats = NDArray[np.float64]
 Float32s = NDArray[np.float32]

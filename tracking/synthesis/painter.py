@@ -11,7 +11,7 @@ from tracking.synthesis.body import topology
 from tracking.synthesis.cast import LEVELS, level_layout, texture_coordinates
 from tracking.synthesis.raster import DepthBuffer, Samples, fill, planes
 from tracking.synthesis.rig import Rig
-from tracking.synthesis.scenes import LampSpec
+from tracking.synthesis.specs import LampSpec
 
 Floats = NDArray[np.float64]
 Float32s = NDArray[np.float32]

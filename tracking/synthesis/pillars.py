@@ -12,7 +12,7 @@ from tracking.synthesis.patterns import noise
 from tracking.synthesis.raster import DepthBuffer, Samples, fill, planes
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.scenery import Backdrop
-from tracking.synthesis.scenes import LampSpec, SceneSpec
+from tracking.synthesis.specs import LampSpec, SceneSpec
 from tracking.synthesis.tubes import Rings, TubeShape, surface
 
 Floats = NDArray[np.float64]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Camera, Ground, StereoCalibration, View
-from tracking.synthesis.scenes import SceneSpec
+from tracking.synthesis.specs import SceneSpec
 
 BASELINE_M = 0.12
 """Distance of the eyes in [Kawashita2012] and [Kawashita2014]."""

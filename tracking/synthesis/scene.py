@@ -16,8 +16,8 @@ from tracking.synthesis.painter import Drawn, Painter, composite
 from tracking.synthesis.pillars import Pillars
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.scenery import backdrop
-from tracking.synthesis.scenes import SceneSpec
 from tracking.synthesis.sensor import Sensor
+from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.truth import (
     SceneTruth,
     Surfaces,

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.synthesis.materials import Floor, wall_colour
 from tracking.synthesis.rig import NEAREST_M, Rig
-from tracking.synthesis.scenes import SceneSpec, WallSpec
+from tracking.synthesis.specs import SceneSpec, WallSpec
 
 Floats = NDArray[np.float64]
 Float32s = NDArray[np.float32]

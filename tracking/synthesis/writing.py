@@ -17,7 +17,8 @@ from tracking.geometry import write_calibration
 from tracking.recording import Manifest, write_manifest
 from tracking.synthesis.body import PARTS
 from tracking.synthesis.scene import FPS, Scene
-from tracking.synthesis.scenes import SCENES, SceneSpec
+from tracking.synthesis.scenes import SCENES
+from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.truth import CARED_FOR, SceneTruth
 from tracking.synthesis.video import VideoWriter
 
