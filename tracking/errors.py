@@ -35,6 +35,10 @@ class FormatError(TrackwrightError):
     """A file of another format cannot be read or written."""
 
 
+class CountingError(TrackwrightError):
+    """People cannot be counted the way that was asked for."""
+
+
 class TrainingError(TrackwrightError):
     """The samples are too few or too alike to train a detector from."""
 

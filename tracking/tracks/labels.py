@@ -50,31 +50,37 @@ class Occluder:
 
 @dataclass(frozen=True, slots=True, order=True)
 class CountingLine:
-    """A line on the floor over which passages are counted.
+    """A line on the floor, or in the picture, over which passages are counted.
 
-    Forward crosses from the left-hand side, looking from start to end, to the right-hand side.
+    Forward crosses from the left-hand side, looking from start to end, to the right-hand side:
+    as seen from above on the floor, as it is seen on the screen in the picture.
 
     Attributes:
         name: e.g. "entrance"; unique among the lines.
-        start, end: x, y in metres on the floor.
+        start, end: x, y in metres on the floor, or u, v in pixels of the left image as recorded.
+        in_picture: the latter; people are counted where the foot of their box crosses.
     """
 
     name: str
     start: Point
     end: Point
+    in_picture: bool = False
 
 
 @dataclass(frozen=True, slots=True, order=True)
 class Region:
-    """A part of the floor in which people are counted.
+    """A part of the floor, or of the picture, in which people are counted.
 
     Attributes:
         name: e.g. "waiting area"; unique among the regions.
-        polygon: corners x, y in metres on the floor; at least three, whose edges do not cross.
+        polygon: corners, at least three, whose edges do not cross: x, y in metres on the floor,
+            or u, v in pixels of the left image as recorded.
+        in_picture: the latter; people are counted where the foot of their box is inside.
     """
 
     name: str
     polygon: tuple[Point, ...]
+    in_picture: bool = False
 
 
 @dataclass(frozen=True, slots=True, order=True)

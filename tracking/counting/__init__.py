@@ -1,0 +1,38 @@
+"""Counting people: passages over lines, people inside regions, density and speed in time."""
+
+from tracking.counting.comparison import LATEST_S, Hits, compare_passages
+from tracking.counting.counts import Counts, How, LineCount, check_countable, count
+from tracking.counting.occupancy import Occupancy, density_of, occupancy
+from tracking.counting.passages import Passages, passages, passages_of_line
+from tracking.counting.paths import Paths
+from tracking.counting.polygons import area, inside
+from tracking.counting.speeds import WINDOW_S, half_window, speeds
+from tracking.counting.steps import PAPER_STEP_S, Steps
+from tracking.tracks.labels import CountingLine, Region
+
+__all__ = [
+    "LATEST_S",
+    "PAPER_STEP_S",
+    "WINDOW_S",
+    "CountingLine",
+    "Counts",
+    "Hits",
+    "How",
+    "LineCount",
+    "Occupancy",
+    "Passages",
+    "Paths",
+    "Region",
+    "Steps",
+    "area",
+    "check_countable",
+    "compare_passages",
+    "count",
+    "density_of",
+    "half_window",
+    "inside",
+    "occupancy",
+    "passages",
+    "passages_of_line",
+    "speeds",
+]

@@ -1,0 +1,120 @@
+"""Everything counted at once: lines and regions, step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tracking.counting.occupancy import Occupancy, occupancy
+from tracking.counting.passages import Passages, passages
+from tracking.counting.paths import Integers
+from tracking.counting.steps import PAPER_STEP_S, Steps
+from tracking.errors import CountingError
+from tracking.tracks.labels import CountingLine, Region
+
+
+@dataclass(frozen=True, slots=True)
+class How:
+    """How people are counted.
+
+    Attributes:
+        step_s: length of a step.
+        jitter_m, jitter_px: see `passages`.
+    """
+
+    step_s: float = PAPER_STEP_S
+    jitter_m: float = 0.0
+    jitter_px: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LineCount:
+    """One line through time.
+
+    Attributes:
+        line: which one.
+        forward, backward: (k,) passages in each step.
+    """
+
+    line: CountingLine
+    forward: Integers
+    backward: Integers
+
+    @property
+    def totals(self) -> tuple[int, int]:
+        """How many went forward in all, and how many backward."""
+        return int(self.forward.sum()), int(self.backward.sum())
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Counts:
+    """What was counted.
+
+    Attributes:
+        steps: how time is cut. how: in which way it was counted.
+        lines, regions: in the order they were asked for.
+        passages: each of them; `line` is the number in lines.
+    """
+
+    steps: Steps
+    how: How
+    lines: tuple[LineCount, ...]
+    regions: tuple[Occupancy, ...]
+    passages: Passages
+
+
+def count(
+    columns: Mapping[str, ArrayLike],
+    fps: float,
+    frame_count: int,
+    lines: Sequence[CountingLine] = (),
+    regions: Sequence[Region] = (),
+    how: How | None = None,
+) -> Counts:
+    """Passages over lines and people inside regions, of any tracker's or corrected tracks.
+
+    Args:
+        columns: `frame, track`, `x, y` on the floor and boxes; what is unknown is NaN.
+        fps: frames a second. frame_count: of the recording.
+
+    Raises:
+        CountingError: see `check_countable`, `passages` and `occupancy`.
+    """
+    how = how if how is not None else How()
+    check_countable(columns, lines, regions)
+    frames = np.asarray(columns["frame"])
+    stop = max(frame_count, int(frames.max(initial=-1)) + 1)
+    steps = Steps.of(stop, fps, how.step_s)
+    found = passages(columns, fps, lines, jitter_m=how.jitter_m, jitter_px=how.jitter_px)
+    of_lines = tuple(
+        _by_step(line, found.of_line(number), steps) for number, line in enumerate(lines)
+    )
+    of_regions = occupancy(columns, fps, regions, stop, step_s=how.step_s)
+    return Counts(steps, how, of_lines, of_regions, found)
+
+
+def check_countable(
+    columns: Mapping[str, ArrayLike], lines: Sequence[CountingLine], regions: Sequence[Region]
+) -> None:
+    """Refuse to count on the floor people of whom no place on the floor is known.
+
+    Raises CountingError, which names what was drawn there.
+    """
+    drawn: tuple[CountingLine | Region, ...] = (*lines, *regions)
+    on_floor = [item.name for item in drawn if not item.in_picture]
+    if not on_floor or not len(np.asarray(columns["frame"])):
+        return
+    if "x" not in columns or not np.isfinite(np.asarray(columns["x"], np.float64)).any():
+        raise CountingError(
+            f"{on_floor[0]!r} lies on the floor, and these tracks have no places there: the "
+            "recording has no calibration; draw it in the picture"
+        )
+
+
+def _by_step(line: CountingLine, found: Passages, steps: Steps) -> LineCount:
+    step = steps.of_time(found.time_s)
+    forward = np.bincount(step[found.forward], minlength=len(steps))
+    return LineCount(line, forward, np.bincount(step, minlength=len(steps)) - forward)
