@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from app.cli.option_groups import Bare
 from app.cli.output import print_json, print_table
-from app.cli.recordings import Bare, opened
+from app.cli.recordings import opened
 from app.cli.tracks import is_session
 from tracking.formats import read_mot
 from tracking.recording import Recording

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from app.cli.display import has_display
-from app.cli.recordings import Bare, options_of
+from app.cli.option_groups import Bare
+from app.cli.recordings import options_of
 from app.presenters.files.opening import open_path
 from tracking.errors import OutputError
 from tracking.recording import OpenOptions

@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from app.cli.option_groups import Order
 from tracking.errors import SessionError, SettingsError
 from tracking.failure import load_detector
 from tracking.session import Session
 from tracking.trackers import TrackerSpec, occluders_as_setting, settings_fields
-
-if TYPE_CHECKING:
-    from app.cli.track import Order
 
 
 def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
@@ -25,7 +22,7 @@ def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
         SessionError: the occluders' session cannot be read, or nothing is drawn in it.
     """
     known = {field.name for field in settings_fields(spec.settings_type)}
-    texts = list(order.settings)
+    texts = list(order.setting or ())
     given = {"detector": order.detector, "occluders": order.occluders}
     for name in (name for name, value in given.items() if value is not None and name not in known):
         raise SettingsError(

@@ -2,36 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import typer
 
+from app.cli.option_groups import Bare
 from tracking.recording import OpenOptions, Recording, open_recording
-from tracking.recording.eyes import Layout, Side
-
-
-@dataclass(frozen=True, slots=True)
-class Bare:
-    """What the options say about a recording without recording.toml; None where they are silent.
-
-    Attributes:
-        left, right: videos. calibration: one or two files.
-        height_m, tilt_deg, roll_deg: where the floor is.
-        fps: of images. layout, first: of a video that holds both eyes.
-        allow_outside: follow paths out of the recording's folder.
-    """
-
-    left: Path | None
-    right: Path | None
-    calibration: list[Path] | None
-    height_m: float | None
-    tilt_deg: float | None
-    roll_deg: float | None
-    fps: float | None
-    layout: Layout | None
-    first: Side | None
-    allow_outside: bool
 
 
 def opened(path: Path | None, bare: Bare) -> Recording:
@@ -55,9 +31,9 @@ def options_of(bare: Bare) -> OpenOptions:
         left=bare.left,
         right=bare.right,
         calibration=tuple(bare.calibration or ()),
-        height_m=bare.height_m,
-        tilt_deg=bare.tilt_deg,
-        roll_deg=bare.roll_deg,
+        height_m=bare.height,
+        tilt_deg=bare.tilt,
+        roll_deg=bare.roll,
         fps=bare.fps,
         layout=bare.layout,
         first=bare.first,

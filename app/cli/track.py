@@ -6,14 +6,14 @@ import re
 import time
 from collections.abc import Sequence
 from contextlib import closing
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from app.cli.destination import check_file
+from app.cli.option_groups import Bare, Order
 from app.cli.output import print_json, progress, say
 from app.cli.part_options import settings_texts
-from app.cli.recordings import Bare, opened
+from app.cli.recordings import opened
 from app.cli.tracks import is_session
 from app.presenters.files.opening import remember_place
 from tracking.errors import OutputError, SessionError, SettingsError
@@ -25,24 +25,6 @@ from tracking.tracks import Run
 
 BYTES_A_FRAME = 32 << 10
 """Of a session with its particles, at most."""
-
-
-@dataclass(frozen=True, slots=True)
-class Order:
-    """What is to be tracked and how, as typed.
-
-    Attributes:
-        tracker: name; None: the best one for the recording.
-        settings: KEY=VALUE each. frames: A:B; None: all. seed: of all random numbers.
-        detector: of part failures. occluders: a session in which they are drawn.
-    """
-
-    tracker: str | None = None
-    settings: Sequence[str] = ()
-    frames: str | None = None
-    seed: int = 0
-    detector: Path | None = None
-    occluders: Path | None = None
 
 
 def run_track(

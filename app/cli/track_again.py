@@ -5,16 +5,17 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
 import typer
 
 from app.cli.destination import check_file
+from app.cli.option_groups import Bare, Onward, Order
 from app.cli.output import print_json, say
 from app.cli.part_options import settings_texts
-from app.cli.track import BYTES_A_FRAME, Order, parsed_settings, refuse_to_lose, run_of
+from app.cli.track import BYTES_A_FRAME, parsed_settings, refuse_to_lose, run_of
 from app.presenters.files.opening import open_path, remember_place
 from tracking.editing import Change, Difference, differences, plan_take
 from tracking.errors import EditError, RecordingError, SessionError, SettingsError
@@ -53,22 +54,38 @@ class Again:
 
 
 def asked_again(
-    session: Path | None, start: int | None, until: int | None, *, accept: bool
+    onward: Onward, recording: Path | None, out: Path | None, eyes: Bare
 ) -> Again | None:
     """What the options ask for; None where they do not ask to track again.
 
     Raises:
-        typer.BadParameter: some of them are missing.
+        typer.BadParameter: some of them are missing, or say nothing to a session.
     """
-    if session is None:
-        given = {"--from": start is not None, "--until": until is not None, "--accept": accept}
+    if onward.again is None:
+        given = {"--from": onward.start is not None, "--until": onward.until is not None}
+        given["--accept"] = onward.accept
         if any(given.values()):
             named = next(name for name, is_given in given.items() if is_given)
             raise typer.BadParameter("it needs a session, --again NAME.h5", param_hint=named)
         return None
-    if start is None:
+    if onward.start is None:
         raise typer.BadParameter("name the first frame to track again", param_hint="--from")
-    return Again(session, start, until, accept=accept)
+    _refuse_other_eyes(eyes, recording)
+    place = recording or eyes.left
+    return Again(
+        onward.again, onward.start, onward.until, place, out, onward.accept, eyes.allow_outside
+    )
+
+
+def _refuse_other_eyes(eyes: Bare, recording: Path | None) -> None:
+    """A session knows its recording; `--left` may name where that is by now, as RECORDING may."""
+    known = {"allow_outside"} if recording is not None else {"allow_outside", "left"}
+    for option in (field.name for field in fields(eyes) if field.name not in known):
+        if getattr(eyes, option) is not None:
+            raise typer.BadParameter(
+                "the session of --again says what its recording is; leave it out",
+                param_hint=f"--{option}",
+            )
 
 
 def run_track_again(again: Again, order: Order, *, force: bool, as_json: bool) -> None:

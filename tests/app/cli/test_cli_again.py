@@ -162,6 +162,25 @@ def test_options_that_do_not_go_together_are_told(
     assert trackwright("track", *words)[0] == 2
 
 
+@pytest.mark.parametrize(
+    ("words", "option"),
+    [
+        (["--right", "r.mp4"], "--right"),
+        (["--height", "0"], "--height"),
+        (["--fps", "20"], "--fps"),
+        (["--layout", "top-bottom"], "--layout"),
+        (["elsewhere", "--left", "l.mp4"], "--left"),
+    ],
+)
+def test_what_the_session_says_of_its_recording_is_not_said_again(
+    trackwright: Trackwright, words: list[str], option: str
+) -> None:
+    status, out, err = trackwright("track", "--again", "s.h5", "--from", "5", *words)
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert option in err
+    assert "the session of --again says what its recording is; leave it out" in err
+
+
 def test_what_is_no_session_is_told(trackwright: Trackwright, footage: Path) -> None:
     status, _, err = trackwright("track", "--again", footage, "--from", "5")
     assert status == 1

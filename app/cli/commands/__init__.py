@@ -1,0 +1,14 @@
+"""The commands and their options, in the order in which help lists them.
+
+What a command does stands in the module of its name in `app.cli` and is imported when the command
+runs, so that help comes at once and no command waits for libraries it does not use.
+"""
+
+# isort: off
+from app.cli.commands import opening, tracking, measuring, sessions
+
+# isort: on
+from app.cli.commands.opening import SCENE_NAMES
+from app.cli.commands.program import program
+
+__all__ = ["SCENE_NAMES", "measuring", "opening", "program", "sessions", "tracking"]

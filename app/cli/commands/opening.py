@@ -1,0 +1,90 @@
+"""Commands that make, open and describe recordings."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.cli import options
+from app.cli.commands.program import program
+from app.cli.option_groups import Bare, spread
+
+SCENE_NAMES = (
+    "lobby",
+    "plaza",
+    "square",
+    "indoor",
+    "outdoor",
+    "uniforms",
+    "pillars",
+    "ceiling",
+    "corridor",
+    "walkway",
+    "crouching",
+)
+"""Of `tracking.synthesis.SCENES`, which takes too long to import for a page of help."""
+
+
+@program.command()
+def demo(
+    out: Annotated[
+        Path | None, typer.Option("--out", help="Where to make it.", show_default="data folder")
+    ] = None,
+    no_gui: Annotated[bool, typer.Option("--no-gui", help="Do not open the window.")] = False,
+    json: options.Json = False,
+) -> None:
+    """Make the built-in stereo recording, track it and open the window on it."""
+    from app.cli.demo import run_demo
+
+    run_demo(out, gui=not no_gui, as_json=json)
+
+
+@program.command(name="open")
+@spread
+def open_window(
+    path: Annotated[Path | None, typer.Argument(help="A recording or a session.")] = None,
+    *,
+    eyes: Bare,
+    recording: Annotated[
+        Path | None, typer.Option(help="Where a session's recording has moved to.")
+    ] = None,
+) -> None:
+    """Open the window."""
+    from app.cli.open_window import run_open
+
+    run_open(path, eyes, recording)
+
+
+@program.command()
+@spread
+def info(
+    path: Annotated[Path | None, typer.Argument(help="A recording or a session.")] = None,
+    *,
+    eyes: Bare,
+    json: options.Json = False,
+) -> None:
+    """Say what a recording or a session holds."""
+    from app.cli.info import run_info
+
+    run_info(path, eyes, as_json=json)
+
+
+@program.command()
+def synth(
+    out: Annotated[Path, typer.Argument(help="The recording's folder, made by this command.")],
+    scene: Annotated[str, typer.Option(help=f"Which kind of place: {', '.join(SCENE_NAMES)}.")],
+    seconds: Annotated[
+        float | None, typer.Option(help="How long.", show_default="the scene's own")
+    ] = None,
+    people: Annotated[
+        int | None, typer.Option(help="How many.", show_default="the scene's own")
+    ] = None,
+    seed: options.Seed = 0,
+    json: options.Json = False,
+) -> None:
+    """Render a stereo recording of people with exact truth."""
+    from app.cli.synth import run_synth
+
+    run_synth(out, scene, seconds, people, seed, as_json=json)

@@ -1,0 +1,37 @@
+"""The program that the commands belong to, and what can be said to every one of them."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+import tracking
+
+program = typer.Typer(
+    name="trackwright",
+    help="A workbench for people tracked in recorded stereo footage.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def _say_version(asked: bool) -> None:
+    if asked:
+        print(f"trackwright {tracking.__version__}")
+        raise typer.Exit
+
+
+@program.callback()
+def every_command(
+    debug: Annotated[bool, typer.Option("--debug", help="Show the traceback of an error.")] = False,
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", help="Say which one it is.", callback=_say_version, is_eager=True
+        ),
+    ] = False,
+) -> None:
+    """A workbench for people tracked in recorded stereo footage."""

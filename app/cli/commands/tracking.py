@@ -1,0 +1,78 @@
+"""Commands that track, and that teach trackers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.cli import options
+from app.cli.commands.program import program
+from app.cli.option_groups import Bare, Onward, Order, spread
+
+
+@program.command()
+def trackers(json: options.Json = False) -> None:
+    """List the trackers and their settings."""
+    from app.cli.trackers import run_trackers
+
+    run_trackers(as_json=json)
+
+
+@program.command()
+@spread
+def track(
+    recording: Annotated[
+        Path | None, typer.Argument(help="A recording's folder, a video or an image folder.")
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", "-o", help="The session to make: NAME.h5.")
+    ] = None,
+    *,
+    order: Order,
+    onward: Onward,
+    force: options.Force = False,
+    eyes: Bare,
+    json: options.Json = False,
+) -> None:
+    """Run a tracker over a recording, or again from a frame of a corrected session on."""
+    from app.cli.track import run_track
+    from app.cli.track_again import asked_again, run_track_again
+
+    if (again := asked_again(onward, recording, out, eyes)) is not None:
+        run_track_again(again, order, force=force, as_json=json)
+        return
+    if out is None:
+        raise typer.BadParameter("name the session to make", param_hint="--out")
+    run_track(recording, eyes, out, order, force=force, as_json=json)
+
+
+@program.command()
+def train(
+    sources: Annotated[
+        list[Path], typer.Argument(help="Sessions with labelled body parts, or samples as CSV.")
+    ],
+    out: Annotated[Path, typer.Option("--out", "-o", help="The detector to make: NAME.h5.")],
+    report: Annotated[
+        Path | None, typer.Option(help="A folder for a page with curves and mistakes.")
+    ] = None,
+    false_alarms: Annotated[
+        float,
+        typer.Option(min=0.0, max=0.5, help="Share of good parts that may be taken for failed."),
+    ] = 0.02,
+    from_truth: Annotated[
+        bool,
+        typer.Option("--from-truth", help="Label by the truth beside rendered recordings instead."),
+    ] = False,
+    allow_outside: options.Outside = False,
+    seed: options.Seed = 0,
+    json: options.Json = False,
+) -> None:
+    """Train the detector of lost body parts from labels."""
+    from app.cli.taught import How
+    from app.cli.train import Wish, run_train
+
+    how = How(from_truth, allow_outside)
+    wish = Wish(tuple(sources), out, report, false_alarms, seed, how)
+    run_train(wish, as_json=json)

@@ -1,0 +1,107 @@
+"""Options that belong together, as values: a command takes the group, not each option of it."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Annotated, Any, get_type_hints
+
+import typer
+
+from app.cli import options
+
+
+@dataclass(frozen=True, slots=True)
+class Bare:
+    """What the options say about a recording without recording.toml; None where they are silent.
+
+    Attributes:
+        left, right: videos. calibration: one or two files.
+        height, tilt, roll: where the floor is, m and degrees.
+        fps: of images. layout, first: of a video that holds both eyes.
+        allow_outside: follow paths out of the recording's folder.
+    """
+
+    left: options.Left = None
+    right: options.Right = None
+    calibration: options.Calibration = None
+    height: options.Height = None
+    tilt: options.Tilt = None
+    roll: options.Roll = None
+    fps: options.Fps = None
+    layout: options.Layout = None
+    first: options.First = None
+    allow_outside: options.Outside = False
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """What is to be tracked and how, as typed.
+
+    Attributes:
+        tracker: name; None: the best one for the recording.
+        setting: KEY=VALUE each. frames: A:B; None: all. seed: of all random numbers.
+        detector: of part failures. occluders: a session in which they are drawn.
+    """
+
+    tracker: Annotated[
+        str | None, typer.Option(help="Its name.", show_default="best for the recording")
+    ] = None
+    setting: Annotated[list[str] | None, typer.Option("--set", help="KEY=VALUE, see trackers.")] = (
+        None
+    )
+    frames: Annotated[
+        str | None, typer.Option(help="A:B, from 0, B not included.", show_default="all")
+    ] = None
+    seed: options.Seed = 0
+    detector: Annotated[Path | None, typer.Option(help="A failure detector made by train.")] = None
+    occluders: Annotated[
+        Path | None, typer.Option(help="A session in which what hides people is drawn.")
+    ] = None
+
+
+@dataclass(frozen=True, slots=True)
+class Onward:
+    """From where to track again, as typed; see `options`."""
+
+    again: options.Again = None
+    start: options.From = None
+    until: options.Until = None
+    accept: options.Accept = False
+
+
+def spread(command: Callable[..., None]) -> Callable[..., None]:
+    """The command with the options of a group, one by one, in the place of each group it takes.
+
+    A parameter is a group where its type is one of this module's.
+    """
+    own = inspect.signature(command, eval_str=True)
+    groups = {p.name: p.annotation for p in own.parameters.values() if _is_group(p.annotation)}
+
+    @functools.wraps(command)
+    def obey(**typed: Any) -> None:
+        for name, group in groups.items():
+            typed[name] = group(**{each.name: typed.pop(each.name) for each in fields(group)})
+        command(**typed)
+
+    listed = list(_options_of(own.parameters.values()))
+    obey.__signature__ = own.replace(parameters=listed)  # type: ignore[attr-defined] # read by typer
+    return obey
+
+
+def _is_group(annotation: Any) -> bool:
+    return isinstance(annotation, type) and annotation.__module__ == __name__
+
+
+def _options_of(parameters: Iterable[inspect.Parameter]) -> Iterator[inspect.Parameter]:
+    for parameter in parameters:
+        keyword = parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY)
+        if not _is_group(parameter.annotation):
+            yield keyword
+            continue
+        kinds = get_type_hints(parameter.annotation, include_extras=True)
+        for each in fields(parameter.annotation):
+            yield keyword.replace(name=each.name, default=each.default, annotation=kinds[each.name])
