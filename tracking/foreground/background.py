@@ -100,6 +100,11 @@ class BackgroundModel:
         return self._background
 
     @property
+    def limit(self) -> Picture:
+        """(height, width) the smallest difference that is foreground, a pixel each."""
+        return self._limit
+
+    @property
     def update_is_due(self) -> bool:
         """Whether the next `update` will look at its frame."""
         return self._frames % self._every == 0

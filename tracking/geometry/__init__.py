@@ -2,18 +2,24 @@
 
 from tracking.geometry.camera import Camera
 from tracking.geometry.files import calibration_text, read_calibration, write_calibration
+from tracking.geometry.flat_view import FlatView
 from tracking.geometry.ground import Ground
+from tracking.geometry.quadrics import Ellipses, ellipses_of, standing_ellipses
 from tracking.geometry.rectification import Rectification
 from tracking.geometry.stereo_calibration import StereoCalibration
 from tracking.geometry.view import View
 
 __all__ = [
     "Camera",
+    "Ellipses",
+    "FlatView",
     "Ground",
     "Rectification",
     "StereoCalibration",
     "View",
     "calibration_text",
+    "ellipses_of",
     "read_calibration",
+    "standing_ellipses",
     "write_calibration",
 ]

@@ -1,0 +1,71 @@
+"""The background difference as a ramp: how surely each pixel shows something new."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.foreground.background import BackgroundModel, Subtraction
+from tracking.foreground.difference import largest_difference
+from tracking.setting import setting
+
+Picture = NDArray[np.uint8]
+
+_STEPS = 32
+"""Grey levels of the quotient for a difference of exactly the limit."""
+
+
+@dataclass(frozen=True, slots=True)
+class RampSettings:
+    """How a difference from the background becomes a grey level B of 0 to 1."""
+
+    low: float = setting(
+        0.5, "", (0.0, 7.0), "where the ramp begins, in smallest differences that are foreground"
+    )
+    high: float = setting(
+        2.0, "", (0.1, 7.9), "where it ends: B is 1 from there on, in the same unit"
+    )
+    shadow: float = setting(0.1, "", (0.0, 1.0), "what is left of B where a shadow is certain")
+    perhaps: float = setting(0.6, "", (0.0, 1.0), "what is left of B where there may be a shadow")
+
+
+def ramp(seen: Subtraction, model: BackgroundModel, settings: RampSettings) -> Picture:
+    """(height, width) uint8, B times 255.
+
+    [Waechter2013] 3.2.2: grey levels in the place of a hard threshold, so that people who hardly
+    differ from the background are not lost and noise counts for little. Where we differ: the
+    ramp is measured in each pixel's own limit, so that what flickers counts for less, and the
+    exposure is taken out before.
+
+    Args:
+        seen: of the frame. model: it was subtracted from.
+    """
+    if seen.scene_changed:
+        return np.zeros(seen.mask.shape, np.uint8)
+    difference = largest_difference(seen.picture, seen.background)
+    quotient = cv2.divide(difference, model.limit, scale=_STEPS)
+    return np.asarray(cv2.LUT(quotient, _table(settings)), np.uint8)
+
+
+def shaded(ramp_picture: Picture, shadow: Picture, settings: RampSettings) -> Picture:
+    """The ramp with shadows weighed down.
+
+    The source has no rule for shadows and names them as what went wrong.
+
+    Args:
+        shadow: (height, width) 255 where there is shadow, `PERHAPS` where there may be, else 0.
+    """
+    left = np.ones(256, np.float32)
+    left[255], left[1] = settings.shadow, settings.perhaps
+    weight = cv2.LUT(shadow, np.rint(left * 255).astype(np.uint8))
+    return np.asarray(cv2.multiply(ramp_picture, weight, scale=1 / 255), np.uint8)
+
+
+def _table(settings: RampSettings) -> Picture:
+    quotient = np.arange(256) / _STEPS
+    rise = max(settings.high - settings.low, 1e-3)
+    level = np.clip((quotient - settings.low) / rise, 0.0, 1.0)
+    return np.rint(255 * level).astype(np.uint8)

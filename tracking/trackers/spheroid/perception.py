@@ -1,0 +1,170 @@
+"""What the spheroid tracker looks at: the background difference as a ramp, undistorted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import lru_cache
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.foreground import (
+    BackgroundModel,
+    ForegroundSettings,
+    RampSettings,
+    ShadowRemover,
+    Subtraction,
+    ramp,
+    shaded,
+)
+from tracking.geometry import FlatView, View
+from tracking.people import Detections, Observation, Overlays
+from tracking.recording.frame import Image, StereoFrame
+from tracking.trackers.spheroid.steadiness import Steadiness
+
+Picture = NDArray[np.uint8]
+
+_WIDEST_PX = 800
+"""Wider pictures are shrunk by a whole number before anything is done with them."""
+_PROTECTED = np.ones((9, 9), np.uint8)
+"""Round people the background is not learnt."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FlatObservation(Observation):
+    """The products of one frame.
+
+    Attributes:
+        ramp: (height, width) uint8, B times 255 in flat pixels: see `FlatView`.
+        working: the picture beside its background, shrunk but not undistorted.
+    """
+
+    ramp: Picture | None = None
+    working: Subtraction | None = None
+
+
+class SpheroidPerception:
+    """Turns pictures of one fixed camera, or of the left eye of two, into flat ramp pictures.
+
+    People are not looked for here: hypotheses of where they are explain the whole picture.
+
+    Args:
+        fps: frames a second. view: the camera over its floor.
+        foreground, ramp: settings; None for the usual ones.
+    """
+
+    def __init__(
+        self,
+        fps: float,
+        view: View,
+        foreground: ForegroundSettings | None = None,
+        ramp_settings: RampSettings | None = None,
+    ) -> None:
+        self.flat = FlatView(view, -(-view.camera.width // _WIDEST_PX))
+        self.steadiness = Steadiness(fps)
+        self._background = BackgroundModel(fps, foreground)
+        self._shadows = ShadowRemover(foreground)
+        self._ramp = ramp_settings or RampSettings()
+        self._last: Subtraction | None = None
+        self._protected: Picture | None = None
+
+    def learn(self, frames: Iterable[StereoFrame]) -> None:
+        """Learn the background from frames spread over some time, before the first `observe`."""
+        self._background.learn([self._working(frame.left) for frame in frames])
+
+    def observe(self, frame: StereoFrame) -> FlatObservation:
+        """What is seen in the frame. Frames come in order."""
+        self._remember()
+        seen = self._background.subtract(self._working(frame.left))
+        self.steadiness.look(frame.number, seen.picture)
+        shadow = self._shadows.shadows(seen)
+        flat = self.flat.flatten(
+            shaded(ramp(seen, self._background, self._ramp), shadow, self._ramp)
+        )
+        self._last, self._protected = seen, None
+        return FlatObservation(
+            frame.number,
+            frame.time_s,
+            _nobody(frame.left.shape[:2]),
+            self._overlays(seen.mask, shadow, frame.left),
+            frame.left,
+            flat,
+            seen,
+        )
+
+    def protect(self, people: Picture) -> None:
+        """Keep the background as it is where people are in the frame observed last.
+
+        Args:
+            people: (height, width) uint8 in flat pixels, non-zero where somebody is.
+        """
+        self._protected = people
+
+    def overlays(self, frame: StereoFrame) -> Overlays:
+        """What a view may lay over a frame; nothing is remembered, frames come in any order."""
+        seen = self._background.subtract(self._working(frame.left))
+        return self._overlays(seen.mask, self._shadows.shadows(seen), frame.left)
+
+    def ramp_picture(self, frame: StereoFrame) -> Picture:
+        """(height, width) uint8, B times 255 in pixels of the left picture as recorded.
+
+        Nothing is remembered, frames come in any order.
+        """
+        seen = self._background.subtract(self._working(frame.left))
+        shadow = self._shadows.shadows(seen)
+        return _in_full(shaded(ramp(seen, self._background, self._ramp), shadow, self._ramp), frame)
+
+    def _remember(self) -> None:
+        """Let the background follow the frame before, except where people were."""
+        if self._last is None:
+            return
+        mask = None
+        if self._protected is not None and self._background.update_is_due:
+            wide = np.asarray(cv2.dilate(self._protected, _PROTECTED), np.uint8)
+            mask = self.flat.unflatten(wide)
+        self._background.update(self._last, mask)
+
+    def _working(self, eye: Image) -> Image:
+        """The eye at the working scale."""
+        shrink = self.flat.shrink
+        if shrink == 1:
+            return eye
+        size = (eye.shape[1] // shrink, eye.shape[0] // shrink)
+        return np.asarray(cv2.resize(eye, size, interpolation=cv2.INTER_AREA), np.uint8)
+
+    def _overlays(self, mask: Picture, shadow: Picture, eye: Image) -> Overlays:
+        shown = mask.copy()
+        shown[shadow == 255] = 127
+        if shown.shape != eye.shape[:2]:
+            size = (eye.shape[1], eye.shape[0])
+            shown = np.asarray(cv2.resize(shown, size, interpolation=cv2.INTER_NEAREST), np.uint8)
+        return Overlays(shown, None)
+
+
+def _in_full(picture: Picture, frame: StereoFrame) -> Picture:
+    size = (frame.left.shape[1], frame.left.shape[0])
+    if picture.shape[::-1] == size:
+        return picture
+    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_LINEAR), np.uint8)
+
+
+@lru_cache(maxsize=2)
+def _nobody(shape: tuple[int, int]) -> Detections:
+    """No people, in a picture of this shape."""
+    regions = np.zeros(shape, np.int32)
+    regions.flags.writeable = False
+    bins = np.zeros((0, 1), np.float32)
+    return Detections(
+        box=np.zeros((0, 4)),
+        position=np.zeros((0, 3)),
+        size=np.zeros((0, 2)),
+        merged=np.zeros(0, bool),
+        truncated=np.zeros(0, bool),
+        upper=bins,
+        lower=bins,
+        middle=bins,
+        regions=regions,
+        clothes=np.zeros((0, 2, 3), np.float32),
+    )
