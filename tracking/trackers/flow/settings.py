@@ -1,0 +1,54 @@
+"""The settings of the flow tracker."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from tracking.foreground import ForegroundSettings
+from tracking.setting import setting
+
+
+@dataclass(frozen=True, slots=True)
+class PointSettings:
+    """How points are found and followed."""
+
+    most: int = setting(300, "", (20, 2000), "points followed at once, at most")
+    corner: float = setting(
+        0.0004, "", (0.00001, 0.1), "weakest corner followed: least eigenvalue of its gradients"
+    )
+    spacing: float = setting(
+        0.2, "", (0.02, 2.0), "distance between new points, in widths of the kernel there"
+    )
+    window_px: int = setting(11, "px", (5, 31), "side of the patch that is followed", odd=True)
+    levels: int = setting(3, "", (0, 5), "halvings of the picture in which a point is looked for")
+    return_px: float = setting(
+        1.0, "px", (0.1, 10.0), "followed back, a point must come as near to where it was"
+    )
+    history_s: float = setting(
+        0.6, "s", (0.2, 5.0), "how long a way decides whether a point stands still"
+    )
+    still_m_s: float = setting(
+        0.15, "m/s", (0.0, 2.0), "slower points are nobody's; as fast as at half a body's height"
+    )
+    foreground_only: bool = setting(
+        True, "", None, "look for points only where something differs from the background"
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class ClusterSettings:
+    """How tracklets are gathered by mean shift."""
+
+    width_m: float = setting(0.4, "m", (0.1, 2.0), "width of the kernel's box")
+    height_m: float = setting(1.65, "m", (0.2, 3.0), "height of the kernel's box")
+    centre_m: float = setting(0.8, "m", (0.1, 2.5), "height of the box's middle over the floor")
+    fewest: int = setting(4, "", (1, 100), "clusters of fewer tracklets are dropped")
+    join: float = setting(
+        0.5, "", (0.0, 1.0), "modes closer than this join, in halves of the kernel's sides"
+    )
+    warm: bool = setting(
+        True, "", None, "begin with the modes of the frame before, one step a frame"
+    )
+    occlusion: bool = setting(
+        True, "", None, "shrink the kernel where the lower part of a body has no tracklets"
+    )
