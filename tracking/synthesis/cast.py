@@ -14,11 +14,14 @@ from tracking.synthesis.crowd import Walk, walk
 from tracking.synthesis.figures import Figures
 from tracking.synthesis.gait import Steps, steps_of
 from tracking.synthesis.itineraries import plan_itineraries
+from tracking.synthesis.passages import plan_passage
+from tracking.synthesis.programme import Moment
+from tracking.synthesis.programmes import programme_of
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.skeleton import Posture, skeleton_of
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.stooping import Stoops, stoops_of
-from tracking.synthesis.wardrobe import ATLAS, PATCHES, random_outfit, texture
+from tracking.synthesis.wardrobe import ATLAS, PATCHES, RED_AND_BROWN, random_outfit, texture
 
 Floats = NDArray[np.float64]
 Float32s = NDArray[np.float32]
@@ -35,6 +38,7 @@ class Cast:
         figures: bodies, a row per person.
         walks, steps, stoops: per person; None for who never sets off.
         textures: (k, 3) texels of all people and sizes, linear, blue, green, red.
+        moments: what of a programme is looked at.
     """
 
     figures: Figures
@@ -42,16 +46,17 @@ class Cast:
     steps: tuple[Steps | None, ...]
     stoops: tuple[Stoops | None, ...]
     textures: Float32s
+    moments: tuple[Moment, ...] = ()
 
     @classmethod
     def of_scene(
         cls, spec: SceneSpec, rig: Rig, people: int, frames: int, fps: float, seed: int
     ) -> Cast:
         """Cast a scene; equal arguments give equal people."""
-        plans = plan_itineraries(spec, rig, people, frames / fps, np.random.default_rng((seed, 1)))
-        walks = walk(spec, plans, frames, fps)
+        walks, moments = _ways(spec, rig, people, frames, fps, seed)
         rng = np.random.default_rng((seed, 2))
         figures = Figures.at_random(people, rng)
+        figures = figures.in_trousers() if spec.uniform == RED_AND_BROWN else figures
         starts = rng.uniform(0, 1, people)
         steps = tuple(
             None if way is None else steps_of(way, float(figures.height_m[i]), fps, starts[i])
@@ -62,12 +67,18 @@ class Cast:
             None if way is None else stoops_of(way, fps, spec.stoops, rng) for way in walks
         )
         textures = _textures(figures, spec, seed)
-        return cls(figures, walks, steps, stoops, textures)
+        return cls(figures, walks, steps, stoops, textures, moments)
 
     def on_floor(self, frame: int) -> NDArray[np.intp]:
         """Indices of who is there in a frame, in view or not."""
         there = [way is not None and frame in way.frames for way in self.walks]
         return np.flatnonzero(there)
+
+    def places(self, people: NDArray[np.intp], frame: int) -> Floats:
+        """World x, y (n, 2) of people who are there in a frame."""
+        walks = [self._walk(person) for person in people]
+        places = [way.position[frame - way.first_frame] for way in walks]
+        return np.array(places).reshape(-1, 2)
 
     def posture(self, people: NDArray[np.intp], frame: int) -> Posture:
         """What people who are there do in a frame."""
@@ -77,7 +88,7 @@ class Cast:
         stoops = [self._stoops(person) for person in people]
         moving = _at_rows(Steps, steps, rows) | _at_rows(Stoops, stoops, rows)
         return Posture(
-            position=np.array([w.position[row] for w, row in zip(walks, rows, strict=True)]),
+            position=self.places(people, frame),
             heading=np.array([w.heading[row] for w, row in zip(walks, rows, strict=True)]),
             **moving,
         )
@@ -101,6 +112,21 @@ class Cast:
         stoops = self.stoops[person]
         assert stoops is not None
         return stoops
+
+
+def _ways(
+    spec: SceneSpec, rig: Rig, people: int, frames: int, fps: float, seed: int
+) -> tuple[tuple[Walk | None, ...], tuple[Moment, ...]]:
+    """Everybody's walk, as a programme says or as people like."""
+    if spec.programme:
+        programme = programme_of(spec, people, seed)
+        return programme.walks(frames, fps), programme.moments
+    rng = np.random.default_rng((seed, 1))
+    if spec.passage is not None:
+        plans = plan_passage(spec.passage, people, frames / fps, rng)
+    else:
+        plans = plan_itineraries(spec, rig, people, frames / fps, rng)
+    return walk(spec, plans, frames, fps), ()
 
 
 def _at_rows(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,6 +63,11 @@ class Figures:
             trousers=rng.uniform(1.0, 1.22, people),
             looseness=rng.uniform(1.0, 1.12, people),
         )
+
+    def in_trousers(self) -> Figures:
+        """The same people in trousers, without coats or packs."""
+        none = np.zeros(len(self))
+        return replace(self, skirt=none, pack=none)
 
     def __len__(self) -> int:
         """The number of people."""

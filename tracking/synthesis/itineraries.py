@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.synthesis.rig import Rig
-from tracking.synthesis.specs import SceneSpec
+from tracking.synthesis.specs import SceneSpec, WallSpec
 
 Floats = NDArray[np.float64]
 
@@ -19,6 +19,7 @@ _OUTWARD = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "near": (0.0, -1.0), "far"
 _STEP_M = 0.15
 _OUT_OF_VIEW_M = 0.3
 _FARTHEST_STEPS = 200
+_WALL_GAP_M = 0.45
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -114,12 +115,21 @@ def _out_of_view(
 
 
 def clear_of_walls(spec: SceneSpec, points: Floats) -> Floats:
-    """Positions (..., 2) moved in front of the scene's walls."""
+    """Positions (..., 2) moved off the scene's walls: in front of endless ones."""
     points = points.copy()
     for wall in spec.walls:
         axis = 0 if wall.axis == "x" else 1
-        if wall.place_m > 0:
-            points[..., axis] = np.minimum(points[..., axis], wall.place_m - 0.45)
+        if wall.ends:
+            points[..., axis] = _off_wall(wall, points[..., axis], points[..., 1 - axis])
+        elif wall.place_m > 0:
+            points[..., axis] = np.minimum(points[..., axis], wall.place_m - _WALL_GAP_M)
         else:
-            points[..., axis] = np.maximum(points[..., axis], wall.place_m + 0.45)
+            points[..., axis] = np.maximum(points[..., axis], wall.place_m + _WALL_GAP_M)
     return points
+
+
+def _off_wall(wall: WallSpec, across: Floats, along: Floats) -> Floats:
+    """Coordinates across a wall that ends, moved off its nearer side."""
+    gap = across - wall.place_m
+    beside = (along > wall.span_m[0]) & (along < wall.span_m[1]) & (np.abs(gap) < _WALL_GAP_M)
+    return np.where(beside, wall.place_m + np.where(gap < 0, -1, 1) * _WALL_GAP_M, across)

@@ -68,7 +68,9 @@ class Floor:
     def _before_walls(self, points: Floats) -> Float32s:
         shade = np.ones(points.shape[:-1], np.float32)
         for wall in self._spec.walls:
-            gap = np.abs(points[..., 0 if wall.axis == "x" else 1] - wall.place_m)
+            axis = 0 if wall.axis == "x" else 1
+            beyond = points[..., 1 - axis] - np.clip(points[..., 1 - axis], *wall.span_m)
+            gap = np.hypot(points[..., axis] - wall.place_m, beyond)
             shade *= (1.0 - 0.30 * np.exp(-gap / _CORNER_M)).astype(np.float32)
         return shade
 

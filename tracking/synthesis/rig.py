@@ -13,9 +13,6 @@ from tracking.synthesis.specs import SceneSpec
 BASELINE_M = 0.12
 """Distance of the eyes in [Kawashita2012] and [Kawashita2014]."""
 
-_FOCAL_SHARE = 510.0 / 640.0
-"""Focal length over image width: the papers' 3.8 mm lens at VGA."""
-
 NEAREST_M = 0.25
 """What is nearer to a camera than this is not drawn."""
 
@@ -36,7 +33,7 @@ class Rig:
     def of_scene(cls, spec: SceneSpec, size: tuple[int, int]) -> Rig:
         """The rig of a scene for images of `size` (width, height) px."""
         width, height = size
-        focal = _FOCAL_SHARE * width
+        focal = spec.focal * width
         # Real lenses sit a little beside the sensor's middle.
         centre = ((width - 1) / 2 + 0.0044 * width, (height - 1) / 2 - 0.003 * height)
         matrix = np.array([[focal, 0.0, centre[0]], [0.0, focal, centre[1]], [0.0, 0.0, 1.0]])

@@ -12,10 +12,10 @@ from tracking.recording.frame import Image, StereoFrame
 from tracking.synthesis.body import topology
 from tracking.synthesis.cast import Cast
 from tracking.synthesis.lighting import FloorShade, FloorShadows
-from tracking.synthesis.painter import Drawn, Painter, composite
+from tracking.synthesis.painter import FINE, Drawn, Painter, composite
 from tracking.synthesis.pillars import Pillars
 from tracking.synthesis.rig import Rig
-from tracking.synthesis.scenery import backdrop
+from tracking.synthesis.scenery import backdrop, inverse_depth
 from tracking.synthesis.sensor import Sensor
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.truth import (
@@ -26,9 +26,6 @@ from tracking.synthesis.truth import (
     surfaces_of,
     truth_of,
 )
-
-FPS = 20.0
-"""Frame rate of [Kawashita2014]."""
 
 _TRUTH_MARGIN = 1.0
 
@@ -53,8 +50,8 @@ class Scene:
         *,
         seconds: float | None = None,
         size: tuple[int, int] | None = None,
-        fps: float = FPS,
-        eyes: int = 2,
+        fps: float | None = None,
+        eyes: int | None = None,
     ) -> None:
         """Plan everybody's way and draw what stands still.
 
@@ -64,10 +61,15 @@ class Scene:
             seed: equal seeds give equal pictures.
             seconds: length; the scene's own if None.
             size: width and height of the images in px; the scene's own if None.
-            fps: frames a second.
-            eyes: 2, or 1 for the left eye alone, of the same pictures and truth.
+            fps: frames a second; the scene's own if None.
+            eyes: 2, or 1 for the left eye alone, of the same pictures and truth; the scene's own
+                if None.
+
+        Raises:
+            SettingsError: the scene is not for so many people.
         """
         size = spec.size_px if size is None else size
+        fps, eyes = spec.fps if fps is None else fps, spec.eyes if eyes is None else eyes
         self.spec, self.fps, self.eyes = spec, fps, eyes
         self.frames = max(round((spec.seconds if seconds is None else seconds) * fps), 1)
         self.rig = Rig.of_scene(spec, size)
@@ -128,14 +130,16 @@ class Scene:
         return self.cast.on_floor(number)
 
     def _still(self, eye: int) -> NDArray[np.float32] | None:
-        """Draw the pillars into an eye's backdrop; their inverse depth, None without pillars."""
+        """Draw the pillars into an eye's backdrop; inverse depth of what people can be behind."""
+        walls = inverse_depth(self.spec, self.rig, eye, FINE)
         if not len(self._pillars):
-            return None
+            return walls
         light = self._shadows.light_on(
             self._pillars.vertices, self._pillars.normals, self._shade(None, None)
         )
         behind = self._backdrops[eye]
-        return self._pillars.draw(self.rig, eye, self.spec.lamp, light, behind)
+        pillars = self._pillars.draw(self.rig, eye, self.spec.lamp, light, behind)
+        return pillars if walls is None else np.maximum(walls, pillars)
 
     def _shade(
         self, world: NDArray[np.float64] | None, feet: NDArray[np.float64] | None

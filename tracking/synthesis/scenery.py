@@ -74,7 +74,7 @@ def _band(
     is_floor = np.ones(nearest.shape, np.float32)
     for index, wall in enumerate(spec.walls):
         away = _distance(wall, centre, rays)
-        hit = (away > NEAREST_M) & (away < nearest)
+        hit = away < nearest
         if hit.any():
             points = centre + rays[hit] * away[hit][:, None]
             along = points[:, 0 if wall.axis == "y" else 1]
@@ -84,9 +84,36 @@ def _band(
     return colour, is_floor
 
 
+def inverse_depth(spec: SceneSpec, rig: Rig, eye: int, samples: int) -> Float32s | None:
+    """Inverse depth of walls that people can be behind; None without such walls.
+
+    Args:
+        spec, rig, eye: whose walls, and who looks.
+        samples: per pixel along each side.
+
+    Returns:
+        (height samples, width samples); 0 where no such wall is.
+    """
+    walls = [wall for wall in spec.walls if wall.ends]
+    if not walls:
+        return None
+    width, height = rig.size
+    u = (np.arange(width * samples) - (samples - 1) / 2) / samples
+    v = (np.arange(height * samples) - (samples - 1) / 2) / samples
+    rays = rig.rays(np.stack(np.meshgrid(u, v), axis=-1))
+    away = [_distance(wall, rig.eye_centre(eye), rays) for wall in walls]
+    # Rays are one long along the optical axis: what they are multiplied by is depth.
+    return np.asarray(1.0 / np.minimum.reduce(away), np.float32)
+
+
 def _distance(wall: WallSpec, centre: Floats, rays: Floats) -> Floats:
-    """How many ray lengths away a wall is."""
+    """How many ray lengths away a wall is; infinite where it is not met."""
     axis = 0 if wall.axis == "x" else 1
     ray = rays[..., axis]
     along = np.where(np.abs(ray) > 1e-9, ray, 1e-9)
-    return np.asarray((wall.place_m - centre[axis]) / along)
+    away = np.asarray((wall.place_m - centre[axis]) / along)
+    met = away > NEAREST_M
+    if wall.ends:
+        place = centre[1 - axis] + away * rays[..., 1 - axis]
+        met &= (place > wall.span_m[0]) & (place < wall.span_m[1])
+    return np.where(met, away, np.inf)

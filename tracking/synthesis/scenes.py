@@ -5,19 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from tracking.synthesis.specs import FloorSpec, LampSpec, SceneSpec, WallSpec
-
-_STONE = FloorSpec((0.6, 0.6), (0.50, 0.46, 0.42))
-_LIGHT_STONE = FloorSpec((0.8, 0.8), (0.55, 0.52, 0.47), variation=0.05)
-_SLABS = FloorSpec((0.9, 0.6), (0.40, 0.375, 0.34), 0.10, 0.20, staggered=True)
-_PAVERS = FloorSpec((0.4, 0.2), (0.36, 0.30, 0.26), 0.14, 0.18, staggered=True)
-_ASPHALT = FloorSpec((0.0, 0.0), (0.20, 0.20, 0.205), 0.0, 0.30)
-_VINYL = FloorSpec((0.5, 0.5), (0.42, 0.43, 0.40), 0.03, 0.08)
-
-_SKYLIGHT = LampSpec((0.45, -0.25, -1.0), (0.52, 0.50, 0.46), (0.45, 0.47, 0.50), 0.09)
-_CEILING_LAMP = LampSpec((-0.35, -0.30, -1.0), (0.50, 0.47, 0.42), (0.47, 0.48, 0.50), 0.10)
-_SUN = LampSpec((0.75, -0.40, -1.0), (0.66, 0.62, 0.53), (0.34, 0.38, 0.44), 0.035)
-_HIGH_SUN = LampSpec((-0.55, 0.25, -1.0), (0.64, 0.61, 0.54), (0.36, 0.39, 0.45), 0.04)
+from tracking.synthesis.one_camera import ONE_CAMERA_SCENES
+from tracking.synthesis.specs import SceneSpec, WallSpec
+from tracking.synthesis.surroundings import (
+    ASPHALT,
+    CEILING_LAMP,
+    HIGH_SUN,
+    LIGHT_STONE,
+    PAVERS,
+    SKYLIGHT,
+    SLABS,
+    STONE,
+    SUN,
+    VINYL,
+)
 
 _SCENES = (
     SceneSpec(
@@ -26,8 +27,8 @@ _SCENES = (
         2.4,
         30.0,
         (-2.6, 3.2, 2.6, 9.0),
-        _LIGHT_STONE,
-        _SKYLIGHT,
+        LIGHT_STONE,
+        SKYLIGHT,
         walls=(WallSpec("y", 11.5),),
         people=18,
     ),
@@ -37,8 +38,8 @@ _SCENES = (
         6.4,
         60.0,
         (-2.8, 1.6, 2.8, 7.0),
-        _SLABS,
-        _SUN,
+        SLABS,
+        SUN,
         entrances=("left", "right", "near", "far"),
         people=20,
         pauses=0.4,
@@ -49,8 +50,8 @@ _SCENES = (
         5.9,
         40.0,
         (-4.0, 4.5, 4.0, 12.0),
-        _PAVERS,
-        _HIGH_SUN,
+        PAVERS,
+        HIGH_SUN,
         entrances=("left", "right", "near"),
         walls=(WallSpec("y", 17.5, "brick"),),
         people=20,
@@ -61,8 +62,8 @@ _SCENES = (
         2.3,
         30.0,
         (-2.4, 3.2, 2.4, 7.5),
-        _VINYL,
-        _CEILING_LAMP,
+        VINYL,
+        CEILING_LAMP,
         walls=(WallSpec("y", 9.5),),
         people=14,
     ),
@@ -72,8 +73,8 @@ _SCENES = (
         8.3,
         50.0,
         (-4.5, 3.5, 4.5, 12.0),
-        _ASPHALT,
-        _SUN,
+        ASPHALT,
+        SUN,
         entrances=("left", "right", "near", "far"),
         people=22,
     ),
@@ -83,11 +84,11 @@ _SCENES = (
         2.4,
         30.0,
         (-2.6, 3.2, 2.6, 9.0),
-        _STONE,
-        _CEILING_LAMP,
+        STONE,
+        CEILING_LAMP,
         walls=(WallSpec("y", 11.5),),
         people=14,
-        uniform=True,
+        uniform="navy",
     ),
     SceneSpec(
         "pillars",
@@ -95,8 +96,8 @@ _SCENES = (
         3.0,
         30.0,
         (-3.2, 4.0, 3.2, 9.5),
-        _LIGHT_STONE,
-        _SKYLIGHT,
+        LIGHT_STONE,
+        SKYLIGHT,
         walls=(WallSpec("y", 12.5),),
         pillars_m=((-1.5, 5.2, 0.22), (1.7, 5.2, 0.22), (0.1, 8.4, 0.22)),
     ),
@@ -106,8 +107,8 @@ _SCENES = (
         3.6,
         90.0,
         (-1.6, -1.1, 1.6, 1.1),
-        _VINYL,
-        _CEILING_LAMP,
+        VINYL,
+        CEILING_LAMP,
         entrances=("left", "right", "near", "far"),
         people=10,
     ),
@@ -117,8 +118,8 @@ _SCENES = (
         3.6,
         40.0,
         (-1.5, 3.6, 1.5, 9.5),
-        _STONE,
-        _CEILING_LAMP,
+        STONE,
+        CEILING_LAMP,
         entrances=("near", "far"),
         walls=(WallSpec("x", -2.1), WallSpec("x", 2.1)),
         people=26,
@@ -130,8 +131,8 @@ _SCENES = (
         3.0,
         30.0,
         (-2.6, 4.6, 2.6, 8.6),
-        _SLABS,
-        _SUN,
+        SLABS,
+        SUN,
         walls=(WallSpec("y", 13.0, "brick"),),
         people=5,
         seconds=12.0,
@@ -145,8 +146,8 @@ _SCENES = (
         3.0,
         30.0,
         (-2.2, 4.8, 2.2, 8.2),
-        _SLABS,
-        _SUN,
+        SLABS,
+        SUN,
         walls=(WallSpec("y", 13.0, "brick"),),
         people=4,
         seconds=18.0,
@@ -158,6 +159,8 @@ _SCENES = (
     ),
 )
 
-SCENES: Mapping[str, SceneSpec] = MappingProxyType({scene.name: scene for scene in _SCENES})
+SCENES: Mapping[str, SceneSpec] = MappingProxyType(
+    {scene.name: scene for scene in (*_SCENES, *ONE_CAMERA_SCENES)}
+)
 """Scenes by name, the papers' camera set-ups among them ([Kawashita2012], [Kawashita2014],
-[ZhaoLee2009])."""
+[ZhaoLee2009], [Waechter2013], [Yoneji2013])."""

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 
 @dataclass(frozen=True, slots=True)
 class FloorSpec:
@@ -32,11 +34,19 @@ class WallSpec:
         axis: "y": the wall stands at y = place_m and faces the camera; "x": at x = place_m.
         place_m: where it stands.
         kind: "plaster" or "brick".
+        span_m: from where to where it goes along the other axis. What ends somewhere hides who
+            walks behind it; an endless wall stands behind everybody.
     """
 
     axis: str
     place_m: float
     kind: str = "plaster"
+    span_m: tuple[float, float] = (-np.inf, np.inf)
+
+    @property
+    def ends(self) -> bool:
+        """Whether one can walk round it."""
+        return bool(np.isfinite(self.span_m).any())
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +66,25 @@ class LampSpec:
 
 
 @dataclass(frozen=True, slots=True)
+class PassageSpec:
+    """A passage along the view, between a cross passage at its far end and open floor at its near.
+
+    Attributes:
+        half_width_m: from the middle, x = 0, to each wall.
+        near_m, far_m: y of its two ends.
+        both_ways: people walk towards the camera and away from it, mostly on their right; else
+            towards it only.
+        bunches: the fewest and the most people who come at once.
+    """
+
+    half_width_m: float
+    near_m: float
+    far_m: float
+    both_ways: bool
+    bunches: tuple[int, int]
+
+
+@dataclass(frozen=True, slots=True)
 class SceneSpec:
     """A scene: where the camera hangs, what it looks at, who comes by.
 
@@ -66,12 +95,17 @@ class SceneSpec:
         entrances: sides of the area where people come in and go: left, right, near, far.
         people, seconds: what is rendered unless told otherwise.
         pillars_m: x, y, radius of round pillars that hide people.
-        uniform: everybody wears the same colours.
+        uniform: the colours everybody wears, "navy" or "red and brown"; empty: their own.
         pauses: share of waypoints at which people stop for a while.
         pause_s: the shortest and the longest such stop.
         stoops: share of the longer stops in which people crouch or bend down and stand up again.
         contrasting: nobody's trousers have about the colour of the top.
         size_px: width and height of the pictures unless told otherwise.
+        fps, eyes: frames a second and how many eyes, unless told otherwise.
+        focal: focal length as a share of the picture's width; unless told otherwise the stereo
+            papers' 3.8 mm lens at VGA.
+        programme: what people do, one of `programmes`; empty: they come by as they like.
+        passage: where people walk instead of to places in the area.
     """
 
     name: str
@@ -86,9 +120,14 @@ class SceneSpec:
     pillars_m: tuple[tuple[float, float, float], ...] = ()
     people: int = 16
     seconds: float = 30.0
-    uniform: bool = False
+    uniform: str = ""
     pauses: float = 0.3
     pause_s: tuple[float, float] = (0.8, 3.5)
     stoops: float = 0.0
     contrasting: bool = False
     size_px: tuple[int, int] = (640, 480)
+    fps: float = 20.0
+    eyes: int = 2
+    focal: float = 510.0 / 640.0
+    programme: str = ""
+    passage: PassageSpec | None = None

@@ -77,6 +77,12 @@ _BOTTOMS = (
 )
 _SHOES = ((0.09, 0.08, 0.08), (0.28, 0.18, 0.12), (0.80, 0.79, 0.77), (0.45, 0.45, 0.48))
 _CONTRAST = 0.35  # distance of two colours as displayed that nobody takes for one
+RED_AND_BROWN = "red and brown"
+_UNIFORMS = {
+    # top and trousers
+    "navy": ((0.20, 0.23, 0.33), (0.20, 0.23, 0.33)),
+    RED_AND_BROWN: ((0.66, 0.13, 0.14), (0.36, 0.26, 0.18)),
+}
 _PATTERNS = ("plain", "plain", "stripes", "pinstripes", "checks", "plaid", "print", "jacket")
 
 
@@ -118,7 +124,7 @@ def random_outfit(
     long_hair: bool,
     coat: bool,
     skirt: bool,
-    uniform: bool,
+    uniform: str,
     contrasting: bool = False,
 ) -> Outfit:
     """What one person wears; in a uniform only skin, hair and creases differ.
@@ -149,7 +155,7 @@ def random_outfit(
     )
     if contrasting:
         outfit = _in_contrast(outfit, rng)
-    return _in_uniform(outfit) if uniform else outfit
+    return _in_uniform(outfit, uniform) if uniform else outfit
 
 
 def _in_contrast(outfit: Outfit, rng: np.random.Generator) -> Outfit:
@@ -161,15 +167,15 @@ def _in_contrast(outfit: Outfit, rng: np.random.Generator) -> Outfit:
     return replace(outfit, bottom=_shade(_BOTTOMS[rng.choice(fitting)], rng))
 
 
-def _in_uniform(outfit: Outfit) -> Outfit:
-    navy = np.array((0.20, 0.23, 0.33))
+def _in_uniform(outfit: Outfit, colours: str) -> Outfit:
+    top, bottom = _UNIFORMS[colours]
     return replace(
         outfit,
-        top=navy,
-        second=navy * 1.15,
-        bottom=navy,
+        top=np.array(top),
+        second=np.array(top) * 1.15,
+        bottom=np.array(bottom),
         shoes=np.array(_SHOES[0]),
-        pack=navy * 0.8,
+        pack=np.array(top) * 0.8,
         pattern="plain",
         sleeve=1.0,
         shorts=False,

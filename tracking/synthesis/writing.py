@@ -16,7 +16,8 @@ from tracking.formats import write_mot
 from tracking.geometry import write_calibration
 from tracking.recording import Manifest, write_manifest
 from tracking.synthesis.body import PARTS
-from tracking.synthesis.scene import FPS, Scene
+from tracking.synthesis.programme_writing import write_programme
+from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.truth import CARED_FOR, SceneTruth
@@ -39,8 +40,8 @@ def render_recording(
     cancelled: Callable[[], bool] | None = None,
     *,
     size: tuple[int, int] | None = None,
-    fps: float = FPS,
-    eyes: int = 2,
+    fps: float | None = None,
+    eyes: int | None = None,
 ) -> Path:
     """Render a scene into a recording folder with exact truth.
 
@@ -54,8 +55,8 @@ def render_recording(
         progress: called after each frame.
         cancelled: asked before each frame; True stops.
         size: width and height of the images in px, even; the scene's own if None.
-        fps: frames a second.
-        eyes: 2, or 1 for a recording of the left eye alone.
+        fps: frames a second; the scene's own if None.
+        eyes: 2, or 1 for a recording of the left eye alone; the scene's own if None.
 
     Returns:
         The folder.
@@ -66,6 +67,7 @@ def render_recording(
         CancelledError: `cancelled` said so.
     """
     spec = _spec_of(scene)
+    fps, eyes = spec.fps if fps is None else fps, spec.eyes if eyes is None else eyes
     _check(seconds, people, spec.size_px if size is None else size, fps, eyes)
     above = _missing_folders(folder.parent)
     part = _begin(folder)
@@ -166,6 +168,8 @@ def _write(
             if progress is not None:
                 progress(number + 1, scene.frames)
     _write_truth(folder, truths)
+    if scene.spec.programme or scene.spec.passage is not None:
+        write_programme(folder, scene)
     _write_descriptions(folder, scene, seed)
 
 

@@ -23,6 +23,13 @@ SCENE_NAMES = (
     "corridor",
     "walkway",
     "crouching",
+    "marks",
+    "marks-walking",
+    "marks-pairs",
+    "lane",
+    "two-way",
+    "situations",
+    *(f"situation-{number}" for number in range(1, 16)),
 )
 """Of `tracking.synthesis.SCENES`, which takes too long to import for a page of help."""
 
@@ -84,7 +91,7 @@ def synth(
     seed: options.Seed = 0,
     json: options.Json = False,
 ) -> None:
-    """Render a stereo recording of people with exact truth."""
+    """Render a recording of people with exact truth, with one eye or two as the scene has it."""
     from app.cli.synth import run_synth
 
     run_synth(out, scene, seconds, people, seed, as_json=json)
