@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tests.benchmarks.parts.clips import REPORTED, TUNED, Clip
-from tests.benchmarks.parts.truth import PARTS
 from tracking.people.parts import (
     bhattacharyya,
     candidate_histograms,
@@ -25,6 +24,7 @@ from tracking.people.parts import (
     level_histograms,
     ycbcr,
 )
+from tracking.scoring.parts import PARTS
 from tracking.synthesis import SCENES, Scene
 
 Floats = NDArray[np.float64]

@@ -10,14 +10,13 @@ from typing import Any
 import numpy as np
 
 from tests.benchmarks.parts.clips import Clip
-from tests.benchmarks.parts.judging import Judged
 from tests.benchmarks.parts.labelling import machine_curves, samples_of_clips
-from tests.benchmarks.parts.rates import rates_of
 from tests.benchmarks.parts.real import measure as real_footage
 from tests.benchmarks.parts.running import ADJUSTED, JOINT, PLAIN, VARIANTS, Variant, judged_clip
 from tests.benchmarks.parts.stooping import STANDS_AGAIN_S, Stoop, stoops_in
 from tracking.failure import Curve, Detector, built_in_detector
 from tracking.failure.training.questions import NAMES
+from tracking.scoring.parts import Judged, rates_of
 
 Figures = dict[str, Any]
 
@@ -53,7 +52,7 @@ def _curves(judged: Sequence[Sequence[Judged]]) -> Figures:
     curves = rates_of(people)
     return {
         "judged": len(people),
-        "never_tracked": sum(one.track == 0 for one in people),
+        "never_tracked": curves.untracked,
         "people": curves.people.tolist(),
         "right": curves.right.round(5).tolist(),
         "unbroken": curves.unbroken.round(5).tolist(),

@@ -15,11 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.parts.judging import Judged, judge
 from tests.benchmarks.parts.running import ADJUSTED, Variant, run_of, tracked_by
-from tests.benchmarks.parts.truth import PARTS, Truth
 from tracking.formats import read_mot
 from tracking.recording import open_recording
+from tracking.scoring.parts import Judged, PartTruth, judge
 
 RECORDINGS = ("pets-s2l1-real", "tud-campus-real")
 FRAMES = 100
@@ -36,25 +35,21 @@ def judged_recording(folder: Path, variant: Variant) -> list[Judged]:
     """Everybody in a recording with true boxes."""
     run = run_of(folder, variant)
     with open_recording(folder) as recording:
-        size, fps, frames = recording.size, recording.fps, recording.frame_count
-    truth = truth_of_boxes(read_mot(folder / "truth.txt"), frames, size)
+        size, fps = recording.size, recording.fps
+    truth = truth_of_boxes(read_mot(folder / "truth.txt"), size)
     return judge(truth, tracked_by(run, variant), fps)
 
 
-def truth_of_boxes(
-    columns: Mapping[str, NDArray[Any]], frames: int, size_px: tuple[int, int]
-) -> Truth:
+def truth_of_boxes(columns: Mapping[str, NDArray[Any]], size_px: tuple[int, int]) -> PartTruth:
     """Zones of people's boxes in place of parts that nobody has drawn."""
-    ids = np.unique(columns["track"])
-    place = columns["frame"], np.searchsorted(ids, columns["track"])
-    parts = np.full((frames, len(ids), len(PARTS), 4), np.nan)
-    left, width = columns["left"], columns["width"]
-    for part, (high, low) in enumerate(_ZONES):
-        top = columns["top"] + high * columns["height"]
-        bottom = columns["top"] + low * columns["height"]
-        parts[(*place, part)] = np.column_stack((left, top, left + width, bottom))
-    seen = np.isfinite(parts[:, :, 0, 0]).astype(float)
-    return Truth(ids.astype(np.int32), parts, seen, size_px)
+    order = np.lexsort((columns["track"], columns["frame"]))
+    left, top, width, height = (columns[name][order] for name in ("left", "top", "width", "height"))
+    zones = [
+        np.column_stack((left, top + high * height, left + width, top + low * height))
+        for high, low in _ZONES
+    ]
+    frame, person = (columns[name][order].astype(np.int64) for name in ("frame", "track"))
+    return PartTruth(frame, person, np.stack(zones, axis=1), np.ones(len(frame)), size_px)
 
 
 def kept_parts(judged: Sequence[Judged], frames: int = FRAMES) -> dict[str, Any]:
@@ -72,7 +67,7 @@ def kept_parts(judged: Sequence[Judged], frames: int = FRAMES) -> dict[str, Any]
         "throughout": sum(bool(right.mean() >= 0.9) for right in good),
         "parts": [
             sum(bool(one.parts[last, part]) for one, last in zip(judged, after, strict=True))
-            for part in range(len(PARTS))
+            for part in range(len(_ZONES))
         ],
         "person": sum(
             bool(one.person_right[last]) for one, last in zip(judged, after, strict=True)

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from tests.benchmarks.parts.drawing import Panel, svg
-from tests.benchmarks.parts.rates import SUBJECTS, margin
 from tests.benchmarks.parts.running import ADJUSTED, PLAIN, WHOLE
 from tests.benchmarks.parts.words import (
     CROUCHING,
@@ -22,6 +21,7 @@ from tests.benchmarks.parts.words import (
     SHORT,
     SPEED,
 )
+from tracking.scoring.parts import SUBJECTS, margin
 
 Figures = Mapping[str, Any]
 

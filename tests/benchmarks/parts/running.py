@@ -11,10 +11,16 @@ from pathlib import Path
 from typing import Any
 
 from tests.benchmarks.parts.clips import FPS, Clip, folder_of
-from tests.benchmarks.parts.judging import Judged, Tracked, judge, tracked_parts, tracked_people
-from tests.benchmarks.parts.truth import read_truth
 from tracking.pipeline import track
 from tracking.recording import open_recording
+from tracking.scoring.parts import (
+    Judged,
+    TrackedParts,
+    judge,
+    read_part_truth,
+    tracked_parts,
+    tracked_people,
+)
 from tracking.trackers import settings_from, tracker_named
 from tracking.tracks.run import Run
 
@@ -56,10 +62,9 @@ def run_of(folder: Path, variant: Variant, seed: int = 0) -> Run:
         return tracking.run()
 
 
-def tracked_by(run: Run, variant: Variant) -> Tracked:
-    """The rectangles of a run that began at frame 0."""
-    frames = run.frames[1]
-    return tracked_parts(run.parts, frames) if variant.parts else tracked_people(run.tracks, frames)
+def tracked_by(run: Run, variant: Variant) -> TrackedParts:
+    """The rectangles of a run."""
+    return tracked_parts(run.parts) if variant.parts else tracked_people(run.tracks)
 
 
 def judged_clip(clip: Clip, variant: Variant, kept: Path | None = None) -> list[Judged]:
@@ -70,7 +75,7 @@ def judged_clip(clip: Clip, variant: Variant, kept: Path | None = None) -> list[
     took = time.perf_counter() - began
     print(f"{variant.name}: {clip.scene} {clip.seed} in {took:.0f} s", file=sys.stderr)
     with open_recording(folder) as recording:
-        truth = read_truth(folder, recording.frame_count, recording.size)
+        truth = read_part_truth(folder, recording.frame_count, recording.size)
     return judge(truth, tracked_by(run, variant), FPS)
 
 

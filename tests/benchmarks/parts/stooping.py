@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tests.benchmarks.parts.clips import FPS, Clip
-from tests.benchmarks.parts.judging import Judged
+from tracking.scoring.parts import Judged
 
 STANDS_AGAIN_S = 1.0
 """How long after standing up the parts may take to be right again."""

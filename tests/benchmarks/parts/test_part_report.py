@@ -20,10 +20,10 @@ from tests.benchmarks.parts.clips import (
 )
 from tests.benchmarks.parts.detector import resized
 from tests.benchmarks.parts.drawing import Panel, svg
-from tests.benchmarks.parts.judging import Judged
 from tests.benchmarks.parts.real import kept_parts, truth_of_boxes
 from tests.benchmarks.parts.stooping import stoops_in
 from tracking.failure import SAMPLE_COLUMNS, Samples
+from tracking.scoring.parts import Judged
 
 NAMESPACE = "{http://www.w3.org/2000/svg}"
 
@@ -95,15 +95,12 @@ def test_zones_of_a_true_box_stand_for_its_parts() -> None:
         "width": np.array([30.0]),
         "height": np.array([100.0]),
     }
-    truth = truth_of_boxes(columns, 5, (200, 200))
-    assert truth.parts[3, 0].tolist() == [
-        [10.0, 20.0, 40.0, 45.0],
-        [10.0, 30.0, 40.0, 80.0],
-        [10.0, 60.0, 40.0, 120.0],
+    truth = truth_of_boxes(columns, (200, 200))
+    assert truth.parts.tolist() == [
+        [[10.0, 20.0, 40.0, 45.0], [10.0, 30.0, 40.0, 80.0], [10.0, 60.0, 40.0, 120.0]]
     ]
-    assert truth.people[3, 0].tolist() == [10.0, 20.0, 40.0, 120.0]
-    assert np.isnan(truth.parts[[0, 1, 2, 4]]).all()
-    assert truth.visibility[:, 0].tolist() == [0, 0, 0, 1, 0]
+    assert truth.people.tolist() == [[10.0, 20.0, 40.0, 120.0]]
+    assert (truth.frame.tolist(), truth.visibility.tolist()) == ([3], [1.0])
 
 
 def test_parts_are_kept_by_who_has_all_three_at_the_end_and_nearly_always() -> None:

@@ -1,0 +1,33 @@
+"""Accuracy of tracked body parts against exact truth, by the measure of [ZhaoLee2009]."""
+
+from tracking.scoring.parts.judging import Judged, judge
+from tracking.scoring.parts.rates import LAST_FRAME, PARTS, SUBJECTS, Rates, margin, rates_of
+from tracking.scoring.parts.reading import read_part_truth
+from tracking.scoring.parts.rectangles import bounding, foreign_share, right
+from tracking.scoring.parts.rows import (
+    PartTruth,
+    TrackedParts,
+    by_person,
+    tracked_parts,
+    tracked_people,
+)
+
+__all__ = [
+    "LAST_FRAME",
+    "PARTS",
+    "SUBJECTS",
+    "Judged",
+    "PartTruth",
+    "Rates",
+    "TrackedParts",
+    "bounding",
+    "by_person",
+    "foreign_share",
+    "judge",
+    "margin",
+    "rates_of",
+    "read_part_truth",
+    "right",
+    "tracked_parts",
+    "tracked_people",
+]
