@@ -1,8 +1,8 @@
 """People on marked spots under a camera that looks straight down ([Waechter2013] section 4.2).
 
 The paper shows its spots in a picture without saying where they are; ours are five pairs in five
-directions from the middle. At the outer ones (1) people are seen from the hips or the chest down only,
-and whoever stands at the inner one (2) of a pair hides part of the one at the outer.
+directions from the middle. At the outer ones (1) people are seen from the hips or the chest down
+only, and whoever stands at the inner one (2) of a pair hides part of the one at the outer.
 """
 
 from __future__ import annotations
