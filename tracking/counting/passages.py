@@ -82,7 +82,8 @@ def passages(
     its ends included. A place on the line belongs to neither side: who comes to it and turns back
     has not passed, who stops on it passes when leaving it for the other side, and a track that
     begins on it has not come from anywhere. PedPy's `compute_crossing_frames` says the same of
-    tracks that are never exactly on the line and have no gaps.
+    tracks that are never exactly on the line and have no gaps, but for passages into the last
+    frame of a track, which it leaves out.
 
     Args:
         columns: `frame, track` and `x, y` (floor lines) or the box (lines in the picture).
@@ -161,7 +162,8 @@ def _left_of(places: Floats, start: Floats, end: Floats, *, flipped: bool) -> Fl
     """
     along = (end - start) / np.hypot(*(end - start))
     left = along[0] * (places[:, 1] - start[1]) - along[1] * (places[:, 0] - start[0])
-    return -left if flipped else left
+    signed: Floats = -left if flipped else left
+    return signed
 
 
 def _side_before(side: np.ndarray[tuple[int], np.dtype[np.int8]], paths: Paths) -> Integers:

@@ -51,8 +51,12 @@ def tables_of(labels: Labels) -> Iterator[tuple[str, Types, Rows]]:
             "name": [line.name for line in labels.lines],
             **_ends([line.start for line in labels.lines], "x1", "y1"),
             **_ends([line.end for line in labels.lines], "x2", "y2"),
+            **_fields(labels.lines, ("in_picture",)),
         },
-        "labels/regions": _polygons(labels.regions),
+        "labels/regions": {
+            **_polygons(labels.regions),
+            **_fields(labels.regions, ("in_picture",)),
+        },
         "labels/verdicts": _verdict_rows(sorted(labels.verdicts.values())),
     }
     for path, columns in rows.items():
@@ -140,13 +144,13 @@ def _sorted(items: Iterable[Any], check: Callable[[Any], None]) -> tuple[Any, ..
 def _read_polygons(
     group: h5py.Group, name: str, made: type[Occluder] | type[Region]
 ) -> Iterator[Occluder | Region]:
-    for title, polygon in _rows(group, name):
-        yield made(title, tuple((float(u), float(v)) for u, v in json.loads(polygon)))
+    for title, polygon, *where in _rows(group, name):
+        yield made(title, tuple((float(u), float(v)) for u, v in json.loads(polygon)), *where)
 
 
 def _read_lines(group: h5py.Group) -> Iterator[CountingLine]:
-    for name, x1, y1, x2, y2 in _rows(group, "lines"):
-        yield CountingLine(name, (x1, y1), (x2, y2))
+    for name, x1, y1, x2, y2, *where in _rows(group, "lines"):
+        yield CountingLine(name, (x1, y1), (x2, y2), *where)
 
 
 def _read_verdicts(group: h5py.Group) -> dict[VerdictKey, Verdict]:

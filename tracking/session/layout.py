@@ -80,10 +80,16 @@ SAMPLE_TABLE: Types = MappingProxyType(
 """What the part labels teach the failure detector, made anew at every save. Without samples the
 group is empty; files before format 1.2 never have any."""
 LINE_COLUMNS: Types = MappingProxyType(
-    {"name": TEXT, **{name: np.dtype(np.float64) for name in ("x1", "y1", "x2", "y2")}}
+    {
+        "name": TEXT,
+        **{name: np.dtype(np.float64) for name in ("x1", "y1", "x2", "y2")},
+        "in_picture": np.dtype(np.bool_),
+    }
 )
-"""m on the floor."""
-REGION_COLUMNS: Types = MappingProxyType({"name": TEXT, "polygon": TEXT})
+"""m on the floor, or px of the left image as recorded."""
+REGION_COLUMNS: Types = MappingProxyType(
+    {"name": TEXT, "polygon": TEXT, "in_picture": np.dtype(np.bool_)}
+)
 VERDICT_COLUMNS: Types = MappingProxyType(
     {"kind": TEXT, "tracks": TEXT, "frame": np.dtype(np.int64), "decision": TEXT}
 )
@@ -136,6 +142,8 @@ LATER_COLUMNS: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
             frozenset({"sure", "left", "top", "width", "height", "source"}),
             frozenset({"author", "reason"}),
         ),
+        "labels/lines": (frozenset({"in_picture"}),),
+        "labels/regions": (frozenset({"in_picture"}),),
     }
 )
 """Columns that tables of format 1.0 do not have: those that came together, all or none."""

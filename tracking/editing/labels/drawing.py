@@ -36,7 +36,7 @@ def plan_occluders(labels: Labels, occluders: Sequence[Occluder], frame: int = 0
 
 
 def plan_lines(labels: Labels, lines: Sequence[CountingLine], frame: int = 0) -> Change:
-    """Set all counting lines on the floor. frame: where to look at it.
+    """Set all counting lines. frame: where to look at it.
 
     Raises EditError for a line without length or name, an end that is no number, a name given
     twice.
@@ -48,7 +48,7 @@ def plan_lines(labels: Labels, lines: Sequence[CountingLine], frame: int = 0) ->
 
 
 def plan_regions(labels: Labels, regions: Sequence[Region], frame: int = 0) -> Change:
-    """Set all regions on the floor. frame: where to look at it.
+    """Set all regions. frame: where to look at it.
 
     Raises EditError for a polygon with less than three corners, a corner that is no number or
     edges that cross, a missing name, and a name given twice.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from tracking.editing.label_state import LabelState
@@ -36,8 +36,10 @@ def labels_as_json(labels: LabelState) -> dict[str, Any]:
         },
         "occluders": [[item.name, item.polygon] for item in labels.occluders],
         "reviewed": [[seen.track, seen.start, seen.end] for seen in labels.reviewed],
-        "lines": [[line.name, line.start, line.end] for line in labels.lines],
-        "regions": [[region.name, region.polygon] for region in labels.regions],
+        "lines": _lines_as_json(labels, in_picture=False),
+        "picture_lines": _lines_as_json(labels, in_picture=True),
+        "regions": _regions_as_json(labels, in_picture=False),
+        "picture_regions": _regions_as_json(labels, in_picture=True),
         "verdicts": [
             [said.kind, said.tracks, said.frame, said.decision] for said in labels.verdicts
         ],
@@ -59,13 +61,8 @@ def labels_from_json(parts: Mapping[str, Any]) -> LabelState:
             ReviewedRange(int(track), int(start), int(end))
             for track, start, end in parts.get("reviewed", ())
         ),
-        lines=tuple(
-            CountingLine(str(name), *_corners((start, end)))
-            for name, start, end in parts.get("lines", ())
-        ),
-        regions=tuple(
-            Region(str(name), _corners(polygon)) for name, polygon in parts.get("regions", ())
-        ),
+        lines=tuple(sorted((*_lines(parts, "lines"), *_lines(parts, "picture_lines")))),
+        regions=tuple(sorted((*_regions(parts, "regions"), *_regions(parts, "picture_regions")))),
         verdicts=tuple(
             Verdict(str(kind), tuple(int(track) for track in tracks), int(frame), str(decision))
             for kind, tracks, frame, decision in parts.get("verdicts", ())
@@ -94,6 +91,28 @@ def _check(labels: LabelState) -> None:
 def _track_from_json(label: Mapping[str, Any]) -> TrackLabel:
     attributes = {str(key): str(value) for key, value in label["attributes"].items()}
     return TrackLabel(str(label["name"]), attributes, str(label["notes"]))
+
+
+def _lines_as_json(labels: LabelState, *, in_picture: bool) -> list[Any]:
+    """Lines on the floor or in the picture; apart, so that older programs take none for another."""
+    chosen = (line for line in labels.lines if line.in_picture is in_picture)
+    return [[line.name, line.start, line.end] for line in chosen]
+
+
+def _regions_as_json(labels: LabelState, *, in_picture: bool) -> list[Any]:
+    chosen = (region for region in labels.regions if region.in_picture is in_picture)
+    return [[region.name, region.polygon] for region in chosen]
+
+
+def _lines(parts: Mapping[str, Any], key: str) -> Iterator[CountingLine]:
+    for name, *ends in parts.get(key, ()):
+        start, end = _corners(ends)
+        yield CountingLine(str(name), start, end, key.startswith("picture"))
+
+
+def _regions(parts: Mapping[str, Any], key: str) -> Iterator[Region]:
+    for name, polygon in parts.get(key, ()):
+        yield Region(str(name), _corners(polygon), key.startswith("picture"))
 
 
 def _part_as_json(label: PartLabel) -> list[Any]:
