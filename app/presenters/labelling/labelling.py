@@ -10,6 +10,7 @@ from app.presenters.document.document import Document
 from app.presenters.labelling.drawing import drawn_with
 from app.presenters.labelling.drawn import Drawn, DrawnLabels
 from app.presenters.labelling.labelling_scene import (
+    PART_COLOURS,
     FloorLabels,
     LabellingScene,
     PartMark,
@@ -17,9 +18,9 @@ from app.presenters.labelling.labelling_scene import (
     RangeLine,
     Tool,
 )
-from app.presenters.labelling.part_labelling import SAID, PartLabelling
+from app.presenters.labelling.part_labelling import PartLabelling
 from app.presenters.labelling.parts import Box
-from app.presenters.parts.picturing import part_name
+from app.presenters.palette import colour_of_track
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.scenes import Eye
 from app.presenters.words import tr
@@ -86,10 +87,15 @@ class LabellingPresenter:
         for label, given in shown:
             box = label.box if eye is not Eye.RIGHT else self._in_right_eye(label)
             if box is not None:
-                chosen = labelling and label.part == self.parts.choice.part
-                text = _mark_text(label, given)
-                marks.append(PartMark(label.part, box, text, given, label.on_part, chosen))
+                marks.append(self._mark(label, given, box))
         return tuple(marks)
+
+    def _mark(self, label: PartLabel, given: bool, box: Box) -> PartMark:
+        asked = self.choice.tool is Tool.PARTS
+        colour = PART_COLOURS[label.part] if asked else colour_of_track(label.track)
+        chosen = asked and label.part == self.parts.choice.part
+        track, part = label.track, label.part
+        return PartMark(track, part, box, colour, given, label.on_part, asked, chosen)
 
     def _in_right_eye(self, label: PartLabel) -> Box | None:
         session, recording = self._document.session, self._document.recording
@@ -173,12 +179,6 @@ class LabellingPresenter:
 
     def _who(self) -> str:
         return self.labels.title(self.track)
-
-
-def _mark_text(label: PartLabel, given: bool) -> str:
-    name = part_name(label.part)
-    said = tr(SAID[label.on_part])
-    return tr("{part}: {said}", part=name, said=said) if given else name
 
 
 def _drawing_words(tool: Tool) -> tuple[str, str]:

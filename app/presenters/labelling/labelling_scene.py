@@ -37,19 +37,21 @@ class PartMark:
     """A body part's rectangle in a picture.
 
     Attributes:
-        part: 0 head, 1 torso, 2 hip-leg.
+        track, part: whose, and 0 head, 1 torso, 2 hip-leg.
         box: left, top, width, height in pixels of that eye as recorded.
-        label: what is written at it, e.g. "head: on".
+        colour: the part's while it is labelled, else the person's.
         given: somebody said it; else it is a first guess, drawn dotted.
         on_part: what was said; None: unsure.
-        chosen: the part that the keys speak of.
+        asked: it is being labelled. chosen: it is the part that the keys speak of.
     """
 
+    track: int
     part: int
     box: tuple[float, float, float, float]
-    label: str
+    colour: Colour
     given: bool
     on_part: bool | None = None
+    asked: bool = False
     chosen: bool = False
 
 

@@ -6,6 +6,8 @@ from collections.abc import Callable
 
 from app.presenters.document.document import Document
 from app.presenters.document.setting import Instant, Pictured
+from app.presenters.labelling.labelling_scene import PictureLabels, Suggested
+from app.presenters.parts.cards import cards_of
 from app.presenters.parts.failures import PartFailures
 from app.presenters.parts.part_curve import LaneScore, PartCurve
 from app.presenters.parts.parts_scene import (
@@ -25,6 +27,7 @@ from tracking.session import ids_by_now
 from tracking.tracks import Columns, Run
 
 _NO_CURVES: tuple[PartCurve, ...] = ()
+_NO_LABELS = PictureLabels()
 
 
 class PartsPresenter:
@@ -55,16 +58,30 @@ class PartsPresenter:
         run = self.run
         return run is not None and len(run.parts["frame"]) > 0
 
-    def picture(self, instant: Instant, pictured: Pictured, labelling: bool) -> PicturedParts:
-        """What is laid over the left eye; the person being labelled is drawn by labelling."""
+    def picture(
+        self,
+        instant: Instant,
+        pictured: Pictured,
+        labels: PictureLabels = _NO_LABELS,
+        suggested: Suggested | None = None,
+    ) -> PicturedParts:
+        """What is laid over the left eye.
+
+        Rectangles that are being labelled are drawn by labelling: here is only what the tracker
+        says of them. `suggested`: why the part that is looked at is worth labelling.
+        """
+        labelling = any(one.asked for one in labels.parts)
         boxes: tuple[PartBox, ...] = ()
-        if pictured.parts:
+        if pictured.parts or labelling:
             boxes = pictured_boxes(instant, self._chosen())
-            if labelling:
-                boxes = tuple(box for box in boxes if not box.selected)
+        cards = cards_of(boxes, labels.parts, instant.selected, suggested)
+        if labelling:
+            shown = (box for box in boxes if pictured.parts and not box.selected)
+            boxes = tuple(shown)
+        parts = PicturedParts(boxes, cards)
         if not pictured.part_particles or not instant.selected:
-            return PicturedParts(boxes)
-        return with_particles(boxes, instant, self._chosen())
+            return parts
+        return with_particles(parts, instant, self._chosen())
 
     def curves(self, instant: Instant) -> CurvesScene:
         """The plots of the selected person."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -27,13 +28,14 @@ def pictured_boxes(instant: Instant, part: int) -> tuple[PartBox, ...]:
     return tuple(sorted((box for box in boxes if box), key=lambda one: (one.selected, one.chosen)))
 
 
-def with_particles(boxes: tuple[PartBox, ...], instant: Instant, part: int) -> PicturedParts:
+def with_particles(parts: PicturedParts, instant: Instant, part: int) -> PicturedParts:
     """The rectangles with the particles of one part of the selected person."""
     cloud = instant.tracks.part_particles(instant.frame)
     mine = (cloud["track"] == instant.selected) & (cloud["part"] == part)
     own = {name: column[mine] for name, column in cloud.items()}
     places = np.column_stack((own["u"], own["v"])).astype(np.float64)
-    return PicturedParts(boxes, places, relative_weights(own), colour_of_track(instant.selected))
+    colour = colour_of_track(instant.selected)
+    return replace(parts, particles=places, weights=relative_weights(own), colour=colour)
 
 
 def _box(rows: Columns, row: int, instant: Instant, part: int) -> PartBox | None:
@@ -49,7 +51,8 @@ def _box(rows: Columns, row: int, instant: Instant, part: int) -> PartBox | None
     text = verdict_text(own, failed, occluded, score)
     colour = colour_of_track(track)
     chosen = selected and own == part
-    return PartBox(track, own, box, colour, failed, occluded, text, selected, chosen)
+    scored = not occluded and math.isfinite(score) and not by_rule(failed, score)
+    return PartBox(track, own, box, colour, failed, occluded, text, selected, chosen, scored)
 
 
 def verdict_text(part: int, failed: bool, occluded: bool, score: float) -> str:

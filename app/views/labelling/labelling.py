@@ -24,6 +24,7 @@ from app.presenters.labelling.labelling_scene import (
     REGION_COLOUR,
     LabellingScene,
     PictureLabels,
+    Suggested,
     Tool,
 )
 from app.presenters.scenes import Eye
@@ -62,6 +63,7 @@ class Labelling(QObject):
         self._playback = playback
         self._workspace = workspace
         self._presenter = LabellingPresenter(document)
+        self.shown = PictureLabels()
         self._panel: LabellingPanel = workspace.labelling
         self._parts = PartsLayer(workspace.left)
         self._on_picture = ShapesLayer(workspace.left)
@@ -188,6 +190,13 @@ class Labelling(QObject):
     def suggests(self) -> bool:
         """Whether parts are walked where the detector is least sure."""
         return self._keys.suggesting.asked
+
+    @property
+    def suggested(self) -> Suggested | None:
+        """What is looked at because the detector is unsure of it; None where it is not shown."""
+        now = self._presenter.parts.choice.suggested
+        here = (self._playback.number, self._document.selection.track)
+        return now if now is not None and now.key[:2] == here else None
 
     def walk(self, step: int) -> None:
         """To the next (1) or previous (-1) suggestion."""
@@ -317,6 +326,7 @@ class Labelling(QObject):
         return self._keys.suggesting.shown(scene) if scene is not None else None
 
     def _show(self, left: PictureLabels, right: PictureLabels) -> None:
+        self.shown = left
         self._workspace.left.show_labels(left)
         self._workspace.right.show_labels(right)
         self._workspace.overhead.show_labels(self._presenter.floor())

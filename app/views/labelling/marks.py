@@ -11,13 +11,8 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from app.presenters.labelling.labelling_scene import PART_COLOURS, Outline, PartMark
 from app.presenters.scenes import Colour
 from app.views.look.theme import Theme, faded
-from app.views.pictures.name_plates import (
-    draw_name,
-    draw_plate,
-    place_plates,
-    plate_rect,
-    plate_text,
-)
+from app.views.parts.signs import draw_said, sign_radius
+from app.views.pictures.name_plates import draw_name, place_plates, plate_rect, plate_text
 from app.views.pictures.viewport import Points, Viewport, path_through
 
 _CASING = QColor(0, 0, 0, 130)
@@ -67,31 +62,10 @@ def draw_corners(painter: QPainter, points: Points, colour: QColor, held: int = 
         painter.drawEllipse(QPointF(x, y), radius, radius)
 
 
-def draw_parts(
-    painter: QPainter, parts: Sequence[PartMark], viewport: Viewport, area: QRectF
-) -> None:
-    """Rectangles: solid where said to be on, crossed out where off, dashed where unsure."""
-    ordered = sorted(parts, key=lambda one: one.chosen)
-    for mark in ordered:
+def draw_parts(painter: QPainter, parts: Sequence[PartMark], viewport: Viewport) -> None:
+    """Rectangles: ticked where said to be on, crossed out where off, dashed where unsure."""
+    for mark in sorted(parts, key=lambda one: one.chosen):
         _draw_part(painter, mark, viewport.rect(QRectF(*mark.box)))
-    wanted = _beside_parts(QFontMetricsF(painter.font()), ordered, viewport, area)
-    for mark, rect in zip(ordered, place_plates(wanted, area), strict=True):
-        draw_plate(painter, rect, mark.label, QColor(*part_colour(mark.part)), mark.chosen)
-
-
-def _beside_parts(
-    metrics: QFontMetricsF, parts: Sequence[PartMark], viewport: Viewport, area: QRectF
-) -> list[QRectF]:
-    """Where plates hide nothing of the person: right of all rectangles, or left of them."""
-    rects = [viewport.rect(QRectF(*one.box)) for one in parts]
-    plates = [plate_rect(metrics, one.label, QPointF()) for one in parts]
-    right = max((rect.right() for rect in rects), default=0.0) + 6
-    left = min((rect.left() for rect in rects), default=0.0) - 6
-    widest = max((plate.width() for plate in plates), default=0.0)
-    for rect, plate in zip(rects, plates, strict=True):
-        fits = right + widest <= area.right()
-        plate.moveTopLeft(QPointF(right if fits else left - plate.width(), rect.top()))
-    return plates
 
 
 def part_colour(part: int) -> Colour:
@@ -100,7 +74,7 @@ def part_colour(part: int) -> Colour:
 
 
 def _draw_part(painter: QPainter, mark: PartMark, rect: QRectF) -> None:
-    colour = QColor(*part_colour(mark.part))
+    colour = QColor(*mark.colour)
     width = 2.8 if mark.chosen else 1.8
     styles = Qt.PenStyle
     style = styles.DotLine if not mark.given else styles.SolidLine
@@ -116,6 +90,8 @@ def _draw_part(painter: QPainter, mark: PartMark, rect: QRectF) -> None:
         painter.drawLine(rect.bottomLeft(), rect.topRight())
     if mark.chosen:
         painter.fillRect(rect, faded(colour, 0.14))
+    elif mark.given and mark.on_part:
+        draw_said(painter, rect.bottomLeft(), sign_radius(rect))
 
 
 def _draw_arrow(painter: QPainter, ends: Points, colour: QColor) -> None:

@@ -5,40 +5,28 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.presenters.parts.parts_scene import PartBox, PicturedParts
 from app.views.look.theme import faded
-from app.views.pictures.name_plates import draw_plate, place_plates, plate_rect
+from app.views.parts.signs import FAILED, draw_off, sign_radius
 from app.views.pictures.particles import draw_particles
 from app.views.pictures.viewport import Viewport
 
 _CASING = QColor(0, 0, 0, 150)
-_FAILED = QColor(255, 77, 77)
-_SIGN_PX = 7.0
 _PARTICLE_PX = 1.5
 _DASHES, _DOTS = (4.0, 2.5), (1.0, 2.2)
 
 
 def draw_part_boxes(
-    painter: QPainter,
-    boxes: Sequence[PartBox],
-    viewport: Viewport,
-    area: QRectF,
-    person: QRectF | None = None,
+    painter: QPainter, boxes: Sequence[PartBox], viewport: Viewport, area: QRectF
 ) -> None:
-    """Solid where on the part, dashed with a cross where failed, dotted where hidden.
-
-    What is said of the selected person's parts stands beside them, and beside the `person`'s box.
-    """
+    """Solid where on the part, dashed with a cross where failed, dotted where hidden."""
     for box in boxes:
         rect = viewport.rect(QRectF(*box.box))
         if rect.intersects(area):
             _draw_box(painter, box, rect)
-    chosen = [box for box in boxes if box.selected]
-    rects = [viewport.rect(QRectF(*box.box)) for box in chosen]
-    _draw_words(painter, chosen, rects, [*rects, person] if person is not None else rects, area)
 
 
 def draw_part_particles(
@@ -62,9 +50,20 @@ def part_box_at(boxes: Sequence[PartBox], at: QPointF, viewport: Viewport) -> Pa
     return min(hits, key=lambda one: one.box[2] * one.box[3], default=None)
 
 
+def said_at(parts: PicturedParts, at: QPointF, viewport: Viewport, track: int) -> str:
+    """What is said of the part of a track at a place of the widget; "" where none is there."""
+    lines = [line for card in parts.cards if card.track == track for line in card.lines]
+    lines = [line for line in lines if viewport.rect(QRectF(*line.box)).contains(at)]
+    best = min(lines, key=lambda one: one.box[2] * one.box[3], default=None)
+    if best is not None:
+        return best.text
+    box = part_box_at(parts.boxes, at, viewport)
+    return box.text if box is not None and box.track == track else ""
+
+
 def _draw_box(painter: QPainter, box: PartBox, rect: QRectF) -> None:
     width = 2.6 if box.chosen else 2.0 if box.selected else 1.4
-    colour = _FAILED if box.failed else QColor(*box.colour)
+    colour = FAILED if box.failed else QColor(*box.colour)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(_CASING, width + 1.6))
     painter.drawRect(rect)
@@ -76,40 +75,4 @@ def _draw_box(painter: QPainter, box: PartBox, rect: QRectF) -> None:
     if box.chosen:
         painter.fillRect(rect, faded(colour, 0.16))
     if box.failed:
-        _draw_sign(painter, rect.topRight())
-
-
-def _draw_sign(painter: QPainter, at: QPointF) -> None:
-    """A cross on a disc: it failed."""
-    painter.setPen(QPen(_CASING, 1.2))
-    painter.setBrush(_FAILED)
-    painter.drawEllipse(at, _SIGN_PX, _SIGN_PX)
-    arm = 0.45 * _SIGN_PX
-    painter.setPen(QPen(QColor(255, 255, 255), 1.8))
-    painter.drawLines(
-        [
-            QLineF(at - QPointF(arm, arm), at + QPointF(arm, arm)),
-            QLineF(at - QPointF(arm, -arm), at + QPointF(arm, -arm)),
-        ]
-    )
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-
-
-def _draw_words(
-    painter: QPainter,
-    boxes: Sequence[PartBox],
-    rects: Sequence[QRectF],
-    around: Sequence[QRectF],
-    area: QRectF,
-) -> None:
-    """Beside everything `around`, so that nothing of the person is hidden."""
-    metrics = QFontMetricsF(painter.font())
-    plates = [plate_rect(metrics, one.text, QPointF()) for one in boxes]
-    right = max((rect.right() for rect in around), default=0.0) + _SIGN_PX + 5
-    left = min((rect.left() for rect in around), default=0.0) - _SIGN_PX - 5
-    fits = right + max((one.width() for one in plates), default=0.0) <= area.right()
-    for rect, plate in zip(rects, plates, strict=True):
-        plate.moveTopLeft(QPointF(right if fits else left - plate.width(), rect.top()))
-    for box, rect in zip(boxes, place_plates(plates, area), strict=True):
-        colour = _FAILED if box.failed else QColor(*box.colour)
-        draw_plate(painter, rect, box.text, colour, box.chosen)
+        draw_off(painter, rect.topRight(), sign_radius(rect))

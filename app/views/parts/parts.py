@@ -6,7 +6,6 @@ from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document.document import Document
 from app.presenters.document.setting import Instant, Pictured
-from app.presenters.labelling.labelling_scene import Tool
 from app.presenters.parts.parts import PartsPresenter
 from app.presenters.parts.parts_scene import PicturedParts
 from app.presenters.parts.picturing import part_name
@@ -47,8 +46,9 @@ class Parts(QObject):
 
     def draw(self, instant: Instant, pictured: Pictured) -> None:
         """Show an instant."""
-        labelling, presenter = self._labelling.tool is Tool.PARTS, self.presenter
-        self._workspace.left.show_parts(presenter.picture(instant, pictured, labelling))
+        labelling, presenter = self._labelling, self.presenter
+        parts = presenter.picture(instant, pictured, labelling.shown, labelling.suggested)
+        self._workspace.left.show_parts(parts)
         curves = presenter.curves(instant) if pictured.curves else None
         self._workspace.curves.show_scene(curves)
 

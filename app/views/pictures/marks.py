@@ -23,8 +23,11 @@ _MOST_POINTS = 31  # of a trail
 
 def draw_people(
     painter: QPainter, people: Sequence[PersonMark], viewport: Viewport, area: QRectF
-) -> None:
-    """Draw trails below boxes below plates; the selected person's plate keeps its place."""
+) -> list[QRectF]:
+    """Draw trails below boxes below plates; the selected person's plate keeps its place.
+
+    Gives where the plates stand.
+    """
     for person in people:
         points = viewport.to_widget(person.trail)
         width = 3.0 if person.selected else 2.2
@@ -41,6 +44,7 @@ def draw_people(
     placed = list(zip(ordered, names, place_plates(wanted, area), strict=True))
     for person, name, rect in reversed(placed):
         draw_plate(painter, rect, name, QColor(*person.colour), person.selected)
+    return [rect for _, _, rect in placed]
 
 
 def draw_fading_trail(

@@ -14,7 +14,8 @@ from app.presenters.parts.parts_scene import PicturedParts
 from app.presenters.scenes import Eye, PersonMark, PictureScene
 from app.views.labelling.marks import draw_outlines, draw_parts
 from app.views.look.theme import Theme, scaled_font
-from app.views.parts.marks import draw_part_boxes, draw_part_particles, part_box_at
+from app.views.parts.cards import draw_cards
+from app.views.parts.marks import draw_part_boxes, draw_part_particles, part_box_at, said_at
 from app.views.pictures.box_handles import Grip, cursor_of, draw_handles, handle_at
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_boxes
@@ -183,8 +184,8 @@ class PictureView(Canvas):
         name = person.label
         if person.predicted:
             name = self.tr("{0} (predicted)").format(name)
-        part = part_box_at(self._parts.boxes, at, self.viewport)
-        return f"{name}\n{part.text}" if part is not None and part.track == person.track else name
+        said = said_at(self._parts, at, self.viewport, person.track)
+        return f"{name}\n{said}" if said else name
 
     def _person_at(self, at: QPointF) -> PersonMark | None:
         """The person whose box is hit; of several, the one whose middle is nearest."""
@@ -211,11 +212,11 @@ class PictureView(Canvas):
         draw_preview(painter, self._scene.preview, self.viewport)
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
         draw_other_boxes(painter, self._others, self.viewport, theme, shown)
-        draw_people(painter, self._scene.people, self.viewport, shown)
+        names = draw_people(painter, self._scene.people, self.viewport, shown)
         size = (self.width(), self.height())
         draw_part_particles(painter, self._parts, self.viewport, size)
-        draw_part_boxes(painter, self._parts.boxes, self.viewport, shown, self._selected_box())
-        draw_parts(painter, self._labels.parts, self.viewport, shown)
+        draw_part_boxes(painter, self._parts.boxes, self.viewport, shown)
+        draw_parts(painter, self._labels.parts, self.viewport)
         movable = self._movable()
         if movable is not None and not self._labels.labelling:
             rect = self.viewport.rect(QRectF(*movable.box))
@@ -225,6 +226,7 @@ class PictureView(Canvas):
         painter.setFont(scaled_font(self.font(), 0.92))
         metrics = QFontMetricsF(painter.font())
         eye = plate_rect(metrics, self._eye_name, QPointF(8, 12 + metrics.height()))
+        self._draw_cards(painter, area, [*names, eye], theme)
         draw_note(painter, eye, self._eye_name, theme)
         draw_legend(painter, self._scene.legend, QPointF(8, area.bottom() - 8), theme)
         if self._scene.message:
@@ -232,11 +234,13 @@ class PictureView(Canvas):
             said.moveLeft(area.center().x() - said.width() / 2)
             draw_note(painter, said, self._scene.message, theme)
 
-    def _selected_box(self) -> QRectF | None:
-        """The selected person's box on the widget."""
-        chosen = (person for person in self._scene.people if person.selected)
-        person = next(chosen, None)
-        return self.viewport.rect(QRectF(*person.box)) if person is not None else None
+    def _draw_cards(
+        self, painter: QPainter, area: QRectF, taken: list[QRectF], theme: Theme
+    ) -> None:
+        """What is said of parts: also beside the picture, where there is room."""
+        people = {one.track: self.viewport.rect(QRectF(*one.box)) for one in self._scene.people}
+        inside = area.adjusted(2, 2, -2, -2)
+        draw_cards(painter, self._parts.cards, self.viewport, inside, people, taken, theme)
 
     def _draw_image(self, painter: QPainter) -> None:
         target = self.viewport.rect(self.content())

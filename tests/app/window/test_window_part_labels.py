@@ -51,6 +51,21 @@ def test_the_list_says_whose_scores_it_goes_by(suggested):
     assert all(one.reason.endswith(" of the built-in detector") for one in suggested().open)
 
 
+def test_while_labelling_the_verdict_and_whose_score_it_is_stand_on_the_picture(
+    hands, window, suggested
+):
+    (card,) = window.workspace.left._parts.cards
+    frame, track, part = suggested().current.key
+    rows = hands.desk.document.session.runs[0].parts
+    here = (rows["frame"] == frame) & (rows["track"] == track) & (rows["part"] == part)
+    said = next(line.text for line in card.lines if line.part == part)
+    assert f"{rows['score'][here][0]:+.2f}" in said
+    assert "of the run" in card.foot[0]
+    assert card.foot[1].endswith("of the built-in detector")
+    hands.press(Key.Key_Q)  # parts are hidden, the verdict of what is labelled is not
+    assert said in [line.text for line in window.workspace.left._parts.cards[0].lines]
+
+
 def test_an_answer_goes_on_to_the_next_suggestion_and_keeps_who_said_it_and_why(
     hands, suggested, labels, qtbot
 ):
