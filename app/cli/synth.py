@@ -2,29 +2,51 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 from app.cli.destination import check_folder, nearest_folder
 from app.cli.output import print_json, progress
-from tracking.synthesis import check_seconds, render_recording
+from tracking.synthesis import Circumstances, check_seconds, render_recording
 
 _BYTES_A_SECOND = 1 << 20
 
 
-def run_synth(
-    out: Path,
-    scene: str,
-    seconds: float | None,
-    people: int | None,
-    seed: int,
-    *,
-    as_json: bool,
-) -> None:
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """What is rendered.
+
+    Attributes:
+        scene: its name.
+        seconds, people: the scene's own if None.
+        seed: of all random numbers.
+        begin_s, dimmed_s, bumped_s: as `Circumstances` has them.
+    """
+
+    scene: str
+    seconds: float | None
+    people: int | None
+    seed: int
+    begin_s: float = 0.0
+    dimmed_s: float | None = None
+    bumped_s: float | None = None
+
+
+def run_synth(out: Path, wish: Wish, *, as_json: bool) -> None:
     """Render the recording and print where it stands."""
-    check_seconds(seconds)
-    check_folder(nearest_folder(out.parent), int((seconds or 0) * _BYTES_A_SECOND))
-    with progress(f"rendering {scene}") as advance:
-        folder = render_recording(out, scene, seconds, people, seed, advance)
+    check_seconds(wish.seconds)
+    circumstances = Circumstances(wish.begin_s, wish.dimmed_s, wish.bumped_s)
+    check_folder(nearest_folder(out.parent), int((wish.seconds or 0) * _BYTES_A_SECOND))
+    with progress(f"rendering {wish.scene}") as advance:
+        folder = render_recording(
+            out,
+            wish.scene,
+            wish.seconds,
+            wish.people,
+            wish.seed,
+            advance,
+            circumstances=circumstances,
+        )
     if as_json:
         print_json({"recording": str(folder)})
     else:

@@ -1,5 +1,6 @@
 """Scenes of walking people, rendered for two eyes with exact truth."""
 
+from tracking.synthesis.circumstances import Circumstances
 from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES
 from tracking.synthesis.specs import FloorSpec, LampSpec, SceneSpec, WallSpec
@@ -8,6 +9,7 @@ from tracking.synthesis.writing import check_seconds, render_recording
 
 __all__ = [
     "SCENES",
+    "Circumstances",
     "FloorSpec",
     "LampSpec",
     "Scene",

@@ -18,7 +18,7 @@ def write_programme(folder: Path, scene: Scene) -> None:
     difficulty (0: not rated).
     """
     _write_floor(folder / FLOOR, scene)
-    if scene.cast.moments:
+    if scene.moments():
         _write_moments(folder / MOMENTS, scene)
 
 
@@ -26,18 +26,19 @@ def _write_floor(path: Path, scene: Scene) -> None:
     with path.open("w", encoding="utf-8", newline="\n") as stream:
         stream.write("frame,id,x,y\n")
         for frame in range(scene.frames):
-            there = scene.cast.on_floor(frame)
-            for person, (x, y) in zip(there, scene.cast.places(there, frame), strict=True):
+            there = scene.on_floor(frame)
+            for person, (x, y) in zip(there, scene.places(frame), strict=True):
                 stream.write(f"{frame},{person + 1},{x:.4f},{y:.4f}\n")
 
 
 def _write_moments(path: Path, scene: Scene) -> None:
     with path.open("w", encoding="utf-8", newline="\n") as stream:
         stream.write("start,end,id,kind,name,difficulty\n")
-        for moment in scene.cast.moments:
-            start, end = (
-                min(round(s * scene.fps), scene.frames) for s in (moment.start_s, moment.end_s)
-            )
+        for moment in scene.moments():
+            seconds = moment.start_s, moment.end_s
+            start, end = (min(max(round(s * scene.fps), 0), scene.frames) for s in seconds)
+            if start == end:
+                continue
             who = 0 if moment.person == EVERYBODY else moment.person + 1
             name = f'"{moment.name}"' if "," in moment.name else moment.name
             stream.write(f"{start},{end},{who},{moment.kind},{name},{moment.difficulty}\n")

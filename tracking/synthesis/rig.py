@@ -40,7 +40,7 @@ class Rig:
         camera = Camera(matrix, np.zeros(5), width, height)
         translation = np.array([-BASELINE_M, 0.0, 0.0])
         return cls(
-            View(camera, Ground(spec.height_m, spec.tilt_deg)),
+            View(camera, Ground(spec.height_m, spec.tilt_deg, spec.roll_deg)),
             StereoCalibration(camera, camera, np.eye(3), translation),
         )
 

@@ -90,7 +90,7 @@ class SceneSpec:
 
     Attributes:
         name, title: as typed and as shown.
-        height_m, tilt_deg: the left camera over the floor.
+        height_m, tilt_deg, roll_deg: the left camera over the floor, as `Ground` has them.
         area_m: left, near, right, far of the floor where people walk to.
         entrances: sides of the area where people come in and go: left, right, near, far.
         people, seconds: what is rendered unless told otherwise.
@@ -126,6 +126,7 @@ class SceneSpec:
     stoops: float = 0.0
     contrasting: bool = False
     size_px: tuple[int, int] = (640, 480)
+    roll_deg: float = 0.0
     fps: float = 20.0
     eyes: int = 2
     focal: float = 510.0 / 640.0

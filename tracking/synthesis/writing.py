@@ -16,6 +16,7 @@ from tracking.formats import write_mot
 from tracking.geometry import write_calibration
 from tracking.recording import Manifest, write_manifest
 from tracking.synthesis.body import PARTS
+from tracking.synthesis.circumstances import ORDINARY, Circumstances
 from tracking.synthesis.programme_writing import write_programme
 from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES
@@ -42,6 +43,7 @@ def render_recording(
     size: tuple[int, int] | None = None,
     fps: float | None = None,
     eyes: int | None = None,
+    circumstances: Circumstances = ORDINARY,
 ) -> Path:
     """Render a scene into a recording folder with exact truth.
 
@@ -57,6 +59,7 @@ def render_recording(
         size: width and height of the images in px, even; the scene's own if None.
         fps: frames a second; the scene's own if None.
         eyes: 2, or 1 for a recording of the left eye alone; the scene's own if None.
+        circumstances: what is out of the ordinary.
 
     Returns:
         The folder.
@@ -69,10 +72,20 @@ def render_recording(
     spec = _spec_of(scene)
     fps, eyes = spec.fps if fps is None else fps, spec.eyes if eyes is None else eyes
     _check(seconds, people, spec.size_px if size is None else size, fps, eyes)
+    _check_begin(spec, seconds, circumstances)
     above = _missing_folders(folder.parent)
     part = _begin(folder)
     try:
-        rendered = Scene(spec, people, seed, seconds=seconds, size=size, fps=fps, eyes=eyes)
+        rendered = Scene(
+            spec,
+            people,
+            seed,
+            seconds=seconds,
+            size=size,
+            fps=fps,
+            eyes=eyes,
+            circumstances=circumstances,
+        )
         _write(part, rendered, seed, progress, cancelled)
         _finish(part, folder)
     except OSError as error:
@@ -109,6 +122,14 @@ def _check(
         raise SettingsError(f"fps is {fps:g}; give 1 to 240")
     if eyes not in (1, 2):
         raise SettingsError(f"eyes is {eyes}; give 1 or 2")
+
+
+def _check_begin(spec: SceneSpec, seconds: float | None, circumstances: Circumstances) -> None:
+    if seconds is None and circumstances.begin_s >= spec.seconds:
+        raise SettingsError(
+            f"begin is {circumstances.begin_s:g}, but the scene {spec.name} lasts "
+            f"{spec.seconds:g} seconds; begin earlier or give seconds"
+        )
 
 
 def _begin(folder: Path) -> Path:

@@ -89,9 +89,21 @@ def synth(
         int | None, typer.Option(help="How many.", show_default="the scene's own")
     ] = None,
     seed: options.Seed = 0,
+    begin: Annotated[
+        float, typer.Option(help="Leave out so many seconds: it begins with people in it.")
+    ] = 0.0,
+    dim: Annotated[
+        float | None,
+        typer.Option(help="Second at which a part of the light goes out.", show_default="never"),
+    ] = None,
+    bump: Annotated[
+        float | None,
+        typer.Option(help="Second at which the camera is knocked.", show_default="never"),
+    ] = None,
     json: options.Json = False,
 ) -> None:
     """Render a recording of people with exact truth, with one eye or two as the scene has it."""
-    from app.cli.synth import run_synth
+    from app.cli.synth import Wish, run_synth
 
-    run_synth(out, scene, seconds, people, seed, as_json=json)
+    wish = Wish(scene, seconds, people, seed, begin, dim, bump)
+    run_synth(out, wish, as_json=json)
