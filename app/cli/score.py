@@ -7,8 +7,9 @@ from pathlib import Path
 import typer
 
 from app.cli.output import print_json
-from app.cli.tracks import Tracks, tracks_at, truth_at
+from app.cli.tracks import Tracks, part_truth_beside, tracks_at, truth_at
 from tracking.scoring import BoxMatch, FloorMatch, Match, Score, ScoringTable, score
+from tracking.scoring.parts import Rates, judge, rates_of, read_part_truth, tracked_parts
 
 
 def run_score(
@@ -18,11 +19,26 @@ def run_score(
     if report is not None:
         raise typer.BadParameter("reports are not built yet; leave it out", param_hint="--report")
     how = FloorMatch(radius_m) if match == "floor" else BoxMatch()
-    found = score_of(tracks_at(result), truth_at(truth), how)
+    ours, true = tracks_at(result), truth_at(truth)
+    found, parts = score_of(ours, true, how), part_rates(ours, truth)
     if as_json:
-        print_json(found.as_json())
+        print_json(found.as_json() | ({} if parts is None else {"parts": parts.as_json()}))
     else:
-        print(found.as_text())
+        print(found.as_text() if parts is None else f"{found.as_text()}\n\n{parts.as_text()}")
+
+
+def part_rates(result: Tracks, truth: Path) -> Rates | None:
+    """How rightly body parts are followed; None where nobody did, or the truth tells of none.
+
+    Raises:
+        FormatError: the truth of parts cannot be read, or is of other footage.
+    """
+    folder = part_truth_beside(truth)
+    if folder is None or result.parts is None:
+        return None
+    footage = result.parts
+    true = read_part_truth(folder, result.frames, footage.size_px)
+    return rates_of(judge(true, tracked_parts(footage.columns), footage.fps))
 
 
 def score_of(result: Tracks, truth: Tracks, match: Match | None = None) -> Score:

@@ -13,6 +13,7 @@ from tracking.failure import (
     TRUE_PARTS,
     Samples,
     labels_from_truth,
+    people_followed,
     read_true_parts,
     samples_of,
     told_apart,
@@ -84,8 +85,8 @@ def taught_by(path: Path, how: How) -> Taught:
                 f"{path}: its tracks have no body parts; track it with three-part first"
             )
         if how.from_truth:
-            labels = _true_labels(session, path, run.parts, how)
-            samples = samples_of(labels, run.parts, recording.fps, recording.name)
+            labels, people = _true_labels(session, path, run.parts, how)
+            samples = samples_of(labels, run.parts, recording.fps, recording.name, people)
             said: Mapping[PartKey, PartLabel] = {label.key: label for label in labels}
         else:
             samples = samples_from(
@@ -105,10 +106,13 @@ def footage_of(session: Session, how: How) -> Recording:
         raise RecordingMissing(f"{session.path}: {named}") from missing
 
 
-def _true_labels(session: Session, path: Path, parts: Columns, how: How) -> list[PartLabel]:
-    """Labels of the run as it was made, by the truth beside its recording."""
+def _true_labels(
+    session: Session, path: Path, parts: Columns, how: How
+) -> tuple[list[PartLabel], dict[int, int]]:
+    """Labels of the run as it was made, by the truth beside its recording; who each track is."""
     with footage_of(session, how) as recording:
         truth = recording.folder / TRUE_PARTS
         if not truth.is_file():
             raise TrainingError(f"{path}: beside its recording is no {TRUE_PARTS}; label by hand")
-        return labels_from_truth(read_true_parts(truth), parts, recording.fps)
+        true, fps = read_true_parts(truth), recording.fps
+        return labels_from_truth(true, parts, fps), people_followed(true, parts, fps)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.errors import FormatError
+from tracking.failure import TRUE_PARTS
 from tracking.formats import read_mot
 from tracking.tracks import Columns
 
@@ -22,11 +23,27 @@ class Tracks:
         columns: at least `frame, track`, boxes and floor positions.
         frames: length of the recording; 0 where the file does not say.
         is_text: from MOT text, whose `conf` 0 marks don't-cares in truth.
+        parts: of the people's bodies, where the tracks are a session's whose tracker followed them.
     """
 
     columns: Columns
     frames: int
     is_text: bool
+    parts: FollowedParts | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class FollowedParts:
+    """Body parts and what is to be known of the footage they are in.
+
+    Attributes:
+        columns: `frame, track, part, cx, cy, width, height`, a row each part.
+        size_px, fps: of the recording.
+    """
+
+    columns: Columns
+    size_px: tuple[int, int]
+    fps: float
 
 
 def tracks_at(path: Path) -> Tracks:
@@ -67,7 +84,17 @@ def is_session(path: Path) -> bool:
 
 
 def _of_session(path: Path) -> Tracks:
-    from tracking.session import Session
+    from tracking.session import Session, corrected_parts
 
     with closing(Session.open(path)) as session:
-        return Tracks(session.tracks.columns(), session.recording.frame_count, is_text=False)
+        footage, parts = session.recording, corrected_parts(session)
+        followed = FollowedParts(parts, footage.size, footage.fps) if len(parts["frame"]) else None
+        columns = session.tracks.columns()
+        return Tracks(columns, footage.frame_count, is_text=False, parts=followed)
+
+
+def part_truth_beside(path: Path) -> Path | None:
+    """The folder with the truth of body parts that stands beside a truth; None: there is none."""
+    folder = path if path.is_dir() else path.parent
+    known = (path.is_dir() or not is_session(path)) and (folder / TRUE_PARTS).exists()
+    return folder if known else None

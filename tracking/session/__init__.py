@@ -1,7 +1,7 @@
 """The document, its HDF5 file, and what keeps both whole."""
 
 from tracking.session.belonging import ids_by_now, parts_by_now
-from tracking.session.body_parts import labels_in_place, session_samples
+from tracking.session.body_parts import corrected_parts, labels_in_place, session_samples
 from tracking.session.document import Session
 from tracking.session.edit_log import log_as_json, write_log_csv, write_log_json
 from tracking.session.errors import RecordingMissing
@@ -27,6 +27,7 @@ __all__ = [
     "SourceFingerprint",
     "author_named",
     "check_generation",
+    "corrected_parts",
     "describe",
     "generations",
     "ids_by_now",

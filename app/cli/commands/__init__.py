@@ -5,10 +5,10 @@ runs, so that help comes at once and no command waits for libraries it does not 
 """
 
 # isort: off
-from app.cli.commands import opening, tracking, measuring, sessions
+from app.cli.commands import opening, tracking, measuring, counting, sessions
 
 # isort: on
 from app.cli.commands.opening import SCENE_NAMES
 from app.cli.commands.program import program
 
-__all__ = ["SCENE_NAMES", "measuring", "opening", "program", "sessions", "tracking"]
+__all__ = ["SCENE_NAMES", "counting", "measuring", "opening", "program", "sessions", "tracking"]

@@ -73,7 +73,7 @@ def test_missing_memory_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert "not enough memory" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("name", ["count", "import", "batch"])
+@pytest.mark.parametrize("name", ["import", "batch"])
 def test_commands_to_come_say_so(capsys: pytest.CaptureFixture[str], name: str) -> None:
     assert run([name, "anything"]) == 2
     assert capsys.readouterr().err == f"trackwright: {name} is not built yet\n"

@@ -1,0 +1,152 @@
+"""`count`: passages over lines and people in regions, of a session's tracks."""
+
+from __future__ import annotations
+
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import typer
+
+from app.cli.destination import check_file
+from app.cli.drawn import line_of, refuse_repeated, region_of
+from app.cli.output import print_json, say
+from app.cli.tracks import is_session
+from app.presenters.files.exporting import exported_tracks
+from tracking.counting import Counts, How, LineCount, Occupancy, count, write_counts
+from tracking.errors import CountingError, OutputError
+from tracking.session import Session
+from tracking.tracks import CountingLine, Region
+
+
+@dataclass(frozen=True, slots=True)
+class Places:
+    """What is counted over and in.
+
+    Attributes:
+        lines, regions: in the order they were typed. drawn: they are those of the session.
+    """
+
+    lines: tuple[CountingLine, ...]
+    regions: tuple[Region, ...]
+    drawn: bool = False
+
+
+def run_count(
+    path: Path, named: Places, how: How, run: int | None, csv: Path | None, *, as_json: bool
+) -> None:
+    """Print the counts; with csv the steps go into that file."""
+    if csv is not None:
+        _check_csv(csv)
+    with closing(Session.open(path)) as session:
+        recording = session.recording
+        places = _places(session, named)
+        columns = exported_tracks(session, run)
+        try:
+            counts = count(
+                columns, recording.fps, recording.frame_count, places.lines, places.regions, how
+            )
+        except CountingError as error:
+            told = str(error).replace("in the picture", "in the picture (--picture-line, -region)")
+            raise CountingError(f"{path}: {told}") from error
+    _say_what(places, run)
+    if csv is not None:
+        write_counts(csv, counts)
+        say(f"{len(counts.steps)} steps of {how.step_s:g} s: {csv}")
+    if as_json:
+        print_json(counts_as_json(counts))
+    else:
+        print("\n".join(_lines_of(counts)))
+
+
+def places_named(
+    lines: list[str], regions: list[str], picture_lines: list[str], picture_regions: list[str]
+) -> Places:
+    """What was typed. Raises BadParameter where something is no line or region."""
+    over = [line_of(text, in_picture=False) for text in lines]
+    over += [line_of(text, in_picture=True) for text in picture_lines]
+    within = [region_of(text, in_picture=False) for text in regions]
+    within += [region_of(text, in_picture=True) for text in picture_regions]
+    refuse_repeated(over, "--line")
+    refuse_repeated(within, "--region")
+    return Places(tuple(over), tuple(within))
+
+
+def counts_as_json(counts: Counts) -> dict[str, Any]:
+    """As the contract names it."""
+    lines = {one.line.name: dict(_ways(one)) for one in counts.lines}
+    regions = {one.region.name: {"person_steps": one.person_steps} for one in counts.regions}
+    return {"lines": lines, "regions": regions}
+
+
+def _check_csv(csv: Path) -> None:
+    check_file(csv)
+    if csv.exists() and is_session(csv):
+        raise OutputError(f"{csv} is a session and would be lost; choose another name with --csv")
+
+
+def _places(session: Session, named: Places) -> Places:
+    """What was named, else what is drawn in the session."""
+    if named.lines or named.regions:
+        return named
+    drawn = Places(session.labels.lines, session.labels.regions, drawn=True)
+    if not (drawn.lines or drawn.regions):
+        raise CountingError(
+            f"{session.path} has no lines or regions drawn in it; name some (--line, --region)"
+        )
+    return drawn
+
+
+def _say_what(places: Places, run: int | None) -> None:
+    tracks = "the corrected tracks" if run is None else f"run {run}"
+    origin = "drawn in the session" if places.drawn else "as named"
+    names = [
+        f"{word} {', '.join(item.name for item in items)}"
+        for word, items in (("lines", places.lines), ("regions", places.regions))
+        if items
+    ]
+    say(f"{tracks}; {'; '.join(names)}, {origin}")
+
+
+def _ways(line: LineCount) -> tuple[tuple[str, int], tuple[str, int]]:
+    forward, backward = line.totals
+    return ("forward", forward), ("backward", backward)
+
+
+def _lines_of(counts: Counts) -> list[str]:
+    """The totals for people: a table of lines, then one of regions."""
+    told = []
+    if counts.lines:
+        rows = [(one.line.name, *(str(n) for _, n in _ways(one))) for one in counts.lines]
+        told += _table(("line", "forward", "backward"), rows)
+    if counts.regions:
+        headings = ("region", "person-steps", "most people", "mean people")
+        told += _table(headings, [_region_row(one) for one in counts.regions])
+    return told
+
+
+def _region_row(one: Occupancy) -> tuple[str, ...]:
+    most = int(one.people.max(initial=0))
+    mean = one.people.mean() if len(one.people) else 0.0
+    return one.region.name, str(one.person_steps), str(most), f"{mean:.2f}"
+
+
+def _table(headings: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
+    """Names to the left, numbers to the right."""
+    widths = [max(len(row[column]) for row in (headings, *rows)) for column in range(len(headings))]
+    return [
+        "  ".join(
+            [row[0].ljust(widths[0])]
+            + [cell.rjust(width) for cell, width in zip(row[1:], widths[1:], strict=True)]
+        )
+        for row in (headings, *rows)
+    ]
+
+
+def how_of(step_s: float, jitter_m: float, jitter_px: float) -> How:
+    """Raises BadParameter for a step or a distance that is none."""
+    for value, option in ((step_s, "--step"), (jitter_m, "--jitter"), (jitter_px, "--jitter-px")):
+        if not 0 <= value < float("inf") or (option == "--step" and value == 0):
+            raise typer.BadParameter(f"{value:g} is no length", param_hint=option)
+    return How(step_s, jitter_m, jitter_px)

@@ -1,0 +1,77 @@
+"""Lines and regions as they are typed: NAME:x1,y1:x2,y2 and NAME:x,y:x,y:x,y..."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TypeVar
+
+import typer
+
+from tracking.errors import EditError
+from tracking.tracks import CountingLine, Region, check_line, check_region
+
+_Drawn = TypeVar("_Drawn", CountingLine, Region)
+_Corners = tuple[tuple[float, float], ...]
+
+
+def line_of(text: str, *, in_picture: bool) -> CountingLine:
+    """A line of what was typed. Raises BadParameter where it is none."""
+    option = "--picture-line" if in_picture else "--line"
+    name, corners = _parted(text, option)
+    if len(corners) != 2:
+        raise _misuse(f"{text!r} has {len(corners)} ends; type NAME:x1,y1:x2,y2", option)
+    line = CountingLine(name, corners[0], corners[1], in_picture)
+    return _checked(line, check_line, option)
+
+
+def region_of(text: str, *, in_picture: bool) -> Region:
+    """A region of what was typed. Raises BadParameter where it is none."""
+    option = "--picture-region" if in_picture else "--region"
+    name, corners = _parted(text, option)
+    return _checked(Region(name, corners, in_picture), check_region, option)
+
+
+def refuse_repeated(drawn: Sequence[CountingLine] | Sequence[Region], option: str) -> None:
+    """Raises BadParameter where a name stands twice: results are told by name."""
+    names = [item.name for item in drawn]
+    for name in names:
+        if names.count(name) > 1:
+            raise _misuse(f"{name!r} is named twice; give each a name of its own", option)
+
+
+def _parted(text: str, option: str) -> tuple[str, _Corners]:
+    """The name, which may hold colons, and the corners behind it."""
+    name, *parts = text.split(":")
+    corners: list[tuple[float, float]] = []
+    for part in reversed(parts):
+        corner = _corner(part)
+        if corner is None:
+            break
+        corners.insert(0, corner)
+    name = ":".join([name, *parts[: len(parts) - len(corners)]])
+    if not corners:
+        raise _misuse(f"{text!r} has no corners; type NAME:x,y:x,y with numbers", option)
+    if "," in name and len(corners) < len(parts):
+        raise _misuse(f"{text!r}: {name.rpartition(':')[2]!r} is no corner x,y", option)
+    return name.strip(), tuple(corners)
+
+
+def _corner(part: str) -> tuple[float, float] | None:
+    numbers = part.split(",")
+    try:
+        x, y = map(float, numbers)
+    except ValueError:
+        return None
+    return x, y
+
+
+def _checked(item: _Drawn, check: Callable[[_Drawn], None], option: str) -> _Drawn:
+    try:
+        check(item)
+    except EditError as error:
+        raise _misuse(str(error), option) from error
+    return item
+
+
+def _misuse(message: str, option: str) -> typer.BadParameter:
+    return typer.BadParameter(message, param_hint=option)
