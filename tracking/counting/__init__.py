@@ -8,9 +8,11 @@ from tracking.counting.paths import Paths
 from tracking.counting.polygons import area, inside
 from tracking.counting.speeds import WINDOW_S, half_window, speeds
 from tracking.counting.steps import PAPER_STEP_S, Steps
+from tracking.counting.table import HEADINGS, number_as_text, rows_of, write_counts
 from tracking.tracks.labels import CountingLine, Region
 
 __all__ = [
+    "HEADINGS",
     "LATEST_S",
     "PAPER_STEP_S",
     "WINDOW_S",
@@ -31,8 +33,11 @@ __all__ = [
     "density_of",
     "half_window",
     "inside",
+    "number_as_text",
     "occupancy",
     "passages",
     "passages_of_line",
+    "rows_of",
     "speeds",
+    "write_counts",
 ]
