@@ -21,7 +21,7 @@ LONGEST_S = 10.0
 
 _STRETCH = (0.95, 1.12)
 _SHIFT_M = 0.07
-_W, _N, _E, _S = -2.95, 2.40, 2.95, -2.40  # out of view, at each side
+_W, _N, _E, _S = -3.1, 2.4, 3.1, -2.4  # out of view, at each side
 
 Floats = NDArray[np.float64]
 Points = Sequence[tuple[float, float, float]]
