@@ -2,22 +2,25 @@
 
 from tracking.counting.comparison import LATEST_S, Hits, compare_passages
 from tracking.counting.counts import Counts, How, LineCount, check_countable, count
+from tracking.counting.flow_map import CELL_M, FlowMap, flow_map
 from tracking.counting.occupancy import Occupancy, density_of, occupancy
 from tracking.counting.passages import Passages, passages, passages_of_line
 from tracking.counting.paths import Paths
 from tracking.counting.polygons import area, inside
-from tracking.counting.speeds import WINDOW_S, half_window, speeds
+from tracking.counting.speeds import WINDOW_S, half_window, speeds, velocities
 from tracking.counting.steps import PAPER_STEP_S, Steps
 from tracking.counting.table import HEADINGS, number_as_text, rows_of, write_counts
 from tracking.tracks.labels import CountingLine, Region
 
 __all__ = [
+    "CELL_M",
     "HEADINGS",
     "LATEST_S",
     "PAPER_STEP_S",
     "WINDOW_S",
     "CountingLine",
     "Counts",
+    "FlowMap",
     "Hits",
     "How",
     "LineCount",
@@ -31,6 +34,7 @@ __all__ = [
     "compare_passages",
     "count",
     "density_of",
+    "flow_map",
     "half_window",
     "inside",
     "number_as_text",
@@ -39,5 +43,6 @@ __all__ = [
     "passages_of_line",
     "rows_of",
     "speeds",
+    "velocities",
     "write_counts",
 ]

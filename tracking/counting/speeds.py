@@ -18,12 +18,19 @@ def half_window(fps: float, window_s: float = WINDOW_S) -> int:
 
 
 def speeds(paths: Paths, fps: float, frame_step: int | None = None) -> Floats:
-    """(n,) the speed at each place: metres a second of paths on the floor.
+    """(n,) the length of `velocities`."""
+    velocity = velocities(paths, fps, frame_step)
+    speed: Floats = np.hypot(velocity[:, 0], velocity[:, 1])
+    return speed
+
+
+def velocities(paths: Paths, fps: float, frame_step: int | None = None) -> Floats:
+    """(n, 2) how fast and where to at each place: metres a second of paths on the floor.
 
     The way between the places frame_step frames before and after, over the time between them. At
     the ends of a track, where one of the two is missing, the place itself stands for it; where
     both are, the track's first and last do. In gaps a track goes straight. NaN for a track of
-    one place. On tracks without gaps that are longer than frame_step these are the speeds of
+    one place. On tracks without gaps that are longer than frame_step their length is the speed of
     PedPy's `compute_individual_speed` with `BORDER_SINGLE_SIDED`.
 
     Args:
@@ -31,7 +38,7 @@ def speeds(paths: Paths, fps: float, frame_step: int | None = None) -> Floats:
     """
     step = half_window(fps) if frame_step is None else frame_step
     if not len(paths):
-        return np.zeros(0)
+        return np.zeros((0, 2))
     first, last = _ends(paths)
     earlier, later = paths.frame - step, paths.frame + step
     no_past, no_future = earlier < first, later > last
@@ -41,8 +48,8 @@ def speeds(paths: Paths, fps: float, frame_step: int | None = None) -> Floats:
     way = _at(paths, later) - _at(paths, earlier)
     took_s = (later - earlier) / fps
     with np.errstate(invalid="ignore", divide="ignore"):
-        speed: Floats = np.where(took_s > 0, np.hypot(*way.T) / took_s, np.nan)
-    return speed
+        velocity: Floats = np.where(took_s > 0, way.T / took_s, np.nan).T
+    return velocity
 
 
 def _ends(paths: Paths) -> tuple[Integers, Integers]:
