@@ -16,8 +16,8 @@ from tracking.scoring.parts.rectangles import Bools, Floats
 PARTS = ("head", "torso", "hip_leg")
 SUBJECTS = (*PARTS, "person")
 LAST_FRAME = 150
-PAPERS_FRAME = 105
-"""The frame whose rates [ZhaoLee2009] gives."""
+TOLD_FRAMES = (50, 105)
+"""After so many frames people are told the rates: [ZhaoLee2009] gives those of frame 105."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,7 +67,7 @@ class Rates:
         """A table for people: a column for each of `SUBJECTS`, and how many it is about."""
         lines = [_line("body parts", [name.replace("_", "-") for name in SUBJECTS], "people")]
         lines.append(_line("right, of all frames", _percent(self.overall), str(self.judged)))
-        for frame in (PAPERS_FRAME // 2, PAPERS_FRAME):
+        for frame in TOLD_FRAMES:
             if frame < len(self.people) and self.people[frame]:
                 count = str(self.people[frame])
                 lines.append(_line(f"right {frame} frames on", _percent(self.right[frame]), count))
