@@ -1,0 +1,1 @@
+"""How well a flow of people is counted from tracklets: scenes, measures, the report."""

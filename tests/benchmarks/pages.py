@@ -1,0 +1,55 @@
+"""Pages of results: figures kept section by section as JSON, and the page made of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+Figures = Mapping[str, Any]
+DOCS = Path(__file__).parents[2] / "docs"
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A Markdown table; the first column is text, the others are numbers."""
+    lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def met(ours: float, goal: float, *, at_most: bool = False, digits: int = 1) -> str:
+    """Whether a goal is met, or by how much it is missed."""
+    lack = ours - goal if at_most else goal - ours
+    if lack <= 0:
+        return "met"
+    return f"missed by {lack:.{digits}f}" if lack == lack else "not measured"
+
+
+class Page:
+    """One subject's page in a folder, and its figures beside it."""
+
+    def __init__(self, subject: str, folder: Path = DOCS / "results") -> None:
+        """The page of a subject, e.g. "flow"."""
+        self._folder = folder
+        self._page, self._kept = folder / f"{subject}.md", folder / f"{subject}.json"
+
+    def figures(self) -> dict[str, Any]:
+        """What has been measured so far."""
+        if not self._kept.is_file():
+            return {}
+        return dict(json.loads(self._kept.read_text(encoding="utf-8")))
+
+    def keep(self, name: str, found: Any) -> dict[str, Any]:
+        """Put a section's figures in the place of its older ones; all figures."""
+        figures = {**self.figures(), name: found}
+        self._folder.mkdir(parents=True, exist_ok=True)
+        self._kept.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
+        return figures
+
+    def write(self, introduction: str, writers: Mapping[str, Callable[[Any], str]]) -> None:
+        """Write the page; sections that were not measured are left out."""
+        figures = self.figures()
+        parts = [introduction]
+        parts += [write(figures[name]) for name, write in writers.items() if name in figures]
+        text = "\n\n".join(part.strip() for part in parts) + "\n"
+        self._page.write_text(text, encoding="utf-8")
