@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,8 @@ from app.cli.tracks import is_session
 from tracking.formats import read_mot
 from tracking.recording import Recording
 
+_LONGEST = 60
+
 
 def run_info(path: Path | None, bare: Bare, *, as_json: bool) -> None:
     """Print it."""
@@ -25,7 +28,7 @@ def run_info(path: Path | None, bare: Bare, *, as_json: bool) -> None:
     if as_json:
         print_json(facts)
     else:
-        print_table([(name.replace("_", " "), _shown(value)) for name, value in facts.items()])
+        print_table(list(_rows(facts)))
 
 
 def _of_recording(recording: Recording) -> dict[str, Any]:
@@ -63,6 +66,35 @@ def _truth_people(recording: Recording) -> int | None:
     if recording.truth_path is None:
         return None
     return len(np.unique(read_mot(recording.truth_path)["track"]))
+
+
+def _rows(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Facts as lines for people: each run and each kind of label has one of its own."""
+    for name, value in facts.items():
+        if name == "runs":
+            yield from ((f"run {n}", _run(run)) for n, run in enumerate(value))
+        elif name == "labels":
+            parts = value["parts"].items()
+            yield from ((f"{part.replace('_', '-')} labels", _shown(said)) for part, said in parts)
+            others = (item for item in value.items() if item[0] != "parts")
+            yield from ((what.replace("_", " "), _shown(count)) for what, count in others)
+        else:
+            yield name.replace("_", " "), _shown(value)
+
+
+def _run(run: Mapping[str, Any]) -> str:
+    """How a run was made, in a line."""
+    first, end = run["frames"]
+    said = [run["tracker"], f"frames {first} to {end - 1}", f"seed {run['seed']}"]
+    if run["detector"]:
+        said.append(f"{run['detector_from']} detector {run['detector']}")
+    said += [f"{name} {_short(_shown(value))}" for name, value in run["settings"].items()]
+    return ", ".join(said)
+
+
+def _short(text: str) -> str:
+    """Outlines of occluders, as a setting, are longer than anybody reads."""
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
 
 
 def _shown(value: Any) -> str:

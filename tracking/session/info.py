@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import json
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import h5py
 import numpy as np
 
+from tracking.errors import EditError, SessionError
 from tracking.session.edited import Edited
 from tracking.session.hdf5 import opened, text_attribute
+from tracking.session.label_tables import read_labels
 from tracking.session.reading import check_file, read_recording
 from tracking.session.waiting import read_with_waiting
+from tracking.trackers import changed_settings
+from tracking.tracks import PART_NAMES, Labels
 
 
 def describe(path: Path) -> dict[str, Any]:
@@ -23,7 +31,7 @@ def describe(path: Path) -> dict[str, Any]:
     """
     check_file(path)
     waiting = read_with_waiting(path)
-    with opened(path) as file:
+    with _told(path) as file:
         recording = read_recording(file["recording"])
         return {
             "kind": "session",
@@ -37,22 +45,39 @@ def describe(path: Path) -> dict[str, Any]:
             "calibrated": bool(recording.calibration),
             "duration_s": recording.frame_count / recording.fps if recording.fps else 0.0,
             **(_in_file(file) if waiting is None else _as_opened(*waiting)),
-            "runs": [
-                {
-                    "tracker": text_attribute(file[f"runs/{number}"], "tracker"),
-                    "frames": [int(frame) for frame in file[f"runs/{number}"].attrs["frames"]],
-                    "seed": int(file[f"runs/{number}"].attrs["seed"]),
-                    "detector": text_attribute(file[f"runs/{number}"], "detector"),
-                }
-                for number in range(len(file["runs"]))
-            ],
+            "runs": [_run(file[f"runs/{number}"]) for number in range(len(file["runs"]))],
             "created": text_attribute(file, "created"),
             "modified": text_attribute(file, "modified"),
             "software": text_attribute(file, "software"),
         }
 
 
-def _in_file(file: h5py.File) -> dict[str, int]:
+@contextmanager
+def _told(path: Path) -> Iterator[h5py.File]:
+    """The file; what it says wrongly of people's labels is damage."""
+    try:
+        with opened(path) as file:
+            yield file
+    except EditError as why:
+        raise SessionError(f"{path}: the session file is damaged: {why}") from why
+
+
+def _run(group: h5py.Group) -> dict[str, Any]:
+    """A run: how it was made, with the settings that are not its tracker's defaults."""
+    tracker, detector = text_attribute(group, "tracker"), text_attribute(group, "detector")
+    settings = json.loads(text_attribute(group, "settings"))
+    own = "file" if settings.get("detector") else "built-in"
+    return {
+        "tracker": tracker,
+        "frames": [int(frame) for frame in group.attrs["frames"]],
+        "seed": int(group.attrs["seed"]),
+        "detector": detector,
+        "detector_from": own if detector else None,
+        "settings": changed_settings(tracker, settings),
+    }
+
+
+def _in_file(file: h5py.File) -> dict[str, Any]:
     """What changes with edits, as it was saved."""
     undone = file["edits/undone"][()]
     return {
@@ -61,10 +86,11 @@ def _in_file(file: h5py.File) -> dict[str, int]:
         "edits": int(np.count_nonzero(~undone)),
         "undone_edits": int(np.count_nonzero(undone)),
         "edits_waiting_in_journal": 0,
+        "labels": _counted(read_labels(file)),
     }
 
 
-def _as_opened(edited: Edited, waiting: int) -> dict[str, int]:
+def _as_opened(edited: Edited, waiting: int) -> dict[str, Any]:
     """The same with the journal's steps."""
     undone = sum(entry.undone for entry in edited.history.entries)
     return {
@@ -73,4 +99,23 @@ def _as_opened(edited: Edited, waiting: int) -> dict[str, int]:
         "edits": len(edited.history) - undone,
         "undone_edits": undone,
         "edits_waiting_in_journal": waiting,
+        "labels": _counted(edited.labels),
+    }
+
+
+def _counted(labels: Labels) -> dict[str, Any]:
+    """How much people said, by what it is about."""
+    said = Counter((one.part, one.on_part) for one in labels.parts.values())
+    answers = {"on": True, "off": False, "unsure": None}
+    return {
+        "parts": {
+            part.replace("-", "_"): {word: said[number, on] for word, on in answers.items()}
+            for number, part in enumerate(PART_NAMES)
+        },
+        "occluders": len(labels.occluders),
+        "lines": len(labels.lines),
+        "regions": len(labels.regions),
+        "reviewed_ranges": len(labels.reviewed),
+        "described_tracks": len(labels.tracks),
+        "decided_suspicions": len(labels.verdicts),
     }

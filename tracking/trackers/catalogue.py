@@ -11,7 +11,7 @@ from tracking.errors import CalibrationError, RecordingError, SettingsError
 from tracking.recording import Recording
 from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.protocol import Perception, Tracker
-from tracking.trackers.settings import settings_from_text
+from tracking.trackers.settings import settings_from_text, settings_values
 from tracking.trackers.three_part import (
     ThreePartSettings,
     WholeBodySettings,
@@ -125,6 +125,20 @@ def detector_of(name: str, settings: Mapping[str, Any]) -> str:
     """Fingerprint of the failure detector a run of that tracker used; "" for none."""
     spec = TRACKERS.get(name)
     return spec.detector(settings) if spec is not None else ""
+
+
+def changed_settings(name: str, settings: Mapping[str, Any]) -> dict[str, Any]:
+    """Of a run's settings, by their dotted names, those that are not that tracker's defaults.
+
+    Of a tracker that is not in the catalogue all of them.
+    """
+    spec = TRACKERS.get(name)
+    defaults = {} if spec is None else settings_values(spec.settings_type())
+    return {
+        key: value
+        for key, value in settings.items()
+        if key not in defaults or defaults[key] != value
+    }
 
 
 def require(spec: TrackerSpec, recording: Recording) -> None:

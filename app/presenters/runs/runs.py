@@ -10,12 +10,11 @@ import numpy as np
 
 from app.presenters.panels import local_time
 from app.presenters.words import counted, tr
-from tracking.errors import TrackwrightError
 from tracking.formats import read_mot
 from tracking.recording import Recording
 from tracking.scoring import ScoringTable, score
 from tracking.session import Session
-from tracking.trackers import settings_values, tracker_named
+from tracking.trackers import TRACKERS, changed_settings
 from tracking.tracks import Columns, Run
 
 Report = Callable[[int, int], None]
@@ -152,15 +151,8 @@ def _scored(truth: Columns, columns: Columns, frames: tuple[int, int]) -> Mappin
 
 def _settings_text(run: Run) -> str:
     """The settings that are not the tracker's defaults; of an unknown tracker, none."""
-    try:
-        defaults = settings_values(tracker_named(run.tracker).settings_type())
-    except TrackwrightError:
-        return ""
-    changed = [
-        f"{name} {value}"
-        for name, value in run.settings.items()
-        if name in defaults and defaults[name] != value
-    ]
+    known = changed_settings(run.tracker, run.settings) if run.tracker in TRACKERS else {}
+    changed = [f"{name} {value}" for name, value in known.items()]
     if run.seed:
         changed.append(tr("seed {n}", n=run.seed))
     return ", ".join(changed)
