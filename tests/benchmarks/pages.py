@@ -31,6 +31,7 @@ class Page:
     def __init__(self, subject: str, folder: Path = DOCS / "results") -> None:
         """The page of a subject, e.g. "flow"."""
         self._folder = folder
+        self._subject = subject
         self._page, self._kept = folder / f"{subject}.md", folder / f"{subject}.json"
 
     def figures(self) -> dict[str, Any]:
@@ -45,6 +46,10 @@ class Page:
         self._folder.mkdir(parents=True, exist_ok=True)
         self._kept.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
         return figures
+
+    def picture(self, name: str, drawn: str) -> None:
+        """Put an SVG picture beside the page, as `<subject>-<name>.svg`."""
+        (self._folder / f"{self._subject}-{name}.svg").write_text(drawn, encoding="utf-8")
 
     def write(self, introduction: str, writers: Mapping[str, Callable[[Any], str]]) -> None:
         """Write the page; sections that were not measured are left out."""

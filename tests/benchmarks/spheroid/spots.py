@@ -39,17 +39,17 @@ def _by_name(clips: Sequence[Clip], kind: str, kept: Path | None) -> dict[str, A
     errors = {
         name: np.concatenate([rows.error_m for rows in several]) for name, several in found.items()
     }
-    result: dict[str, Any] = {name: _told(values) for name, values in errors.items()}
+    result: dict[str, Any] = {name: told_of(values) for name, values in errors.items()}
     if kind == "walks":
         for name, several in found.items():
             result[name]["across_cm"] = _mean_cm(
                 np.concatenate([_across(rows, name) for rows in several])
             )
-    result["all"] = _told(np.concatenate(list(errors.values())))
+    result["all"] = told_of(np.concatenate(list(errors.values())))
     return result
 
 
-def _told(error_m: NDArray[np.float64]) -> dict[str, Any]:
+def told_of(error_m: NDArray[np.float64]) -> dict[str, Any]:
     known = error_m[np.isfinite(error_m)]
     return {
         "mean_cm": _mean_cm(error_m),

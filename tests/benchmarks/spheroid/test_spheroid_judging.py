@@ -1,0 +1,88 @@
+"""What the benchmark of spheroids says of tracks whose faults are known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.benchmarks.rendered import Columns
+from tests.benchmarks.spheroid.following import Followed, follow
+from tests.benchmarks.spheroid.ghosts import ghosts_s
+from tests.benchmarks.spheroid.hard import verdict
+from tests.benchmarks.spheroid.recordings import told
+from tests.benchmarks.spheroid.spots import told_of
+
+
+def _columns(rows: list[tuple[int, int, float, float]]) -> Columns:
+    table = np.array(rows, float).reshape(-1, 4)
+    return {
+        "frame": table[:, 0].astype(np.int64),
+        "track": table[:, 1].astype(np.int64),
+        "x": table[:, 2],
+        "y": table[:, 3],
+    }
+
+
+def _two_who_pass(ids: tuple[list[int], list[int]]) -> Followed:
+    """Two people 2 m apart for six frames, followed by these ids, 0 for nobody."""
+    truth = [(frame, person, 0.0, 2.0 * person) for frame in range(6) for person in (1, 2)]
+    tracks = [
+        (frame, own[frame], 0.0, 2.0 * person)
+        for frame in range(6)
+        for person, own in zip((1, 2), ids, strict=True)
+        if own[frame]
+    ]
+    return follow(_columns(truth), _columns(tracks), 0.7)
+
+
+def test_people_who_keep_their_tracks_are_neither_swapped_nor_lost() -> None:
+    assert verdict(_two_who_pass(([1] * 6, [2] * 6))) == {"swapped": 0, "renamed": 0, "missed": 0}
+
+
+def test_two_tracks_that_change_places_are_two_swapped() -> None:
+    followed = _two_who_pass(([1, 1, 1, 2, 2, 2], [2, 2, 2, 1, 1, 1]))
+    assert verdict(followed) == {"swapped": 2, "renamed": 0, "missed": 0}
+
+
+def test_who_is_lost_and_found_again_is_renamed() -> None:
+    followed = _two_who_pass(([1, 1, 0, 0, 7, 7], [2] * 6))
+    assert verdict(followed) == {"swapped": 0, "renamed": 1, "missed": 0}
+
+
+def test_who_is_hardly_followed_is_missed() -> None:
+    frames = 20
+    truth = [(frame, 1, 0.0, 0.0) for frame in range(frames)]
+    tracks = [(frame, 1, 0.1, 0.0) for frame in range(8)]
+    assert verdict(follow(_columns(truth), _columns(tracks), 0.7))["missed"] == 1
+
+
+def test_the_error_is_the_distance_on_the_floor_and_nothing_where_nobody_follows() -> None:
+    truth = [(frame, 3, 1.0, 1.0) for frame in range(4)]
+    tracks = [(0, 1, 1.03, 1.04), (1, 1, 1.0, 1.1), (2, 1, 3.0, 3.0)]
+    followed = follow(_columns(truth), _columns(tracks), 0.6)
+    assert followed.error_m == pytest.approx([0.05, 0.1, np.nan, np.nan], nan_ok=True)
+    said = told_of(followed.during(0, 4, 3).error_m)
+    assert said["mean_cm"] == pytest.approx(7.5)
+    assert said["std_cm"] == pytest.approx(2.5)
+    assert said["followed"] == 0.5
+    assert len(followed.during(1, 2, 3).frame) == 1
+    assert len(followed.during(0, 4, 5).frame) == 0
+
+
+def test_a_track_is_a_ghost_while_nobody_is_near_it() -> None:
+    truth = [(frame, 1, 0.0, 0.0) for frame in range(10)]
+    tracks = [(frame, 1, 0.2, 0.0) for frame in range(10)]
+    tracks += [(frame, 2, 0.2 if frame < 4 else 5.0, 0.5) for frame in range(20)]
+    stays = sorted(_columns(sorted(tracks))["frame"].tolist())
+    assert len(stays) == 30
+    seconds = ghosts_s(_columns(truth), _columns(sorted(tracks)), fps=2.0)
+    assert seconds == pytest.approx([0.0, 8.0])
+
+
+def test_a_gap_ends_a_ghost_s_stretch() -> None:
+    tracks = [(frame, 1, 5.0, 0.0) for frame in (0, 1, 2, 6, 7)]
+    assert ghosts_s(_columns([]), _columns(tracks), fps=1.0) == pytest.approx([3.0])
+
+
+def test_a_tracker_without_floor_positions_gets_a_row_that_says_so() -> None:
+    assert told("pets", "three-part", None) == {"recording": "pets", "tracker": "three-part"}
