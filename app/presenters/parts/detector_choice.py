@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +15,8 @@ from tracking.trackers import settings_fields, settings_from
 from tracking.trackers.three_part import occluders_as_setting
 from tracking.tracks import Occluder
 
+KEPT = re.compile(r"trained-[0-9a-f]+\.h5")
+"""Files of detectors that were trained in the window and given no place by the user."""
 DETECTOR, OCCLUDERS = "detector", "occluders"
 """Settings of trackers that follow parts; the window fills them in by itself."""
 
@@ -29,8 +33,20 @@ class DetectorChoice:
 
     @property
     def name(self) -> str:
-        """For people."""
-        return Path(self.path).name if self.path else tr("built-in detector")
+        """For people: of one that was trained and kept here, when; else of its file."""
+        if not self.path:
+            return tr("built-in detector")
+        path = Path(self.path)
+        if KEPT.fullmatch(path.name) and path.is_file():
+            made = datetime.fromtimestamp(path.stat().st_mtime)
+            return tr("detector trained {when}", when=f"{made:%Y-%m-%d %H:%M}")
+        return path.name
+
+    @property
+    def whose(self) -> str:
+        """As a score is said to be its."""
+        named_by_file = self.name == Path(self.path).name
+        return self.name if named_by_file else tr("the {detector}", detector=self.name)
 
     def load(self) -> Detector:
         """The detector; reading a file takes a moment.

@@ -24,13 +24,13 @@ def suggestions_for(
         raise EditError(tr("No parts were tracked: track with three-part (Ctrl+T) first"))
     parts = parts_by_now(table, run, table.track_ids)
     found = suggest(parts, fps, choice.load(), labels.parts)
-    return tuple(_suggested(one, labels, fps, choice.name) for one in found)
+    return tuple(_suggested(one, labels, fps, choice.whose) for one in found)
 
 
 def _suggested(one: Suggestion, labels: Labels, fps: float, scored_by: str) -> Suggested:
     return Suggested(
         key=one.key,
-        reason=f"unsure: score {one.score:+.2f} of the {scored_by}",
+        reason=f"unsure: score {one.score:+.2f} of {scored_by}",
         title=part_name(one.part),
         label=labels.title(one.track),
         colour=colour_of_track(one.track),

@@ -73,12 +73,15 @@ class Source:
     Attributes:
         title: for people. path: of the file; None for the open session. samples: its labels.
         footage: tells recordings of one name apart; "" for a table.
+        recording: its name; "" for a table, which names its own. fps: 0: not known.
     """
 
     title: str
     path: Path | None
     samples: Samples
     footage: str
+    recording: str = ""
+    fps: float = 0.0
 
     @property
     def said(self) -> str:
@@ -95,8 +98,26 @@ def source_at(path: Path) -> Source:
     if path.suffix.lower() == ".csv":
         return Source(path.name, path, read_samples(path), "")
     with closing(Session.open(path)) as session:
-        title = f"{session.recording.name} ({path.name})"
-        return Source(title, path, session_samples(session), session.recording.footage)
+        seen = session.recording
+        title = f"{seen.name} ({path.name})"
+        return Source(title, path, session_samples(session), seen.footage, seen.name, seen.fps)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Taught:
+    """What a detector learns from.
+
+    Attributes:
+        samples: of all `sources`, one source's after the other's.
+    """
+
+    samples: Samples
+    sources: tuple[Source, ...]
+
+    def source_of(self, sample: int) -> Source:
+        """Where a row of the samples comes from."""
+        ends = np.cumsum([len(one.samples) for one in self.sources])
+        return self.sources[int(np.searchsorted(ends, sample, "right"))]
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,18 +151,24 @@ def counts_of(samples: Samples) -> tuple[PartCount, ...]:
 
 
 def _missing(on: int, off: int, people_on: int, people_off: int) -> str:
+    """Everything that is missing, of both answers, so that nothing comes up only later."""
     said = []
     for samples, people, which in ((on, people_on, tr("on")), (off, people_off, tr("off"))):
-        if samples < LEAST_SAMPLES:
-            said.append(tr("label {n} more {which}", n=LEAST_SAMPLES - samples, which=which))
+        few = LEAST_SAMPLES - samples
+        if few > 0 and people < LEAST_PEOPLE:
+            words = tr("label {n} more {which}, in all of {people} people or more")
+            said.append(words.format(n=few, which=which, people=LEAST_PEOPLE))
+        elif few > 0:
+            said.append(tr("label {n} more {which}", n=few, which=which))
         elif people < LEAST_PEOPLE:
             said.append(tr("label one more person {which}", which=which))
-    return ", ".join(said)
+    return "; ".join(said)
 
 
-def all_samples(sources: Sequence[Source]) -> Samples:
-    """Those of several sources, different recordings under different names."""
-    return joined(told_apart((one.samples, one.footage, one.title) for one in sources))
+def taught_by(sources: Sequence[Source]) -> Taught:
+    """The samples of several sources, different recordings under different names."""
+    apart = told_apart((one.samples, one.footage, one.title) for one in sources)
+    return Taught(joined(apart), tuple(sources))
 
 
 def trained_from(samples: Samples, settings: TrainingSettings, report: Report) -> Trained:

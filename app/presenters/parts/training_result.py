@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.parts.picturing import part_name
+from app.presenters.parts.training import Source, Taught
 from app.presenters.words import time_text, tr
 from tracking.failure import Curve, Detector, Trained
 from tracking.failure.training import Mistake
@@ -67,10 +68,11 @@ class MistakeItem:
     """Something the detector is wrong about, worth a look.
 
     Attributes:
-        recording, frame, track, part: where to look.
-        title: e.g. "head of 3". said: what is wrong, in words. when: e.g. "00:41.70".
+        source: where the label comes from. recording: its name. frame, track, part: where to look.
+        title: e.g. "head of 3". said: what is wrong, in words. when: e.g. "frame 41, 00:01.70".
     """
 
+    source: Source
     recording: str
     frame: int
     track: int
@@ -86,31 +88,35 @@ class ResultScene:
 
     Attributes:
         curves: of head, torso and hip-leg. chosen: whose point is moved; -1: of all alike.
-        figures: a part each. lines: what it was made from. mistakes: most informative first.
-        warning: what is no better than chance, and what to do; "" where nothing is.
+        figures: a part each. several: of several parts lost at once; None where not learnt.
+        lines: what it was made from. details: how, for who wants to know it exactly.
+        mistakes: most informative first. warning: what is no better than chance, and what to do;
+            "" where nothing is.
     """
 
     curves: tuple[RocCurve, ...]
     chosen: int
     figures: tuple[PartFigures, ...]
     lines: tuple[str, ...]
-    mistakes: tuple[MistakeItem, ...] = field(default=())
+    mistakes: tuple[MistakeItem, ...] = ()
     warning: str = ""
+    details: str = ""
+    several: PartFigures | None = None
 
 
 class TrainingResult:
     """A trained detector whose operating point can be moved.
 
     Attributes:
-        trained: as it came from the training. detector: as it stands.
+        trained: as it came from the training. taught: from what. detector: as it stands.
         chosen: the part whose point is moved; -1: that of all.
     """
 
-    def __init__(self, trained: Trained, fps: float) -> None:
+    def __init__(self, trained: Trained, taught: Taught) -> None:
         self.trained = trained
+        self.taught = taught
         self.detector: Detector = trained.detector
         self.chosen = -1
-        self._fps = fps
         self._areas = [curve.area() for curve in self._curves]
         self._points = [curve.points() for curve in self._curves]
 
@@ -151,14 +157,34 @@ class TrainingResult:
             )
         )
         figures = tuple(self._figures(part) for part in range(len(PART_NAMES)))
-        mistakes, warning = self._mistakes(), self._warning()
-        return ResultScene(curves, self.chosen, figures, self._lines(), mistakes, warning)
+        lines, mistakes, warning = self._lines(), self._mistakes(), self._warning()
+        details = tr("Parameters: {chosen}", chosen=self.detector.origin.chosen)
+        return ResultScene(
+            curves,
+            self.chosen,
+            figures,
+            lines,
+            mistakes,
+            warning,
+            details,
+            self._several(),
+        )
 
     def _figures(self, part: int) -> PartFigures:
         curve, threshold = self._curves[part], float(self.detector.thresholds[part])
         alarms, found = int((curve.on > threshold).sum()), int((curve.off > threshold).sum())
         on, off, area = len(curve.on), len(curve.off), self._areas[part]
         return PartFigures(part_name(part), on, off, alarms, found, area)
+
+    def _several(self) -> PartFigures | None:
+        """Of one part lost or several: found are several told, false alarms one taken for it."""
+        asked = self.trained.report.questions[len(PART_NAMES) :]
+        if not asked:
+            return None
+        (one, alarms), (_, found) = asked[0].confusion.tolist()
+        several = int(asked[0].confusion[1].sum())
+        area = asked[0].curve.area()
+        return PartFigures(tr("several at once"), one + alarms, several, alarms, found, area)
 
     def _warning(self) -> str:
         """What the detector tells no better than chance: those who use it should know."""
@@ -178,6 +204,19 @@ class TrainingResult:
 
     def _lines(self) -> tuple[str, ...]:
         origin, report = self.detector.origin, self.trained.report
+        several = (
+            tr(
+                "Several at once: where a part is lost, whether others are lost, too; a false "
+                "alarm takes one lost part for several."
+            )
+            if len(report.questions) > len(PART_NAMES)
+            else tr("Too few labels tell of several parts lost at once: that was not learnt.")
+        )
+        measured = (
+            tr("Lengths are measured in sizes of the person.")
+            if report.by_size
+            else tr("Lengths are measured in pixels.")
+        )
         return (
             tr(
                 "{n} samples of {people} people in {recordings}",
@@ -185,8 +224,9 @@ class TrainingResult:
                 people=origin.people,
                 recordings=", ".join(origin.recordings),
             ),
-            tr("Measured on people held out, in {folds} groups", folds=report.folds),
-            tr("Chosen: {chosen}", chosen=origin.chosen),
+            tr("Each figure is of people the detector had not seen ({n} groups)", n=report.folds),
+            several,
+            measured,
         )
 
     def _mistakes(self) -> tuple[MistakeItem, ...]:
@@ -201,5 +241,9 @@ class TrainingResult:
     def _item(self, one: Mistake) -> MistakeItem:
         said = tr("called failed, labelled on") if one.failed else tr("missed, labelled off")
         title = tr("{part} of {track}", part=part_name(one.part), track=one.track)
-        when = time_text(one.frame / self._fps)
-        return MistakeItem(one.recording, one.frame, one.track, one.part, title, said, when)
+        source = self.taught.source_of(one.sample)
+        when = tr("frame {frame}", frame=one.frame)
+        if source.fps:
+            when = f"{when}, {time_text(one.frame / source.fps)}"
+        recording = source.recording or one.recording
+        return MistakeItem(source, recording, one.frame, one.track, one.part, title, said, when)

@@ -14,7 +14,8 @@ def ask_again(desk: Desk) -> None:
     """Ask from where on, and with what, the recording is tracked again.
 
     Proposed are the range that is set, else all from the playhead on, with the tracker and the
-    settings of the run that was corrected.
+    settings of the run that was corrected; with a tracker of parts and the failure detector that
+    was chosen since, where one was.
     """
     session, recording = desk.document.session, desk.document.recording
     if session is None:
@@ -24,11 +25,11 @@ def ask_again(desk: Desk) -> None:
         "reviewed is not overwritten, and you see what would change before anything does."
     )
     run = session.corrected_run
-    tracker = run.tracker if run is not None else desk.best_tracker
+    tracker = desk.proposed_tracker
     asked = desk.document.parts_asked
     dialog = TrackDialog(recording, tracker, told, desk.window_page, asked)
     dialog.setWindowTitle(tr("Track again"))
-    if run is not None:
+    if run is not None and run.tracker == tracker:
         dialog.put_settings(run.tracker, run.settings, run.seed)
     start, end = desk.document.correcting.marked or (
         desk.playback.clock.frame,

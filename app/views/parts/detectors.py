@@ -12,9 +12,10 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.document.document import Document
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
 from app.presenters.parts.kept_detectors import kept
-from app.presenters.parts.mistake_pictures import cut_out
+from app.presenters.parts.mistake_pictures import cut_outs, is_of
 from app.presenters.parts.training import (
     Source,
+    Taught,
     TrainingSettings,
     trained_from,
 )
@@ -23,7 +24,6 @@ from app.presenters.parts.truth_labels import plan_truth_labels
 from app.presenters.words import tr
 from app.views.desk.desk import Desk
 from app.views.files.exporting import beside
-from app.views.parts.mistakes import Cut
 from app.views.parts.result_dialog import ResultDialog
 from app.views.parts.train_dialog import TrainDialog
 from app.views.widgets.questions import choose_file, choose_new_file
@@ -31,7 +31,7 @@ from app.views.widgets.remembered import Remembered
 from app.views.widgets.work import Work
 from tracking.editing import Change
 from tracking.errors import TrackwrightError
-from tracking.failure import Samples, Trained, load_detector, save_detector
+from tracking.failure import Trained, load_detector, save_detector
 from tracking.recording import Recording
 from tracking.session import Session
 from tracking.session.samples import samples_from
@@ -90,21 +90,19 @@ class Detectors(QObject):
 
     def _begin(self, dialog: TrainDialog) -> None:
         try:
-            samples, settings = dialog.answer()
+            taught, settings = dialog.answer()
         except TrackwrightError as error:
             self.failed.emit(error)
             return
-        self.train(samples, settings)
+        self.train(taught, settings)
 
-    def train(self, samples: Samples, settings: TrainingSettings) -> None:
+    def train(self, taught: Taught, settings: TrainingSettings) -> None:
         """Train in the background, then show what came of it."""
-        work = partial(trained_from, samples, settings)
-        self._work.run(tr("Training the detector"), work, self._take)
+        work = partial(trained_from, taught.samples, settings)
+        self._work.run(tr("Training the detector"), work, partial(self._take, taught))
 
-    def _take(self, trained: Trained) -> None:
-        document = self._document
-        fps = document.recording.fps if document is not None else 25.0
-        self.result = TrainingResult(trained, fps)
+    def _take(self, taught: Taught, trained: Trained) -> None:
+        self.result = TrainingResult(trained, taught)
         self.changed.emit()
         self.show_result()
 
@@ -113,7 +111,8 @@ class Detectors(QObject):
         if self.result is None:
             return
         self.close()
-        dialog = ResultDialog(self.result, self._cut, self._window)
+        cut = partial(cut_outs, self._document)
+        dialog = ResultDialog(self.result, cut, self._window)
         dialog.use_asked.connect(self.use_trained)
         dialog.save_asked.connect(self.ask_save)
         dialog.mistake_sought.connect(self._go_to)
@@ -126,15 +125,12 @@ class Detectors(QObject):
             self._dialog = None
         dialog.deleteLater()
 
-    def _cut(self, item: MistakeItem) -> Cut | None:
-        document = self._document
-        return None if document is None else cut_out(document, item)
-
     def _go_to(self, item: MistakeItem) -> None:
-        """Look at a mistake, where its recording is the open one."""
+        """Look at a mistake, where it is of what is open: elsewhere the id is another person's."""
         desk = self._window.desk
-        if desk is None or item.recording != desk.document.recording.name:
-            self._tell(tr("That is in {recording}: open it first", recording=item.recording))
+        if desk is None or not is_of(desk.document, item.source, item.recording):
+            where = item.source.path or item.recording
+            self._tell(tr("That is in {where}: open it first", where=where))
             return
         desk.playback.pause()
         desk.document.selection.choose(item.track)
@@ -232,6 +228,7 @@ def _labels_here(session: Session, recording: Recording) -> Callable[[], Source]
 
     def read() -> Source:
         samples = samples_from(labels, table, run, recording.fps, recording.name)
-        return Source(tr("This session"), None, samples, footage)
+        title = tr("This session")
+        return Source(title, None, samples, footage, recording.name, recording.fps)
 
     return read

@@ -5,22 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QImage, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem, QWidget
 
 from app.background import Job, Progress
+from app.presenters.parts.mistake_pictures import Cut, Cuts
 from app.presenters.parts.training_result import MistakeItem
 from app.views.look.theme import current_theme
+from app.views.pictures.name_plates import draw_message
 
-Box = tuple[float, float, float, float]
-Cut = tuple[NDArray[np.uint8], Box]
-"""A piece of a picture, (h, w, 3) BGR, and the part's rectangle in it: left, top, width, height."""
-Cutter = Callable[[MistakeItem], Cut | None]
-"""Cuts a mistake out of its picture; None where the picture is not at hand."""
+Cutter = Callable[[Sequence[MistakeItem], Progress], Cuts]
+"""Cuts mistakes out of their pictures; None where a picture is not at hand."""
 
-_LINES = 6
+_LINES, _WORD_LINES = 6, 4
 
 
 class MistakesList(QListWidget):
@@ -39,7 +37,7 @@ class MistakesList(QListWidget):
         self._cut = cut
         self._job: Job | None = None
         self._items: tuple[MistakeItem, ...] = ()
-        self._pictures: dict[MistakeItem, Cut | None] = {}
+        self._pictures: Cuts = {}
         side = _LINES * self.fontMetrics().height()
         self.setViewMode(QListView.ViewMode.IconMode)
         self.setFlow(QListView.Flow.LeftToRight)
@@ -47,9 +45,10 @@ class MistakesList(QListWidget):
         self.setMovement(QListView.Movement.Static)
         self.setWordWrap(True)
         self.setIconSize(QSize(side, side))
-        self.setGridSize(QSize(round(1.7 * side), round(1.65 * side)))
+        words = _WORD_LINES * self.fontMetrics().height()
+        self.setGridSize(QSize(round(1.7 * side), side + words + 16))
         self.setSpacing(4)
-        self.setMinimumHeight(round(1.8 * side))
+        self.setMinimumHeight(side + words + 24)
         self.setAccessibleName(self.tr("Mistakes, the most informative first"))
         self.itemActivated.connect(self._seek)
         self.itemClicked.connect(self._seek)
@@ -59,10 +58,12 @@ class MistakesList(QListWidget):
         if tuple(items) == self._items:
             return
         self._items = tuple(items)
+        elided, room = self.fontMetrics().elidedText, self.gridSize().width() - 12
         self.clear()
         for one in self._items:
-            entry = QListWidgetItem(f"{one.title}\n{one.said}")
-            entry.setToolTip(f"{one.title}, {one.recording} {one.when}: {one.said}")
+            recording = elided(one.recording, Qt.TextElideMode.ElideMiddle, room)
+            entry = QListWidgetItem(f"{one.title}\n{recording}\n{one.when}\n{one.said}")
+            entry.setToolTip(f"{one.title}, {one.recording}, {one.when}: {one.said}")
             entry.setData(Qt.ItemDataRole.AccessibleTextRole, entry.toolTip())
             entry.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
             self.addItem(entry)
@@ -85,18 +86,14 @@ class MistakesList(QListWidget):
             return
 
         def work(progress: Progress) -> object:
-            found: dict[MistakeItem, Cut | None] = {}
-            for done, one in enumerate(missing):
-                progress(done, len(missing))
-                found[one] = self._cut(one)
-            return found
+            return self._cut(missing, progress)
 
         self._job = Job("thumbnails", work, self)
         self._job.done.connect(self._take)
         self._job.failed.connect(self._fail)
         self._job.start()
 
-    def _take(self, found: dict[MistakeItem, Cut | None]) -> None:
+    def _take(self, found: Cuts) -> None:
         self._pictures.update(found)
         self._end()
         self._draw_known()
@@ -114,19 +111,26 @@ class MistakesList(QListWidget):
 
     def _draw_known(self) -> None:
         for row, one in enumerate(self._items):
-            self.item(row).setIcon(_icon(self._pictures.get(one), self.iconSize(), self))
+            if one in self._pictures:
+                missing = self.tr("picture not found")
+                self.item(row).setIcon(_icon(self._pictures[one], self.iconSize(), missing, self))
 
     def _seek(self, entry: QListWidgetItem) -> None:
         self.sought.emit(self._items[self.row(entry)])
 
 
-def _icon(cut: Cut | None, size: QSize, on: QWidget) -> QIcon:
-    """The piece of picture with the rectangle, or an empty field."""
+def _icon(cut: Cut | None, size: QSize, missing: str, on: QWidget) -> QIcon:
+    """The piece of picture with the rectangle, or a field that says what is missing."""
     ratio = on.devicePixelRatioF()
     drawn = QPixmap(size * ratio)
     drawn.setDevicePixelRatio(ratio)
     drawn.fill(current_theme().sunken)
-    if cut is not None:
+    if cut is None:
+        painter = QPainter(drawn)
+        painter.setFont(on.font())
+        draw_message(painter, QRectF(QPointF(), size.toSizeF()), missing, current_theme())
+        painter.end()
+    else:
         piece, (left, top, width, height) = cut
         rows, columns = piece.shape[:2]
         data = np.ascontiguousarray(piece)

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.presenters.explaining import explain
 from app.presenters.labelling.labelling_scene import PART_COLOURS
-from app.presenters.parts.training_result import PartFigures, TrainingResult
+from app.presenters.parts.training_result import PartFigures, ResultScene, TrainingResult
 from app.views.look.theme import current_theme, scaled_font
 from app.views.parts.mistakes import Cutter, MistakesList
 from app.views.parts.roc import RocPlot
@@ -137,11 +137,12 @@ class ResultDialog(QDialog):
         )
         for column, title in enumerate(titles):
             grid.addWidget(quiet(title, self), 0, column)
-        for part in range(len(PART_COLOURS)):
-            swatch = Swatch(self)
-            swatch.set_colour(current_theme().track(PART_COLOURS[part]))
+        for part in range(len(_rows(self.result_shown.scene()))):
             cells = tuple(QLabel(self) for _ in range(6))
-            grid.addWidget(swatch, part + 1, 0)
+            if part < len(PART_COLOURS):
+                swatch = Swatch(self)
+                swatch.set_colour(current_theme().track(PART_COLOURS[part]))
+                grid.addWidget(swatch, part + 1, 0)
             for column, cell in enumerate(cells, start=1):
                 grid.addWidget(cell, part + 1, column)
             self._cells.append(cells)
@@ -150,16 +151,20 @@ class ResultDialog(QDialog):
     def _buttons(self) -> QDialogButtonBox:
         buttons = QDialogButtonBox(self)
         use = QPushButton(self.tr("Use for tracking"), buttons)
-        use.setProperty("primary", True)
-        buttons.addButton(use, QDialogButtonBox.ButtonRole.ApplyRole)
         save = QPushButton(self.tr("Save as..."), buttons)
+        close = QPushButton(self.tr("Close"), buttons)
+        # What is no better than chance is not what Enter, or a glance, should lead to.
+        proposed = close if self.result_shown.scene().warning else use
+        proposed.setProperty("primary", True)
+        buttons.addButton(use, QDialogButtonBox.ButtonRole.ApplyRole)
         buttons.addButton(save, QDialogButtonBox.ButtonRole.ActionRole)
-        buttons.addButton(QDialogButtonBox.StandardButton.Close)
+        buttons.addButton(close, QDialogButtonBox.ButtonRole.RejectRole)
+        for button in (use, save, close):
+            button.setAutoDefault(False)
+        proposed.setDefault(True)
         use.clicked.connect(self.use_asked)
         save.clicked.connect(self.save_asked)
         buttons.rejected.connect(self.reject)
-        for button in (use, save):
-            button.setAutoDefault(False)
         return buttons
 
     # what it says
@@ -180,11 +185,12 @@ class ResultDialog(QDialog):
     def _show(self) -> None:
         scene = self.result_shown.scene()
         self.plot.show_scene(scene)
-        for cells, figures in zip(self._cells, scene.figures, strict=True):
+        for cells, figures in zip(self._cells, _rows(scene), strict=True):
             _fill(cells, figures)
         self._warning.setText(scene.warning)
         self._warning.setVisible(bool(scene.warning))
         self._about.setText("\n".join(scene.lines))
+        self._about.setToolTip(scene.details)
         self._no_mistakes.setVisible(not scene.mistakes)
         self.mistakes.setVisible(bool(scene.mistakes))
         self.mistakes.show_items(scene.mistakes)
@@ -193,6 +199,11 @@ class ResultDialog(QDialog):
         """Close, once no picture is read any more."""
         self.mistakes.close_pictures()
         super().done(result)
+
+
+def _rows(scene: ResultScene) -> tuple[PartFigures, ...]:
+    """The parts' figures, and below them those of several at once where that was learnt."""
+    return scene.figures if scene.several is None else (*scene.figures, scene.several)
 
 
 def _fill(cells: tuple[QLabel, ...], figures: PartFigures) -> None:

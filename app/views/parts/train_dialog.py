@@ -26,17 +26,16 @@ from app.presenters.parts.training import (
     PartCount,
     SettingsOfTraining,
     Source,
+    Taught,
     TrainingSettings,
-    all_samples,
     counts_of,
     source_at,
+    taught_by,
 )
 from app.presenters.words import tr
-from app.views.look.icons import IconButton
 from app.views.runs.settings_form import SettingsForm
 from app.views.widgets.parts import heading, quiet
 from app.views.widgets.questions import choose_file
-from tracking.failure import Samples
 
 _TAUGHT = "Sessions and samples (*.h5 *.csv)"
 _ROWS = 4
@@ -58,6 +57,7 @@ class TrainDialog(QDialog):
         self._list.setAccessibleName(self.tr("Sessions whose labels are learnt from"))
         self._list.setMaximumHeight(_ROWS * (self.fontMetrics().height() + 12))
         self._list.itemChanged.connect(lambda _: self._show_counts())
+        self._list.currentRowChanged.connect(lambda row: self._off_list.setEnabled(row >= 0))
         self._told = quiet("", self)
         self._told.setWordWrap(True)
         self._cells: list[tuple[QLabel, ...]] = []
@@ -115,11 +115,12 @@ class TrainDialog(QDialog):
         add.clicked.connect(
             lambda: choose_file(self, self.tr("Add a session or samples"), tr(_TAUGHT), self.add)
         )
-        remove = IconButton("remove", self.tr("Take the session off the list"), parent=self)
-        remove.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        remove.clicked.connect(self._remove)
+        self._off_list = QPushButton(self.tr("Take off the list"), self)
+        self._off_list.setToolTip(self.tr("Do not learn from the chosen line; no file is touched"))
+        self._off_list.setAutoDefault(False)
+        self._off_list.clicked.connect(self._remove)
         line.addWidget(add)
-        line.addWidget(remove)
+        line.addWidget(self._off_list)
         line.addStretch(1)
         return line
 
@@ -133,6 +134,7 @@ class TrainDialog(QDialog):
         for row in range(1, 4):
             cells = tuple(QLabel(self) for _ in range(5))
             cells[4].setProperty("role", "muted")
+            cells[4].setWordWrap(True)
             for column, cell in enumerate(cells):
                 grid.addWidget(cell, row, column)
             self._cells.append(cells)
@@ -203,9 +205,10 @@ class TrainDialog(QDialog):
         return [self._sources[row] for row in rows if self._list.item(row).checkState() is checked]
 
     def _show_counts(self) -> None:
-        counts = counts_of(all_samples(self._chosen()))
+        counts = counts_of(taught_by(self._chosen()).samples)
         for cells, count in zip(self._cells, counts, strict=True):
             self._show_count(cells, count)
+        self._off_list.setEnabled(self._list.currentRow() >= 0)
         enough = not any(count.missing for count in counts)
         self._train.setEnabled(enough and self._job is None)
 
@@ -215,10 +218,10 @@ class TrainDialog(QDialog):
         for cell, text in zip(cells, texts, strict=True):
             cell.setText(text)
 
-    def answer(self) -> tuple[Samples, TrainingSettings]:
-        """The samples and the settings."""
+    def answer(self) -> tuple[Taught, TrainingSettings]:
+        """What is learnt from and the settings."""
         settings: TrainingSettings = self._form.settings()
-        return all_samples(self._chosen()), settings
+        return taught_by(self._chosen()), settings
 
     def done(self, result: int) -> None:
         """Close, once nothing is read any more."""

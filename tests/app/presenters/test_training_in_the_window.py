@@ -1,21 +1,33 @@
 """What is learnt from, counted before the training, and the operating point of its result."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from app.presenters.parts.training import (
     Source,
     TrainingSettings,
-    all_samples,
     counts_of,
+    taught_by,
     trained_from,
 )
 from app.presenters.parts.training_result import TrainingResult
+from app.presenters.words import time_text
 from tracking.errors import CancelledError
 from tracking.failure import FEATURE_NAMES, Samples
 from tracking.failure.samples import samples_from_rows
 
 FPS = 20.0
+
+
+def taught(*made: Samples):
+    """What a detector learns from: a session each."""
+    sources = [
+        Source(f"session {number}", Path(f"{number}.h5"), one, f"{number}", "lobby", FPS)
+        for number, one in enumerate(made)
+    ]
+    return taught_by(sources)
 
 
 def samples(recording="lobby", people=4, each=24, seed=4105, wrong=0.1) -> Samples:
@@ -42,7 +54,7 @@ def trained():
 
 @pytest.fixture
 def result(trained):
-    return TrainingResult(trained, FPS)
+    return TrainingResult(trained, taught(samples()))
 
 
 def test_samples_are_counted_by_part_answer_and_person():
@@ -61,24 +73,60 @@ def test_what_is_missing_is_said_of_samples_and_of_people():
     assert "one more person" in counts_of(samples(people=1, each=40))[0].missing
 
 
-def test_both_answers_that_are_missing_are_said():
+def test_both_answers_that_are_missing_and_of_how_many_people_are_said_at_once():
     said = counts_of(samples(people=0, each=0))[0].missing
-    assert said == "label 10 more on, label 10 more off"
+    assert said == (
+        "label 10 more on, in all of 2 people or more; "
+        "label 10 more off, in all of 2 people or more"
+    )
+
+
+def test_a_mistake_says_of_which_recording_person_and_frame_it_is_by_its_own_clock(trained):
+    slow = Source("slow", Path("slow.h5"), samples(), "", "yard", 10.0)
+    result = TrainingResult(trained, taught_by([slow]))
+    result.put(0.5)
+    items = result.scene().mistakes
+    assert items
+    for one in items:
+        assert (one.source.title, one.recording) == ("slow", "yard")
+        assert one.title.endswith(f" of {one.track}")
+        assert one.when == f"frame {one.frame}, {time_text(one.frame / 10.0)}"
+
+
+def test_each_sample_is_known_to_be_of_its_source():
+    both = taught(samples(people=2), samples(people=3))
+    first = len(both.sources[0].samples)
+    of = [both.source_of(row).title for row in (0, first - 1, first, len(both.samples) - 1)]
+    assert of == ["session 0", "session 0", "session 1", "session 1"]
+
+
+def test_several_lost_at_once_are_a_row_of_their_own_where_they_were_learnt(trained):
+    scene = TrainingResult(trained, taught(samples())).scene()
+    learnt = len(trained.report.questions) > 3
+    assert (scene.several is not None) == learnt
+    told = "Several at once" if learnt else "that was not learnt"
+    assert any(told in line for line in scene.lines)
+
+
+def test_parameters_are_left_to_those_who_ask_for_them(result):
+    scene = result.scene()
+    assert not any("C 1" in line or "linear" in line for line in scene.lines)
+    assert "head:" in scene.details
 
 
 def test_people_of_different_recordings_with_one_name_are_different_people():
     one = Source("a", None, samples(), "first")
     same = Source("b", None, samples(seed=4106), "first")
     other = Source("c", None, samples(seed=4107), "second")
-    assert len(np.unique(all_samples([one, same]).people())) == 4
-    apart = all_samples([one, same, other])
+    assert len(np.unique(taught_by([one, same]).samples.people())) == 4
+    apart = taught_by([one, same, other]).samples
     assert len(np.unique(apart.people())) == 8
     assert set(apart.columns["recording"]) == {"lobby", "lobby (c)"}
 
 
 def test_a_table_beside_its_session_names_the_same_people():
     session, table = Source("a", None, samples(), "first"), Source("a.csv", None, samples(), "")
-    assert len(np.unique(all_samples([session, table]).people())) == 4
+    assert len(np.unique(taught_by([session, table]).samples.people())) == 4
 
 
 def test_training_stops_where_the_user_cancels():
@@ -153,6 +201,7 @@ def test_the_area_under_each_curve_is_told(result, trained):
 
 def test_parts_judged_no_better_than_by_chance_are_warned_of(result):
     settings = TrainingSettings(folds=2, searched=100)
-    lots = TrainingResult(trained_from(samples(wrong=0.5), settings, lambda *_: None), FPS)
+    guessed = samples(wrong=0.5)
+    lots = TrainingResult(trained_from(guessed, settings, lambda *_: None), taught(guessed))
     assert "No better than chance: head" in lots.scene().warning
     assert "head" not in result.scene().warning

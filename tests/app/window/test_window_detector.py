@@ -1,14 +1,19 @@
 """The failure detector in the real window: trained, its operating point moved, kept, used."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from correcting_desk import CTRL, Hands, opened_desk
+from correcting_desk import CROWDED, CTRL, Hands, opened_desk
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
 
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
+from app.presenters.parts.mistake_pictures import cut_outs
+from app.presenters.parts.training import source_at, taught_by
+from app.presenters.parts.training_result import MistakeItem
 from app.views.parts.detectors import _labels_here
 from app.views.parts.result_dialog import ResultDialog
 from app.views.parts.train_dialog import TrainDialog
@@ -74,9 +79,10 @@ def test_too_few_labels_are_told_part_by_part(hands, window, qtbot):
     dialog = _train_dialog(window, qtbot)
     assert "holds no labels" in dialog._told.text()
     assert not dialog._train.isEnabled()
-    assert [cells[4].text() for cells in dialog._cells] == [
-        "label 10 more on, label 10 more off"
-    ] * 3
+    for cells in dialog._cells:
+        assert cells[4].text().count("label 10 more") == 2
+        assert cells[4].text().count("2 people or more") == 2
+    assert dialog._off_list.text()
     dialog.reject()
 
 
@@ -131,6 +137,7 @@ def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
     found = [cells[1].text() for cells in result._cells]
     assert all("%" in text for text in found)
     areas = [float(cells[5].text()) for cells in result._cells]
+    assert len(areas) == len(trained.trained.report.questions)
     assert all(0.0 <= area <= 1.0 for area in areas)
     assert result._warning.isVisible() == bool(trained.scene().warning)
     use = next(
@@ -143,6 +150,11 @@ def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
     assert load_detector(Path(choice.path)).fingerprint == trained.detector.fingerprint
     assert choice.name in result._told.text()
     assert labelled.desk.proposed_tracker == "three-part"
+    assert choice.name.startswith("detector trained 20")
+    window.run_command("review.again")
+    again = window.findChildren(TrackDialog)[-1]
+    assert again.answer()[:2][1].detector == choice.path
+    again.reject()
     document = labelled.desk.document
     asked = TrackDialog(document.recording, "three-part", "", window, document.parts_asked)
     name, settings, _, _ = asked.answer()
@@ -198,6 +210,37 @@ def test_a_mistake_is_a_small_picture_that_takes_one_to_its_frame(result, labell
     assert desk.playback.clock.frame == items[0].frame
     assert desk.document.selection.track == items[0].track
     assert desk.labelling.part == items[0].part
+
+
+def test_a_mistake_of_another_session_is_a_picture_of_its_recording(
+    labelled, window, qtbot, parted_session
+):
+    window.files.save_to(parted_session)
+    qtbot.waitUntil(lambda: not window.work.busy)
+    taught = taught_by([source_at(parted_session)])
+    number = int(np.flatnonzero(taught.samples.columns["frame"] == CROWDED)[0])
+    row = {name: column[number] for name, column in taught.samples.columns.items()}
+    where = (int(row["frame"]), int(row["track"]), int(row["part"]))
+    item = MistakeItem(taught.sources[0], taught.sources[0].recording, *where, "", "", "")
+    from_closed = cut_outs(None, [item], lambda *_: None)[item]
+    from_open = cut_outs(labelled.desk.document, [item], lambda *_: None)[item]
+    assert np.array_equal(from_closed[0], from_open[0])
+    assert from_closed[1] == from_open[1]
+    gone = replace(taught.sources[0], path=parted_session.with_name("gone.h5"))
+    missing = replace(item, source=gone)
+    assert cut_outs(None, [missing], lambda *_: None) == {missing: None}
+
+
+@pytest.mark.parametrize("warning", ["", "No better than chance: head."])
+def test_use_for_tracking_is_proposed_only_where_nothing_is_warned_of(
+    result, window, monkeypatch, warning
+):
+    scene = replace(result.result_shown.scene(), warning=warning)
+    monkeypatch.setattr(result.result_shown, "scene", lambda: scene)
+    again = ResultDialog(result.result_shown, lambda items, _: dict.fromkeys(items), window)
+    (proposed,) = [one for one in again.findChildren(QPushButton) if one.isDefault()]
+    assert proposed.text() == ("Close" if warning else "Use for tracking")
+    again.done(0)
 
 
 def test_training_is_cancelled_and_nothing_is_kept(labelled, window, qtbot):

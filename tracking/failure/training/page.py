@@ -90,8 +90,8 @@ def _summary(report: TrainingReport) -> str:
         f"<th>false alarms</th><th>area under the curve</th></tr>{rows}</table>"
         "<p class=note>Every rate is of people whom the machine that judged them had not seen. "
         "Parameters and thresholds were chosen by these rates, so others may fare a little worse. "
-        "The row several is about instants with a lost part: several lost, one lost, several told, "
-        "and one taken for several.</p>"
+        "The row several counts instants at which a part is lost: off its part where others are "
+        "lost, too, on its part where it is the only one; a false alarm takes one for several.</p>"
     )
 
 

@@ -7,10 +7,14 @@ import pytest
 
 from app.presenters.parts.part_curve import PartCurve
 from app.presenters.parts.parts_scene import CurvesScene
+from app.presenters.parts.training import Source
 from app.presenters.parts.training_result import MistakeItem
 from app.views.parts.curves_plot import CurvesPlot
 from app.views.parts.mistakes import MistakesList
 from app.views.timeline.axis import TimeAxis
+from tracking.failure.samples import samples_from_rows
+
+SOURCE = Source("lobby", None, samples_from_rows([], np.zeros((0, 36))), "")
 
 
 def _curve(count: int = 100) -> PartCurve:
@@ -20,7 +24,7 @@ def _curve(count: int = 100) -> PartCurve:
 
 
 def _mistake(frame: int) -> MistakeItem:
-    return MistakeItem("lobby", frame, 1, 0, "head of 1", "missed", "00:00.00")
+    return MistakeItem(SOURCE, "lobby", frame, 1, 0, "head of 1", "missed", f"frame {frame}")
 
 
 @pytest.fixture
@@ -57,15 +61,26 @@ def cutting(qtbot, dark):
 
 def test_mistakes_shown_while_others_are_cut_get_their_pictures_too(qtbot, cutting):
     cut = []
-    mistakes = cutting(lambda one: cut.append(one.frame))
+
+    def none_found(items, _report):
+        cut.extend(one.frame for one in items)
+        return dict.fromkeys(items)
+
+    mistakes = cutting(none_found)
     mistakes.show_items([_mistake(1)])
     mistakes.show_items([_mistake(2)])
     qtbot.waitUntil(lambda: mistakes._job is None)
     assert cut == [1, 2]
 
 
+def test_a_mistake_names_recording_person_and_frame(cutting):
+    mistakes = cutting(lambda items, _report: dict.fromkeys(items))
+    mistakes.show_items([_mistake(12)])
+    assert mistakes.item(0).text().split("\n") == ["head of 1", "lobby", "frame 12", "missed"]
+
+
 def test_why_pictures_are_missing_is_told(qtbot, cutting):
-    def broken(_: MistakeItem) -> None:
+    def broken(*_: object) -> None:
         raise ValueError("no picture")
 
     mistakes = cutting(broken)
