@@ -12,12 +12,16 @@ from numpy.typing import NDArray
 from tests.benchmarks.flow.clips import Counted
 from tests.benchmarks.rendered import floor_truth, folder_of, run_of
 from tracking.counting import PAPER_STEP_S, Hits, compare_passages, occupancy, passages
+from tracking.formats import read_mot
 from tracking.recording import open_recording
 from tracking.tracks import CountingLine, Region
 
 TRACKERS = ("flow", "spheroid")
 STRETCH_S = 20.0
 """Sums are told for stretches of a recording, too."""
+
+SEEN = 0.1
+"""Share of a person that an eye needs to count it."""
 
 JITTER_M = 0.2
 """Who sways over a line has not passed."""
@@ -32,8 +36,19 @@ def scenes(counted: Sequence[Counted], kept: Path | None = None) -> list[dict[st
         folder = folder_of(one.clip, kept)
         for tracker in TRACKERS:
             found = counts_of(folder, tracker, floor_truth(folder), one.lines, one.region)
+            found["seen_sum"] = _seen_sum(folder, one)
             rows.append({"scene": one.clip.scene, "seed": one.clip.seed, **found})
     return rows
+
+
+def _seen_sum(folder: Path, one: Counted) -> int:
+    """The true sum of those of whom enough is seen to be counted by eye."""
+    truth = read_mot(folder / "truth.txt")
+    shares = np.loadtxt(folder / "visibility.csv", delimiter=",", skiprows=1, ndmin=2)[:, 2]
+    seen = {name: column[shares >= SEEN] for name, column in truth.items()}
+    with open_recording(folder) as recording:
+        fps, frames = recording.fps, recording.frame_count
+    return int(people_inside(seen, fps, frames, one.region).sum())
 
 
 def counts_of(

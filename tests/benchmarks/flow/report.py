@@ -44,13 +44,14 @@ def _scenes(rows: Sequence[Figures]) -> str:
 
 def _sums_table(rows: Sequence[Figures]) -> str:
     cells = [
-        [f"{scene}: paper", "", str(true), str(counted), _off(true, counted), "", ""]
+        [f"{scene}: paper", "", "", str(true), str(counted), _off(true, counted), ""]
         for scene, (true, counted) in PAPER.items()
     ]
     cells += [
         [
             f"{row['scene']} {row['seed']}: {row['tracker']}",
             str(row["most"]),
+            str(row["seen_sum"]),
             str(row["true_sum"]),
             str(row["sum"]),
             _off(row["true_sum"], row["sum"]),
@@ -58,8 +59,10 @@ def _sums_table(rows: Sequence[Figures]) -> str:
         ]
         for row in rows
     ]
-    head = ("sums", "most at once", "true", "counted", "off", "mean difference a step")
-    return table(head, [line[: len(head)] for line in cells])
+    head = (
+        "sums", "most at once", "seen", "true", "counted", "off", "mean difference a step",
+    )  # fmt: skip
+    return table(head, cells)
 
 
 def _off(true: int, counted: int) -> str:

@@ -73,6 +73,7 @@ def _row(counted: int, hit: int) -> dict[str, Any]:
         "seed": 1,
         "tracker": "flow",
         "true_sum": 200,
+        "seen_sum": 190,
         "sum": counted,
         "most": 9,
         "mean_difference": 0.4,
@@ -89,7 +90,7 @@ def test_the_page_says_whether_sums_and_passages_meet_their_goals() -> None:
     page = report.writers()["scenes"]([_row(206, 94)])
     assert "| lane: sum off, % | 5 | 3.0 | met |" in page
     assert "| lane: passages hit, % | 95 | 94.0 | missed by 1.0 |" in page
-    assert "| lane: paper |  | 963 | 1057 | +9.8 % |" in page
+    assert "| lane: paper |  |  | 963 | 1057 | +9.8 % |" in page
     assert "| lane 1, 20 to 40 s | 80 | 88 | +10.0 % |" in page
 
 

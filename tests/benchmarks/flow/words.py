@@ -23,9 +23,10 @@ corners and hide each other; who is hidden altogether counts all the same, as tr
 everybody walks.
 
 Sums are the paper's measure: people in a region of the floor, added up over steps of half a
-second. A sum hides misses behind doubles, so passages are told, too: over three lines across the
-passage a passage is hit where one over the same line, in the same direction and within a second
-is counted, each counted one standing for one that happened.
+second; "seen" leaves out people of whom less than a tenth is seen. A sum hides misses behind
+doubles, so passages are told, too: over three lines across the passage a passage is hit where one
+over the same line, in the same direction and within a second is counted, each counted one
+standing for one that happened.
 """
 
 STRETCHES = """
