@@ -137,6 +137,10 @@ def test_synth_renders_a_recording(trackwright: Trackwright, tmp_path: Path) -> 
         (["--scene", "lobby", "--seconds", "nan"], "seconds is nan; give more than 0"),
         (["--scene", "lobby", "--seconds", "1e300"], "seconds is 1e+300; give more than 0"),
         (["--scene", "lobby", "--people", "100000"], "people is 100000"),
+        (["--scene", "marks", "--people", "3"], "people is 3; the scene marks is for 1"),
+        (["--scene", "lobby", "--begin", "30"], "begin is 30, but the scene lobby lasts 30"),
+        (["--scene", "lobby", "--begin", "nan"], "begin is nan; give 0 to 3600 seconds"),
+        (["--scene", "lobby", "--bump", "-2"], "bumped is -2; give 0 to 3600 seconds"),
     ],
 )
 def test_impossible_scenes_are_told(
@@ -146,6 +150,17 @@ def test_impossible_scenes_are_told(
     assert (status, out) == (1, "")
     assert reason in err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_scene_for_one_camera_is_rendered_with_one_at_its_own_rate(
+    trackwright: Trackwright, tmp_path: Path
+) -> None:
+    words = ["--scene", "marks", "--begin", "4", "--seconds", "0.2", "--dim", "0", "--bump", "0.1"]
+    assert trackwright("synth", tmp_path / "new", *words)[0] == 0
+    told = json.loads(trackwright("info", tmp_path / "new", "--json")[1])
+    assert (told["frames"], told["fps"]) == (3, 15.0)
+    assert not (tmp_path / "new" / "right.mp4").exists()
+    assert (tmp_path / "new" / "truth.txt").read_text().startswith("1,1,")
 
 
 def test_help_of_synth_names_all_scenes(trackwright: Trackwright) -> None:
