@@ -35,6 +35,7 @@ class Clip:
         seed: says who comes by and how.
         seconds: of the scene's length; the scene's own if None.
         people: the scene's own if None.
+        eyes: 1 for the left eye alone; the scene's own if None.
         circumstances: what is out of the ordinary.
     """
 
@@ -42,6 +43,7 @@ class Clip:
     seed: int
     seconds: float | None = None
     people: int | None = None
+    eyes: int | None = None
     circumstances: Circumstances = ORDINARY
 
     @property
@@ -52,6 +54,7 @@ class Clip:
         for letter, value in (
             ("s", self.seconds),
             ("p", self.people),
+            ("eyes", self.eyes),
             ("from", befallen.begin_s or None),
             ("dim", befallen.dimmed_s),
             ("bump", befallen.bumped_s),
@@ -83,6 +86,7 @@ def folder_of(clip: Clip, kept: Path | None = None) -> Path:
             clip.seconds,
             clip.people,
             clip.seed,
+            eyes=clip.eyes,
             circumstances=clip.circumstances,
         )
     return folder

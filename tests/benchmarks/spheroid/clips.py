@@ -53,7 +53,7 @@ def _clips(seeds: tuple[int, ...]) -> Clips:
 
 
 def _befallen(scene: str, seed: int, **befalls: float) -> Clip:
-    return Clip(scene, seed, SECONDS, circumstances=Circumstances(**befalls))
+    return Clip(scene, seed, SECONDS, eyes=1, circumstances=Circumstances(**befalls))
 
 
 TUNED = _clips((5101,))
