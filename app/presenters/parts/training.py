@@ -152,16 +152,17 @@ def counts_of(samples: Samples) -> tuple[PartCount, ...]:
 
 def _missing(on: int, off: int, people_on: int, people_off: int) -> str:
     """Everything that is missing, of both answers, so that nothing comes up only later."""
-    said = []
-    for samples, people, which in ((on, people_on, tr("on")), (off, people_off, tr("off"))):
-        few = LEAST_SAMPLES - samples
-        if few > 0 and people < LEAST_PEOPLE:
-            words = tr("label {n} more {which}, in all of {people} people or more")
-            said.append(words.format(n=few, which=which, people=LEAST_PEOPLE))
-        elif few > 0:
-            said.append(tr("label {n} more {which}", n=few, which=which))
-        elif people < LEAST_PEOPLE:
-            said.append(tr("label one more person {which}", which=which))
+    sides = ((on, people_on, tr("on")), (off, people_off, tr("off")))
+    more = [
+        tr("{n} more {which}", n=LEAST_SAMPLES - samples, which=which)
+        for samples, _, which in sides
+        if samples < LEAST_SAMPLES
+    ]
+    few = [which for _, people, which in sides if people < LEAST_PEOPLE]
+    said = [tr("label {more}", more=tr(" and ").join(more))] if more else []
+    if few:
+        who = tr(" and ").join(few)
+        said.append(tr("{who}: of {n} people or more", who=who, n=LEAST_PEOPLE))
     return "; ".join(said)
 
 

@@ -69,7 +69,8 @@ class MistakeItem:
 
     Attributes:
         source: where the label comes from. recording: its name. frame, track, part: where to look.
-        title: e.g. "head of 3". said: what is wrong, in words. when: e.g. "frame 41, 00:01.70".
+        title: e.g. "head of 3". said: what is wrong, in words. when: e.g. "00:01.70"; "" where
+            it is not known how fast the recording is.
     """
 
     source: Source
@@ -242,8 +243,6 @@ class TrainingResult:
         said = tr("called failed, labelled on") if one.failed else tr("missed, labelled off")
         title = tr("{part} of {track}", part=part_name(one.part), track=one.track)
         source = self.taught.source_of(one.sample)
-        when = tr("frame {frame}", frame=one.frame)
-        if source.fps:
-            when = f"{when}, {time_text(one.frame / source.fps)}"
+        when = time_text(one.frame / source.fps) if source.fps else ""
         recording = source.recording or one.recording
         return MistakeItem(source, recording, one.frame, one.track, one.part, title, said, when)

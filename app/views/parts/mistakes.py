@@ -18,7 +18,7 @@ from app.views.pictures.name_plates import draw_message
 Cutter = Callable[[Sequence[MistakeItem], Progress], Cuts]
 """Cuts mistakes out of their pictures; None where a picture is not at hand."""
 
-_LINES, _WORD_LINES = 6, 4
+_LINES, _WORD_LINES = 6, 5
 
 
 class MistakesList(QListWidget):
@@ -62,8 +62,11 @@ class MistakesList(QListWidget):
         self.clear()
         for one in self._items:
             recording = elided(one.recording, Qt.TextElideMode.ElideMiddle, room)
-            entry = QListWidgetItem(f"{one.title}\n{recording}\n{one.when}\n{one.said}")
-            entry.setToolTip(f"{one.title}, {one.recording}, {one.when}: {one.said}")
+            frame = self.tr("frame {0}").format(one.frame)
+            entry = QListWidgetItem(f"{one.title}\n{frame}\n{recording}\n{one.said}")
+            where = ", ".join(filter(None, (one.title, one.recording, frame, one.when)))
+            entry.setToolTip(f"{where}: {one.said}")
+            entry.setSizeHint(self.gridSize())
             entry.setData(Qt.ItemDataRole.AccessibleTextRole, entry.toolTip())
             entry.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
             self.addItem(entry)
