@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -10,10 +11,10 @@ import pytest
 
 from tracking.errors import SettingsError
 from tracking.synthesis import SCENES, Scene, render_recording
-from tracking.synthesis.cast import Cast
-from tracking.synthesis.crowd import CLOSEST_M
+from tracking.synthesis.crowd import CLOSEST_M, Walk
 from tracking.synthesis.marks import MARKS_M
-from tracking.synthesis.programme import EVERYBODY
+from tracking.synthesis.programme import EVERYBODY, Moment
+from tracking.synthesis.programmes import programme_of
 from tracking.synthesis.rig import Rig
 
 PROGRAMMES = sorted(name for name, spec in SCENES.items() if spec.programme)
@@ -21,14 +22,22 @@ SITUATIONS = [name for name in PROGRAMMES if name.startswith("situation-")]
 FPS = 15.0
 
 
-def _cast(name: str, seed: int = 1) -> Cast:
+@dataclass(frozen=True)
+class _Played:
+    """A programme with its walks."""
+
+    walks: tuple[Walk | None, ...]
+    moments: tuple[Moment, ...]
+
+
+def _played(name: str, seed: int = 1) -> _Played:
     spec = SCENES[name]
-    rig = Rig.of_scene(spec, spec.size_px)
-    return Cast.of_scene(spec, rig, spec.people, round(spec.seconds * FPS), FPS, seed)
+    programme = programme_of(spec, spec.people, seed)
+    return _Played(programme.walks(round(spec.seconds * FPS), FPS), programme.moments)
 
 
-def _table(cast: Cast) -> np.ndarray:
-    ways = [way for way in cast.walks if way is not None]
+def _table(played: _Played) -> np.ndarray:
+    ways = [way for way in played.walks if way is not None]
     table = np.full((max(way.frames.stop for way in ways), len(ways), 2), np.nan)
     for column, way in enumerate(ways):
         table[way.frames.start : way.frames.stop, column] = way.position
@@ -37,10 +46,10 @@ def _table(cast: Cast) -> np.ndarray:
 
 @pytest.mark.parametrize("name", PROGRAMMES)
 def test_everybody_comes_and_goes_before_a_programme_ends(name: str) -> None:
-    cast = _cast(name, 7)
+    played = _played(name, 7)
     last = round(SCENES[name].seconds * FPS) - 1
     rig = Rig.of_scene(SCENES[name], (640, 480))
-    for way in cast.walks:
+    for way in played.walks:
         assert way is not None
         assert way.first_frame >= 2 * FPS
         assert way.frames.stop <= last
@@ -51,7 +60,7 @@ def test_everybody_comes_and_goes_before_a_programme_ends(name: str) -> None:
 @pytest.mark.parametrize("name", PROGRAMMES)
 @pytest.mark.parametrize("seed", [1, 2])
 def test_nobody_walks_through_anybody_in_a_programme(name: str, seed: int) -> None:
-    table = _table(_cast(name, seed))
+    table = _table(_played(name, seed))
     gap = np.linalg.norm(table[:, :, None] - table[:, None], axis=-1)
     gap[:, np.eye(table.shape[1], dtype=bool)] = np.nan
     assert np.nanmin(gap, initial=9.0) >= CLOSEST_M
@@ -61,11 +70,11 @@ def test_nobody_walks_through_anybody_in_a_programme(name: str, seed: int) -> No
 
 @pytest.mark.parametrize("name", ["marks", "marks-pairs"])
 def test_people_stand_still_on_their_marks(name: str) -> None:
-    cast = _cast(name)
-    stands = [moment for moment in cast.moments if moment.kind == "stands"]
+    played = _played(name)
+    stands = [moment for moment in played.moments if moment.kind == "stands"]
     assert sorted(moment.name for moment in stands) == sorted(MARKS_M)
     for moment in stands:
-        way = cast.walks[moment.person]
+        way = played.walks[moment.person]
         assert way is not None
         rows = slice(*(round(s * FPS) - way.first_frame for s in (moment.start_s, moment.end_s)))
         assert len(way.position[rows]) >= 4 * FPS
@@ -74,11 +83,11 @@ def test_people_stand_still_on_their_marks(name: str) -> None:
 
 
 def test_who_walks_the_marks_keeps_to_the_straight_lines_between_them() -> None:
-    cast = _cast("marks-walking")
-    way = cast.walks[0]
+    played = _played("marks-walking")
+    way = played.walks[0]
     assert way is not None
-    assert len(cast.moments) == 9
-    for moment in cast.moments:
+    assert len(played.moments) == 9
+    for moment in played.moments:
         start, end = (np.array(MARKS_M[mark]) for mark in moment.name.split("-"))
         rows = slice(*(round(s * FPS) - way.first_frame for s in (moment.start_s, moment.end_s)))
         along = (end - start) / np.linalg.norm(end - start)
@@ -87,31 +96,31 @@ def test_who_walks_the_marks_keeps_to_the_straight_lines_between_them() -> None:
 
 
 def test_there_are_as_many_situations_of_each_difficulty_as_in_the_paper() -> None:
-    rated = [_cast(f"situation-{number}").moments[0].difficulty for number in range(1, 16)]
+    rated = [_played(f"situation-{number}").moments[0].difficulty for number in range(1, 16)]
     assert rated == [2, 2, 2, 1, 1, 5, 5, 3, 3, 2, 4, 5, 3, 3, 4]
 
 
 def test_people_come_close_to_each_other_in_the_harder_situations() -> None:
     for number in (6, 7, 8, 9, 11, 12, 13, 14, 15):
-        table = _table(_cast(f"situation-{number}"))
+        table = _table(_played(f"situation-{number}"))
         gap = np.linalg.norm(table[:, :, None] - table[:, None], axis=-1)
         gap[:, np.eye(table.shape[1], dtype=bool)] = np.nan
         assert np.nanmin(gap) < 0.85
 
 
 def test_another_seed_is_another_way_of_doing_the_same() -> None:
-    one, other = (_table(_cast("situation-9", seed)) for seed in (1, 2))
+    one, other = (_table(_played("situation-9", seed)) for seed in (1, 2))
     frames = min(len(one), len(other))
     assert np.nanmax(np.abs(one[:frames] - other[:frames])) > 0.1
-    assert np.array_equal(one, _table(_cast("situation-9", 1)), equal_nan=True)
+    assert np.array_equal(one, _table(_played("situation-9", 1)), equal_nan=True)
 
 
 def test_all_situations_in_turn_are_those_that_stand_alone() -> None:
-    together = _cast("situations", 5)
-    alone = [_cast(f"situation-{number}", 5) for number in range(1, 16)]
-    assert [m.name for m in together.moments] == [cast.moments[0].name for cast in alone]
+    together = _played("situations", 5)
+    alone = [_played(f"situation-{number}", 5) for number in range(1, 16)]
+    assert [m.name for m in together.moments] == [one.moments[0].name for one in alone]
     assert all(moment.person == EVERYBODY for moment in together.moments)
-    shapes = [np.ptp(way.position, axis=0) for cast in alone for way in cast.walks if way]
+    shapes = [np.ptp(way.position, axis=0) for one in alone for way in one.walks if way]
     shown = [np.ptp(way.position, axis=0) for way in together.walks if way]
     assert np.allclose(shapes, shown, atol=0.03)
 
@@ -122,7 +131,8 @@ def test_a_programme_refuses_other_numbers_of_people() -> None:
 
 
 def test_everybody_wears_a_red_top_and_brown_trousers() -> None:
-    cast = _cast("situation-7")
+    scene = Scene(SCENES["situation-7"], size=(64, 48))
+    cast = scene.cast
     for person in np.split(cast.textures, 4):
         skin = person[: 320 * 256].reshape(320, 256, 3)
         blue, green, red = skin[40:60, 20:230].mean(axis=(0, 1))
