@@ -9,6 +9,7 @@ import pytest
 from made_up_parts import FPS, as_parts, box_of, made_up_samples, walk
 
 from tracking.failure import (
+    BESIDES,
     SAMPLE_COLUMNS,
     joined,
     no_samples,
@@ -106,6 +107,7 @@ def test_samples_join_and_keep_their_types() -> None:
     one, other = made_up_samples(1, 1), made_up_samples(2, 1, recording="hall")
     both = joined([one, no_samples(), other])
     assert len(both) == len(one) + len(other)
-    assert {name: column.dtype for name, column in both.columns.items()} == dict(SAMPLE_COLUMNS)
+    types = {name: column.dtype for name, column in both.columns.items()}
+    assert types == {**SAMPLE_COLUMNS, **{name: one.dtype for name, one in BESIDES.items()}}
     assert both.people().tolist() == [1] * len(one) + [0] * len(other)
     assert both.counts().sum() == len(both)

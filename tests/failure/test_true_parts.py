@@ -9,7 +9,7 @@ import pytest
 from made_up_parts import FPS, as_parts, box_of, walk
 
 from tracking.errors import FormatError
-from tracking.failure import labels_from_truth, read_true_parts
+from tracking.failure import labels_from_truth, people_followed, read_true_parts, samples_of
 
 HEADER = "frame,id,part,left,top,width,height,visible_pixels\n"
 NAMES = ("head", "torso", "hip_leg")
@@ -70,11 +70,40 @@ def test_a_rectangle_is_off_where_clearly_most_of_it_lies_outside(
 def test_whoever_a_track_follows_first_is_meant_ever_after(tmp_path: Path, people) -> None:
     truth = read_true_parts(write_truth(tmp_path / "t.csv", people))
     parts = joined_parts(people)
+    late = (parts["frame"] >= 30) & (parts["part"] != 1)
+    parts["track"][late] = 3 - parts["track"][late]
+    labels = labels_from_truth(truth, parts, FPS)
+    assert {label.on_part for label in labels if label.frame < 30 or label.part == 1} == {True}
+    astray = [label for label in labels if label.frame >= 30 and label.part != 1]
+    assert {label.on_part for label in astray} == {False}
+    assert people_followed(truth, parts, FPS) == {1: 3, 2: 8}
+
+
+def test_nothing_is_said_of_a_track_that_changed_hands(tmp_path: Path, people) -> None:
+    truth = read_true_parts(write_truth(tmp_path / "t.csv", people))
+    parts = joined_parts(people)
     late = parts["frame"] >= 30
     parts["track"][late] = 3 - parts["track"][late]
     labels = labels_from_truth(truth, parts, FPS)
-    assert {label.on_part for label in labels if label.frame < 30} == {True}
-    assert {label.on_part for label in labels if label.frame >= 30} == {False}
+    assert {label.frame < 30 for label in labels} == {True}
+
+
+def test_two_tracks_of_one_person_are_one_person(tmp_path: Path, people) -> None:
+    truth = read_true_parts(write_truth(tmp_path / "t.csv", people))
+    parts = joined_parts(people)
+    parts["track"][(parts["track"] == 2) & (parts["frame"] >= 20)] = 9
+    who = people_followed(truth, parts, FPS)
+    assert who == {1: 3, 2: 8, 9: 8}
+    samples = samples_of(labels_from_truth(truth, parts, FPS), parts, FPS, "yard", who)
+    by_track = dict(zip(samples.columns["track"].tolist(), samples.people().tolist(), strict=True))
+    assert by_track[2] == by_track[9] != by_track[1]
+
+
+def test_a_track_on_nobody_follows_nobody(tmp_path: Path, people) -> None:
+    truth = read_true_parts(write_truth(tmp_path / "t.csv", people))
+    parts = joined_parts(people)
+    parts["cy"][parts["track"] == 2] += 5000
+    assert people_followed(truth, parts, FPS) == {1: 3}
 
 
 def test_a_dot_inside_a_part_is_not_on_it(tmp_path: Path, people) -> None:
@@ -91,9 +120,25 @@ def test_hidden_and_occluded_parts_are_not_labelled(tmp_path: Path, people) -> N
     parts = joined_parts(people)
     hidden = read_true_parts(write_truth(tmp_path / "t.csv", people, seen=0))
     assert labels_from_truth(hidden, parts, FPS) == []
-    parts["occluded"][:] = True
     seen = read_true_parts(write_truth(tmp_path / "t.csv", people))
-    assert labels_from_truth(seen, parts, FPS) == []
+    parts["occluded"][(parts["track"] == 1) & (parts["part"] == 0)] = True
+    assert {label.track for label in labels_from_truth(seen, parts, FPS)} == {2}
+
+
+def test_a_part_that_stands_there_twice_is_named_by_both_lines(tmp_path: Path) -> None:
+    path = tmp_path / "t.csv"
+    rows = ("4,1,head,0,0,1,1,5", "0,1,head,0,0,1,1,5", "0,1,torso,0,0,1,1,5", "0,1,head,9,0,1,1,5")
+    path.write_text(HEADER + "\n".join(rows) + "\n", encoding="utf-8")
+    with pytest.raises(FormatError, match="line 5: line 3 gives the same part") as told:
+        read_true_parts(path)
+    assert "\n" not in str(told.value)
+
+
+def test_a_table_larger_than_any_is_not_read(tmp_path: Path, people, monkeypatch) -> None:
+    path = write_truth(tmp_path / "t.csv", people)
+    monkeypatch.setattr("tracking.failure.true_parts._MOST_BYTES", 1000)
+    with pytest.raises(FormatError, match="give a shorter recording"):
+        read_true_parts(path)
 
 
 @pytest.mark.parametrize(

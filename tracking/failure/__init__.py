@@ -10,6 +10,7 @@ from tracking.failure.past import PastStates, states_before
 from tracking.failure.preparation import Preparation
 from tracking.failure.recordings import told_apart
 from tracking.failure.samples import (
+    BESIDES,
     SAMPLE_COLUMNS,
     SAMPLE_SOURCES,
     Samples,
@@ -26,14 +27,11 @@ from tracking.failure.training import (
     train,
     write_report,
 )
-from tracking.failure.true_parts import (
-    TRUE_PARTS,
-    TrueParts,
-    labels_from_truth,
-    read_true_parts,
-)
+from tracking.failure.true_labels import labels_from_truth, people_followed
+from tracking.failure.true_parts import TRUE_PARTS, TrueParts, read_true_parts
 
 __all__ = [
+    "BESIDES",
     "FALSE_ALARMS",
     "FEATURE_NAMES",
     "FEATURE_SPAN_S",
@@ -64,6 +62,7 @@ __all__ = [
     "no_samples",
     "part_features",
     "part_states",
+    "people_followed",
     "read_true_parts",
     "samples_of",
     "save_detector",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -58,7 +58,13 @@ def part_states(parts: Columns, fps: float) -> PartStates:
     return PartStates(known[whole] >> 32, known[whole] & 0xFFFFFFFF, states[whole])
 
 
-def samples_of(labels: Iterable[PartLabel], parts: Columns, fps: float, recording: str) -> Samples:
+def samples_of(
+    labels: Iterable[PartLabel],
+    parts: Columns,
+    fps: float,
+    recording: str,
+    people: Mapping[int, int] | None = None,
+) -> Samples:
     """What labels teach the failure detector, each with the state its tracker was in.
 
     A label says of a rectangle whether it lies on its part; the sample is the tracker's state in
@@ -72,6 +78,7 @@ def samples_of(labels: Iterable[PartLabel], parts: Columns, fps: float, recordin
         labels: of one recording. parts: `PART_COLUMNS` of the run they were given on, with its
             tracks under the ids that the labels use.
         fps: of the recording. recording: its name.
+        people: who is who where truth says so: the true person, from 1 on, by track.
 
     Returns:
         Samples by frame, track and part; those of one instant and part: the tracker's first.
@@ -97,7 +104,9 @@ def samples_of(labels: Iterable[PartLabel], parts: Columns, fps: float, recordin
         states_before(times, seen.track, seen.states, asked, now),
     )
     named = [(recording, *draft.named) for draft in drafts]
-    return samples_from_rows(named, part_features(now, before))
+    known = people or {}
+    person = np.array([known.get(draft.named[0], 0) for draft in drafts], np.int32)
+    return samples_from_rows(named, part_features(now, before), person=person, time_s=times[asked])
 
 
 @dataclass(frozen=True, slots=True, eq=False)

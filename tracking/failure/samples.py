@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -31,17 +32,49 @@ SAMPLE_SOURCES = ("label", "correction", "truth")
 """A rectangle somebody judged, one that somebody put right, one judged by rendered truth."""
 
 
+@dataclass(frozen=True, slots=True)
+class Besides:
+    """A column that not every source of samples has.
+
+    Attributes:
+        dtype: of it. unknown: stands where the source does not say.
+    """
+
+    dtype: np.dtype[Any]
+    unknown: float
+
+
+BESIDES: Mapping[str, Besides] = MappingProxyType(
+    {
+        "person": Besides(np.dtype(np.int32), 0),  # see `Samples.people`
+        "time_s": Besides(np.dtype(np.float64), math.nan),  # since the recording began
+        "session": Besides(np.dtype(np.int32), 0),  # whose tracks they are, of those told apart
+    }
+)
+NOT_TOLD_APART = -1
+"""As a person: may be anybody of the recording."""
+
+_USUAL_FPS = 20.0
+"""Of samples that do not say when they were: close enough to tell a second from a moment."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Samples:
     """Samples, a row each; n rows.
 
     Attributes:
-        columns: `SAMPLE_COLUMNS`, (n,) each.
+        columns: `SAMPLE_COLUMNS` and `BESIDES`, (n,) each; of the latter those given.
         features: (n, 36), see `FEATURE_NAMES`; all finite.
     """
 
     columns: Mapping[str, NDArray[Any]]
     features: Floats
+
+    def __post_init__(self) -> None:
+        """Fill in what the source does not say."""
+        rows = len(self.features)
+        unknown = {name: np.full(rows, one.unknown, one.dtype) for name, one in BESIDES.items()}
+        object.__setattr__(self, "columns", {**unknown, **self.columns})
 
     def __len__(self) -> int:
         """How many there are."""
@@ -58,13 +91,38 @@ class Samples:
         return np.bincount(place, minlength=6).reshape(3, 2)
 
     def people(self) -> NDArray[np.int64]:
-        """(n,) a number for each recording and person in it, from 0 on."""
-        pairs = list(zip(*(self.columns[name].tolist() for name in _PERSON), strict=True))
-        number = {pair: at for at, pair in enumerate(sorted(set(pairs)))}
-        return np.array([number[pair] for pair in pairs], np.int64)
+        """(n,) a number for everybody, from 0 on: what may be of one person has the same.
+
+        A person is who truth says it is (`person` above 0), else the track (0), of a recording;
+        where not even tracks tell people apart (`NOT_TOLD_APART`), all of the recording are one.
+        """
+        person = self.columns["person"].astype(np.int64)
+        track = self.columns["track"].astype(np.int64)
+        kind = np.sign(person)
+        return _numbered(self.columns["recording"], kind, np.where(kind == 0, track, person))
+
+    def instants(self) -> NDArray[np.int64]:
+        """(n,) a number for each frame of a track, from 0 on: what was seen of somebody at once."""
+        own = (self.columns[name].astype(np.int64) for name in ("session", "track", "frame"))
+        return _numbered(self.columns["recording"], *own)
+
+    def times_s(self) -> Floats:
+        """(n,) when each was; by the frame at a usual rate where that is not known."""
+        time_s = self.columns["time_s"]
+        return np.where(np.isnan(time_s), self.columns["frame"] / _USUAL_FPS, time_s)
+
+    def with_columns(self, **columns: NDArray[Any]) -> Samples:
+        """The same with other columns (n,)."""
+        return Samples({**self.columns, **columns}, self.features)
 
 
-_PERSON = ("recording", "track")
+def _numbered(text: NDArray[Any], *numbers: NDArray[np.int64]) -> NDArray[np.int64]:
+    """(n,) which of the different rows of some columns (n,) each row is, from 0 on, in order."""
+    if not len(text):
+        return np.zeros(0, np.int64)
+    names = np.unique(text.astype(str), return_inverse=True)[1].reshape(-1)
+    rows = np.column_stack((names, *numbers))
+    return np.unique(rows, axis=0, return_inverse=True)[1].reshape(-1).astype(np.int64)
 
 
 def no_samples() -> Samples:
@@ -72,15 +130,20 @@ def no_samples() -> Samples:
     return samples_from_rows((), np.zeros((0, FEATURES)))
 
 
-def samples_from_rows(rows: Iterable[tuple[Any, ...]], features: Floats) -> Samples:
-    """Samples of rows in the order of `SAMPLE_COLUMNS`."""
+def samples_from_rows(
+    rows: Iterable[tuple[Any, ...]], features: Floats, **besides: NDArray[Any]
+) -> Samples:
+    """Samples of rows in the order of `SAMPLE_COLUMNS`, and of the columns `BESIDES` known."""
     listed = list(rows)
     values = list(zip(*listed, strict=True)) if listed else [()] * len(SAMPLE_COLUMNS)
     columns = {
         name: np.array(column, dtype)
         for (name, dtype), column in zip(SAMPLE_COLUMNS.items(), values, strict=True)
     }
-    return Samples(columns, features)
+    return Samples({**columns, **besides}, features)
+
+
+_DTYPES = {**SAMPLE_COLUMNS, **{name: one.dtype for name, one in BESIDES.items()}}
 
 
 def joined(samples: Iterable[Samples]) -> Samples:
@@ -88,6 +151,6 @@ def joined(samples: Iterable[Samples]) -> Samples:
     several = [no_samples(), *samples]
     columns = {
         name: np.concatenate([one.columns[name] for one in several]).astype(dtype)
-        for name, dtype in SAMPLE_COLUMNS.items()
+        for name, dtype in _DTYPES.items()
     }
     return Samples(columns, np.concatenate([one.features for one in several]))

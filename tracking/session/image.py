@@ -212,8 +212,8 @@ def _write_samples(packer: Packer, file: h5py.File, samples: Samples) -> None:
         return
     texts = {name for name, dtype in SAMPLE_COLUMNS.items() if dtype == TEXT}
     columns = {
-        name: column.tolist() if name in texts else column
-        for name, column in samples.columns.items()
+        name: samples.columns[name].tolist() if name in texts else samples.columns[name]
+        for name in SAMPLE_COLUMNS
     }
     features = dict(zip(FEATURE_NAMES, samples.features.T, strict=True))
     packer.table(file, "samples", SAMPLE_TABLE, {**columns, **features})

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from platformdirs import user_cache_path
 
-from tracking.synthesis import SCENES, render_recording
+from tests.benchmarks.parts.scenes import ELSEWHERE
+from tracking.synthesis import SCENES, SceneSpec, render_recording
 from tracking.synthesis.cast import Cast
 from tracking.synthesis.rig import Rig
 
@@ -20,34 +22,52 @@ class Clip:
     """One rendered scene.
 
     Attributes:
-        scene: its name in `SCENES`.
+        scene: its name in `SCENES` or `ELSEWHERE`.
         seed: says who comes by and how.
     """
 
     scene: str
     seed: int
 
+    @property
+    def spec(self) -> SceneSpec:
+        """The scene's definition."""
+        return SCENES[self.scene] if self.scene in SCENES else ELSEWHERE[self.scene]
+
     def cast(self) -> Cast:
         """The people of the clip, as they were rendered."""
-        spec = SCENES[self.scene]
+        spec = self.spec
         rig = Rig.of_scene(spec, spec.size_px)
         return Cast.of_scene(spec, rig, spec.people, round(spec.seconds * FPS), FPS, self.seed)
 
 
-REPORTED = tuple(Clip("walkway", seed) for seed in range(4201, 4221))
+def _clips(scene: str, seeds: Iterable[int]) -> tuple[Clip, ...]:
+    return tuple(Clip(scene, seed) for seed in seeds)
+
+
+REPORTED = _clips("walkway", range(4301, 4321))
 """20 clips, 100 people, on which nothing was trained or chosen."""
 
-REPORTED_CROUCHING = tuple(Clip("crouching", seed) for seed in range(4251, 4257))
+REPORTED_CROUCHING = _clips("crouching", range(4351, 4357))
 
-TRAINED = tuple(Clip("walkway", seed) for seed in range(4111, 4131))
+TRAINED = (
+    *_clips("walkway", range(4111, 4129)),
+    *_clips("crouching", range(4161, 4166)),
+    *(clip for scene in ELSEWHERE for clip in _clips(scene, (4142, 4143))),
+)
 """The built-in detector learns from these."""
 
-TRAINED_CROUCHING = tuple(Clip("crouching", seed) for seed in range(4161, 4167))
+CHECKED = (
+    *_clips("walkway", range(4171, 4175)),
+    *_clips("crouching", (4181,)),
+    *(clip for scene in ELSEWHERE for clip in _clips(scene, (4191,))),
+)
+"""What the detector learns from, and how, was chosen by these."""
 
-TUNED = tuple(Clip("walkway", seed) for seed in range(4101, 4105))
-"""For choosing settings: neither learnt from nor reported on."""
+TUNED = _clips("walkway", range(4101, 4105))
+"""For choosing settings of trackers: neither learnt from nor reported on."""
 
-TUNED_CROUCHING = tuple(Clip("crouching", seed) for seed in range(4151, 4153))
+TUNED_CROUCHING = _clips("crouching", range(4151, 4153))
 
 
 def folder_of(clip: Clip, kept: Path | None = None) -> Path:
@@ -61,5 +81,5 @@ def folder_of(clip: Clip, kept: Path | None = None) -> Path:
     folder = above / f"{clip.scene}-{clip.seed}"
     if not (folder / "truth_parts.csv").is_file():
         print(f"rendering {folder}", file=sys.stderr)
-        render_recording(folder, clip.scene, seed=clip.seed, fps=FPS, eyes=1)
+        render_recording(folder, clip.spec, seed=clip.seed, fps=FPS, eyes=1)
     return folder

@@ -1,9 +1,9 @@
 """Makes the built-in failure detector: `python -m tests.benchmarks.parts.detector [--out FILE]`.
 
 It learns from a tracker that adjusts nothing, as in [ZhaoLee2009], labelled from the exact truth
-of clips that are used for nothing else. Every person is seen at a size of its own, drawn at
-random: the clips show all of them about equally large, and what was learnt in pixels there would
-say nothing of other recordings.
+of clips that are used for nothing else, from several cameras. Every person is seen at a size of
+its own, drawn at random: the clips show all of them about equally large, and what was learnt in
+pixels there would say nothing of other recordings.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import cv2
 import numpy as np
 
 import resources
-from tests.benchmarks.parts.clips import TRAINED, TRAINED_CROUCHING
+from tests.benchmarks.parts.clips import TRAINED
 from tests.benchmarks.parts.labelling import samples_of_clips
 from tests.benchmarks.parts.running import PLAIN
 from tracking.failure import Samples, save_detector
@@ -46,7 +46,7 @@ def main() -> None:
 def made(kept: Path | None) -> Trained:
     """The detector, and what was measured while it was made."""
     random = np.random.default_rng(SEED)
-    samples = resized(samples_of_clips((*TRAINED, *TRAINED_CROUCHING), PLAIN, kept), random)
+    samples = resized(samples_of_clips(TRAINED, PLAIN, kept), random)
     print(f"samples off and on, by part: {samples.counts().tolist()}", file=sys.stderr)
     return train(samples, TrainingPlan(), random=random)
 

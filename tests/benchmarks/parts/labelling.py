@@ -16,10 +16,12 @@ from tracking.failure import (
     Samples,
     joined,
     labels_from_truth,
+    people_followed,
     read_true_parts,
     samples_of,
 )
 from tracking.failure.training.questions import NAMES, questions_of
+from tracking.tracks import Columns
 
 
 def samples_of_clips(clips: Sequence[Clip], variant: Variant, kept: Path | None = None) -> Samples:
@@ -29,9 +31,15 @@ def samples_of_clips(clips: Sequence[Clip], variant: Variant, kept: Path | None 
 
 def _samples_of_clip(clip: Clip, variant: Variant, kept: Path | None) -> Samples:
     folder = folder_of(clip, kept)
-    run = run_of(folder, variant)
-    labels = labels_from_truth(read_true_parts(folder / TRUE_PARTS), run.parts, FPS)
-    return samples_of(labels, run.parts, FPS, f"{clip.scene} {clip.seed}, {variant.name}")
+    return samples_of_parts(folder, clip, run_of(folder, variant).parts)
+
+
+def samples_of_parts(folder: Path, clip: Clip, parts: Columns) -> Samples:
+    """Samples of the parts that a tracker saw in a clip."""
+    truth = read_true_parts(folder / TRUE_PARTS)
+    labels = labels_from_truth(truth, parts, FPS)
+    people = people_followed(truth, parts, FPS)
+    return samples_of(labels, parts, FPS, f"{clip.scene} {clip.seed}", people)
 
 
 def machine_curves(detector: Detector, samples: Samples) -> dict[str, Curve]:

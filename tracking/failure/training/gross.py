@@ -45,8 +45,7 @@ def with_gross_failures(
 def _whole_instants(samples: Samples) -> NDArray[np.int64]:
     """A row of each instant in which all three parts are on their place."""
     on = np.flatnonzero(samples.columns["label"] == 1)
-    instants = np.column_stack((samples.people()[on], samples.columns["frame"][on]))
-    _, first, which = np.unique(instants, axis=0, return_index=True, return_inverse=True)
+    _, first, which = np.unique(samples.instants()[on], return_index=True, return_inverse=True)
     parts = np.zeros((len(first), PARTS), bool)
     parts[which.reshape(-1), samples.columns["part"][on]] = True
     return on[first[parts.all(axis=1)]]

@@ -85,8 +85,7 @@ def one_or_several(samples: Samples, people: NDArray[np.int64]) -> Question:
     rectangle somebody put right belong to another state.
     """
     lost = samples.columns["label"] == 0
-    instants = np.column_stack((people, samples.columns["frame"]))
-    which = np.unique(instants, axis=0, return_inverse=True)[1].reshape(-1)
+    which = samples.instants()
     off = np.zeros((int(which.max(initial=-1)) + 1, PARTS), bool)
     on = np.zeros_like(off)
     off[which[lost], samples.columns["part"][lost]] = True
