@@ -4,20 +4,14 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import editable, floor, selected, session
-from app.presenters.commands.command import Command, Situation
-
-
-def _on_floor(now: Situation) -> str:
-    """What is drawn on the floor needs one."""
-    return editable(now) or floor(now)
-
+from app.presenters.commands.checks import editable, selected, session
+from app.presenters.commands.command import Command
 
 COMMANDS: Final = (
     Command("labels.parts", "Labels", "Body parts", ("Alt+1",), editable, True),
     Command("labels.occluders", "Labels", "Occluders in the picture", ("Alt+2",), editable, True),
-    Command("labels.lines", "Labels", "Counting lines on the floor", ("Alt+3",), _on_floor, True),
-    Command("labels.regions", "Labels", "Regions on the floor", ("Alt+4",), _on_floor, True),
+    Command("labels.lines", "Labels", "Counting lines", ("Alt+3",), editable, True),
+    Command("labels.regions", "Labels", "Regions", ("Alt+4",), editable, True),
     Command("labels.reviewed", "Labels", "Reviewed ranges", ("Alt+5",), session, True),
     Command(
         "labels.on", "Labels", "The part is on: say so, go on", ("4",), selected, separated=True

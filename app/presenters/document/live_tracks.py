@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from array import array
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -137,6 +137,11 @@ class LiveTracks:
         people[self._first : self._first + len(self._people)] = self._people
         return people
 
+    def held(self) -> Callable[[], Columns]:
+        """Takes hold of all rows so far; what it gives reads them, on any thread."""
+        steps = tuple(self._steps)
+        return lambda: joined([step.tracks for step in steps])
+
     def _rows(self, start: int, stop: int) -> Columns:
         low, high = (min(max(0, n - self._first), len(self._steps)) for n in (start, stop))
         return joined([step.tracks for step in self._steps[low:high]])
@@ -244,6 +249,18 @@ class ContinuedTracks:
         people = self._live.activity(frame_count)
         people[: self._frame] = self._before.activity(frame_count)[: self._frame]
         return people
+
+    def held(self) -> Callable[[], Columns]:
+        """Takes hold of all rows of now; what it gives reads them, on any thread."""
+        early = [self._before.of_track(track) for track in self._early]
+        late, frame = self._live.held(), self._frame
+
+        def read() -> Columns:
+            before = joined(early)
+            kept = before["frame"] < frame
+            return joined([{name: before[name][kept] for name in before}, late()])
+
+        return read
 
     def _part(self, frame: int) -> ShownTracks:
         return self._before if frame < self._frame else self._live

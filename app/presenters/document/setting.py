@@ -27,6 +27,9 @@ class Pictured:
     parts: bool = True
     part_particles: bool = False
     curves: bool = False
+    counts: bool = True
+    counting: bool = False
+    flow_map: bool = False
 
     @property
     def kinds(self) -> Kinds:

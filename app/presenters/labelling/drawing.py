@@ -66,12 +66,29 @@ def corners_of(item: Occluder | CountingLine | Region) -> _Points:
     return (item.start, item.end) if isinstance(item, CountingLine) else item.polygon
 
 
-def plan_drawn(tool: Tool, labels: Labels, corners: Corners, frame: int) -> Change:
-    """Add what was drawn, under a name nothing else of its kind bears."""
+def drawn_where(tool: Tool, labels: Labels, *, in_picture: bool) -> dict[int, _Points]:
+    """By number, the corners of what was drawn with a tool in the picture, or on the floor."""
+    return {
+        number: corners_of(item)
+        for number, item in enumerate(drawn_with(tool, labels))
+        if (tool is Tool.OCCLUDERS or item.in_picture) is in_picture
+    }
+
+
+def plan_drawn(
+    tool: Tool, labels: Labels, corners: Corners, frame: int, *, in_picture: bool = False
+) -> Change:
+    """Add what was drawn, under a name nothing else of its kind bears.
+
+    in_picture: a line or a region lies in the left picture, not on the floor.
+    """
     kind = _KINDS[tool]
     there = kind.of(labels)
     name = _free_name(kind.word, [item.name for item in there])
-    return kind.plan(labels, (*there, kind.drawn(name, _points(corners))), frame)
+    new = kind.drawn(name, _points(corners))
+    if tool is not Tool.OCCLUDERS:
+        new = replace(new, in_picture=in_picture)
+    return kind.plan(labels, (*there, new), frame)
 
 
 def plan_reshaped(tool: Tool, labels: Labels, number: int, corners: Corners, frame: int) -> Change:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,14 +11,13 @@ from app.presenters.labelling.labelling_scene import (
     LINE_COLOUR,
     OCCLUDER_COLOUR,
     REGION_COLOUR,
-    FloorLabels,
     Outline,
     Tool,
 )
 from app.presenters.pictures.projection import project_outline
 from app.presenters.scenes import Eye
 from tracking.recording import Recording
-from tracking.tracks import CountingLine, Labels
+from tracking.tracks import CountingLine, Labels, Region
 
 Floats = NDArray[np.float64]
 Drawn = tuple[Tool, int]
@@ -24,6 +25,7 @@ Drawn = tuple[Tool, int]
 
 _NO_ARROW: Floats = np.zeros((0, 2))
 _ARROW_M = 0.6
+_ARROW_PX = (12.0, 40.0)
 
 
 class DrawnLabels:
@@ -33,12 +35,12 @@ class DrawnLabels:
         self._recording = recording
         self._made: dict[Eye | None, tuple[tuple[object, ...], tuple[Outline, ...]]] = {}
 
-    def floor(self, labels: Labels, picked: Drawn) -> FloorLabels:
+    def floor(self, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
         """Lines and regions in metres."""
-        return FloorLabels(self._outlines(None, labels, picked))
+        return self._outlines(None, labels, picked)
 
     def picture(self, eye: Eye, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
-        """Occluders (of the left eye), and lines and regions as an eye sees the floor."""
+        """What was drawn in the left eye, and what lies on the floor as an eye sees it."""
         return self._outlines(eye, labels, picked)
 
     def _outlines(self, eye: Eye | None, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
@@ -50,28 +52,14 @@ class DrawnLabels:
         return made[1]
 
     def _make(self, eye: Eye | None, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
-        on_floor = [
-            Outline(
-                region.name,
-                self._seen(eye, np.asarray(region.polygon), closed=True),
-                True,
-                REGION_COLOUR,
-                picked=picked == (Tool.REGIONS, number),
-            )
-            for number, region in enumerate(labels.regions)
-        ] + [
-            Outline(
-                line.name,
-                self._seen(eye, np.array([line.start, line.end])),
-                False,
-                LINE_COLOUR,
-                self._seen(eye, forward_arrow(line), dense=False),
-                picked == (Tool.LINES, number),
-            )
-            for number, line in enumerate(labels.lines)
-        ]
+        counted = (
+            *(self._region(eye, region, number) for number, region in enumerate(labels.regions)),
+            *(self._line(eye, line, number) for number, line in enumerate(labels.lines)),
+        )
+        seen = (one for one in counted if one is not None)
+        lying = [replace(one, picked=picked == one.key) for one in seen]
         if eye in (None, Eye.RIGHT):
-            return tuple(on_floor)
+            return tuple(lying)
         occluders = [
             Outline(
                 occluder.name,
@@ -82,7 +70,31 @@ class DrawnLabels:
             )
             for number, occluder in enumerate(labels.occluders)
         ]
-        return (*on_floor, *occluders)
+        return (*lying, *occluders)
+
+    def _region(self, eye: Eye | None, region: Region, number: int) -> Outline | None:
+        """None where it lies in the picture, and another view is drawn."""
+        corners, key = np.asarray(region.polygon, np.float64), (Tool.REGIONS, number)
+        if not self._lies_in(eye, region):
+            return None
+        if not region.in_picture:
+            corners = self._seen(eye, corners, closed=True)
+        return Outline(region.name, corners, True, REGION_COLOUR, key=key)
+
+    def _line(self, eye: Eye | None, line: CountingLine, number: int) -> Outline | None:
+        ends, key = np.array([line.start, line.end], np.float64), (Tool.LINES, number)
+        if not self._lies_in(eye, line):
+            return None
+        if line.in_picture:
+            return Outline(line.name, ends, False, LINE_COLOUR, picture_arrow(line), key=key)
+        arrow = self._seen(eye, forward_arrow(line), dense=False)
+        return Outline(line.name, self._seen(eye, ends), False, LINE_COLOUR, arrow, key=key)
+
+    def _lies_in(self, eye: Eye | None, item: CountingLine | Region) -> bool:
+        """Whether something can be seen in an eye, or on the floor where that is None."""
+        if item.in_picture:
+            return eye in (Eye.LEFT, Eye.BOTH)
+        return eye is None or self._recording.view is not None
 
     def _seen(
         self, eye: Eye | None, corners: Floats, closed: bool = False, dense: bool = True
@@ -100,12 +112,22 @@ class DrawnLabels:
 
 
 def forward_arrow(line: CountingLine) -> Floats:
-    """(2, 2) from the middle of a line to its right-hand side, looking from start to end."""
+    """(2, 2) from the middle of a line to its right-hand side, looking from start to end; m."""
+    return _arrow(line, (0.25, _ARROW_M), downward=False)
+
+
+def picture_arrow(line: CountingLine) -> Floats:
+    """The same of a line in the picture, whose v grows downward; px."""
+    return _arrow(line, _ARROW_PX, downward=True)
+
+
+def _arrow(line: CountingLine, shortest_longest: tuple[float, float], *, downward: bool) -> Floats:
     start, end = np.array(line.start, np.float64), np.array(line.end, np.float64)
     along = end - start
     length = float(np.hypot(*along))
     if length == 0:
         return _NO_ARROW
-    right = np.array([along[1], -along[0]]) / length
+    right = np.array([along[1], -along[0]]) / length * (-1 if downward else 1)
     middle = (start + end) / 2
-    return np.stack([middle, middle + right * min(_ARROW_M, max(0.25, length / 2))])
+    shortest, longest = shortest_longest
+    return np.stack([middle, middle + right * min(longest, max(shortest, length / 2))])

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from app.presenters.labelling.labelling_scene import (
     PART_COLOURS,
     FloorLabels,
     LabellingScene,
+    Outline,
     PartMark,
     PictureLabels,
     RangeLine,
@@ -25,6 +27,9 @@ from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.scenes import Eye
 from app.presenters.words import tr
 from tracking.tracks import Labels, PartLabel
+
+Counted = Callable[[Tool, int], str]
+"""What is counted at a line or in a region, by its number; "" where nothing is."""
 
 
 @dataclass(slots=True)
@@ -62,15 +67,15 @@ class LabellingPresenter:
 
     # what the views show
 
-    def picture(self, eye: Eye, frame: int) -> PictureLabels:
-        """Everything drawn and said, in one eye."""
-        outlines = self._drawn.picture(eye, self.labels, self._picked)
+    def picture(self, eye: Eye, frame: int, counted: Counted) -> PictureLabels:
+        """Everything drawn and said, in one eye; `counted` tells what is counted at it."""
+        outlines = _told(self._drawn.picture(eye, self.labels, self._picked), counted)
         labelling = self.choice.tool is not None
         return PictureLabels(self._part_marks(eye, frame), outlines, labelling)
 
-    def floor(self) -> FloorLabels:
-        """What was drawn on the floor."""
-        return self._drawn.floor(self.labels, self._picked)
+    def floor(self, counted: Counted) -> FloorLabels:
+        """What was drawn on the floor, with what is counted at it."""
+        return FloorLabels(_told(self._drawn.floor(self.labels, self._picked), counted))
 
     @property
     def _picked(self) -> Drawn:
@@ -181,6 +186,11 @@ class LabellingPresenter:
         return self.labels.title(self.track)
 
 
+def _told(outlines: tuple[Outline, ...], counted: Counted) -> tuple[Outline, ...]:
+    """The outlines with what is counted at them."""
+    return tuple(replace(one, said=counted(*one.key)) for one in outlines)
+
+
 def _drawing_words(tool: Tool) -> tuple[str, str]:
     """Title of the panel, and what to do in a line."""
     if tool is Tool.OCCLUDERS:
@@ -190,9 +200,10 @@ def _drawing_words(tool: Tool) -> tuple[str, str]:
         )
     if tool is Tool.LINES:
         return tr("Counting lines"), tr(
-            "Click both ends on the floor; the arrow shows which way is forward; Esc leaves."
+            "Click both ends on the floor, or in the left eye; the arrow shows which way is "
+            "forward; Esc leaves."
         )
     return tr("Regions"), tr(
-        "Click the corners on the floor; Enter or a double click closes; drag corners to correct "
-        "them; Esc leaves."
+        "Click the corners on the floor, or in the left eye; Enter or a double click closes; drag "
+        "corners to correct them; Esc leaves."
     )

@@ -31,6 +31,11 @@ class Tool(Enum):
         """Whether it is drawn on the overhead view."""
         return self in (Tool.LINES, Tool.REGIONS)
 
+    @property
+    def in_picture(self) -> bool:
+        """Whether it is drawn in the left eye; lines and regions are where there is no floor."""
+        return self is Tool.OCCLUDERS or self.on_floor
+
 
 @dataclass(frozen=True, slots=True)
 class PartMark:
@@ -64,6 +69,7 @@ class Outline:
         closed: a polygon, else a line.
         arrow: (2, 2) from tail to tip, which way is forward over a line; (0, 2): none.
         picked: drawn with emphasis and its corners.
+        key: the tool that draws it and its number. said: what is counted at it; "": nothing.
     """
 
     name: str
@@ -72,6 +78,8 @@ class Outline:
     colour: Colour
     arrow: Points = field(default_factory=lambda: np.zeros((0, 2)))
     picked: bool = False
+    key: tuple[Tool, int] = (Tool.OCCLUDERS, -1)
+    said: str = ""
 
 
 @dataclass(frozen=True, slots=True)

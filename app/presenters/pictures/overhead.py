@@ -43,6 +43,11 @@ class OverheadPresenter:
             self._message = ""
             self._looks_down = recording.view.ground.tilt_deg > _LOOKS_DOWN_DEG
 
+    @property
+    def bounds(self) -> Bounds:
+        """Left, bottom, right and top of the floor worth showing, m."""
+        return self._bounds
+
     def scene(self, instant: Instant) -> OverheadScene:
         """The floor at the instant."""
         particles = instant.tracks.particles(instant.frame)

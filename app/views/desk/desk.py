@@ -15,6 +15,7 @@ from app.presenters.scenes import Eye, TransportScene
 from app.views.comparing.comparing import Comparing
 from app.views.correcting.dragging import Dragging
 from app.views.correcting.editing import Editing
+from app.views.counting.counting import Counting
 from app.views.desk.gestures import connect_gestures
 from app.views.desk.workspace import Workspace
 from app.views.history.history import HistoryWalk
@@ -55,6 +56,7 @@ class Desk(QObject):
         self.walk = HistoryWalk(document, self.playback, workspace.history, self)
         self.labelling = Labelling(document, self.playback, workspace, self)
         self.parts = Parts(document, self.playback, workspace, self.labelling, self)
+        self.counting = Counting(document, self.playback, workspace, self)
         self.live = LiveTracking(document.recording, self)
         self.comparing = Comparing(document, self.playback, self.editing, workspace, self)
         panel = workspace.review
@@ -89,6 +91,8 @@ class Desk(QObject):
             one.said.connect(self.said)
         self.overlaying.failed.connect(self.failed)
         self.parts.changed.connect(self.draw)
+        self.counting.changed.connect(self.draw_instant)
+        self.counting.said.connect(self.said)
         self.parts.said.connect(self.said)
         self.live.tracked.connect(self._take_live)
         self.live.finished.connect(self._end_live)
@@ -102,6 +106,7 @@ class Desk(QObject):
         self.overlaying.close()
         self.labelling.close()
         self.parts.close()
+        self.counting.close()
         self.playback.close()
         if self.document.session is not None:
             self.document.session.close()
@@ -322,7 +327,8 @@ class Desk(QObject):
         if self.eyes == "both":
             view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
         view.overhead.show_scene(document.overhead.scene(instant))
-        self.labelling.draw(self.eyes == "both", self.pictured.labels)
+        counted = self.counting.draw(instant, self.pictured)
+        self.labelling.draw(self.eyes == "both", self.pictured.labels, counted)
         self.parts.draw(instant, self.pictured)
         self.drawn.emit()
 

@@ -22,6 +22,7 @@ from app.views.comparing.compare_panel import ComparePanel
 from app.views.comparing.differences_panel import DifferencesPanel
 from app.views.correcting.edit_panel import EditPanel
 from app.views.correcting.track_panel import TrackPanel
+from app.views.counting.counting_panel import CountingPanel
 from app.views.desk.pane_ring import PaneRing
 from app.views.history.history_panel import HistoryPanel
 from app.views.labelling.labelling_panel import LabellingPanel
@@ -50,6 +51,7 @@ class Workspace(QWidget):
         self.eye_switch = EyeSwitch(self)
         self.overhead = OverheadView(self)
         self.curves = CurvesPanel(self)
+        self.counting = CountingPanel(self)
         self.review = ReviewPanel(self)
         self.card = TrackPanel(self)
         self.history = HistoryPanel(self)
@@ -60,13 +62,15 @@ class Workspace(QWidget):
         self.transport = TransportBar(self)
         self.timeline = TimelineView(self)
         self._splitters: dict[str, QSplitter] = {}
-        self.timeline.area.axis_changed.connect(self.curves.plot.show_axis)
+        for plot in (self.curves.plot, self.counting.plot):
+            self.timeline.area.axis_changed.connect(plot.show_axis)
         self._lay_out()
         self._ring = PaneRing(self)
 
     def _lay_out(self) -> None:
         eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
-        floor = self._split("floor", Qt.Orientation.Vertical, (self.overhead, self.curves), (5, 4))
+        below = (self.overhead, self.curves, self.counting)
+        floor = self._split("floor", Qt.Orientation.Vertical, below, (5, 4, 5))
         views = (eyes, floor, self._side())
         top = self._split("top", Qt.Orientation.Horizontal, views, (9, 10, 6))
         upper = QWidget(self)

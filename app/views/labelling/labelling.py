@@ -11,17 +11,19 @@ from PySide6.QtWidgets import QWidget
 from app.presenters.document.document import Document
 from app.presenters.labelling.drawing import (
     corners_of,
+    drawn_where,
     drawn_with,
     plan_drawn,
     plan_renamed,
     plan_reshaped,
     plan_taken_away,
 )
-from app.presenters.labelling.labelling import LabellingPresenter
+from app.presenters.labelling.labelling import Counted, LabellingPresenter
 from app.presenters.labelling.labelling_scene import (
     LINE_COLOUR,
     OCCLUDER_COLOUR,
     REGION_COLOUR,
+    FloorLabels,
     LabellingScene,
     PictureLabels,
     Suggested,
@@ -80,8 +82,9 @@ class Labelling(QObject):
         self._parts.part_drawn.connect(self._keys.put_box)
         self._parts.picked.connect(self._pick_person)
         self._parts.leave_asked.connect(self.leave)
+        self._on_picture.drawn.connect(self._add_in_picture)
+        self._on_floor.drawn.connect(self._add)
         for layer in (self._on_picture, self._on_floor):
-            layer.drawn.connect(self._add)
             layer.reshaped.connect(self._reshape)
             layer.picked.connect(self._pick)
             layer.removal_asked.connect(self._remove_picked)
@@ -115,6 +118,7 @@ class Labelling(QObject):
             layer.deleteLater()
         self._panel.show_scene(None)
         self._show(PictureLabels(), PictureLabels())
+        self._workspace.overhead.show_labels(FloorLabels())
 
     @property
     def _layers(self) -> tuple[QWidget, ...]:
@@ -140,8 +144,7 @@ class Labelling(QObject):
         self._keys.end_suggestions()
         for layer in self._layers:
             layer.hide()
-        used = self._layer_of(tool)
-        if used is not None:
+        for used in self._layers_of(tool):
             used.begin()
         self.changed.emit()
 
@@ -155,12 +158,13 @@ class Labelling(QObject):
         self._workspace.left.setFocus()
         self.changed.emit()
 
-    def _layer_of(self, tool: Tool) -> PartsLayer | ShapesLayer | None:
+    def _layers_of(self, tool: Tool) -> tuple[PartsLayer | ShapesLayer, ...]:
+        """Where a tool draws; the last one has the keyboard."""
         if tool is Tool.PARTS:
-            return self._parts
-        if tool is Tool.REVIEWED:
-            return None
-        return self._on_floor if tool.on_floor else self._on_picture
+            return (self._parts,)
+        picture = (self._on_picture,) if tool.in_picture else ()
+        floor_known = self._document.recording.view is not None
+        return (*picture, self._on_floor) if tool.on_floor and floor_known else picture
 
     # body parts
 
@@ -237,11 +241,15 @@ class Labelling(QObject):
 
     # what is drawn
 
-    def _add(self, corners: tuple[tuple[float, float], ...]) -> None:
+    def _add_in_picture(self, corners: tuple[tuple[float, float], ...]) -> None:
+        self._add(corners, in_picture=True)
+
+    def _add(self, corners: tuple[tuple[float, float], ...], *, in_picture: bool = False) -> None:
         tool, frame = self.tool, self._playback.number
         if tool is None:
             return
-        if self._do(lambda: plan_drawn(tool, self._presenter.labels, corners, frame)):
+        plan = partial(plan_drawn, corners=corners, frame=frame, in_picture=in_picture)
+        if self._do(lambda: plan(tool, self._presenter.labels)):
             there = [corners_of(item) for item in drawn_with(tool, self._presenter.labels)]
             self._pick(there.index(corners) if corners in there else -1)
 
@@ -269,7 +277,9 @@ class Labelling(QObject):
         if self.tool is Tool.OCCLUDERS:
             self.said.emit(tr("Occluders are drawn in the left eye"))
         elif self.tool is not None and self.tool.on_floor:
-            self.said.emit(tr("Lines and regions are drawn on the floor, in the view from above"))
+            self.said.emit(
+                tr("Lines and regions are drawn in the view from above, or in the left eye")
+            )
 
     def _change(self, plan: Callable[..., Change]) -> None:
         tool = self.tool
@@ -302,24 +312,29 @@ class Labelling(QObject):
 
     # showing
 
-    def draw(self, both: bool, shown: bool) -> None:
-        """Show labels in the views; `both`: the right eye is shown too; `shown`: at all."""
+    def draw(self, both: bool, shown: bool, counted: Counted) -> None:
+        """Show labels in the views.
+
+        both: the right eye is shown too. shown: at all. counted: what to write at what is drawn.
+        """
         if self._document.flow is not None and self.tool is not None:
             self.leave()
             return
         frame, presenter = self._playback.number, self._presenter
         shown = shown or self.tool is not None
         nothing = PictureLabels()
-        left = presenter.picture(Eye.LEFT, frame) if shown else nothing
-        right = presenter.picture(Eye.RIGHT, frame) if shown and both else nothing
+        left = presenter.picture(Eye.LEFT, frame, counted) if shown else nothing
+        right = presenter.picture(Eye.RIGHT, frame, counted) if shown and both else nothing
         self._show(left, right)
+        self._workspace.overhead.show_labels(presenter.floor(counted))
         if self.tool is Tool.PARTS:
             self._parts.show_parts(left.parts, presenter.parts.choice.part)
         elif self.tool in _COLOURS:
-            layer = self._on_floor if self.tool.on_floor else self._on_picture
-            shapes = [corners_of(item) for item in drawn_with(self.tool, presenter.labels)]
-            closed = self.tool is not Tool.LINES
-            layer.show_shapes(shapes, closed=closed, colour=_COLOURS[self.tool])
+            closed, colour = self.tool is not Tool.LINES, _COLOURS[self.tool]
+            for layer in (self._on_picture, self._on_floor):
+                there = layer is self._on_picture
+                shapes = drawn_where(self.tool, presenter.labels, in_picture=there)
+                layer.show_shapes(shapes, closed=closed, colour=colour)
         self._panel.show_scene(self._with_suggestions(presenter.scene(frame)))
 
     def _with_suggestions(self, scene: LabellingScene | None) -> LabellingScene | None:
@@ -329,4 +344,3 @@ class Labelling(QObject):
         self.shown = left
         self._workspace.left.show_labels(left)
         self._workspace.right.show_labels(right)
-        self._workspace.overhead.show_labels(self._presenter.floor())

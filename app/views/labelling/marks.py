@@ -31,7 +31,7 @@ def draw_outlines(
     metrics = QFontMetricsF(painter.font())
     named = [(one, _name_at(viewport.to_widget(one.points), area)) for one in outlines]
     seen = [(one, at) for one, at in named if at is not None and one.name]
-    names = [plate_text(metrics, one.name) for one, _ in seen]
+    names = [_with_counts(plate_text(metrics, one.name), one.said) for one, _ in seen]
     wanted = [plate_rect(metrics, n, at) for n, (_, at) in zip(names, seen, strict=True)]
     placed = place_plates(wanted, area)
     for (one, _), name, rect in zip(seen, names, placed, strict=True):
@@ -92,6 +92,11 @@ def _draw_part(painter: QPainter, mark: PartMark, rect: QRectF) -> None:
         painter.fillRect(rect, faded(colour, 0.14))
     elif mark.given and mark.on_part:
         draw_said(painter, rect.bottomLeft(), sign_radius(rect))
+
+
+def _with_counts(name: str, said: str) -> str:
+    """The name, and behind it what is counted there."""
+    return f"{name}: {said}" if said else name
 
 
 def _draw_arrow(painter: QPainter, ends: Points, colour: QColor) -> None:

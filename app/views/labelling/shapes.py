@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt, Signal
@@ -43,6 +43,7 @@ class ShapesLayer(Layer):
     def __init__(self, canvas: Canvas) -> None:
         super().__init__(canvas)
         self._shapes: tuple[tuple[Corner, ...], ...] = ()
+        self._numbers: tuple[int, ...] = ()
         self._closed = True
         self._colour: Colour = (255, 255, 255)
         self._draft: list[Corner] = []
@@ -51,10 +52,11 @@ class ShapesLayer(Layer):
         self._mouse = QPointF()
 
     def show_shapes(
-        self, shapes: Sequence[tuple[Corner, ...]], *, closed: bool, colour: Colour
+        self, shapes: Mapping[int, tuple[Corner, ...]], *, closed: bool, colour: Colour
     ) -> None:
-        """Which shapes there are; their corners can be dragged."""
-        self._shapes, self._closed, self._colour = tuple(shapes), closed, colour
+        """Which shapes there are, by their numbers; their corners can be dragged."""
+        self._numbers, self._shapes = tuple(shapes), tuple(shapes.values())
+        self._closed, self._colour = closed, colour
         self.update()
 
     def begin(self) -> None:
@@ -74,9 +76,9 @@ class ShapesLayer(Layer):
             self._put_corner(event.position())
         elif (corner := self._corner_at(event.position())) is not None:
             self._held, self._dragged = corner, list(self._shapes[corner[0]])
-            self.picked.emit(corner[0])
+            self.picked.emit(self._numbers[corner[0]])
         elif (shape := self._edge_at(event.position())) is not None:
-            self.picked.emit(shape)
+            self.picked.emit(self._numbers[shape])
         else:
             self._put_corner(event.position())
         self.update()
@@ -101,7 +103,7 @@ class ShapesLayer(Layer):
             return
         held, self._held = self._held, None
         if held is not None and tuple(self._dragged) != self._shapes[held[0]]:
-            self.reshaped.emit(held[0], tuple(self._dragged))
+            self.reshaped.emit(self._numbers[held[0]], tuple(self._dragged))
         self.update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:  # noqa: N802

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPolyg
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.comparing.agreement_scene import OtherPlace
+from app.presenters.counting.counting_scene import FlowScene
 from app.presenters.labelling.labelling_scene import FloorLabels
 from app.presenters.scenes import FloorPerson, OverheadScene
 from app.views.labelling.marks import draw_outlines
@@ -15,6 +16,7 @@ from app.views.look.theme import Theme, faded, scaled_font
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_places
 from app.views.pictures.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
+from app.views.pictures.flow_map import FlowDrawing
 from app.views.pictures.marks import draw_fading_trail, draw_preview
 from app.views.pictures.name_plates import (
     draw_message,
@@ -58,6 +60,8 @@ class OverheadView(Canvas):
         self._scene: OverheadScene | None = None
         self._labels = FloorLabels()
         self._others: tuple[OtherPlace, ...] = ()
+        self._flow: FlowScene | None = None
+        self._flow_drawing = FlowDrawing(self)
         self._held: FloorPerson | None = None
         self._held_off = QPointF()
         self._dragged = False
@@ -80,6 +84,12 @@ class OverheadView(Canvas):
         """Draw counting lines and regions."""
         if labels is not self._labels:
             self._labels = labels
+            self.update()
+
+    def show_flow(self, flow: FlowScene | None) -> None:
+        """Draw where people are and which way they go, below everything else; None: nothing."""
+        if flow is not self._flow:
+            self._flow = flow
             self.update()
 
     def show_others(self, others: tuple[OtherPlace, ...]) -> None:
@@ -174,6 +184,8 @@ class OverheadView(Canvas):
             draw_message(painter, area, text, theme)
             return
         painter.drawPixmap(0, 0, self._floor(scene, theme))
+        if self._flow is not None:
+            self._flow_drawing.paint(painter, self._flow, self.viewport, theme)
         painter.setFont(scaled_font(self.font(), 0.92))
         draw_outlines(painter, self._labels.outlines, self.viewport, area, theme)
         draw_other_places(painter, self._others, self.viewport, theme, area)

@@ -55,4 +55,7 @@ VIEWING: dict[str, OnDesk] = {
     "view.parts": _toggle_parts("parts"),
     "view.part_particles": _toggle_parts("part_particles"),
     "view.curves": _toggle("curves"),
+    "view.counts": _toggle("counts"),
+    "view.counting": _toggle("counting"),
+    "view.flow_map": _toggle("flow_map"),
 }

@@ -1,0 +1,255 @@
+"""Counting in the open recording: what is asked for, what came of it, what the views show."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from app.presenters.counting.counting_scene import (
+    CountingScene,
+    CountPlot,
+    FlowScene,
+    TallyRow,
+)
+from app.presenters.counting.flow_scene import flow_scene
+from app.presenters.counting.plots import plots_of
+from app.presenters.counting.subject import SHOWN, Counted, Subject, version_of
+from app.presenters.counting.tallies import Tallies, people_inside
+from app.presenters.document.document import Document
+from app.presenters.document.setting import Instant
+from app.presenters.labelling.labelling_scene import LINE_COLOUR, REGION_COLOUR, Tool
+from app.presenters.words import tr
+from tracking.counting import How, density_of
+from tracking.tracks import Columns, CountingLine, Labels, Region, between
+
+
+@dataclass(slots=True)
+class CountingChoice:
+    """What the user has chosen.
+
+    Attributes:
+        whose: `SHOWN` or a run's number. how: the way of counting.
+        picked: the name of what is plotted, and whether it is a line; None: the first there is.
+    """
+
+    whose: int = SHOWN
+    how: How = field(default_factory=How)
+    picked: tuple[bool, str] | None = None
+
+
+class CountingPresenter:
+    """Says what is to be counted and makes the scenes of what was."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self.choice = CountingChoice()
+        self.counted: Counted | None = None
+        self.refused = ""
+        self._tallies: Tallies | None = None
+        self._plots: tuple[tuple[object, int], tuple[CountPlot, ...]] = ((None, -1), ())
+        self._flow: tuple[object, FlowScene | None] = (None, None)
+
+    # what is counted
+
+    @property
+    def labels(self) -> Labels:
+        """Those of the session; nothing without one."""
+        session = self._document.session
+        return Labels() if session is None else session.labels
+
+    def wanted(self, *, mapped: bool) -> Subject:
+        """What is to be counted now."""
+        labels, choice = self.labels, self.choice
+        session = self._document.session
+        if session is None or choice.whose >= len(session.runs):
+            choice.whose = SHOWN
+        mapped = mapped and self._document.recording.view is not None
+        version = version_of(self._document, choice.whose)
+        return Subject(choice.whose, version, labels.lines, labels.regions, choice.how, mapped)
+
+    @property
+    def frames(self) -> tuple[int, int]:
+        """The frames that the tracks go over."""
+        session, whose = self._document.session, self.choice.whose
+        if whose != SHOWN and session is not None:
+            return session.runs[whose].frames
+        return self._document.tracks.frames
+
+    def take(self, counted: Counted) -> None:
+        """Show what was counted."""
+        self.counted, self.refused = counted, ""
+        self._tallies = Tallies(counted.counts)
+
+    def refuse(self, error: Exception) -> None:
+        """Nothing can be counted, and why."""
+        self.counted, self._tallies, self.refused = None, None, str(error)
+
+    # what the views show
+
+    def said_of(self, instant: Instant, tool: Tool, number: int) -> str:
+        """What stands behind the name of a line or a region in a frame; "": nothing yet."""
+        if tool is Tool.LINES:
+            so_far = self._so_far(number, instant.frame)
+            if so_far is None:
+                return ""
+            return tr("{ahead} forward, {back} back", ahead=so_far[0], back=so_far[1])
+        regions = self.labels.regions
+        if tool is not Tool.REGIONS or number >= len(regions):
+            return ""
+        return self._inside_text(regions[number], instant)
+
+    def scene(self, instant: Instant, doing: str) -> CountingScene:
+        """The panel."""
+        document, choice = self._document, self.choice
+        rows = (*self._line_rows(instant), *self._region_rows(instant))
+        picked = self._picked(rows)
+        return CountingScene(
+            rows=rows,
+            picked=picked,
+            tracks=self._whose(),
+            whose=choice.whose + 1,
+            step_s=choice.how.step_s,
+            jitter_m=choice.how.jitter_m,
+            plots=self._plots_of(picked),
+            counts=self.counted.counts if self.counted is not None else None,
+            frame=instant.frame,
+            frame_count=document.recording.frame_count,
+            fps=document.recording.fps,
+            doing=doing,
+            message=self._message(rows),
+        )
+
+    def flow(self) -> FlowScene | None:
+        """The flow map; None while there is none. The very same while it stays."""
+        found = self.counted.flow if self.counted is not None else None
+        if self._flow[0] is not found:
+            self._flow = (found, flow_scene(found) if found is not None else None)
+        return self._flow[1]
+
+    def _message(self, rows: tuple[TallyRow, ...]) -> str:
+        if self.refused:
+            return self.refused
+        if not rows:
+            return tr(
+                "Draw a counting line (Alt+3) or a region (Alt+4): who passes it and who is inside "
+                "is counted then, at the frame shown and over time."
+            )
+        return ""
+
+    def _whose(self) -> tuple[str, ...]:
+        session = self._document.session
+        runs = session.runs if session is not None else ()
+        shown = tr("People shown") if self._document.is_live else tr("Corrected tracks")
+        named = (
+            tr("Run {number}: {tracker}", number=number, tracker=run.tracker)
+            for number, run in enumerate(runs)
+        )
+        return (shown, *named)
+
+    # rows
+
+    def _line_rows(self, instant: Instant) -> list[TallyRow]:
+        return [
+            self._line_row(number, line, instant.frame)
+            for number, line in enumerate(self.labels.lines)
+        ]
+
+    def _line_row(self, number: int, line: CountingLine, frame: int) -> TallyRow:
+        so_far, counted = self._so_far(number, frame), self.counted
+        if so_far is None or counted is None:
+            return TallyRow(line.name, True, LINE_COLOUR, ("", "", "", "", ""), "")
+        whole = counted.counts.lines[number].totals
+        cells = [f"{now} / {most}" for now, most in zip(so_far, whole, strict=True)]
+        hint = tr(
+            "{name}: {ahead} of {all_ahead} have passed forward so far, {back} of {all_back} back",
+            name=line.name,
+            ahead=so_far[0],
+            back=so_far[1],
+            all_ahead=whole[0],
+            all_back=whole[1],
+        )
+        return TallyRow(line.name, True, LINE_COLOUR, (*cells, "", "", ""), hint)
+
+    def _region_rows(self, instant: Instant) -> list[TallyRow]:
+        return [
+            self._region_row(number, region, instant)
+            for number, region in enumerate(self.labels.regions)
+        ]
+
+    def _region_row(self, number: int, region: Region, instant: Instant) -> TallyRow:
+        people = people_inside(region, self._rows(instant))
+        density = float(density_of(region, np.array([people]))[0])
+        speed = self._speed(number, instant.frame)
+        cells = ("", "", str(people), _text(density, "{:.2f}"), _text(speed, "{:.2f}"))
+        steps = self._person_steps(number)
+        hint = tr("{name}: {people} inside now", name=region.name, people=people)
+        if steps is not None:
+            said = tr("{steps} person-steps in all", steps=steps)
+            hint = f"{hint}; {said}"
+        return TallyRow(region.name, False, REGION_COLOUR, cells, hint)
+
+    def _inside_text(self, region: Region, instant: Instant) -> str:
+        people = people_inside(region, self._rows(instant))
+        density = float(density_of(region, np.array([people]))[0])
+        inside = tr("{people} inside", people=people)
+        return f"{inside}, {density:.2f}/m²" if math.isfinite(density) else inside
+
+    def _so_far(self, number: int, frame: int) -> tuple[int, int] | None:
+        """None while these lines are not counted yet."""
+        counted = self.counted
+        if counted is None or self._tallies is None or counted.subject.lines != self.labels.lines:
+            return None
+        return self._tallies.so_far(number, frame)
+
+    def _speed(self, number: int, frame: int) -> float:
+        counted = self.counted
+        if counted is None or counted.subject.regions != self.labels.regions:
+            return math.nan
+        counts = counted.counts
+        time_s = np.array([frame / counts.steps.fps])
+        return float(counts.regions[number].mean_speed[counts.steps.of_time(time_s)[0]])
+
+    def _person_steps(self, number: int) -> int | None:
+        counted = self.counted
+        if counted is None or counted.subject.regions != self.labels.regions:
+            return None
+        return counted.counts.regions[number].person_steps
+
+    def _rows(self, instant: Instant) -> Columns:
+        """The rows of the frame of those who are counted."""
+        session, whose = self._document.session, self.choice.whose
+        if whose == SHOWN or session is None:
+            return instant.tracks.of_frame(instant.frame)
+        tracks = session.runs[whose].tracks
+        rows = between(tracks["frame"], instant.frame, instant.frame + 1)
+        return {name: column[rows] for name, column in tracks.items()}
+
+    # plots
+
+    def _picked(self, rows: tuple[TallyRow, ...]) -> int:
+        keys = [(row.is_line, row.name) for row in rows]
+        if self.choice.picked in keys:
+            return keys.index(self.choice.picked)
+        return 0 if keys else -1
+
+    def pick(self, is_line: bool, name: str) -> None:
+        """Plot another line or region."""
+        self.choice.picked = (is_line, name)
+
+    def _plots_of(self, picked: int) -> tuple[CountPlot, ...]:
+        counted, labels = self.counted, self.labels
+        if counted is None or (counted.subject.lines, counted.subject.regions) != (
+            labels.lines,
+            labels.regions,
+        ):
+            return ()
+        if self._plots[0] != (counted, picked):
+            frame_count = self._document.recording.frame_count
+            self._plots = ((counted, picked), plots_of(counted.counts, picked, frame_count))
+        return self._plots[1]
+
+
+def _text(number: float, form: str) -> str:
+    return form.format(number) if math.isfinite(number) else ""

@@ -1,0 +1,79 @@
+"""Counting off the GUI thread: a moment after the last change, the newest wins."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from app.background import Job
+from app.presenters.counting.subject import Counted, Subject
+
+Work = Callable[[], Counted]
+_QUIET_MS = 80
+
+
+class CountSearch(QObject):
+    """Works one subject out at a time; asked for another meanwhile, it goes on with the newest.
+
+    Signals: `counted(Counted)`; `failed(error)`; `changed()`, it is busy or at rest by now.
+    """
+
+    counted = Signal(object)
+    failed = Signal(object)
+    changed = Signal()
+
+    def __init__(self, prepare: Callable[[Subject], Work], parent: QObject) -> None:
+        """`prepare` takes hold of the tracks on this thread; what it gives runs on another."""
+        super().__init__(parent)
+        self._prepare = prepare
+        self._asked: Subject | None = None
+        self._begun: Subject | None = None
+        self._job: Job | None = None
+        self._waiting = QTimer(self, singleShot=True, interval=_QUIET_MS)
+        self._waiting.timeout.connect(self._begin)
+
+    @property
+    def busy(self) -> bool:
+        """Whether it counts, or is about to."""
+        return self._job is not None or self._waiting.isActive()
+
+    def ask(self, subject: Subject) -> None:
+        """Count this; nothing happens where it was asked for last."""
+        if subject == self._asked:
+            return
+        self._asked = subject
+        if self._job is None and not self._waiting.isActive():
+            self._waiting.start()
+            self.changed.emit()
+
+    def stop(self) -> None:
+        """Count no further."""
+        self._waiting.stop()
+        self._asked = None
+        if self._job is not None:
+            job, self._job = self._job, None
+            job.blockSignals(True)
+            job.wait()
+            job.deleteLater()
+
+    def _begin(self) -> None:
+        subject = self._asked
+        if subject is None or self._job is not None:
+            return
+        self._begun = subject
+        work = self._prepare(subject)
+        self._job = job = Job("counting", lambda _: work(), self)
+        job.done.connect(lambda result: self._end(lambda: self.counted.emit(result)))
+        job.failed.connect(lambda error: self._end(lambda: self.failed.emit(error)))
+        job.start()
+
+    def _end(self, tell: Callable[[], None]) -> None:
+        """Tell also what is out of date by now: while people are tracked everything always is."""
+        if self._job is not None:
+            self._job.deleteLater()
+            self._job = None
+        if self._asked != self._begun:
+            self._waiting.start()
+        tell()
+        self.changed.emit()

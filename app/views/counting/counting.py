@@ -1,0 +1,106 @@
+"""Counting on the desk: counters at lines and regions, the panel, the flow map."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache, partial
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from app.presenters.counting.counting import CountingPresenter
+from app.presenters.counting.subject import SHOWN, Counted, Length, Subject, loader, worked_out
+from app.presenters.document.document import Document
+from app.presenters.document.setting import Instant, Pictured
+from app.presenters.labelling.labelling import Counted as Told
+from app.presenters.words import counted, tr
+from app.views.counting.count_search import CountSearch, Work
+from app.views.desk.workspace import Workspace
+from app.views.playing.playback import Playback
+
+
+class Counting(QObject):
+    """Counts in the background what is asked for, and shows it.
+
+    Signals: `changed()`, there are other counts; `said(text)`; `save_asked()`, as CSV.
+    """
+
+    changed = Signal()
+    said = Signal(str)
+    save_asked = Signal()
+
+    def __init__(
+        self, document: Document, playback: Playback, workspace: Workspace, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._workspace = document, workspace
+        self.presenter = CountingPresenter(document)
+        self._search = CountSearch(self._prepare, self)
+        self._search.counted.connect(self._take)
+        self._search.failed.connect(self._refuse)
+        self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
+        counting, panel = self, workspace.counting
+        panel.frame_sought.connect(playback.go)
+        panel.picked.connect(counting._pick)
+        panel.whose_chosen.connect(counting._choose_whose)
+        panel.step_chosen.connect(counting._choose_step)
+        panel.jitter_chosen.connect(counting._choose_jitter)
+        panel.copied.connect(counting._tell_copied)
+        panel.save_asked.connect(counting.save_asked)
+
+    def close(self) -> None:
+        """End the thread; leave nothing on the views, which outlive the document."""
+        self._search.stop()
+        self._workspace.counting.show_scene(None)
+        self._workspace.overhead.show_flow(None)
+
+    def draw(self, instant: Instant, pictured: Pictured) -> Told:
+        """Show an instant, what is missing for it is counted; gives what to write at what lies."""
+        subject = self.presenter.wanted(mapped=pictured.flow_map)
+        if pictured.counts or pictured.counting or pictured.flow_map:
+            self._ask(subject)
+        self._workspace.overhead.show_flow(self.presenter.flow() if pictured.flow_map else None)
+        doing = tr("Counting...") if self._search.busy else ""
+        panel = self.presenter.scene(instant, doing) if pictured.counting else None
+        self._workspace.counting.show_scene(panel)
+        if not pictured.counts:
+            return lambda *_: ""
+        return cache(partial(self.presenter.said_of, instant))
+
+    def _ask(self, subject: Subject) -> None:
+        if not subject.is_empty:
+            self._search.ask(subject)
+
+    def _prepare(self, subject: Subject) -> Work:
+        """Takes hold of the tracks; counting them is for another thread."""
+        document = self._document
+        load, recording = loader(document, subject.whose), document.recording
+        length = Length(recording.fps, recording.frame_count, self.presenter.frames)
+        bounds = document.overhead.bounds
+        return lambda: worked_out(subject, load, length, bounds)
+
+    def _take(self, found: Counted) -> None:
+        self.presenter.take(found)
+
+    def _refuse(self, error: Exception) -> None:
+        self.presenter.refuse(error)
+
+    # choices
+
+    def _pick(self, is_line: bool, name: str) -> None:
+        self.presenter.pick(is_line, name)
+        self.changed.emit()
+
+    def _choose_whose(self, number: int) -> None:
+        self.presenter.choice.whose = number - 1 if number > 0 else SHOWN
+        self.changed.emit()
+
+    def _choose_step(self, step_s: float) -> None:
+        self.presenter.choice.how = replace(self.presenter.choice.how, step_s=step_s)
+        self.changed.emit()
+
+    def _choose_jitter(self, jitter_m: float) -> None:
+        self.presenter.choice.how = replace(self.presenter.choice.how, jitter_m=jitter_m)
+        self.changed.emit()
+
+    def _tell_copied(self, steps: int) -> None:
+        self.said.emit(counted(steps, "{n} step copied", "{n} steps copied"))

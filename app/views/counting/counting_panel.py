@@ -1,0 +1,157 @@
+"""The panel of what is counted: at the frame shown, over time, step by step."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDoubleSpinBox,
+    QHBoxLayout,
+    QSizePolicy,
+    QStackedWidget,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.presenters.counting.counting_scene import CountingScene
+from app.views.counting.counts_plot import CountsPlot
+from app.views.counting.steps_table import StepsTable
+from app.views.counting.tally_list import TallyList
+from app.views.look.icons import IconButton
+from app.views.widgets.parts import Panel, quiet
+
+_LONGEST_STEP_S, _WIDEST_JITTER_M = 3600.0, 5.0
+
+
+class CountingPanel(Panel):
+    """Draws a :class:`CountingScene`; hidden without one.
+
+    Signals:
+        frame_sought(int): a click into a plot or on a step. closed(): the button at the right.
+        picked(bool, str): what is to be plotted. whose_chosen(int): the number of the tracks.
+        step_chosen(float), jitter_chosen(float): seconds, metres.
+        copied(int): so many steps are on the clipboard. save_asked(): as CSV.
+    """
+
+    frame_sought = Signal(int)
+    closed = Signal()
+    picked = Signal(bool, str)
+    whose_chosen = Signal(int)
+    step_chosen = Signal(float)
+    jitter_chosen = Signal(float)
+    copied = Signal(int)
+    save_asked = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(self.tr("Counting"), parent)
+        self._doing = quiet("", self)
+        self.add_to_heading(self._doing)
+        close = IconButton("close", self.tr("Hide the counting"), "Shift+C", self)
+        close.clicked.connect(self.closed)
+        self.add_to_heading(close)
+        self.tallies = TallyList(self)
+        self.plot, self.table = CountsPlot(self), StepsTable(self)
+        self._pages = QStackedWidget(self)
+        self._pages.addWidget(self.plot)
+        self._pages.addWidget(self.table)
+        self._tracks: tuple[str, ...] = ()
+        body = QVBoxLayout()
+        body.setSpacing(6)
+        body.addLayout(self._ways())
+        body.addWidget(self.tallies)
+        body.addWidget(self._pages, 1)
+        self.layout_body(body)
+        self._connect()
+        self.hide()
+
+    def _ways(self) -> QHBoxLayout:
+        """Whose tracks, how time is cut, what trembling is; plots or table; copy, save."""
+        line = QHBoxLayout()
+        line.setSpacing(6)
+        self._whose = QComboBox(self)
+        self._whose.setAccessibleName(self.tr("Whose tracks are counted"))
+        self._whose.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._whose.setMinimumWidth(10 * self.fontMetrics().averageCharWidth())
+        line.addWidget(self._whose, 1)
+        self._step = self._number(
+            self.tr("Step"), self.tr("How long a step is"), _LONGEST_STEP_S, " s"
+        )
+        self._jitter = self._number(
+            self.tr("Jitter"),
+            self.tr("Passing to and fro within this distance of a line on the floor is no passage"),
+            _WIDEST_JITTER_M,
+            " m",
+        )
+        for spin in (self._step, self._jitter):
+            line.addWidget(quiet(spin.accessibleName(), self))
+            line.addWidget(spin)
+        self._as_table = QToolButton(self)
+        self._as_table.setText(self.tr("Table"))
+        self._as_table.setToolTip(self.tr("Show every step as a table, or the plots"))
+        self._as_table.setCheckable(True)
+        self._as_table.setProperty("outlined", True)
+        line.addWidget(self._as_table)
+        self._copy = self._button(self.tr("Copy"), self.tr("Copy the chosen steps, or all"))
+        self._save = self._button(self.tr("Save..."), self.tr("Save all steps as CSV"))
+        line.addWidget(self._copy)
+        line.addWidget(self._save)
+        return line
+
+    def _number(self, name: str, hint: str, most: float, unit: str) -> QDoubleSpinBox:
+        spin = QDoubleSpinBox(self)
+        spin.setRange(0.0, most)
+        spin.setDecimals(2)
+        spin.setSingleStep(0.05)
+        spin.setSuffix(unit)
+        spin.setAccessibleName(name)
+        spin.setToolTip(hint)
+        spin.setKeyboardTracking(False)
+        return spin
+
+    def _button(self, text: str, hint: str) -> QToolButton:
+        button = QToolButton(self)
+        button.setText(text)
+        button.setToolTip(hint)
+        button.setProperty("outlined", True)
+        return button
+
+    def _connect(self) -> None:
+        self.tallies.picked.connect(self.picked)
+        self.plot.frame_sought.connect(self.frame_sought)
+        self.table.frame_sought.connect(self.frame_sought)
+        self._whose.activated.connect(self.whose_chosen)
+        self._step.valueChanged.connect(self.step_chosen)
+        self._jitter.valueChanged.connect(self.jitter_chosen)
+        self._as_table.toggled.connect(lambda on: self._pages.setCurrentIndex(int(on)))
+        self._copy.clicked.connect(lambda: self.copied.emit(self.table.copy()))
+        self._save.clicked.connect(self.save_asked)
+
+    def show_scene(self, scene: CountingScene | None) -> None:
+        """Show another instant, or nothing at all."""
+        self.setVisible(scene is not None)
+        if scene is None:
+            return
+        self._doing.setText(scene.doing)
+        self._show_ways(scene)
+        self.tallies.show_scene(scene)
+        self.plot.show_scene(scene)
+        self.table.show_counts(scene.counts, scene.frame, scene.fps)
+
+    def _show_ways(self, scene: CountingScene) -> None:
+        if scene.tracks != self._tracks:
+            self._tracks = scene.tracks
+            self._whose.clear()
+            self._whose.addItems(list(scene.tracks))
+        self._whose.setCurrentIndex(scene.whose)
+        self._step.blockSignals(True)
+        self._jitter.blockSignals(True)
+        self._step.setMinimum(1 / scene.fps)
+        if not self._step.hasFocus():
+            self._step.setValue(scene.step_s)
+        if not self._jitter.hasFocus():
+            self._jitter.setValue(scene.jitter_m)
+        self._step.blockSignals(False)
+        self._jitter.blockSignals(False)
+        for button in (self._copy, self._save):
+            button.setEnabled(scene.counts is not None and bool(scene.rows))
