@@ -92,9 +92,22 @@ def folder_of(clip: Clip, kept: Path | None = None) -> Path:
     return folder
 
 
+@dataclass(frozen=True, slots=True)
+class Tracked:
+    """A tracker's run, and what it would tell the user, a line each."""
+
+    run: Run
+    notes: tuple[str, ...]
+
+
+def run_of(folder: Path, tracker: str) -> Run:
+    """A tracker's run over a recording."""
+    return tracked(folder, tracker).run
+
+
 @cache
-def run_of(folder: Path, tracker: str, settings: Settings = (), seed: int = 0) -> Run:
-    """A tracker's run over a recording; tracked once, however many sections look at it."""
+def tracked(folder: Path, tracker: str, settings: Settings = (), seed: int = 0) -> Tracked:
+    """The same with its notes; tracked once, however many sections look at it."""
     chosen = settings_from(tracker_named(tracker).settings_type, dict(settings))
     began = time.perf_counter()
     with (
@@ -103,9 +116,9 @@ def run_of(folder: Path, tracker: str, settings: Settings = (), seed: int = 0) -
     ):
         for _ in tracking:
             pass
-        run = tracking.run()
+        found = Tracked(tracking.run(), tracking.notes)
     print(f"{tracker}: {folder.name} in {time.perf_counter() - began:.0f} s", file=sys.stderr)
-    return run
+    return found
 
 
 def floor_truth(folder: Path) -> Columns:

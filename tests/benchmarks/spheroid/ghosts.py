@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.rendered import Clip, Columns, folder_of, run_of
+from tests.benchmarks.rendered import Clip, Columns, folder_of, tracked
 from tests.benchmarks.spheroid.following import table_of
 from tests.benchmarks.spheroid.recordings import RADIUS_M, told
 from tests.benchmarks.spheroid.spots import TRACKER
@@ -28,7 +28,8 @@ def befallen(clips: Sequence[Clip], kept: Path | None = None) -> list[dict[str, 
 
 def _row(clip: Clip, folder: Path) -> dict[str, Any]:
     columns = read_mot(folder / "truth.txt")
-    tracks = run_of(folder, TRACKER).tracks
+    found = tracked(folder, TRACKER)
+    tracks = found.run.tracks
     truth = ScoringTable.from_columns(columns, dont_cares=True)
     result = score(truth, table_of(tracks), FloorMatch(RADIUS_M))
     alone_s = ghosts_s(columns, tracks, clip.fps)
@@ -36,6 +37,7 @@ def _row(clip: Clip, folder: Path) -> dict[str, Any]:
         **told(clip.name, TRACKER, result),
         "ghosts": int((alone_s > LONGEST_S).sum()),
         "longest_s": float(alone_s.max(initial=0.0)),
+        "notes": list(found.notes),
     }
 
 

@@ -157,6 +157,7 @@ def _score(row: Figures) -> list[str]:
 
 
 def _befallen(figures: Figures) -> str:
+    clips = [(kind, row) for kind, several in figures.items() for row in several]
     rows = [
         [
             kind,
@@ -165,11 +166,13 @@ def _befallen(figures: Figures) -> str:
             str(row["ghosts"]),
             f"{row['longest_s']:.1f}",
         ]
-        for kind, several in figures.items()
-        for row in several
+        for kind, row in clips
     ]
     head = ("what", "clip", "MOTA", "IDF1", f"ghosts over {LONGEST_S:g} s", "longest alone, s")
-    return words.BEFALLEN.format(longest=LONGEST_S).strip() + "\n\n" + table(head, rows)
+    said = [f"- {row['recording']}: {note}" for _, row in clips for note in row["notes"]]
+    parts = [words.BEFALLEN.format(longest=LONGEST_S).strip(), table(head, rows)]
+    parts.append("What users are told:\n\n" + ("\n".join(said) or "- nothing"))
+    return "\n\n".join(parts)
 
 
 def _speed(figures: Figures) -> str:

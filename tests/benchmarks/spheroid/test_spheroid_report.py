@@ -55,3 +55,11 @@ def test_scores_of_real_footage_stand_beside_their_goals() -> None:
     assert "| MOTA | 0.85 | 0.800 | missed by 0.050 |" in page
     assert "| IDF1 | 0.80 | 0.810 | met |" in page
     assert "says no floor positions" in page
+
+
+def test_ghosts_and_what_users_are_told_stand_by_what_befell_the_recording() -> None:
+    row = {"recording": "plaza", "MOTA": 0.9, "IDF1": 0.91, "ghosts": 1, "longest_s": 6.24}
+    figures = {"camera knocked": [{**row, "notes": ["the camera moved"]}]}
+    page = report.writers()["befallen"](figures)
+    assert "| camera knocked | plaza | 0.900 | 0.910 | 1 | 6.2 |" in page
+    assert "- plaza: the camera moved" in page
