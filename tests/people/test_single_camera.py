@@ -142,8 +142,9 @@ def test_rectangles_lie_on_the_rendered_peoples_parts(
         if k < 0:
             continue
         assert observation.picture is not None
-        parts = part_regions(observation.people, ycbcr(observation.picture))
-        on.append(_inside(parts.rectangles[k], truth.part_box[row]))
+        people, picture = observation.people, ycbcr(observation.picture)
+        parts = part_regions(people.regions, k + 1, picture, people.box[k])
+        on.append(_inside(parts.rectangles, truth.part_box[row]))
     assert (np.mean(on, axis=0) > 0.88).all()
 
 

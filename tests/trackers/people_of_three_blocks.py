@@ -60,7 +60,7 @@ def observations(
         yield Observation(
             frame,
             frame / FPS,
-            _seen(regions),
+            seen_in(regions),
             Overlays((regions > 0).astype(np.uint8) * np.uint8(255), None),
             painted.astype(np.uint8),
         )
@@ -77,7 +77,7 @@ def _paint(picture, regions, person, frame, number, pillar) -> None:
         regions[rows, columns] = number
 
 
-def _seen(regions: np.ndarray) -> Detections:
+def seen_in(regions: np.ndarray) -> Detections:
     """One region for each person of whom enough shows."""
     numbers = [n for n in np.unique(regions[regions > 0]) if (regions == n).sum() > 150]
     boxes, cut, ordered = [], [], np.zeros_like(regions)

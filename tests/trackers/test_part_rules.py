@@ -113,7 +113,7 @@ def test_tracking_goes_on_with_corrected_people_under_their_ids(layout):
     late = Blocks(lambda f: (200 - f, 50.0) if f >= 40 else None, GREEN_BROWN)
     rows = corrected_rows(person, track=7, frames=30)
     resume = Resume.of(TrackTable(rows, highest_track=11), 30, FPS)
-    by = PartTracker(Camera(SIZE, FPS, None), ThreePartSettings(), layout, 0)
+    by = PartTracker(Camera(SIZE, FPS, None), ThreePartSettings(adjust=False), layout, 0)
     seen = list(observations([person, late], 60))
     by.resume(resume, [seen[frame] for frame in resume.looks])
     results = [by.step(each) for each in seen[30:]]

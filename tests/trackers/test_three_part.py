@@ -45,10 +45,13 @@ class Says:
 def tracker(
     layout: Layout = APART, seed: int = 0, adjust: bool = True, detector=None, **settings
 ) -> PartTracker:
-    kind = WholeBodySettings if layout is WHOLE else ThreePartSettings
-    chosen = kind(**{"most_particles": 400, **settings})
+    chosen: WholeBodySettings
+    if layout is WHOLE:
+        chosen = WholeBodySettings(**{"most_particles": 400, **settings})
+    else:
+        chosen = ThreePartSettings(**{"most_particles": 400, "adjust": adjust, **settings})
     camera = Camera(SIZE, FPS, None, occluders_from(chosen.occluders))
-    return PartTracker(camera, chosen, layout, seed, detector, adjust=adjust)
+    return PartTracker(camera, chosen, layout, seed, detector)
 
 
 def followed(by: PartTracker, seen: Iterable[Observation]) -> list[StepResult]:

@@ -23,6 +23,8 @@ _ABOVE = 0.1
 """Of a body's height, that hair may reach above what was first seen of it."""
 _UNEXPLAINED = 1.13
 """Pixels so far down a body, its height being 1, belong to somebody who stands nearer."""
+_NEARER_FILL = 0.03
+"""Of the square over the nearer person's height, that those pixels cover at least."""
 _MOST_NEARER = 2
 _MOST_PEOPLE = 120
 """Where more seem to be, what is seen is noise."""
@@ -147,7 +149,7 @@ def _nearer(
         return None
     low = int(v[rest].max())
     body = standing.above(np.array([[float(np.median(u[rest])), float(low)]]))
-    enough = _LEAST_FILL / 2 * body.height[0] ** 2
+    enough = _NEARER_FILL * body.height[0] ** 2
     return body if np.count_nonzero(rest) >= enough and body.head[0, 1] < low else None
 
 

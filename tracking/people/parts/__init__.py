@@ -14,10 +14,11 @@ from tracking.people.parts.histograms import (
 )
 from tracking.people.parts.lines import decompose
 from tracking.people.parts.rectangles import inner_rectangle, inner_rectangles
-from tracking.people.parts.regions import PartRegions, part_regions
+from tracking.people.parts.regions import PartRegions, around, part_regions
 
 __all__ = [
     "PartRegions",
+    "around",
     "bhattacharyya",
     "candidate_histograms",
     "decompose",

@@ -1,4 +1,4 @@
-"""The parts of all people of a frame."""
+"""The parts of one person, cut out of the pixels that are theirs."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.people.detections import Detections
 from tracking.people.parts.lines import decompose
 from tracking.people.parts.rectangles import inner_rectangles
 
@@ -16,39 +15,45 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class PartRegions:
-    """Where the parts of people are, a row a person; pixels of the picture looked at.
+    """Where somebody's parts are, in pixels of the picture looked at.
 
     Attributes:
-        lines: (n, 2) rows of the lines under the head and under the torso.
-        rectangles: (n, 3, 4) cx, cy, width, height of the inner rectangles of head, torso and
+        lines: (2,) rows of the lines under the head and under the torso.
+        rectangles: (3, 4) cx, cy, width, height of the inner rectangles of head, torso and
             hip-leg; NaN where nothing of the part is seen.
     """
 
     lines: Floats
     rectangles: Floats
 
-    def __len__(self) -> int:
-        """The number of people."""
-        return len(self.lines)
 
-
-def part_regions(people: Detections, picture: NDArray[np.uint8]) -> PartRegions:
-    """The parts of everybody seen in a frame.
+def part_regions(
+    regions: NDArray[np.integer] | NDArray[np.bool_],
+    label: int,
+    picture: NDArray[np.uint8],
+    box: Floats,
+) -> PartRegions:
+    """The parts of the person whose pixels bear a label.
 
     Args:
-        people: of the frame; `regions` and `box` in pixels of `picture`.
+        regions: (height, width); a mask has the label 1.
         picture: (height, width, 3) of `ycbcr`.
+        box: (4,) left, top, width, height in px of the whole person; it may reach out of the
+            picture or of what is seen.
     """
-    lines = np.zeros((len(people), 2))
-    rectangles = np.zeros((len(people), 3, 4))
-    for k, box in enumerate(people.box):
-        left, top = np.clip(np.floor(box[:2]).astype(int), 0, picture.shape[1::-1])
-        right, bottom = np.maximum(np.ceil(box[:2] + box[2:]).astype(int) + 1, (left, top))
-        inside = np.s_[top:bottom, left:right]
-        mask = people.regions[inside] == k + 1
-        own = box - (left, top, 0, 0)
-        cut = decompose(mask, picture[inside], own)
-        lines[k] = cut + top
-        rectangles[k] = inner_rectangles(mask, own, cut)
-        rectangles[k, :, :2] += (left, top)
-    return PartRegions(lines, rectangles)
+    inside = around(box, picture.shape)
+    corner = np.array((inside[1].start, inside[0].start), np.float64)
+    mask = regions[inside] == label
+    own = np.concatenate((box[:2] - corner, box[2:]))
+    lines = decompose(mask, picture[inside], own)
+    rectangles = inner_rectangles(mask, own, lines)
+    rectangles[:, :2] += corner
+    return PartRegions(lines + corner[1], rectangles)
+
+
+def around(box: Floats, shape: tuple[int, ...]) -> tuple[slice, slice]:
+    """The rows and columns of a picture of this shape that hold a box (4,), edges included."""
+    size = np.array(shape[1::-1])
+    low = np.clip(np.floor(box[:2]).astype(int), 0, size)
+    high = np.clip(np.ceil(box[:2] + box[2:]).astype(int) + 1, low, size)
+    return slice(int(low[1]), int(high[1])), slice(int(low[0]), int(high[0]))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections
-from tracking.people.parts import decompose, inner_rectangle, inner_rectangles
+from tracking.people.parts import inner_rectangle, part_regions
 from tracking.trackers.three_part.claims import Claims, seen_whole
 from tracking.trackers.three_part.followed import Flags, Floats, Followed
 from tracking.trackers.three_part.moving import carried
@@ -41,7 +41,15 @@ class Scene:
     picture: NDArray[np.uint8]
 
 
-def adjusted(people: Followed, boxes: Floats, lost: Flags, several: Flags, scene: Scene) -> Floats:
+def adjusted(
+    people: Followed,
+    boxes: Floats,
+    lost: Flags,
+    several: Flags,
+    scene: Scene,
+    *,
+    by_body: bool,
+) -> Floats:
     """(people, 3, 4) the rectangles where lost parts belong; NaN where nothing says so.
 
     [ZhaoLee2009] section 4.3.2. Where we differ: the caller begins all three anew, too, where
@@ -51,10 +59,14 @@ def adjusted(people: Followed, boxes: Floats, lost: Flags, several: Flags, scene
     Args:
         boxes: (people, 4) left, top, width, height of the people as expected.
         lost: (people, 3) parts to put back. several: (people,) begin all three anew.
+        by_body: beyond the paper, parts of people seen whole are cut out of their region, and
+            where the foreground says nothing a part goes where the others take it.
     """
     found = np.full((len(people), 3, 4), np.nan)
-    found[lost] = carried(people.state, people.pose, lost)[..., :4][lost]
-    whole = seen_whole(scene.claims, scene.seen, people.height)
+    whole = np.zeros(len(people), bool)
+    if by_body:
+        found[lost] = carried(people.state, people.pose, lost)[..., :4][lost]
+        whole = seen_whole(scene.claims, scene.seen, people.height)
     apart = ~people.hidden & (~people.touching | whole)
     for row in np.flatnonzero(lost.any(axis=1) & apart):
         mask = _own_foreground(int(row), scene)
@@ -140,7 +152,7 @@ def _anew(mask: Flags, box: Floats, scene: Scene, row: int) -> Floats:
         own, where = mask, _within(mask, box)
     if where is None:
         return np.full((3, 4), np.nan)
-    return inner_rectangles(own, where, decompose(own, scene.picture, where))
+    return part_regions(own, 1, scene.picture, where).rectangles
 
 
 def _within(mask: Flags, box: Floats) -> Floats | None:

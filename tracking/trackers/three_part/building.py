@@ -39,8 +39,7 @@ def _built(recording: Recording, settings: WholeBodySettings, layout: Layout, se
     perception = SingleCameraPerception(
         recording.fps, recording.view, settings.foreground, settings.people
     )
-    detector, adjust = None, False
+    detector = None
     if isinstance(settings, ThreePartSettings):
-        detector, adjust = chosen_detector(settings.detector), settings.adjust
-    tracker = PartTracker(camera, settings, layout, seed, detector, adjust=adjust)
-    return perception, tracker
+        detector = chosen_detector(settings.detector)
+    return perception, PartTracker(camera, settings, layout, seed, detector)

@@ -49,8 +49,14 @@ class Claims:
 
     @property
     def taken(self) -> Flags:
-        """(regions,) in which somebody followed is, or part of them."""
-        return np.asarray((self.share > _TAKEN).any(axis=0))
+        """(regions,) in which somebody followed is, or part of them.
+
+        Who is alone in a region has no part in another: there is somebody else.
+        """
+        theirs = self.share > _TAKEN
+        theirs[self.alone] = False
+        theirs[np.flatnonzero(self.alone), self.region[self.alone]] = True
+        return np.asarray(theirs.any(axis=0))
 
 
 def claims_of(rectangles: Floats, seen: Detections) -> Claims:
@@ -95,6 +101,18 @@ def sharing(claims: Claims, seen: Detections) -> Flags:
     count = np.bincount(claims.region[claims.region >= 0], minlength=len(seen))
     two = np.append((count > 1) & ~seen.merged, False)
     return np.asarray(two[claims.region])
+
+
+def own_boxes(boxes: Floats, claims: Claims, seen: Detections) -> Floats:
+    """(people, 4) where people are: the region of those alone in one, else the boxes expected."""
+    region = np.append(seen.box, np.zeros((1, 4)), axis=0)[claims.region]
+    return np.where(claims.alone[:, None], region, boxes)
+
+
+def both_in_one(claims: Claims, new: Indices) -> Indices:
+    """Who is alone in a region, with parts in a new person's: the two were followed as one."""
+    beside = (claims.share[:, new] > _TAKEN).any(axis=1)
+    return np.flatnonzero(claims.alone & beside & ~np.isin(claims.region, new))
 
 
 def shares_on(mask: NDArray[np.integer], rectangles: Floats) -> Floats:

@@ -26,16 +26,20 @@ def colours_learnt(
     people: Followed,
     picture: NDArray[np.uint8],
     claims: Claims,
+    lost: Flags,
     settings: WholeBodySettings,
 ) -> Followed:
     """Colour models after a frame: `H_t = 0.9 H_(t-1) + 0.1 Q_t` [ZhaoLee2009] eq. 1.
 
-    Q is taken at the estimate, unequalised. Models of parts that are occluded, or lost and not
-    put back, are frozen.
+    Q is taken at the estimate, unequalised. Models of parts that are occluded or lost are frozen.
+
+    Args:
+        picture: (height, width, 3) of `ycbcr`.
+        lost: (people, parts).
     """
     seen = looked_at(picture, people.rectangles)
     alike = resemblance(seen, people.model)
-    learnt = ~people.occluded & ~people.failed & (seen.sum(axis=(2, 3)) > 0)
+    learnt = ~people.occluded & ~lost & (seen.sum(axis=(2, 3)) > 0)
     model = _blended(people.model, seen, learnt, settings.model_memory)
     good = learnt & claims.alone[:, None] & (claims.support >= _GOOD_VIEW)
     looks = _blended(people.looks, seen, good, _LOOKS_MEMORY)
@@ -49,6 +53,7 @@ def poses_learnt(
     claims: Claims,
     whole: Flags,
     taller: Flags,
+    unsure: Flags,
     elapsed_s: float,
 ) -> Followed:
     """How the parts stand to each other and how high people are, from clear views of them.
@@ -56,8 +61,9 @@ def poses_learnt(
     Args:
         box: (people, 4) of their regions. whole: (people,) seen alone and all of them.
         taller: (people,) seen alone and taller than they are taken for.
+        unsure: (people,) of whom a part is hidden or lost.
     """
-    clear = ~people.hidden & ~people.failed.any(axis=1) & (~people.touching | whole)
+    clear = ~unsure & (~people.touching | whole)
     clear &= claims.support.min(axis=1) >= _GOOD_VIEW
     share = np.where(clear, 1.0 - np.exp(-elapsed_s / _POSE_MEMORY_S), 0.0)[:, None, None]
     return people.replace(

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections, Observation
-from tracking.people.parts import decompose, inner_rectangle, inner_rectangles, ycbcr
+from tracking.people.parts import ycbcr
 from tracking.trackers.resuming import CLEAR, Resume, is_seen, only
 from tracking.trackers.three_part.appearance import looked_at
 from tracking.trackers.three_part.followed import Floats, Followed, Indices, Layout
-from tracking.trackers.three_part.starting import begun
+from tracking.trackers.three_part.starting import begun, rectangles_in
 from tracking.tracks.columns import Columns
 
 _USUAL = ((0.5, 0.08, 0.25, 0.09), (0.5, 0.30, 0.45, 0.19), (0.5, 0.62, 0.40, 0.25))
@@ -114,11 +114,7 @@ def _parts_of(
         region = int(count[1:].argmax()) + 1
         if count[region] < _FILLED * max(inside.size, 1):
             continue
-        mask = seen.regions == region
-        if layout.parts == 1:
-            rectangles = inner_rectangle(mask, box)[None]
-        else:
-            rectangles = inner_rectangles(mask, box, decompose(mask, picture, box))
+        rectangles = rectangles_in(seen.regions, region, box, picture, layout)
         if np.isfinite(rectangles).all():
             yield row, rectangles
 

@@ -12,6 +12,20 @@ from tracking.trackers.three_part.occlusion import occluders_from
 
 
 @dataclass(frozen=True, slots=True)
+class Aids:
+    """What puts parts right besides the colour filters; see the settings of these names.
+
+    Attributes:
+        adjust: [ZhaoLee2009] section 4.3.2. follow_silhouettes, body_rules, find_again: ours.
+    """
+
+    adjust: bool = False
+    follow_silhouettes: bool = False
+    body_rules: bool = False
+    find_again: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class WholeBodySettings:
     """What a tracker of one rectangle a person can be told; see the `help` of each field."""
 
@@ -65,14 +79,51 @@ class WholeBodySettings:
                 f"{self.most_particles}; raise that one or lower this one"
             )
 
+    @property
+    def aids(self) -> Aids:
+        """None: one rectangle has no other parts to be put right by."""
+        return Aids()
+
 
 @dataclass(frozen=True, slots=True)
 class ThreePartSettings(WholeBodySettings):
-    """What a tracker of head, torso and hip-leg can be told besides."""
+    """What a tracker of head, torso and hip-leg can be told besides.
+
+    Which settings make which row of [ZhaoLee2009]'s comparison: `adjust=false` is theirs without
+    adjustment, colour filters alone that nothing puts back; `adjust=true` with
+    `follow_silhouettes`, `body_rules` and `find_again` false is theirs with it, the detector's
+    failures put back by the other parts and the foreground; all true is ours.
+    """
 
     adjust: bool = setting(
-        True, "", None, "put parts that were lost back where the others and the foreground say"
+        True,
+        "",
+        None,
+        "put parts that failed back where the others and the foreground say; "
+        "false: the paper's comparison, where nothing does; the next three then count for nothing",
+    )
+    follow_silhouettes: bool = setting(
+        True,
+        "",
+        None,
+        "beyond the paper: draw parts of people seen alone and whole to their outline",
+    )
+    body_rules: bool = setting(
+        True,
+        "",
+        None,
+        "beyond the paper: parts fail by foreground and pose too, and hidden ones stay in the body",
+    )
+    find_again: bool = setting(
+        True, "", None, "beyond the paper: look for people who were lost, part those taken for one"
     )
     detector: str = setting(
         "", "", None, "file of the failure detector; without one the built-in detector judges"
     )
+
+    @property
+    def aids(self) -> Aids:
+        """What puts parts right."""
+        if not self.adjust:
+            return Aids()
+        return Aids(True, self.follow_silhouettes, self.body_rules, self.find_again)

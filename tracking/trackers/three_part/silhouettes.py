@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from tracking.filtering import Clouds
 from tracking.people import Detections
-from tracking.people.parts import decompose, inner_rectangles
+from tracking.people.parts import around, part_regions
 from tracking.trackers.three_part.claims import Claims, seen_whole
 from tracking.trackers.three_part.followed import Flags, Floats, Followed, Layout
 from tracking.trackers.three_part.poses import HIP_LEG
@@ -81,20 +81,15 @@ def drawn_home(
 def _legs(seen: Detections, region: int, picture: NDArray[np.uint8]) -> tuple[Floats, Floats]:
     """(4,) corners of what is seen below the hip line, and (4,) the inner rectangle there."""
     box = seen.box[region]
-    low = np.maximum(np.floor(box[:2]).astype(int), 0)
-    high = np.ceil(box[:2] + box[2:]).astype(int) + 1
-    cut = np.s_[low[1] : high[1], low[0] : high[0]]
-    mask = seen.regions[cut] == region + 1
-    inside = np.array((*(box[:2] - low), *box[2:]))
-    lines = decompose(mask, picture[cut], inside)
-    inner = inner_rectangles(mask, inside, lines)[HIP_LEG]
-    inner[:2] += low
-    hip = int(np.clip(np.ceil(lines[1]), 0, len(mask)))
-    columns = np.flatnonzero(mask[hip:].any(axis=0))
+    parts = part_regions(seen.regions, region + 1, picture, box)
+    down, across = around(box, picture.shape)
+    hip = int(np.clip(np.ceil(parts.lines[1]), down.start, down.stop))
+    below = seen.regions[hip : down.stop, across] == region + 1
+    columns = np.flatnonzero(below.any(axis=0)) + across.start
     if not len(columns):
         return np.full(4, np.nan), np.full(4, np.nan)
-    section = np.array((columns[0] - 0.5, lines[1], columns[-1] + 0.5, inside[1] + inside[3]))
-    return section + np.tile(low, 2), inner
+    edges = columns[0] - 0.5, parts.lines[1], columns[-1] + 0.5, box[1] + box[3]
+    return np.array(edges), parts.rectangles[HIP_LEG]
 
 
 def _is_off(rectangle: Floats, section: Floats, inner: Floats) -> bool:

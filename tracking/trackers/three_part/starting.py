@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.filtering import restarted, scattered
 from tracking.people import Detections
-from tracking.people.parts import decompose, inner_rectangle, inner_rectangles
+from tracking.people.parts import inner_rectangle, part_regions
 from tracking.trackers.three_part.appearance import looked_at
 from tracking.trackers.three_part.bodies import outlined_boxes
 from tracking.trackers.three_part.followed import Flags, Floats, Followed, Indices, Layout
@@ -30,12 +30,21 @@ def regions_rectangles(
     """
     found = np.full((len(rows), layout.parts, 4), np.nan)
     for at, row in enumerate(rows):
-        mask, box = seen.regions == row + 1, seen.box[row]
-        if layout.parts == 1:
-            found[at, 0] = inner_rectangle(mask, box)
-        else:
-            found[at] = inner_rectangles(mask, box, decompose(mask, picture, box))
+        found[at] = rectangles_in(seen.regions, int(row) + 1, seen.box[row], picture, layout)
     return found
+
+
+def rectangles_in(
+    regions: NDArray[np.integer],
+    label: int,
+    box: Floats,
+    picture: NDArray[np.uint8],
+    layout: Layout,
+) -> Floats:
+    """(parts, 4) the inner rectangles of the person whose pixels bear a label."""
+    if layout.parts == 1:
+        return inner_rectangle(regions == label, box)[None]
+    return part_regions(regions, label, picture, box).rectangles
 
 
 def begun(
@@ -108,6 +117,21 @@ def begun_anew(
     spread = _start_spread(filters)
     clouds = restarted(people.clouds, chosen, filters, spread, random)
     return people.replace(state=state, model=model, clouds=clouds)
+
+
+def known_anew(people: Followed, rows: Indices) -> Followed:
+    """The people, of some of whom nothing counts but where their parts are now."""
+    rectangles = people.rectangles[rows]
+    changed = {
+        "looks": people.model[rows],
+        "pose": posed(rectangles),
+        "outline": np.zeros((len(rows), 4)),
+        "height": outlined_boxes(rectangles, np.zeros((len(rows), 4)))[:, 3],
+    }
+    columns = {name: getattr(people, name).copy() for name in changed}
+    for name, values in changed.items():
+        columns[name][rows] = values
+    return people.replace(**columns)
 
 
 def posed(rectangles: Floats) -> Floats:

@@ -25,7 +25,9 @@ from tracking.trackers.three_part.bodies import (
 )
 from tracking.trackers.three_part.claims import (
     Claims,
+    both_in_one,
     claims_of,
+    own_boxes,
     seen_taller,
     seen_whole,
     shares_on,
@@ -33,7 +35,7 @@ from tracking.trackers.three_part.claims import (
 )
 from tracking.trackers.three_part.detectors import NO_DETECTOR
 from tracking.trackers.three_part.finding import found_again
-from tracking.trackers.three_part.followed import Followed, Layout, nobody, together
+from tracking.trackers.three_part.followed import Flags, Followed, Indices, Layout, nobody, together
 from tracking.trackers.three_part.learning import colours_learnt, places_learnt, poses_learnt
 from tracking.trackers.three_part.moving import carried, moved, weighed
 from tracking.trackers.three_part.occlusion import (
@@ -47,7 +49,13 @@ from tracking.trackers.three_part.result import Shown, step_result
 from tracking.trackers.three_part.resuming import resumed
 from tracking.trackers.three_part.settings import WholeBodySettings
 from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
-from tracking.trackers.three_part.starting import all_seen, begun, begun_anew, regions_rectangles
+from tracking.trackers.three_part.starting import (
+    all_seen,
+    begun,
+    begun_anew,
+    known_anew,
+    regions_rectangles,
+)
 from tracking.trackers.three_part.watching import Watch
 
 Picture = NDArray[np.uint8]
@@ -95,15 +103,13 @@ class PartTracker:
         layout: Layout,
         seed: int,
         detector: Detector | None = None,
-        *,
-        adjust: bool = False,
     ) -> None:
         """Nobody is followed yet; all randomness comes from the seed."""
         self._camera = camera
         self._settings = settings
         self._layout = layout
         self._random = np.random.default_rng(seed)
-        self._adjust = adjust
+        self._aids = settings.aids
         self._watch = Watch(detector)
         self._cover = covered_mask(camera.occluders, camera.size[::-1])
         self._people = nobody(layout)
@@ -119,7 +125,7 @@ class PartTracker:
     @property
     def notes(self) -> tuple[str, ...]:
         """What the user should be told, a line each."""
-        missing = self._adjust and self._watch.detector is None
+        missing = self._aids.adjust and self._watch.detector is None
         return (NO_DETECTOR,) if missing else ()
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
@@ -138,7 +144,7 @@ class PartTracker:
         people = self._filtered(seen, picture, elapsed_s)
         people = self._put_right(people, seen, picture, elapsed_s)
         claims = claims_of(people.rectangles, seen)
-        people = colours_learnt(people, picture, claims, self._settings)
+        people = colours_learnt(people, picture, claims, self._put_back(people), self._settings)
         people = self._aged(people, claims, elapsed_s)
         people = self._with_newcomers(people, claims, seen, picture, elapsed_s)
         people, shown = self._seen(people, seen, elapsed_s)
@@ -155,7 +161,7 @@ class PartTracker:
         people = moved(before, elapsed_s, settings, layout, self._random)
         people = self._hidden(people, seen, picture)
         people = weighed(people, before, picture, elapsed_s, settings, layout, self._random)
-        if not self._adjust:
+        if not self._aids.body_rules:
             return people
         return people.replace(state=carried(people.state, people.pose, people.occluded))
 
@@ -181,26 +187,34 @@ class PartTracker:
         """Failures judged and, where that is wanted, adjusted."""
         if self._layout.parts == 1:
             return people
-        if self._adjust:
-            claims = claims_of(people.rectangles, seen)
+        aids, claims = self._aids, claims_of(people.rectangles, seen)
+        if aids.follow_silhouettes:
             people = drawn_home(people, seen, claims, picture, elapsed_s, self._layout)
         time_s = self._time_s or 0.0
         said = self._watch.judge(time_s, people, ~people.hidden)
         people = people.replace(failed=said.failed, score=said.score)
-        if not self._adjust:
+        if not aids.adjust:
             return people
         scene = Scene(seen, claims_of(people.rectangles, seen), picture)
-        failed = said.failed | clear_failures(people, scene)
-        off, legs = legs_elsewhere(people, scene.seen, scene.claims, picture)
-        failed[off, HIP_LEG] = True
+        failed = said.failed.copy()
+        if aids.body_rules:
+            failed |= clear_failures(people, scene)
+        if aids.follow_silhouettes:
+            off, legs = legs_elsewhere(people, seen, scene.claims, picture)
+            failed[off, HIP_LEG] = True
         if not failed.any():
             return people
         several = said.several | (failed.sum(axis=1) > 1)
         boxes = outlined_boxes(people.rectangles, people.outline)
-        places = adjusted(people, boxes, failed, several, scene)
-        places[off, HIP_LEG] = legs[off]
+        places = adjusted(people, boxes, failed, several, scene, by_body=aids.body_rules)
+        if aids.follow_silhouettes:
+            places[off, HIP_LEG] = legs[off]
         people = people.replace(failed=failed)
         return begun_anew(people, places, picture, self._layout, self._random)
+
+    def _put_back(self, people: Followed) -> Flags:
+        """(people, parts) that failed; none where nothing acts on it, as in the paper without."""
+        return people.failed & self._aids.adjust
 
     def _aged(self, people: Followed, claims: Claims, elapsed_s: float) -> Followed:
         there = births.supported(claims)
@@ -220,9 +234,9 @@ class PartTracker:
     ) -> Followed:
         """The lost found again or let go, and newcomers begun."""
         boxes = outlined_boxes(people.rectangles, people.outline)
-        free = births.free_regions(seen, claims, boxes)
+        free = births.free_regions(seen, claims, own_boxes(boxes, claims, seen))
         free = births.without_pieces(free, seen, boxes, people.height)
-        if self._adjust:
+        if self._aids.find_again:
             lost = people.missed_s > _MISSED_S
             two = sharing(claims, seen) & ~lost
             places, free = found_again(people, boxes, lost, two, seen, free, picture, self._layout)
@@ -238,11 +252,26 @@ class PartTracker:
         ready, rectangles = ready[all_seen(rectangles)], rectangles[all_seen(rectangles)]
         if not len(ready):
             return people
+        people = self._parted(people, seen, free[ready], picture)
         track = np.arange(self._last_id + 1, self._last_id + 1 + len(ready), dtype=np.int32)
         self._last_id += len(ready)
         pace = self._newcomers.pace[ready]
         new = begun(track, rectangles, pace, picture, self._layout, self._random)
         return together(people, new)
+
+    def _parted(
+        self, people: Followed, seen: Detections, new: Indices, picture: Picture
+    ) -> Followed:
+        """The people, those begun as one with somebody now seen beside them begun anew alone."""
+        rows = both_in_one(claims := claims_of(people.rectangles, seen), new)
+        if not self._aids.find_again or not len(rows):
+            return people
+        own = regions_rectangles(seen, claims.region[rows], picture, self._layout)
+        rows, own = rows[all_seen(own)], own[all_seen(own)]
+        places = np.full(people.rectangles.shape, np.nan)
+        places[rows] = own
+        people = begun_anew(people, places, picture, self._layout, self._random)
+        return known_anew(people, rows)
 
     def _seen(self, people: Followed, seen: Detections, elapsed_s: float) -> tuple[Followed, Shown]:
         """The people with outlines and places brought up to date, and what is shown of them."""
@@ -252,7 +281,8 @@ class PartTracker:
         alone = claims.alone & ~people.hidden
         whole = seen_whole(claims, seen, people.height) & ~people.hidden
         taller = seen_taller(claims, seen, people.height) & ~people.hidden
-        people = poses_learnt(people, own, claims, whole, taller, elapsed_s)
+        unsure = people.hidden | self._put_back(people).any(axis=1)
+        people = poses_learnt(people, own, claims, whole, taller, unsure, elapsed_s)
         outline = outlines_after(
             people.outline, people.rectangles, own, alone & ~cut, elapsed_s, people.age_s
         )
