@@ -15,6 +15,7 @@ COMMANDS: Final = (
     Command("file.save_as", "File", "Save as...", ("Ctrl+Shift+S",), savable),
     Command("file.restore", "File", "Restore an older state...", (), editable),
     Command("file.export_mot", "File", "Export MOT text...", ("Ctrl+E",), session, icon="export"),
+    Command("file.export_counts", "File", "Export counts...", (), session),
     Command("file.export_log", "File", "Export the log of edits...", (), session),
     Command("file.compare", "File", "Compare with another session...", (), session),
     Command("file.author", "File", "Your name in the history...", (), separated=True),

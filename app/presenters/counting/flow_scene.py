@@ -62,7 +62,7 @@ def _legend(most: float) -> tuple[LegendEntry, ...]:
 
 
 def _density_text(density: float) -> str:
-    return tr("{density:.2g} people/m²", density=density)
+    return tr("{density:.2g} people/m² on average", density=density)
 
 
 def _colour_table() -> NDArray[np.uint8]:

@@ -16,17 +16,17 @@ from app.presenters.words import counted, tr
 from app.views.counting.count_search import CountSearch, Work
 from app.views.desk.workspace import Workspace
 from app.views.playing.playback import Playback
+from tracking.counting import Counts
 
 
 class Counting(QObject):
     """Counts in the background what is asked for, and shows it.
 
-    Signals: `changed()`, there are other counts; `said(text)`; `save_asked()`, as CSV.
+    Signals: `changed()`, there are other counts; `said(text)`.
     """
 
     changed = Signal()
     said = Signal(str)
-    save_asked = Signal()
 
     def __init__(
         self, document: Document, playback: Playback, workspace: Workspace, parent: QObject
@@ -45,13 +45,18 @@ class Counting(QObject):
         panel.step_chosen.connect(counting._choose_step)
         panel.jitter_chosen.connect(counting._choose_jitter)
         panel.copied.connect(counting._tell_copied)
-        panel.save_asked.connect(counting.save_asked)
 
     def close(self) -> None:
         """End the thread; leave nothing on the views, which outlive the document."""
         self._search.stop()
         self._workspace.counting.show_scene(None)
         self._workspace.overhead.show_flow(None)
+
+    @property
+    def counts(self) -> Counts | None:
+        """What was counted last; None while nothing was."""
+        counted = self.presenter.counted
+        return counted.counts if counted is not None else None
 
     def draw(self, instant: Instant, pictured: Pictured) -> Told:
         """Show an instant, what is missing for it is counted; gives what to write at what lies."""

@@ -47,6 +47,7 @@ class CountingPanel(Panel):
         super().__init__(self.tr("Counting"), parent)
         self._doing = quiet("", self)
         self.add_to_heading(self._doing)
+        self._add_buttons()
         close = IconButton("close", self.tr("Hide the counting"), "Shift+C", self)
         close.clicked.connect(self.closed)
         self.add_to_heading(close)
@@ -66,7 +67,7 @@ class CountingPanel(Panel):
         self.hide()
 
     def _ways(self) -> QHBoxLayout:
-        """Whose tracks, how time is cut, what trembling is; plots or table; copy, save."""
+        """Whose tracks are counted, how time is cut, what trembling is."""
         line = QHBoxLayout()
         line.setSpacing(6)
         self._whose = QComboBox(self)
@@ -86,17 +87,18 @@ class CountingPanel(Panel):
         for spin in (self._step, self._jitter):
             line.addWidget(quiet(spin.accessibleName(), self))
             line.addWidget(spin)
-        self._as_table = QToolButton(self)
-        self._as_table.setText(self.tr("Table"))
-        self._as_table.setToolTip(self.tr("Show every step as a table, or the plots"))
+        return line
+
+    def _add_buttons(self) -> None:
+        """Plots or table; copy, save."""
+        self._as_table = self._button(
+            self.tr("Table"), self.tr("Show every step as a table, or the plots")
+        )
         self._as_table.setCheckable(True)
-        self._as_table.setProperty("outlined", True)
-        line.addWidget(self._as_table)
         self._copy = self._button(self.tr("Copy"), self.tr("Copy the chosen steps, or all"))
         self._save = self._button(self.tr("Save..."), self.tr("Save all steps as CSV"))
-        line.addWidget(self._copy)
-        line.addWidget(self._save)
-        return line
+        for button in (self._as_table, self._copy, self._save):
+            self.add_to_heading(button)
 
     def _number(self, name: str, hint: str, most: float, unit: str) -> QDoubleSpinBox:
         spin = QDoubleSpinBox(self)
@@ -123,9 +125,14 @@ class CountingPanel(Panel):
         self._whose.activated.connect(self.whose_chosen)
         self._step.valueChanged.connect(self.step_chosen)
         self._jitter.valueChanged.connect(self.jitter_chosen)
-        self._as_table.toggled.connect(lambda on: self._pages.setCurrentIndex(int(on)))
+        self._as_table.toggled.connect(self._turn)
         self._copy.clicked.connect(lambda: self.copied.emit(self.table.copy()))
         self._save.clicked.connect(self.save_asked)
+
+    def _turn(self, to_table: bool) -> None:
+        """The table says what the tallies do, and needs their room."""
+        self._pages.setCurrentIndex(int(to_table))
+        self.tallies.setHidden(to_table)
 
     def show_scene(self, scene: CountingScene | None) -> None:
         """Show another instant, or nothing at all."""
@@ -135,6 +142,7 @@ class CountingPanel(Panel):
         self._doing.setText(scene.doing)
         self._show_ways(scene)
         self.tallies.show_scene(scene)
+        self.tallies.setHidden(self._as_table.isChecked() or not scene.rows)
         self.plot.show_scene(scene)
         self.table.show_counts(scene.counts, scene.frame, scene.fps)
 

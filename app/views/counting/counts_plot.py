@@ -87,11 +87,14 @@ class CountsPlot(FramePlot):
         """The name and the unit at the left, and what the lower and the upper edge stand for."""
         flags = Qt.AlignmentFlag
         beside = QRectF(4, place.top(), place.left() - 10, place.height())
-        names = f"{plot.name}\n{plot.unit}" if plot.unit else plot.name
+        line = painter.fontMetrics().height()
+        names = plot.name
+        if plot.unit and place.height() >= 2 * line:
+            names = f"{plot.name}\n{plot.unit}"
         painter.setPen(theme.text_muted)
         painter.drawText(beside, flags.AlignVCenter | flags.AlignRight, names)
         lines = len(names.splitlines()) + 2.4
-        if place.height() > lines * painter.fontMetrics().height():
+        if place.height() > lines * line:
             painter.setPen(theme.text_faint)
             painter.drawText(beside, flags.AlignTop | flags.AlignRight, f"{high:.3g}")
             painter.drawText(beside, flags.AlignBottom | flags.AlignRight, "0")

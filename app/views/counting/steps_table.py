@@ -14,7 +14,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QTableView, QWidget
 
 from app.presenters.words import time_text, tr
@@ -35,12 +35,14 @@ class StepsModel(QAbstractTableModel):
         self._columns: list[_Column] = []
         self._now = -1
 
-    def show_counts(self, counts: Counts | None) -> None:
-        """Show others."""
-        if counts is not self._counts:
-            self.beginResetModel()
-            self._counts, self._columns = counts, _columns_of(counts)
-            self.endResetModel()
+    def show_counts(self, counts: Counts | None) -> bool:
+        """Show others; whether they are."""
+        if counts is self._counts:
+            return False
+        self.beginResetModel()
+        self._counts, self._columns = counts, _columns_of(counts)
+        self.endResetModel()
+        return True
 
     def show_now(self, step: int) -> None:
         """Another step is that of the frame shown."""
@@ -49,6 +51,11 @@ class StepsModel(QAbstractTableModel):
             if before != step and row < self.rowCount():
                 last = self.index(row, self.columnCount() - 1)
                 self.dataChanged.emit(self.index(row, 0), last, [_Role.FontRole])
+
+    @property
+    def now(self) -> int:
+        """The step of the frame shown; -1: none."""
+        return self._now
 
     def frame_of(self, row: int) -> int:
         """The frame at which a step begins."""
@@ -125,15 +132,23 @@ class StepsTable(QTableView):
         self.verticalHeader().hide()
         self.horizontalHeader().setHighlightSections(False)
         self.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignRight)
-        self.horizontalHeader().setDefaultSectionSize(13 * self.fontMetrics().averageCharWidth())
+        self.horizontalHeader().setResizeContentsPrecision(0)  # what is seen, not ten thousand rows
+        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.clicked.connect(self._seek)
 
     def show_counts(self, counts: Counts | None, frame: int, fps: float) -> None:
         """Show the steps, and which one the frame lies in."""
-        self.steps.show_counts(counts)
+        if self.steps.show_counts(counts):
+            self.resizeColumnsToContents()
         if counts is not None and len(counts.steps):
             self.steps.show_now(int(frame / fps / counts.steps.step_s + 1e-9))
+
+    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802 - Qt's name
+        """Begin at the step of the frame shown."""
+        super().showEvent(event)
+        centre = QAbstractItemView.ScrollHint.PositionAtCenter
+        self.scrollTo(self.steps.index(max(self.steps.now, 0), 0), centre)
 
     def copy(self) -> int:
         """Put the chosen rows, or all, on the clipboard; how many."""

@@ -17,7 +17,8 @@ from app.views.look.theme import current_theme
 
 _MOST_ROWS = 4
 _DOT_PX = 10
-_WIDEST = "888 / 888"
+_WIDEST = ("88 / 88", "88 / 88", "88", "8.88", "8.88")
+_PAD_PX = 18
 
 
 class TallyList(QTableWidget):
@@ -52,9 +53,9 @@ class TallyList(QTableWidget):
         header.setHighlightSections(False)
         header.setMinimumSectionSize(4 * self.fontMetrics().averageCharWidth())
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        for column, name in enumerate(names[1:], 1):
-            widest = max(name, _WIDEST, key=self.fontMetrics().horizontalAdvance)
-            self.setColumnWidth(column, self.fontMetrics().horizontalAdvance(widest) + 20)
+        width = self.fontMetrics().horizontalAdvance
+        for column, texts in enumerate(zip(names[1:], _WIDEST, strict=True), 1):
+            self.setColumnWidth(column, max(map(width, texts)) + _PAD_PX)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight)
         first = QTableWidgetItem(names[0])
         first.setTextAlignment(Qt.AlignmentFlag.AlignLeft)
@@ -75,7 +76,6 @@ class TallyList(QTableWidget):
         if self.currentRow() != scene.picked:
             self.setCurrentCell(scene.picked, 0)
         self.blockSignals(False)
-        self.setVisible(bool(scene.rows))
 
     def _limit_height(self, rows: int) -> None:
         shown = min(max(rows, 1), _MOST_ROWS)

@@ -17,6 +17,7 @@ from app.presenters.words import tr
 from app.views.runs.score_dialog import ScoreDialog
 from app.views.widgets.questions import choose_new_file
 from app.views.widgets.work import Work
+from tracking.counting import Counts, write_counts
 from tracking.editing import History
 from tracking.formats import write_mot
 from tracking.session import Session, write_log_csv, write_log_json
@@ -73,6 +74,20 @@ class Exporting(QObject):
             write = write_log_json if path.suffix.lower() == ".json" else write_log_csv
             self._write(path, lambda report: write(History(entries), path, report))
 
+    def ask_counts(self) -> None:
+        """Ask for a place and write what is counted, step by step; told where nothing is."""
+        desk = self._window.desk
+        counts = desk.counting.counts if desk is not None else None
+        if counts is None or not (counts.lines or counts.regions):
+            self.said.emit(tr("Nothing is counted: draw a line (Alt+3) or a region (Alt+4) first"))
+            return
+        write = partial(self.counts_to, counts)
+        self._ask(tr("Export counts"), "counts.csv", "CSV (*.csv)", write)
+
+    def counts_to(self, counts: Counts, path: Path) -> None:
+        """Write counts as CSV."""
+        self._write(path, lambda report: _written(counts, path, report))
+
     def score(self) -> None:
         """Compare with the truth beside the recording and show the figures."""
         session, desk = self._session, self._window.desk
@@ -94,6 +109,11 @@ class Exporting(QObject):
     def _write(self, path: Path, work: Callable[[Report], object]) -> None:
         title, told = tr("Exporting {name}", name=path.name), tr("Exported: {path}", path=path)
         self._work.run(title, work, lambda _: self.said.emit(told))
+
+
+def _written(counts: Counts, path: Path, report: Report) -> None:
+    report(1, 2)  # the last moment to cancel: what is written is whole
+    write_counts(path, counts)
 
 
 def beside(document: Document, name: str) -> Path:

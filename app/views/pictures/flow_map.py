@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap
+from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.counting.counting_scene import FlowScene
@@ -11,7 +11,7 @@ from app.views.look.theme import Theme, faded, scaled_font
 from app.views.pictures.legend import draw_legend
 from app.views.pictures.viewport import Points, Viewport
 
-_TIP_PX, _TIP_DEG = 5.0, 152.0
+_TIP_PX, _TIP_SHARE, _TIP_DEG = 5.0, 0.4, 152.0
 _LEAST_PX = 7.0
 """Shorter arrows could not be read."""
 _MARGIN_PX = 12.0
@@ -37,7 +37,7 @@ class FlowDrawing:
             still = QPainter(self._drawn)
             still.setRenderHint(QPainter.RenderHint.Antialiasing)
             _draw_cells(still, scene, viewport)
-            _draw_arrows(still, scene, viewport)
+            _draw_arrows(still, scene, viewport, theme)
             still.end()
         painter.drawPixmap(0, 0, self._drawn)
         painter.setFont(scaled_font(widget.font(), 0.85))
@@ -56,12 +56,12 @@ def _draw_cells(painter: QPainter, scene: FlowScene, viewport: Viewport) -> None
     painter.drawImage(area, picture)
 
 
-def _draw_arrows(painter: QPainter, scene: FlowScene, viewport: Viewport) -> None:
-    """All shafts and tips at once: dark ones below, so that they are seen on every colour."""
+def _draw_arrows(painter: QPainter, scene: FlowScene, viewport: Viewport, theme: Theme) -> None:
+    """All shafts and tips at once: pale below dark or dark below pale, seen on every colour."""
     tails, tips = viewport.to_widget(scene.arrows[:, :2]), viewport.to_widget(scene.arrows[:, 2:])
     lines = _strokes(tails, tips)
-    dark, bright = faded(QColor(0, 0, 0), 0.75), QColor(255, 255, 255)
-    for pen in (QPen(dark, 3.4), QPen(bright, 1.6)):
+    ground = faded(theme.sunken, 0.7)
+    for pen in (QPen(ground, 3.0), QPen(theme.text, 1.3)):
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         painter.setPen(pen)
         painter.drawLines(lines)
@@ -77,6 +77,6 @@ def _strokes(tails: Points, tips: Points) -> list[QLineF]:
             for turn in (_TIP_DEG, -_TIP_DEG):
                 wing = QLineF(shaft.p2(), shaft.p1())
                 wing.setAngle(shaft.angle() + turn)
-                wing.setLength(_TIP_PX)
+                wing.setLength(min(_TIP_PX, _TIP_SHARE * shaft.length()))
                 found.append(wing)
     return found

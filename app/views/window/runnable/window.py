@@ -23,6 +23,7 @@ def of_the_window(window: MainWindow) -> dict[str, Callable[[], None]]:
         "file.save": files.save,
         "file.save_as": files.save_as,
         "file.export_mot": files.exporting.ask_mot,
+        "file.export_counts": files.exporting.ask_counts,
         "file.export_log": files.exporting.ask_log,
         "file.author": files.author.ask,
         "file.restore": files.older.ask,
