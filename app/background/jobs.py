@@ -47,45 +47,37 @@ class Job(QObject):
 
     Signals: `progressed(done, total)`; at last exactly one of `done(result)`, `failed(error)` and
     `cancelled()`.
+
+    A job goes with its parent at any moment: its work is then asked to stop, and nobody is told.
     """
 
     progressed = Signal(int, int)
     done = Signal(object)
     failed = Signal(object)
     cancelled = Signal()
-    _finished = Signal(object, object)
 
     def __init__(self, title: str, work: Callable[[Progress], Any], parent: QObject) -> None:
         super().__init__(parent)
         self.title = title
         self.started_s = time.monotonic()
-        self._work = work
-        self._progress = Progress(self.progressed.emit)
-        self._thread = threading.Thread(target=self._run, name=f"job {title}", daemon=True)
-        self._finished.connect(self._report, Qt.ConnectionType.QueuedConnection)
+        self._work = _Work(title, work)
+        self._work.progressed.connect(self.progressed)
+        self._work.ended.connect(self._report)
+        self.destroyed.connect(self._work.progress.cancel)
 
     def start(self) -> None:
         """Begin."""
-        self._thread.start()
+        self._work.start()
 
     def cancel(self) -> None:
         """Ask the work to stop; `cancelled` follows once it has."""
-        self._progress.cancel()
+        self._work.progress.cancel()
 
     def wait(self) -> None:
         """Block until the thread has ended; for the end of the program and for tests."""
-        if self._thread.is_alive():
-            self._thread.join()
-
-    def _run(self) -> None:
-        try:
-            result, error = self._work(self._progress), None
-        except Exception as problem:
-            result, error = None, problem
-        self._finished.emit(result, error)
+        self._work.wait()
 
     def _report(self, result: object, error: Exception | None) -> None:
-        self._thread.join()
         if error is None:
             self.done.emit(result)
         elif isinstance(error, CancelledError):
@@ -93,3 +85,45 @@ class Job(QObject):
         else:
             _log.info("%s failed: %s", self.title, error)
             self.failed.emit(error)
+
+
+class _Work(QObject):
+    """What the thread of a job talks to: it belongs to nobody, so nobody destroys it meanwhile.
+
+    It stays until its thread has ended and that has been told, in the thread it was made in.
+    """
+
+    progressed = Signal(int, int)
+    ended = Signal(object, object)
+    _left = Signal(object, object)
+
+    def __init__(self, title: str, work: Callable[[Progress], Any]) -> None:
+        super().__init__()
+        self.progress = Progress(self.progressed.emit)
+        self._work = work
+        self._thread = threading.Thread(target=self._run, name=f"job {title}", daemon=True)
+        self._left.connect(self._tell, Qt.ConnectionType.QueuedConnection)
+
+    def start(self) -> None:
+        _at_work.add(self)
+        self._thread.start()
+
+    def wait(self) -> None:
+        if self._thread.is_alive():
+            self._thread.join()
+
+    def _run(self) -> None:
+        try:
+            result, error = self._work(self.progress), None
+        except Exception as problem:
+            result, error = None, problem
+        self._left.emit(result, error)
+
+    def _tell(self, result: object, error: Exception | None) -> None:
+        self._thread.join()
+        _at_work.discard(self)
+        self.ended.emit(result, error)
+
+
+_at_work: set[_Work] = set()
+"""Only touched in the thread of the window."""

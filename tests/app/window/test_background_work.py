@@ -2,12 +2,13 @@ import threading
 
 import numpy as np
 import pytest
+import shiboken6
 from PySide6.QtCore import QObject
 
 from app.background import FrameReader, Job
 from app.views.widgets.progress_strip import ProgressStrip
 from app.views.widgets.work import Work
-from tracking.errors import OutputError, RecordingError
+from tracking.errors import CancelledError, OutputError, RecordingError
 from tracking.recording import open_recording
 
 
@@ -148,3 +149,40 @@ def test_a_bug_in_reading_is_told_and_the_next_request_works(reader, qtbot, monk
     assert isinstance(told.args[1], ValueError)
     with qtbot.waitSignal(reader.ready):
         reader.request(5)
+
+
+def test_a_job_may_go_with_its_parent_while_its_work_goes_on(qtbot, no_threads_left):
+    parent, begun, go = QObject(), threading.Event(), threading.Event()
+    told, asked_to_stop = [], []
+
+    def work(progress) -> None:
+        begun.set()
+        go.wait(5)
+        try:
+            progress(1, 2)
+        except CancelledError:
+            asked_to_stop.append(True)
+            raise
+
+    job = Job("Reading", work, parent)
+    job.done.connect(told.append)
+    job.cancelled.connect(lambda: told.append("cancelled"))
+    job.start()
+    assert begun.wait(5)
+    shiboken6.delete(parent)
+    assert not shiboken6.isValid(job)
+    go.set()
+    job.wait()
+    qtbot.wait(20)
+    assert (asked_to_stop, told) == ([True], [])
+
+
+def test_a_job_may_go_after_its_work_ended_and_before_that_is_told(qtbot, no_threads_left):
+    parent, told = QObject(), []
+    job = Job("Reading", lambda _: 1, parent)
+    job.done.connect(told.append)
+    job.start()
+    job.wait()
+    shiboken6.delete(parent)
+    qtbot.wait(20)
+    assert told == []
