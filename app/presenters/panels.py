@@ -9,7 +9,7 @@ import numpy as np
 from app.presenters.document.shown import ShownTracks
 from app.presenters.palette import colour_of_track
 from app.presenters.scenes import HistoryItem, MarkKind, TimelineMark, TrackCard
-from tracking.editing import Entry, History
+from tracking.editing import Change, Entry, History
 from tracking.tracks import TrackLabel
 
 
@@ -101,14 +101,32 @@ class EditMarks:
         """Put the marks of an entry in, or take them out; its change is read once."""
         if entry.id not in self._marks_of_edit:
             kind = MarkKind.SWAP if entry.kind == "swap" else MarkKind.EDIT
+            change = entry.change
+            first = _first_frames(change)
             self._marks_of_edit[entry.id] = tuple(
-                TimelineMark(kind, entry.frame, track, entry.text) for track in entry.change.tracks
+                TimelineMark(kind, max(entry.frame, first.get(track, 0)), track, entry.text)
+                for track in change.tracks
             )
         for mark in self._marks_of_edit[entry.id]:
             if in_force:
                 self._marks.setdefault(mark.track, {})[entry.id] = mark
             else:
                 self._marks[mark.track].pop(entry.id)
+
+
+def _first_frames(change: Change) -> dict[int, int]:
+    """Where an edit first touches each track: one of many tracks may begin later than the edit."""
+    touched: list[tuple[int, int]] = []
+    for side in (change.before, change.after):
+        touched += [(track, start) for track, start, _ in side.stretches.tolist()]
+        tracks, at = np.unique(side.rows["track"], return_index=True)
+        touched += zip(tracks.tolist(), side.rows["frame"][at].tolist(), strict=True)
+        touched += [(label.track, label.frame) for label in side.labels.parts]
+        touched += [(seen.track, seen.start) for seen in side.labels.reviewed]
+    first: dict[int, int] = {}
+    for track, frame in touched:
+        first[track] = min(frame, first.get(track, frame))
+    return first
 
 
 def local_time(time: str) -> str:

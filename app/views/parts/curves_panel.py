@@ -10,7 +10,7 @@ from app.presenters.parts.parts_scene import CurvesScene
 from app.views.look.icons import IconButton
 from app.views.look.theme import current_theme, scaled_font
 from app.views.parts.curves_plot import CurvesPlot
-from app.views.widgets.parts import Panel, Swatch, quiet
+from app.views.widgets.parts import Panel, Swatch
 
 
 class CurvesPanel(Panel):
@@ -30,12 +30,10 @@ class CurvesPanel(Panel):
         self.add_to_heading(close)
         self.plot = CurvesPlot(self)
         self.plot.frame_sought.connect(self.frame_sought)
-        self._title = quiet("", self)
         self._swatches = [Swatch(self) for _ in PART_COLOURS]
         self._said = [QLabel(self) for _ in PART_COLOURS]
         body = QVBoxLayout()
         body.setSpacing(6)
-        body.addWidget(self._title)
         body.addLayout(self._legend())
         body.addWidget(self.plot, 1)
         self.layout_body(body)
@@ -56,7 +54,7 @@ class CurvesPanel(Panel):
         self.setVisible(scene is not None)
         if scene is None:
             return
-        self._title.setText(scene.title)
+        self.set_title(scene.title)
         for part, (swatch, said) in enumerate(zip(self._swatches, self._said, strict=True)):
             there = part < len(scene.said)
             swatch.setVisible(there)

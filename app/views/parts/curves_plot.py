@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFontMetricsF, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFontMetricsF, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.labelling.labelling_scene import PART_COLOURS
@@ -15,24 +15,30 @@ from app.presenters.parts.parts_scene import CurvesScene
 from app.views.look.theme import Theme, current_theme, faded, scaled_font
 from app.views.pictures.name_plates import draw_message
 from app.views.timeline.axis import TimeAxis, ticks
-from app.views.timeline.curves import Floats, curve_path, score_span, span_of, stretches
+from app.views.timeline.curves import Floats, curve_path, stretches, whole_span
 from app.views.timeline.strips import covered, draw_strip, opacity
 from app.views.widgets.still_picture import StillPicture
 
 _GAP_PX = 8.0
 _TICK_LETTERS = 11
+_WIDEST_NUMBER = "-88.8"
 _SMALL = 0.86
 
 
 @dataclass(frozen=True, slots=True)
 class _Strip:
-    """One of the plots: its name, what of a curve it shows, and at least how far it goes."""
+    """One of the plots: its name with the unit, what of a curve it shows, at least how far it goes.
+
+    Attributes:
+        sides: of a threshold: what is said above and below it.
+    """
 
     name: str
     values: Callable[[PartCurve], Floats]
     least: tuple[float, float]
     share: float
     threshold: float | None = None
+    sides: tuple[str, str] = ("", "")
 
 
 class CurvesPlot(QWidget):
@@ -50,9 +56,21 @@ class CurvesPlot(QWidget):
         self._shown = TimeAxis(0.0, 1.0, 0.0, 1.0, 1)
         self._still = StillPicture(self)
         self._strips = (
-            _Strip(self.tr("Score"), lambda one: one.score, (-1.0, 1.0), 0.46, THRESHOLD),
-            _Strip(self.tr("Entropy"), lambda one: one.entropy, (0.0, 1.0), 0.27),
-            _Strip(self.tr("Particles"), lambda one: one.particles, (0.0, 10.0), 0.27),
+            _Strip(
+                self.tr("Score of the detector in the run"),
+                lambda one: one.score,
+                (-1.0, 1.0),
+                0.46,
+                THRESHOLD,
+                (self.tr("off its part"), self.tr("on its part")),
+            ),
+            _Strip(
+                self.tr("Entropy of the weights (1: all alike)"),
+                lambda one: one.entropy,
+                (0.0, 1.0),
+                0.27,
+            ),
+            _Strip(self.tr("Particles (number)"), lambda one: one.particles, (0.0, 10.0), 0.27),
         )
         self.setAccessibleName(self.tr("Failure score, entropy and particles over time"))
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
@@ -80,13 +98,13 @@ class CurvesPlot(QWidget):
         return QSize(420, 14 * self.fontMetrics().height())
 
     def minimumSizeHint(self) -> QSize:  # noqa: N802
-        """Still readable."""
-        return QSize(200, 8 * self.fontMetrics().height())
+        """Still readable: each plot with both ends of its scale."""
+        return QSize(200, 11 * self.fontMetrics().height())
 
     @property
     def _axis(self) -> TimeAxis:
         metrics = QFontMetricsF(scaled_font(self.font(), _SMALL))
-        left = max(metrics.horizontalAdvance(strip.name) for strip in self._strips) + 16
+        left = metrics.horizontalAdvance(_WIDEST_NUMBER) + 16
         return self._shown.resized(left, self.width() - left - 12)
 
     # drawing
@@ -128,11 +146,12 @@ class CurvesPlot(QWidget):
     def _draw_strip(self, painter: QPainter, strip: _Strip, place: QRectF, theme: Theme) -> None:
         painter.fillRect(place, theme.sunken)
         values = [strip.values(curve) for curve in self._scene.curves]
-        span = span_of(values, strip.least) if strip.threshold is None else score_span(values)
-        self._name_strip(painter, strip, place, span, theme)
+        span = whole_span(values, strip.least)
+        inner = place.adjusted(0, 3, 0, -3)
+        self._draw_scale(painter, strip, place, inner, span, theme)
+        self._name_strip(painter, strip, place, inner, span, theme)
         painter.save()
         painter.setClipRect(place.adjusted(0, -1, 0, 1))
-        inner = place.adjusted(0, 3, 0, -3)
         if strip.threshold is not None:
             self._draw_threshold(painter, strip.threshold, inner, span, theme)
         chosen = self._scene.chosen
@@ -160,27 +179,53 @@ class CurvesPlot(QWidget):
         ranges = stretches(curve.frames[curve.failed])
         shares = covered(ranges, axis.edges(columns))
         draw_strip(painter, opacity(shares), faded(theme.danger, 0.25), place)
-        share = (threshold - span[0]) / (span[1] - span[0])
-        y = place.bottom() - share * place.height()
+        y = place.bottom() - _share(threshold, span) * place.height()
         painter.setPen(QPen(theme.danger, 1.2, Qt.PenStyle.DashLine))
         painter.drawLine(QLineF(place.left(), y, place.right(), y))
+
+    def _draw_scale(
+        self,
+        painter: QPainter,
+        strip: _Strip,
+        place: QRectF,
+        inner: QRectF,
+        span: tuple[float, float],
+        theme: Theme,
+    ) -> None:
+        """Both ends of the scale, and the threshold where there is room between them."""
+        line = painter.fontMetrics().height()
+        painter.setPen(theme.text_muted)
+        drawn: list[float] = []
+        for value in (span[1], span[0], strip.threshold):
+            if value is None:
+                continue
+            y = inner.bottom() - _share(value, span) * inner.height()
+            top = min(max(y - line / 2, place.top() - 2), place.bottom() - line + 2)
+            if all(abs(top - other) >= line for other in drawn):
+                drawn.append(top)
+                beside = QRectF(0, top, place.left() - 6, line)
+                flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+                painter.drawText(beside, flags, _number(value))
 
     def _name_strip(
         self,
         painter: QPainter,
         strip: _Strip,
         place: QRectF,
+        inner: QRectF,
         span: tuple[float, float],
         theme: Theme,
     ) -> None:
-        flags = Qt.AlignmentFlag
-        beside = QRectF(4, place.top(), place.left() - 10, place.height())
-        painter.setPen(theme.text_muted)
-        painter.drawText(beside, flags.AlignVCenter | flags.AlignRight, strip.name)
-        if place.height() > 3.4 * painter.fontMetrics().height():
-            painter.setPen(theme.text_faint)
-            painter.drawText(beside, flags.AlignTop | flags.AlignRight, f"{span[1]:.3g}")
-            painter.drawText(beside, flags.AlignBottom | flags.AlignRight, f"{span[0]:.3g}")
+        """Below the curves: what is drawn; at the right which side of a threshold means what."""
+        _draw_words(painter, strip.name, place.topLeft() + QPointF(2, 1), theme.text)
+        if strip.threshold is None:
+            return
+        line = painter.fontMetrics().height()
+        y = inner.bottom() - _share(strip.threshold, span) * inner.height()
+        for said, top in zip(strip.sides, (y - line - 1, y + 1), strict=True):
+            left = place.right() - painter.fontMetrics().horizontalAdvance(said) - 6
+            at = QPointF(left, min(max(top, place.top()), place.bottom() - line))
+            _draw_words(painter, said, at, theme.text_muted)
 
     # gestures
 
@@ -203,3 +248,21 @@ class CurvesPlot(QWidget):
         if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.FontChange):
             self._still.forget()
             self.update()
+
+
+def _number(value: float) -> str:
+    """Three digits, and no power of ten."""
+    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.3g}"
+
+
+def _share(value: float, span: tuple[float, float]) -> float:
+    """How far up between both ends."""
+    return (value - span[0]) / max(span[1] - span[0], 1e-12)
+
+
+def _draw_words(painter: QPainter, text: str, at: QPointF, colour: QColor) -> None:
+    """Words, their upper left corner given."""
+    metrics = painter.fontMetrics()
+    plate = QRectF(at.x(), at.y(), metrics.horizontalAdvance(text) + 4, metrics.height())
+    painter.setPen(colour)
+    painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)

@@ -5,17 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.presenters.parts.parts_scene import PartBox, PicturedParts
+from app.presenters.scenes import Colour
 from app.views.look.theme import faded
 from app.views.parts.signs import FAILED, draw_off, sign_radius
 from app.views.pictures.particles import draw_particles
 from app.views.pictures.viewport import Viewport
 
 _CASING = QColor(0, 0, 0, 150)
-_PARTICLE_PX = 1.5
+_PARTICLE_PX, _LEAST_PX, _LARGEST_PX, _RIM_PX = 0.6, 1.6, 3.2, 1.0
+"""Of a particle: its radius, in pixels as recorded, then at least, at most, and its dark rim."""
+_HALO, _FAINTEST, _LIGHT = 0.6, 0.45, 0.72
+_LUMA = np.array([0.299, 0.587, 0.114])
 _DASHES, _DOTS = (4.0, 2.5), (1.0, 2.2)
 
 
@@ -36,11 +41,28 @@ def draw_part_particles(
     if not len(parts.particles):
         return
     ratio = painter.device().devicePixelRatioF()
-    colours = np.tile(np.array(parts.colour, np.uint8), (len(parts.particles), 1))
     width, height = (round(side * ratio) for side in size)
     points = viewport.to_widget(parts.particles) * ratio
-    weights = parts.weights
-    draw_particles(painter, points, colours, weights, (width, height), _PARTICLE_PX * ratio, ratio)
+    radius = ratio * min(max(_PARTICLE_PX * viewport.scale, _LEAST_PX), _LARGEST_PX)
+    count = len(parts.particles)
+    ink = np.tile(_bright(parts.colour), (count, 1))
+    dark, halo = np.zeros_like(ink), np.full(count, _HALO, np.float32)
+    shades = ((dark, halo, radius + ratio * _RIM_PX), (ink, _seen(parts.weights), radius))
+    for colours, weights, reach in shades:
+        draw_particles(painter, points, colours, weights, (width, height), reach, ratio)
+
+
+def _bright(colour: Colour) -> NDArray[np.uint8]:
+    """The colour, lightened so far that its dots stand out from dark clothes and their own rim."""
+    rgb = np.array(colour, np.float64)
+    lightness = float(rgb @ _LUMA) / 255
+    share = max(0.0, (_LIGHT - lightness) / (1.0 - lightness)) if lightness < 1 else 0.0
+    return np.asarray(rgb + share * (255 - rgb), np.uint8)
+
+
+def _seen(weights: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Weights as shades: even the lightest particle is seen."""
+    return np.asarray(_FAINTEST + (1 - _FAINTEST) * weights, np.float32)
 
 
 def part_box_at(boxes: Sequence[PartBox], at: QPointF, viewport: Viewport) -> PartBox | None:

@@ -213,10 +213,10 @@ class PictureView(Canvas):
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
         draw_other_boxes(painter, self._others, self.viewport, theme, shown)
         names = draw_people(painter, self._scene.people, self.viewport, shown)
-        size = (self.width(), self.height())
-        draw_part_particles(painter, self._parts, self.viewport, size)
         draw_part_boxes(painter, self._parts.boxes, self.viewport, shown)
         draw_parts(painter, self._labels.parts, self.viewport)
+        size = (self.width(), self.height())
+        draw_part_particles(painter, self._parts, self.viewport, size)
         movable = self._movable()
         if movable is not None and not self._labels.labelling:
             rect = self.viewport.rect(QRectF(*movable.box))

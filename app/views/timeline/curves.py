@@ -50,9 +50,17 @@ def thinned(frames: NDArray[np.int64], values: Floats, axis: TimeAxis) -> tuple[
 
 
 def score_span(scores: list[Floats]) -> tuple[float, float]:
-    """What of a failure score is drawn: around the threshold; how far below it hardly matters."""
+    """What of a failure score a low lane draws: around the threshold; far below is its floor."""
     low, high = span_of(scores, _LEAST_SCORES)
     return max(low, _LOWEST_SCORE), high
+
+
+def whole_span(curves: list[Floats], least: tuple[float, float]) -> tuple[float, float]:
+    """Lowest and highest value, at least so wide: nothing is left out."""
+    known = np.concatenate([one[np.isfinite(one)] for one in curves] or [np.zeros(0)])
+    if not len(known):
+        return least
+    return min(float(known.min()), least[0]), max(float(known.max()), least[1])
 
 
 def span_of(curves: list[Floats], least: tuple[float, float]) -> tuple[float, float]:

@@ -1,4 +1,4 @@
-"""How surely a part of a lane's person has failed, drawn over the lane, with the threshold."""
+"""How surely a part of a lane's person has failed, over the lane: which part, the threshold."""
 
 from __future__ import annotations
 
@@ -7,16 +7,22 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.presenters.labelling.labelling_scene import PART_COLOURS
 from app.presenters.parts.part_curve import THRESHOLD, LaneScore
-from app.views.look.theme import Theme, faded
+from app.presenters.parts.picturing import part_name
+from app.views.look.theme import Theme, faded, scaled_font
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.curves import curve_path, score_span, stretches
 from app.views.timeline.strips import covered, draw_strip, opacity
+
+_SMALL, _LEAST_NAME, _GAP_PX = 0.84, 0.7, 4.0
 
 
 def draw_score(
     painter: QPainter, score: LaneScore, place: QRectF, axis: TimeAxis, theme: Theme
 ) -> None:
-    """A curve; above the dashed line the part has failed, and the ground is shaded there."""
+    """A curve; above the dashed line the part has failed, and the ground is shaded there.
+
+    The line runs where the person was tracked; before it stands which part it is.
+    """
     curve = score.curve
     span = score_span([curve.score])
     columns = max(1, int(axis.width * painter.device().devicePixelRatioF()))
@@ -25,12 +31,31 @@ def draw_score(
     level = (THRESHOLD - span[0]) / (span[1] - span[0])
     y = place.bottom() - level * place.height()
     painter.setPen(QPen(theme.danger, 1.0, Qt.PenStyle.DashLine))
-    painter.drawLine(QLineF(place.left(), y, place.right(), y))
+    left = max(place.left(), axis.x_of(int(curve.frames[0])))
+    right = min(place.right(), axis.x_of(int(curve.frames[-1]) + 1))
+    painter.drawLine(QLineF(left, y, max(left, right), y))
     path = curve_path(curve.frames, curve.score, axis, place, span)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for colour, width in ((_casing(theme), 3.4), (theme.track(PART_COLOURS[score.part]), 1.6)):
         painter.setPen(QPen(colour, width))
         painter.drawPath(path)
+    _draw_name(painter, score.part, left, place, theme)
+
+
+def _draw_name(painter: QPainter, part: int, left: float, place: QRectF, theme: Theme) -> None:
+    """The part's name before where its curve begins, else at the start of what is in view."""
+    font = painter.font()
+    painter.setFont(scaled_font(font, _SMALL))
+    metrics = painter.fontMetrics()
+    if place.height() >= _LEAST_NAME * metrics.height():
+        width = metrics.horizontalAdvance(part_name(part)) + 6
+        before = left - width - _GAP_PX
+        at = before if before >= place.left() else max(left, place.left()) + 2
+        plate = QRectF(at, place.top(), width, place.height())
+        painter.fillRect(plate, _casing(theme))
+        painter.setPen(theme.track(PART_COLOURS[part]))
+        painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, part_name(part))
+    painter.setFont(font)
 
 
 def _casing(theme: Theme) -> QColor:

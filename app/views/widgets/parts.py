@@ -36,8 +36,13 @@ class Panel(QFrame):
         self._rows.setSpacing(8)
         self._heading = QHBoxLayout()
         self._heading.setSpacing(4)
-        self._heading.addWidget(heading(title, self), 1)
+        self._title = heading(title, self)
+        self._heading.addWidget(self._title, 1)
         self._rows.addLayout(self._heading)
+
+    def set_title(self, title: str) -> None:
+        """Say in the title whose the content is."""
+        self._title.setText(title)
 
     def add_to_heading(self, widget: QWidget) -> None:
         """Put something small at the right of the title."""

@@ -9,9 +9,16 @@ from app.presenters.document.setting import Instant
 from app.presenters.panels import EditMarks
 from app.presenters.scenes import MarkKind, SpanKind, TimelineMark
 from app.presenters.timeline.lanes import TimelinePresenter
-from tracking.editing import apply_change, plan_delete, plan_split, plan_swap
+from tracking.editing import (
+    History,
+    apply_change,
+    plan_delete,
+    plan_label_part,
+    plan_split,
+    plan_swap,
+)
 from tracking.session import Session
-from tracking.tracks import Labels, ReviewedRange, Source, TrackTable
+from tracking.tracks import Labels, PartLabel, ReviewedRange, Source, TrackTable
 
 _NO_FRAMES = np.zeros(0, np.int32)
 _EDIT = TimelineMark(MarkKind.EDIT, 50, 7, "Split 7")
@@ -159,6 +166,16 @@ def test_edits_are_marked_while_they_are_in_force(table, tmp_path):
     assert marks.of(session.history) == {}
     session.redo()
     assert set(marks.of(session.history)) == {4, 7}
+
+
+def test_an_edit_of_many_tracks_is_marked_where_it_first_touches_each():
+    frames = ((20, 4), (30, 4), (60, 7))
+    box = (1.0, 2.0, 3.0, 4.0)
+    labels = [PartLabel(frame, track, 0, box, True) for frame, track in frames]
+    history, change = History(), plan_label_part(Labels(), labels)
+    history.add(history.draft(change, "2020-01-01T00:00:00.000+00:00", "somebody"), change)
+    marks = EditMarks().of(history)
+    assert {track: [one.frame for one in own] for track, own in marks.items()} == {4: [20], 7: [60]}
 
 
 def test_an_edit_is_not_marked_on_a_lane_that_ends_before_it(tracks):

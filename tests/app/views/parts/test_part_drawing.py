@@ -1,0 +1,82 @@
+"""Particles and curves of parts are seen, each where it belongs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from drawn_scenes import picture
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QImage, QPainter
+
+from app.presenters.parts.part_curve import LaneScore, PartCurve
+from app.presenters.parts.parts_scene import PicturedParts
+from app.presenters.scenes import Eye
+from app.views.look.theme import current_theme
+from app.views.pictures.picture import PictureView
+from app.views.timeline.axis import TimeAxis
+from app.views.timeline.curves import whole_span
+from app.views.timeline.lane_score import draw_score
+
+FIRST, LAST = 40, 59
+PURPLE = (110, 70, 180)
+
+
+def pixels(image: QImage) -> np.ndarray:
+    """(h, w, 3) of an image."""
+    image = image.convertToFormat(QImage.Format.Format_RGB888)
+    flat = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
+    return flat[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+
+
+@pytest.mark.parametrize("ground", [(0, 0, 0), (255, 255, 255), PURPLE[::-1]])
+@pytest.mark.parametrize("close", [False, True])
+def test_even_light_particles_are_seen_on_any_clothes_from_far_and_near(
+    qtbot, dark, drawn, ground, close
+):
+    view = PictureView(Eye.LEFT)
+    qtbot.addWidget(view)
+    view.resize(300, 240)
+    view.show_scene(picture(bgr=ground))
+    if close:
+        middle = view.content().center()
+        view.show_close(QRectF(middle.x() - 7, middle.y() - 7, 14, 14))
+    without = pixels(drawn(view))
+    middle = view.content().center()
+    one = np.array([[middle.x(), middle.y()]])
+    parts = PicturedParts(particles=one, weights=np.zeros(1, np.float32), colour=PURPLE)
+    view.show_parts(parts)
+    change = np.abs(pixels(drawn(view)) - without).max(axis=2)
+    assert (change > 60).sum() >= 4
+    view.show_parts(replace(parts, weights=np.ones(1, np.float32)))
+    heavy = np.abs(pixels(drawn(view)) - without).max(axis=2)
+    assert heavy.max() >= change.max()
+
+
+@given(st.lists(st.floats(-50, 50), min_size=1))
+def test_no_value_of_a_curve_lies_beyond_its_scale(values):
+    low, high = whole_span([np.array([*values, np.nan])], (-1.0, 1.0))
+    assert low <= min(values)
+    assert high >= max(values)
+
+
+def test_the_threshold_of_a_lane_runs_only_where_the_person_was_tracked(dark):
+    frames = np.arange(FIRST, LAST + 1)
+    no, low = np.zeros(len(frames), bool), np.full(len(frames), -1.5)
+    curve = PartCurve(frames, low, low, low, no, no)
+    image = QImage(1000, 20, QImage.Format.Format_RGB32)
+    image.fill(0)
+    painter = QPainter(image)
+    axis = TimeAxis(0.0, 1000.0, 0.0, 100.0, 100)
+    draw_score(painter, LaneScore(1, 0, curve), QRectF(0, 0, 1000, 20), axis, current_theme())
+    painter.end()
+    red = np.array(current_theme().danger.getRgb()[:3])
+    dashes = np.flatnonzero((np.abs(pixels(image) - red).max(axis=2) < 40).any(axis=0))
+    assert len(dashes)
+    assert dashes.min() >= axis.x_of(FIRST) - 1
+    assert dashes.max() <= axis.x_of(LAST + 1) + 1
+    words = pixels(image)[:, : int(axis.x_of(FIRST)) - 2].any()
+    assert words  # which part it is, before its curve
