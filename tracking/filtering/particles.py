@@ -85,7 +85,8 @@ def resample(particles: Particles, weights: Weights, random: np.random.Generator
     particle is copied `N w` times, rounded up or down, and `N w` times on average.
 
     Args:
-        particles: (people, N, 2). weights: (people, N), rows sum to 1.
+        particles: (people, N, k): places, or what else a state holds. weights: (people, N), rows
+            sum to 1.
         random: where the offsets come from.
     """
     people, count = weights.shape
@@ -96,4 +97,6 @@ def resample(particles: Particles, weights: Weights, random: np.random.Generator
     taken[:, -1] = count
     copies = np.diff(taken, axis=1, prepend=0)
     chosen = np.repeat(np.arange(people * count), copies.ravel())
-    return np.asarray(particles.reshape(-1, 2)[chosen].reshape(people, count, 2))
+    return np.asarray(
+        particles.reshape(people * count, particles.shape[2])[chosen].reshape(particles.shape)
+    )

@@ -1,10 +1,11 @@
 """Foreground: the background learnt and subtracted, shadows removed."""
 
 from tracking.foreground.background import BackgroundModel, Subtraction
-from tracking.foreground.ramp import RampSettings, ramp, shaded
+from tracking.foreground.ramp import RampSettings, ramp
 from tracking.foreground.settings import ForegroundSettings
 from tracking.foreground.shade import ShadeColour
 from tracking.foreground.shadow import PERHAPS, ShadowRemover
+from tracking.foreground.shadow_weights import ShadowWeights
 
 __all__ = [
     "PERHAPS",
@@ -13,7 +14,7 @@ __all__ = [
     "RampSettings",
     "ShadeColour",
     "ShadowRemover",
+    "ShadowWeights",
     "Subtraction",
     "ramp",
-    "shaded",
 ]

@@ -28,8 +28,6 @@ class RampSettings:
     high: float = setting(
         2.0, "", (0.1, 7.9), "where it ends: B is 1 from there on, in the same unit"
     )
-    shadow: float = setting(0.1, "", (0.0, 1.0), "what is left of B where a shadow is certain")
-    perhaps: float = setting(0.6, "", (0.0, 1.0), "what is left of B where there may be a shadow")
 
 
 def ramp(seen: Subtraction, model: BackgroundModel, settings: RampSettings) -> Picture:
@@ -48,20 +46,6 @@ def ramp(seen: Subtraction, model: BackgroundModel, settings: RampSettings) -> P
     difference = largest_difference(seen.picture, seen.background)
     quotient = cv2.divide(difference, model.limit, scale=_STEPS)
     return np.asarray(cv2.LUT(quotient, _table(settings)), np.uint8)
-
-
-def shaded(ramp_picture: Picture, shadow: Picture, settings: RampSettings) -> Picture:
-    """The ramp with shadows weighed down.
-
-    The source has no rule for shadows and names them as what went wrong.
-
-    Args:
-        shadow: (height, width) 255 where there is shadow, `PERHAPS` where there may be, else 0.
-    """
-    left = np.ones(256, np.float32)
-    left[255], left[1] = settings.shadow, settings.perhaps
-    weight = cv2.LUT(shadow, np.rint(left * 255).astype(np.uint8))
-    return np.asarray(cv2.multiply(ramp_picture, weight, scale=1 / 255), np.uint8)
 
 
 def _table(settings: RampSettings) -> Picture:

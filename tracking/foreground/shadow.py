@@ -50,15 +50,13 @@ class ShadowRemover:
         """
         settings = self._settings
         alpha, beta = settings.shadow_texture, settings.shadow_hue
-        light = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY)
-        usual = cv2.cvtColor(background, cv2.COLOR_BGR2GRAY)
-        ratio = _logarithm(light) - _logarithm(usual)
+        light, usual, ratio = log_ratio(picture, background)
         theta = np.full(light.shape, (1 - alpha - beta) * settings.shadow_constant, np.float32)
-        if _is_grey(picture):
-            theta += np.float32(alpha + beta) * _texture(ratio)
+        if is_grey(picture):
+            theta += np.float32(alpha + beta) * texture_change(ratio)
         else:
-            theta += np.float32(alpha) * _texture(ratio)
-            theta += np.float32(beta) * _hue(picture, background)
+            theta += np.float32(alpha) * texture_change(ratio)
+            theta += np.float32(beta) * hue_distance(picture, background)
         theta[(light >= usual) | (ratio < np.log(settings.shadow_darkest))] = np.inf
         return theta
 
@@ -76,7 +74,7 @@ class ShadowRemover:
             y // 2 * 2 : y + height + (y + height) % 2, x // 2 * 2 : x + width + (x + width) % 2
         ]
         mask = seen.mask[box]
-        theta = self.score(_half(seen.picture[box]), _half(seen.background[box]))
+        theta = self.score(halved(seen.picture[box]), halved(seen.background[box]))
         certain = theta < self._settings.shadow_threshold
         dark = np.where(
             theta < self._settings.floor_shadow_threshold, np.uint8(PERHAPS), np.uint8(0)
@@ -87,7 +85,19 @@ class ShadowRemover:
         return shadow
 
 
-def _half(picture: Picture) -> Picture:
+def log_ratio(picture: Picture, background: Picture) -> tuple[Picture, Picture, Scores]:
+    """Brightness of both and the logarithm of their ratio, (height, width) each.
+
+    Args:
+        picture, background: (height, width, 3).
+    """
+    light = np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY), np.uint8)
+    usual = np.asarray(cv2.cvtColor(background, cv2.COLOR_BGR2GRAY), np.uint8)
+    return light, usual, _logarithm(light) - _logarithm(usual)
+
+
+def halved(picture: Picture) -> Picture:
+    """At half the size, each pixel the mean of four."""
     size = (picture.shape[1] // 2, picture.shape[0] // 2)
     return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), np.uint8)
 
@@ -96,11 +106,12 @@ def _logarithm(light: cv2.typing.MatLike) -> Scores:
     return np.asarray(cv2.LUT(light, _LOGARITHM), np.float32)
 
 
-def _is_grey(picture: Picture) -> bool:
+def is_grey(picture: Picture) -> bool:
+    """Whether the footage has no colours, by a sample."""
     return bool(np.array_equal(picture[::4, ::4, 0], picture[::4, ::4, 2]))
 
 
-def _texture(log_ratio: NDArray[np.float32]) -> Scores:
+def texture_change(log_ratio: NDArray[np.float32]) -> Scores:
     """Psi, 0 to 1; the least of the neighbourhood, so that a shadow's own edge does not count."""
     change = np.zeros_like(log_ratio)
     change[:, 1:] = np.abs(np.diff(log_ratio, axis=1))
@@ -109,7 +120,7 @@ def _texture(log_ratio: NDArray[np.float32]) -> Scores:
     return np.asarray(np.minimum(least / np.float32(_TEXTURE_FULL), 1), np.float32)
 
 
-def _hue(picture: Picture, background: Picture) -> Scores:
+def hue_distance(picture: Picture, background: Picture) -> Scores:
     """Lambda, 0 to 1."""
     (blue, red), (usual_blue, usual_red) = _chroma(picture), _chroma(background)
     apart = cv2.magnitude(cv2.subtract(blue, usual_blue), cv2.subtract(red, usual_red))

@@ -62,6 +62,7 @@ class FlatView:
         self.projection: Floats = self._matrix @ np.column_stack((rotation.T, -rotation.T @ eye))
         self._map: _Map | None = None
         self._back: _Map | None = None
+        self._index: NDArray[np.intp] | None = None
 
     @property
     def eye(self) -> Floats:
@@ -106,6 +107,26 @@ class FlatView:
         camera = self.view.camera
         return camera.lens.distort(rays) @ camera.matrix[:2, :2].T + camera.matrix[:2, 2]
 
+    def recorded_index(
+        self, u: Floats, v: Floats, size: tuple[int, int]
+    ) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+        """Numbers of the recorded pixels, row by row, nearest to flat ones, and which there are.
+
+        Args:
+            u, v: flat pixels of any shape; NaN is nowhere.
+            size: width and height of the recorded picture, shrunk.
+        """
+        low = (u >= 0) & (v >= 0)
+        known = np.asarray(low & (u <= self.size[0] - 1) & (v <= self.size[1] - 1))
+        column, row = (np.rint(np.where(known, x, 0.0)).astype(np.intp) for x in (u, v))
+        if self._plain:
+            return row * size[0] + column, known
+        if self._index is None:
+            self._index = self._made_index()
+        place = self._index[row, column]
+        known &= place >= 0
+        return np.where(known, place, 0), known
+
     def flat_from_recorded(self, points: Floats) -> Floats:
         """Flat pixels (n, 2) of pixels (n, 2) as recorded; NaN where the lens shows none."""
         points = np.asarray(points, float).reshape(-1, 2)
@@ -142,10 +163,20 @@ class FlatView:
         return low, (int(high[0] - low[0]) + 1, int(high[1] - low[1]) + 1)
 
     def _made_map(self) -> _Map:
+        return _map_to(self._sources(), self.size)
+
+    def _made_index(self) -> NDArray[np.intp]:
+        """(height, width) the number of the recorded pixel shown there, -1 where none is."""
+        width, height = self._recorded
+        column, row = np.rint(np.nan_to_num(self._sources(), nan=-1.0)).astype(np.intp).T
+        known = (column >= 0) & (row >= 0) & (column < width) & (row < height)
+        return np.where(known, row * width + column, -1).reshape(self.size[::-1])
+
+    def _sources(self) -> Floats:
+        """(n, 2) recorded pixels, shrunk, that flat ones show, row by row."""
         u, v = np.meshgrid(*(np.arange(0.0, length) for length in self.size))
         recorded = self.recorded_from_flat(np.column_stack((u.ravel(), v.ravel())))
-        shrunk = (recorded + 0.5) / self.shrink - 0.5
-        return _map_to(shrunk, self.size)
+        return (recorded + 0.5) / self.shrink - 0.5
 
 
 def _map_to(pixels: Floats, size: tuple[int, int]) -> _Map:

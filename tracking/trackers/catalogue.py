@@ -12,6 +12,7 @@ from tracking.recording import Recording
 from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.protocol import Perception, Tracker
 from tracking.trackers.settings import settings_from_text, settings_values
+from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
 from tracking.trackers.three_part import (
     ThreePartSettings,
     WholeBodySettings,
@@ -71,6 +72,15 @@ _BUILT = (
         build=stereo_colour.build,
     ),
     TrackerSpec(
+        name="spheroid",
+        title="One calibrated camera: a particle filter on the floor, judged by silhouettes",
+        paper="Waechter2013",
+        needs_stereo=False,
+        needs_calibration=True,
+        settings_type=SpheroidSettings,
+        build=build_spheroid,
+    ),
+    TrackerSpec(
         name="three-part",
         title="One camera: a particle filter each for head, torso and hip-leg, failures adjusted",
         paper="ZhaoLee2009",
@@ -104,7 +114,8 @@ _BUILT = (
 TRACKERS: Mapping[str, TrackerSpec] = MappingProxyType({spec.name: spec for spec in _BUILT})
 """The trackers that can be run, the best first."""
 
-_ANNOUNCED = ("spheroid", "flow")
+_WITHOUT = "; without, three-part follows people in pixels"
+_ANNOUNCED = ("flow",)
 
 
 def tracker_named(name: str) -> TrackerSpec:
@@ -116,9 +127,11 @@ def tracker_named(name: str) -> TrackerSpec:
 
 
 def best_tracker(recording: Recording) -> str:
-    """The name of the best tracker: for two eyes over a known floor a stereo one, else for one."""
+    """The name of the best tracker: two eyes over a known floor, one over it, or neither."""
     measured = recording.rectification is not None and recording.ground is not None
-    return "stereo-direction" if recording.is_stereo and measured else "three-part"
+    if recording.is_stereo and measured:
+        return "stereo-direction"
+    return "three-part" if recording.view is None else "spheroid"
 
 
 def detector_of(name: str, settings: Mapping[str, Any]) -> str:
@@ -154,12 +167,13 @@ def require(spec: TrackerSpec, recording: Recording) -> None:
     if spec.needs_calibration and recording.calibration is None:
         raise CalibrationError(
             f"recording {recording.name} has no calibration: {spec.name} needs one, name it "
-            "under [calibration] in recording.toml or with --calibration"
+            f"under [calibration] in recording.toml or with --calibration{_WITHOUT}"
         )
     if spec.needs_calibration and recording.ground is None:
         raise CalibrationError(
             f"recording {recording.name} does not say where the floor is: {spec.name} needs "
             "height and tilt under [ground] in recording.toml or with --height and --tilt"
+            f"{_WITHOUT}"
         )
 
 

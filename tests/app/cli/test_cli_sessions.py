@@ -53,7 +53,7 @@ def test_the_same_seed_tracks_the_same(
     ("words", "reason"),
     [
         (["--tracker", "psychic"], "available are stereo-direction"),
-        (["--tracker", "spheroid"], "not built yet"),
+        (["--tracker", "sphere"], "available are"),
         (["--set", "particles=many"], "particles=many"),
         (["--set", "particles=-5"], "particles=-5"),
         (["--set", "particels=5"], "did you mean particles?"),

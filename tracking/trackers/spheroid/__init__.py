@@ -1,5 +1,6 @@
 """Spheroids in the floor plane: people of one calibrated camera ([Waechter2013])."""
 
+from tracking.trackers.spheroid.building import build_spheroid
 from tracking.trackers.spheroid.drawing import (
     RegionOfEvaluation,
     outlines,
@@ -13,6 +14,7 @@ __all__ = [
     "RegionOfEvaluation",
     "SpheroidPerception",
     "SpheroidSettings",
+    "build_spheroid",
     "outlines",
     "ramp_picture",
     "region_of_evaluation",

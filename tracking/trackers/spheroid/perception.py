@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 import cv2
@@ -14,10 +14,9 @@ from tracking.foreground import (
     BackgroundModel,
     ForegroundSettings,
     RampSettings,
-    ShadowRemover,
+    ShadowWeights,
     Subtraction,
     ramp,
-    shaded,
 )
 from tracking.geometry import FlatView, View
 from tracking.people import Detections, Observation, Overlays
@@ -28,6 +27,8 @@ Picture = NDArray[np.uint8]
 
 _WIDEST_PX = 800
 """Wider pictures are shrunk by a whole number before anything is done with them."""
+_SHADOW = 100
+"""Weight below which foreground is shown as a shadow."""
 _PROTECTED = np.ones((9, 9), np.uint8)
 """Round people the background is not learnt."""
 
@@ -41,8 +42,22 @@ class FlatObservation(Observation):
         working: the picture beside its background, shrunk but not undistorted.
     """
 
-    ramp: Picture | None = None
-    working: Subtraction | None = None
+    ramp: Picture = field(kw_only=True)
+    working: Subtraction = field(kw_only=True)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Bodies:
+    """Where people are in a frame, as flat masks (height, width) uint8, non-zero there.
+
+    Attributes:
+        on: on people known for certain. beside: close to them, where their shadows fall.
+        kept: generously on everybody.
+    """
+
+    on: Picture
+    beside: Picture
+    kept: Picture
 
 
 class SpheroidPerception:
@@ -65,10 +80,10 @@ class SpheroidPerception:
         self.flat = FlatView(view, -(-view.camera.width // _WIDEST_PX))
         self.steadiness = Steadiness(fps)
         self._background = BackgroundModel(fps, foreground)
-        self._shadows = ShadowRemover(foreground)
+        self._shadows = ShadowWeights()
         self._ramp = ramp_settings or RampSettings()
         self._last: Subtraction | None = None
-        self._protected: Picture | None = None
+        self._told: Bodies | None = None
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn the background from frames spread over some time, before the first `observe`."""
@@ -79,33 +94,30 @@ class SpheroidPerception:
         self._remember()
         seen = self._background.subtract(self._working(frame.left))
         self.steadiness.look(frame.number, seen.picture)
-        shadow = self._shadows.shadows(seen)
-        flat = self.flat.flatten(
-            shaded(ramp(seen, self._background, self._ramp), shadow, self._ramp)
-        )
-        self._last, self._protected = seen, None
+        weight = self._shadows.weigh(seen)
+        flat = self.flat.flatten(self._weighed(seen, weight))
+        self._last, self._told = seen, None
         return FlatObservation(
             frame.number,
             frame.time_s,
             _nobody(frame.left.shape[:2]),
-            self._overlays(seen.mask, shadow, frame.left),
+            self._overlays(seen.mask, weight, frame.left),
             frame.left,
-            flat,
-            seen,
+            ramp=flat,
+            working=seen,
         )
 
-    def protect(self, people: Picture) -> None:
-        """Keep the background as it is where people are in the frame observed last.
+    def tell(self, people: Bodies) -> None:
+        """Say where people are in the frame observed last, before the next is observed.
 
-        Args:
-            people: (height, width) uint8 in flat pixels, non-zero where somebody is.
+        The background stays as it is there, and shadows are learnt from what lies beside them.
         """
-        self._protected = people
+        self._told = people
 
     def overlays(self, frame: StereoFrame) -> Overlays:
         """What a view may lay over a frame; nothing is remembered, frames come in any order."""
         seen = self._background.subtract(self._working(frame.left))
-        return self._overlays(seen.mask, self._shadows.shadows(seen), frame.left)
+        return self._overlays(seen.mask, self._shadows.weigh(seen), frame.left)
 
     def ramp_picture(self, frame: StereoFrame) -> Picture:
         """(height, width) uint8, B times 255 in pixels of the left picture as recorded.
@@ -113,17 +125,25 @@ class SpheroidPerception:
         Nothing is remembered, frames come in any order.
         """
         seen = self._background.subtract(self._working(frame.left))
-        shadow = self._shadows.shadows(seen)
-        return _in_full(shaded(ramp(seen, self._background, self._ramp), shadow, self._ramp), frame)
+        return _in_full(self._weighed(seen, self._shadows.weigh(seen)), frame)
+
+    def _weighed(self, seen: Subtraction, weight: Picture) -> Picture:
+        """B times 255 with shadows weighed down, not undistorted."""
+        rising = ramp(seen, self._background, self._ramp)
+        return np.asarray(cv2.multiply(rising, weight, scale=1 / 255), np.uint8)
 
     def _remember(self) -> None:
-        """Let the background follow the frame before, except where people were."""
+        """Learn from the frame before, once it is known where people were in it."""
         if self._last is None:
             return
         mask = None
-        if self._protected is not None and self._background.update_is_due:
-            wide = np.asarray(cv2.dilate(self._protected, _PROTECTED), np.uint8)
-            mask = self.flat.unflatten(wide)
+        if self._told is not None and self._background.update_is_due:
+            on, beside, kept = (
+                self.flat.unflatten(part)
+                for part in (self._told.on, self._told.beside, self._told.kept)
+            )
+            self._shadows.learn(self._last.mask, on, beside)
+            mask = np.asarray(cv2.dilate(kept, _PROTECTED), np.uint8)
         self._background.update(self._last, mask)
 
     def _working(self, eye: Image) -> Image:
@@ -134,9 +154,9 @@ class SpheroidPerception:
         size = (eye.shape[1] // shrink, eye.shape[0] // shrink)
         return np.asarray(cv2.resize(eye, size, interpolation=cv2.INTER_AREA), np.uint8)
 
-    def _overlays(self, mask: Picture, shadow: Picture, eye: Image) -> Overlays:
+    def _overlays(self, mask: Picture, weight: Picture, eye: Image) -> Overlays:
         shown = mask.copy()
-        shown[shadow == 255] = 127
+        shown[(weight < _SHADOW) & (mask > 0)] = 127
         if shown.shape != eye.shape[:2]:
             size = (eye.shape[1], eye.shape[0])
             shown = np.asarray(cv2.resize(shown, size, interpolation=cv2.INTER_NEAREST), np.uint8)

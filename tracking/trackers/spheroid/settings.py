@@ -10,6 +10,11 @@ from tracking.setting import setting
 from tracking.trackers.three_part.occlusion import occluders_from
 
 
+def _sensitive() -> ForegroundSettings:
+    """What a ramp makes of small differences is little, so that it may begin early."""
+    return ForegroundSettings(threshold=12.0)
+
+
 @dataclass(frozen=True, slots=True)
 class SpheroidSettings:
     """What the spheroid tracker can be told; see the `help` of each field."""
@@ -32,7 +37,10 @@ class SpheroidSettings:
         2.0, "", (1.0, 4.0), "the region of evaluation, in sizes of the person's spheroid"
     )
     apart_m: float = setting(
-        0.5, "m", (0.0, 2.0), "a hypothesis closer than this to another person's place counts 0"
+        0.35, "m", (0.0, 2.0), "a hypothesis closer than this to another person's place counts 0"
+    )
+    colour_weight: float = setting(
+        6.0, "", (0.0, 100.0), "how much the colours of a person say against foreground; 0: nothing"
     )
     birth_every_s: float = setting(0.2, "s", (0.02, 10.0), "how often newcomers are looked for")
     birth_looks: int = setting(
@@ -41,6 +49,12 @@ class SpheroidSettings:
     largest_spread_m: float = setting(
         0.9, "m", (0.1, 10.0), "a track ends when its hypotheses are spread wider than this"
     )
+    lost_hidden_s: float = setting(
+        1.5, "s", (0.05, 60.0), "time after which a person hidden by others is given up"
+    )
+    remembered_s: float = setting(
+        5.0, "s", (0.0, 120.0), "so long somebody lost gets the same track when found again near by"
+    )
     smooth: bool = setting(
         True, "", None, "once tracked, smooth paths and boxes from both ends and fill their gaps"
     )
@@ -48,7 +62,7 @@ class SpheroidSettings:
         "", "", None, "outlines of what hides people: [[[u, v], ...], ...] in px of the left image"
     )
     ramp: RampSettings = field(default_factory=RampSettings)
-    foreground: ForegroundSettings = field(default_factory=ForegroundSettings)
+    foreground: ForegroundSettings = field(default_factory=_sensitive)
 
     def __post_init__(self) -> None:
         """Check what belongs together, before any work; raises `SettingsError`."""

@@ -1,0 +1,134 @@
+"""Newcomers: blobs of the size of a person that nobody followed explains."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.trackers.spheroid.floor_cells import FloorCells
+from tracking.trackers.spheroid.judging import bounds, silhouette
+from tracking.trackers.spheroid.sums import Window, sums_inside, window
+
+Floats = NDArray[np.float64]
+Picture = NDArray[np.uint8]
+Flags = NDArray[np.bool_]
+
+_STEP = 2
+"""Rows of the picture that are summed to one line."""
+_BALANCE = 0.45
+"""B from which on a pixel speaks for a person, below against."""
+_COVERAGE = 0.45
+"""Share of what counts of a silhouette that must be foreground."""
+_GAIN = 0.08
+"""What speaks for somebody, less what speaks against, over the whole silhouette."""
+_LIKELY = 0.2
+"""Share of a silhouette's box that must be foreground to be looked at closely."""
+_MOST_NEW = 8
+_NEAR_M = 0.45
+"""Nobody starts closer than this to somebody followed."""
+_SAME_M = 0.5
+"""How far a newcomer may be from one look to the next, besides walking."""
+_WALK_M_PER_S = 2.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Candidates:
+    """Where somebody new seems to be.
+
+    Attributes:
+        xy: (n, 2) m. velocity: (n, 2) m/s. looks: (n,) in how many looks they were seen.
+        time_s: of the last look.
+    """
+
+    xy: Floats
+    velocity: Floats
+    looks: NDArray[np.intp]
+    time_s: float
+
+    @classmethod
+    def none(cls) -> Candidates:
+        """Nobody."""
+        return cls(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0, np.intp), 0.0)
+
+
+def unexplained(ramp: Picture, counted: Flags, cells: FloorCells, taken_xy: Floats) -> Floats:
+    """(n, 2) m where people may stand who are not followed, the clearest first.
+
+    The place that explains most is taken, its silhouette masked out, and the next one looked for,
+    so that a group that comes in together is taken apart.
+
+    Args:
+        ramp: (height, width) uint8, B times 255.
+        counted: (height, width) pixels that prove anything: behind nothing and nobody followed.
+        cells: where people may stand. taken_xy: (people, 2) m of those followed.
+    """
+    counted = counted.copy()
+    rows = _likely(ramp, counted, cells, taken_xy)
+    found: list[Floats] = []
+    while len(rows) and len(found) < _MOST_NEW:
+        sums = window(ramp, counted, 0, 0, _STEP)
+        gain, coverage = _judged(sums, cells, rows)
+        best = int(gain.argmax())
+        if gain[best] < _GAIN:
+            break
+        if coverage[best] < _COVERAGE:
+            rows = np.delete(rows, best)
+            continue
+        found.append(cells.xy[rows[best]])
+        _mask_out(counted, cells, int(rows[best]))
+        far = np.hypot(*(cells.xy[rows] - found[-1]).T) >= _NEAR_M
+        rows = rows[far & (gain > 0.0)]
+    return np.array(found).reshape(-1, 2)
+
+
+def _likely(ramp: Picture, counted: Flags, cells: FloorCells, taken_xy: Floats) -> NDArray[np.intp]:
+    """Numbers of the cells whose box holds enough foreground and that are nobody's."""
+    if len(cells) == 0:
+        return np.zeros(0, np.intp)
+    left, top, right, bottom = bounds(cells.outlines, ramp.shape)
+    seen = cv2.integral(np.where(counted, ramp, np.uint8(0)), sdepth=cv2.CV_64F)
+    inside = seen[bottom, right] - seen[top, right] - seen[bottom, left] + seen[top, left]
+    box = np.maximum((bottom - top) * (right - left), 1)
+    likely = inside > 255.0 * _LIKELY * box
+    rows = np.flatnonzero(likely)
+    apart = cells.xy[rows, None] - taken_xy[None]
+    near = (np.hypot(apart[..., 0], apart[..., 1]) < _NEAR_M).any(axis=1)
+    return np.asarray(rows[~near])
+
+
+def _judged(sums: Window, cells: FloorCells, rows: NDArray[np.intp]) -> tuple[Floats, Floats]:
+    """(n,) gain and coverage of the cells at these rows."""
+    inside = sums_inside([sums], cells.outlines[rows][None])
+    seen, area = inside.ramp[0], inside.area[0]
+    return (seen - _BALANCE * area) / cells.area[rows], seen / np.maximum(area, 1.0)
+
+
+def _mask_out(counted: Flags, cells: FloorCells, row: int) -> None:
+    one = cells.outlines[row : row + 1]
+    (left,), (top,), (right,), (bottom,) = bounds(one, counted.shape)
+    drawn = silhouette((bottom - top, right - left), one.polygons(40)[0], left, top)
+    counted[top:bottom, left:right] &= drawn == 0
+
+
+def waited_for(before: Candidates, xy: Floats, time_s: float) -> Candidates:
+    """The places found in this look, those that were found before with how they moved.
+
+    Args:
+        before: of the last look. xy: (n, 2) m found now.
+    """
+    elapsed_s = max(time_s - before.time_s, 1e-3)
+    velocity = np.zeros_like(xy)
+    looks = np.ones(len(xy), np.intp)
+    reach = _SAME_M + _WALK_M_PER_S * elapsed_s
+    for row, place in enumerate(xy):
+        if len(before.xy) == 0:
+            break
+        apart = np.hypot(*(before.xy - place).T)
+        nearest = int(apart.argmin())
+        if apart[nearest] <= reach:
+            looks[row] = before.looks[nearest] + 1
+            velocity[row] = (place - before.xy[nearest]) / elapsed_s / 2
+    return Candidates(xy, velocity, looks, time_s)

@@ -1,0 +1,106 @@
+"""Boxes in the picture as recorded: drawn from what is seen of people, else from spheroids."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracking.geometry import Ellipses, FlatView
+from tracking.people.boxes import standing_boxes
+from tracking.trackers.spheroid.followed import Floats, Followed
+from tracking.trackers.spheroid.judging import Evidence, bounds, silhouette
+
+_WIDTH_M = 0.46
+"""Of a body as the picture shows it, arms and stride included."""
+_REACH = 1.35
+"""Arms and feet reach out of a silhouette, but not beyond one so much larger."""
+_FOREGROUND = 110
+_FEWEST_PX = 2
+"""Rows and columns with fewer pixels at a body's ends are specks."""
+_WHOLE, _INSIDE, _COVERED = 0.9, 0.98, 0.5
+"""Shares in sight, in the picture and of foreground from which a body's box is measured."""
+_FARTHEST = 0.4
+"""A side measured farther off than this share of the box is somebody else's or a shadow."""
+_MEMORY_S = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Drawn:
+    """What is shown of the people.
+
+    Attributes:
+        box: (people, 4) left, top, width, height px as recorded.
+        outline: (people, 4) by what their sides differ from usual boxes, in sizes of these.
+    """
+
+    box: Floats
+    outline: Floats
+
+
+def drawn(
+    people: Followed, outlines: Ellipses, evidence: Evidence, flat: FlatView, elapsed_s: float
+) -> Drawn:
+    """Boxes of everybody, and what was learnt of how they differ from usual ones.
+
+    Spheroids leave out arms and feet and are too broad at the head; boxes that people draw do not.
+    So the sides are those of the foreground around a silhouette, where a person is seen whole, and
+    what they differ by from a usual body's is remembered for when he is not.
+
+    Args:
+        outlines: (people) the silhouettes of `evidence`'s cover.
+    """
+    usual = _sides(standing_boxes(flat.view, people.xy, people.height, _WIDTH_M))
+    size = np.tile(usual[:, 2:] - usual[:, :2], 2)
+    whole = (people.shown > _WHOLE) & (people.inside > _INSIDE) & (people.coverage > _COVERED)
+    off = np.full((len(people), 4), np.nan)
+    rows = np.flatnonzero(whole)
+    if len(rows):
+        seen = _recorded(_measured(outlines[rows], evidence), flat)
+        off[rows] = (seen - usual[rows]) / size[rows]
+    good = np.abs(np.nan_to_num(off, nan=9.0)).max(axis=1) < _FARTHEST
+    share = 1.0 - np.exp(-max(elapsed_s, 1e-3) / _MEMORY_S)
+    share = np.where(people.age_s < _MEMORY_S, np.maximum(share, 0.3), share)
+    change = np.where(good[:, None], np.nan_to_num(off) - people.outline, 0.0)
+    outline = people.outline + share[:, None] * change
+    shown = np.where(good[:, None], np.nan_to_num(off), outline)
+    corners = usual + shown * size
+    return Drawn(np.concatenate((corners[:, :2], corners[:, 2:] - corners[:, :2]), axis=1), outline)
+
+
+def _sides(box: Floats) -> Floats:
+    """(n, 4) left, top, right, bottom."""
+    return np.concatenate((box[:, :2], box[:, :2] + box[:, 2:]), axis=1)
+
+
+def _measured(outlines: Ellipses, evidence: Evidence) -> Floats:
+    """(people, 4) left, top, right, bottom flat px of the foreground of each; NaN for none."""
+    wide = Ellipses(
+        outlines.u,
+        outlines.v,
+        *(getattr(outlines, name) * _REACH**2 for name in ("uu", "uv", "vv")),
+    )
+    shape = evidence.ramp.shape
+    reach, own = wide.polygons(40), outlines.polygons(40)
+    found = np.full((len(outlines.u), 4), np.nan)
+    for k, (left, top, right, bottom) in enumerate(zip(*bounds(wide, shape), strict=True)):
+        part = np.s_[top:bottom, left:right]
+        size = (bottom - top, right - left)
+        others = evidence.cover[part] - silhouette(size, own[k], left, top)
+        body = (evidence.ramp[part] > _FOREGROUND) & (others == 0)
+        body &= silhouette(size, reach[k], left, top) > 0
+        columns = np.flatnonzero(body.sum(axis=0) >= _FEWEST_PX)
+        rows = np.flatnonzero(body.sum(axis=1) >= _FEWEST_PX)
+        if len(columns) and len(rows):
+            found[k] = columns[0], rows[0], columns[-1] + 1, rows[-1] + 1
+            found[k] += (left, top, left, top)
+    return found - 0.5
+
+
+def _recorded(sides: Floats, flat: FlatView) -> Floats:
+    """(n, 4) left, top, right, bottom of pixels as recorded round flat boxes."""
+    left, top, right, bottom = sides.T
+    across, down = (left + right) / 2, (top + bottom) / 2
+    ends = ((left, down), (across, top), (right, down), (across, bottom))
+    seen = [flat.recorded_from_flat(np.column_stack(end)) for end in ends]
+    return np.column_stack([seen[k][:, k % 2] for k in range(4)])

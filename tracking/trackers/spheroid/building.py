@@ -1,0 +1,47 @@
+"""The spheroid tracker at its start."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import CalibrationError
+from tracking.geometry import FlatView
+from tracking.recording import Recording
+from tracking.trackers.spheroid.perception import SpheroidPerception
+from tracking.trackers.spheroid.settings import SpheroidSettings
+from tracking.trackers.spheroid.tracker import SpheroidTracker
+from tracking.trackers.three_part.occlusion import Polygons, occluders_from
+
+
+def build_spheroid(
+    recording: Recording, settings: SpheroidSettings, seed: int
+) -> tuple[SpheroidPerception, SpheroidTracker]:
+    """Perception and tracker at their start; of a stereo recording the left eye is looked at.
+
+    Raises:
+        CalibrationError: the recording has not what metres on the floor need.
+    """
+    view = recording.view
+    if view is None:
+        raise CalibrationError(
+            f"recording {recording.name}: spheroids stand on a floor that is known; add "
+            "[calibration] and [ground] to recording.toml, or choose three-part, which works in "
+            "pixels"
+        )
+    perception = SpheroidPerception(recording.fps, view, settings.foreground, settings.ramp)
+    hidden = _hidden(occluders_from(settings.occluders), perception.flat)
+    return perception, SpheroidTracker(
+        perception, settings, perception.flat.covered & ~hidden, seed
+    )
+
+
+def _hidden(occluders: Polygons, flat: FlatView) -> NDArray[np.bool_]:
+    """(height, width) flat pixels behind what is drawn."""
+    mask = np.zeros(flat.size[::-1], np.uint8)
+    for outline in occluders:
+        corners = flat.flat_from_recorded(outline)
+        if np.isfinite(corners).all():
+            cv2.fillPoly(mask, [np.rint(corners).astype(np.int32)], 1)
+    return mask > 0

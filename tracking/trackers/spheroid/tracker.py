@@ -1,0 +1,228 @@
+"""One filter a person over the floor, judged by the silhouettes of spheroids."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people import Observation
+from tracking.trackers.protocol import StepResult
+from tracking.trackers.resuming import Resume
+from tracking.trackers.spheroid import births
+from tracking.trackers.spheroid.appearance import ColourLook, colours_learnt, likeness
+from tracking.trackers.spheroid.boxes import drawn
+from tracking.trackers.spheroid.floor_cells import FloorCells
+from tracking.trackers.spheroid.followed import Followed, begun, nobody, together
+from tracking.trackers.spheroid.ghosts import are_ghosts
+from tracking.trackers.spheroid.judging import Evidence, covered
+from tracking.trackers.spheroid.moving import heights_learnt, predicted, resampled
+from tracking.trackers.spheroid.perception import FlatObservation, SpheroidPerception
+from tracking.trackers.spheroid.remembering import Lost, found_again
+from tracking.trackers.spheroid.result import clothes_of, step_result
+from tracking.trackers.spheroid.resuming import resumed
+from tracking.trackers.spheroid.settings import SpheroidSettings
+from tracking.trackers.spheroid.support import seen_whole, still_there, supported
+from tracking.trackers.spheroid.telling import bodies_told
+from tracking.trackers.spheroid.weighing import judged_and_weighed, places_of, silhouettes
+
+Flags = NDArray[np.bool_]
+
+_START_SPREADS = (0.2, 0.5)
+"""m and m/s, of a newcomer's hypotheses."""
+_HEIGHT_SD_M = 0.07
+"""Of grown-up people."""
+_PAPER_HEIGHT_M = 1.8
+_ALONE_M = 0.9
+"""Colours are learnt while nobody is closer than this."""
+_GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
+"""How often those who stand are looked at, and how long they must have stood."""
+_GHOST_SCALE = 1.3
+
+
+class SpheroidTracker:
+    """Follows people by hypotheses of where they stand ([Waechter2013]).
+
+    A step, for all people at once: predict, judge the hypotheses' silhouettes on the ramp picture
+    with the other people's masked out, estimate, look for newcomers at intervals, let go, resample.
+
+    Where we differ from the source and why (`paper` in the settings leaves all of it out):
+        - weights are likelihood ratios of what lies in a silhouette (see `weighing`): plain scores
+          hardly tell near hypotheses apart;
+        - other people are masked out where they are expected now, not where they were;
+        - body heights are estimated: a fixed one errs by a share of the distance;
+        - colours of the body, looked up at a few places, weigh hypotheses too, so that people who
+          meet keep their identities;
+        - shadows are weighed down by what was learnt of them beside people (`foreground`);
+        - newcomers are places on the floor whose silhouettes the blobs fill, taken one by one, so
+          that a group that comes in together is taken apart;
+        - who has left the picture or is not where he would be seen is let go before hypotheses
+          spread, and who is found again near by, in the same colours, keeps the track;
+        - boxes are drawn from the foreground round the silhouettes, not from spheroids.
+    """
+
+    def __init__(
+        self,
+        perception: SpheroidPerception,
+        settings: SpheroidSettings,
+        counted: Flags,
+        seed: int,
+    ) -> None:
+        """Nobody is followed yet; all randomness comes from the seed.
+
+        Args:
+            perception: is told where people are, for its background.
+            counted: (height, width) flat pixels that were recorded and are not behind what is
+                drawn.
+        """
+        self._perception = perception
+        self._flat = perception.flat
+        self._settings = settings
+        self._counted = counted
+        self._random = np.random.default_rng(seed)
+        usual_m = _PAPER_HEIGHT_M if settings.paper else settings.usual_height_m
+        self._usual_m = usual_m
+        self._cells = FloorCells(self._flat, usual_m, settings.radius_m)
+        self._people = nobody(settings.particles)
+        self._lost = Lost(self._people, np.zeros(0))
+        self._candidates = births.Candidates.none()
+        self._last_id = 0
+        self._time_s: float | None = None
+        self._next_look_s = self._next_ghosts_s = -np.inf
+
+    @property
+    def settings(self) -> SpheroidSettings:
+        """The settings in force."""
+        return self._settings
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should be told, a line each."""
+        moved_at = self._perception.steadiness.moved_at
+        if moved_at is None:
+            return ()
+        return (
+            f"the camera moves from frame {moved_at} on: spheroid needs a fixed one, what it says "
+            "after that is not to be relied on; track the frames before, or footage that is steady",
+        )
+
+    def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
+        """Go on with the people as corrected; those who are new get ids above all there were."""
+        settings, random = self._settings, self._random
+        self._people, self._time_s = resumed(
+            resume, observations, self._flat, settings, self._usual_m, random
+        )
+        self._last_id = resume.highest_track
+
+    def step(self, observation: Observation) -> StepResult:
+        """Take one frame further."""
+        assert isinstance(observation, FlatObservation), "spheroids step on flat observations"
+        time_s = observation.time_s
+        elapsed_s = 0.0 if self._time_s is None else time_s - self._time_s
+        self._time_s = time_s
+        look = ColourLook(self._flat, observation.working.picture)
+        people = predicted(self._people, elapsed_s, self._settings, self._random)
+        people = self._filtered(people, observation, look, elapsed_s)
+        people = self._without_the_gone(people, observation)
+        people = self._with_newcomers(people, observation, look)
+        people = self._learnt(people, look, elapsed_s)
+        outlines = silhouettes(people, self._flat, self._settings)
+        evidence = self._evidence(people, observation)
+        shown = drawn(people, outlines, evidence, self._flat, elapsed_s)
+        people = people.replace(outline=shown.outline)
+        self._perception.tell(bodies_told(people, self._flat, self._settings))
+        result = step_result(observation.frame, people, shown.box, clothes_of(people))
+        self._people = resampled(people, self._random)
+        return result
+
+    def _evidence(self, people: Followed, seen: FlatObservation) -> Evidence:
+        """The frame with the people's silhouettes as they are."""
+        own = silhouettes(people, self._flat, self._settings)
+        return Evidence(seen.ramp, self._counted, covered(seen.ramp.shape, own))
+
+    def _filtered(
+        self, people: Followed, seen: FlatObservation, look: ColourLook, elapsed_s: float
+    ) -> Followed:
+        """Everybody's hypotheses weighed, and what is seen of the estimates."""
+        if len(people) == 0:
+            return people
+        settings, flat = self._settings, self._flat
+        alike = None
+        if settings.colour_weight > 0.0 and not settings.paper:
+            colours, known = look.at(*places_of(people))
+            alike = likeness(people, colours, known, settings.colour_weight)
+        evidence = self._evidence(people, seen)
+        people, windows = judged_and_weighed(people, evidence, flat, settings, alike)
+        return supported(people, windows, flat, settings, elapsed_s)
+
+    def _without_the_gone(self, people: Followed, seen: FlatObservation) -> Followed:
+        """Those who are still there; the others are remembered for a while."""
+        there = still_there(people, self._settings)
+        if seen.time_s >= self._next_ghosts_s:
+            self._next_ghosts_s = seen.time_s + _GHOST_EVERY_S
+            still = np.flatnonzero(there & (people.quiet_s > _GHOST_QUIET_S))
+            outlines = silhouettes(people.select(still), self._flat, self._settings, _GHOST_SCALE)
+            there[still] = ~are_ghosts(self._flat, outlines, seen.ramp, seen.working)
+        lost = self._lost.with_others(people.select(~there), seen.time_s)
+        kept_s = 0.0 if self._settings.paper else self._settings.remembered_s
+        self._lost = lost.kept(seen.time_s - lost.at_s < kept_s)
+        return people.select(there)
+
+    def _with_newcomers(
+        self, people: Followed, seen: FlatObservation, look: ColourLook
+    ) -> Followed:
+        """The people and those found new, at intervals ([Waechter2013] 3.3)."""
+        settings = self._settings
+        if seen.time_s < self._next_look_s:
+            return people
+        self._next_look_s = seen.time_s + settings.birth_every_s - 1e-3
+        free = self._counted & (self._evidence(people, seen).cover == 0)
+        places = births.unexplained(seen.ramp, free, self._cells, people.xy)
+        self._candidates = births.waited_for(self._candidates, places, seen.time_s)
+        ready = self._candidates.looks >= settings.birth_looks
+        if not ready.any():
+            return people
+        new = self._begun(
+            np.concatenate((self._candidates.xy[ready], self._candidates.velocity[ready]), axis=1)
+        )
+        outlines = silhouettes(new, self._flat, settings, _GHOST_SCALE)
+        new = new.select(~are_ghosts(self._flat, outlines, seen.ramp, seen.working))
+        return self._named(people, new, look, seen.time_s)
+
+    def _begun(self, mean: NDArray[np.float64]) -> Followed:
+        """People without ids at these states (n, 4)."""
+        settings = self._settings
+        height = np.full(len(mean), self._usual_m)
+        track = np.zeros(len(mean), np.int32)
+        spreads = _START_SPREADS
+        return begun(track, mean, height, _HEIGHT_SD_M, settings.particles, spreads, self._random)
+
+    def _named(self, people: Followed, new: Followed, look: ColourLook, now_s: float) -> Followed:
+        """The people with newcomers: those lost a moment ago keep their tracks, others get ids."""
+        colours, known = look.at(new.xy, new.height)
+        new = colours_learnt(new, colours, known, np.ones(len(new), bool))
+        again = found_again(self._lost, new, now_s)
+        old, fresh = again[again >= 0], again < 0
+        track = new.track.copy()
+        track[~fresh] = self._lost.people.track[old]
+        track[fresh] = np.arange(fresh.sum(), dtype=np.int32) + self._last_id + 1
+        self._last_id += int(fresh.sum())
+        new = new.replace(track=track)
+        for row, was in zip(np.flatnonzero(~fresh), old, strict=True):
+            for name in ("height", "height_sd", "outline", "looks", "counts", "age_s"):
+                getattr(new, name)[row] = getattr(self._lost.people, name)[was]
+        self._lost = self._lost.kept(~np.isin(np.arange(len(self._lost.at_s)), old))
+        everybody = together([people, new])
+        return everybody.select(np.argsort(everybody.track, kind="stable"))
+
+    def _learnt(self, people: Followed, look: ColourLook, elapsed_s: float) -> Followed:
+        """The people with body heights and colours of those seen well."""
+        whole = seen_whole(people)
+        if not self._settings.paper:
+            people = heights_learnt(people, whole, elapsed_s)
+        apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
+        np.fill_diagonal(apart, np.inf)
+        alone = whole & (apart.min(axis=1, initial=np.inf) > _ALONE_M)
+        colours, known = look.at(people.xy, people.height)
+        return colours_learnt(people, colours, known, alone)

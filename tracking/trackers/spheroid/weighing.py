@@ -1,0 +1,102 @@
+"""Weights of hypotheses: what they explain, their colours, and who stands there already."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import Ellipses, FlatView, standing_ellipses
+from tracking.trackers.spheroid.followed import Floats, Followed
+from tracking.trackers.spheroid.judging import LINES, Evidence, judged, windows_of
+from tracking.trackers.spheroid.moving import weighed
+from tracking.trackers.spheroid.settings import SpheroidSettings
+from tracking.trackers.spheroid.sums import Window, sums_inside
+
+_BALANCE = 0.45
+"""B from which on a pixel speaks for a hypothesis, below against."""
+_SHARPNESS = 40.0
+"""Logarithm of the weight of a hypothesis that explains everything, over one of nothing."""
+
+
+def silhouettes(
+    people: Followed, flat: FlatView, settings: SpheroidSettings, scale: float = 1.0
+) -> Ellipses:
+    """(people) the spheroids at their estimates, px of the flat picture; enlarged by a scale."""
+    return standing_ellipses(flat.projection, people.xy, people.height, settings.radius_m, scale)
+
+
+def places_of(people: Followed) -> tuple[Floats, Floats]:
+    """Places (people, N, 2) and body heights (people, N) of all hypotheses, m."""
+    return people.state[..., :2].astype(np.float64), people.tall.astype(np.float64)
+
+
+def judged_and_weighed(
+    people: Followed,
+    evidence: Evidence,
+    flat: FlatView,
+    settings: SpheroidSettings,
+    alike: Floats | None = None,
+) -> tuple[Followed, list[Window]]:
+    """The people with their hypotheses weighed, and the windows in which that was done.
+
+    Args:
+        evidence: with the silhouettes of everybody's expected places as cover.
+        alike: (people, N) logarithms of weights by colour; None: colours say nothing.
+    """
+    seen = standing_ellipses(flat.projection, *places_of(people), settings.radius_m)
+    own = silhouettes(people, flat, settings)
+    region = _regions(people, flat, settings)
+    windows = windows_of(evidence, _joined(seen, region), own, 0 if settings.paper else LINES)
+    if settings.paper:
+        # Weights are the scores themselves.
+        with np.errstate(divide="ignore"):
+            log_weight = np.log(judged(windows, seen, region).scores())
+    else:
+        log_weight = _gains(windows, seen, own)
+    if alike is not None:
+        log_weight += alike
+    log_weight[taken(people, settings) | ~np.isfinite(seen.u)] = -np.inf
+    return weighed(people, log_weight), windows
+
+
+def _regions(people: Followed, flat: FlatView, settings: SpheroidSettings) -> Ellipses:
+    """The regions of evaluation: of each hypothesis as published, else (people, 1).
+
+    With a region that moves, hypotheses are compared on different pixels.
+    """
+    scale = settings.region_scale
+    if not settings.paper:
+        return silhouettes(people, flat, settings, scale)[:, None]
+    return standing_ellipses(flat.projection, *places_of(people), settings.radius_m, scale)
+
+
+def _gains(windows: list[Window], seen: Ellipses, own: Ellipses) -> Floats:
+    """(people, N) logarithms of weights: what speaks for hypotheses less what speaks against.
+
+    Where we differ from [Waechter2013] eq. 2: C hardly tells near hypotheses apart, and foreground
+    of people not followed yet, anywhere in the region, makes all alike. Here a pixel in the
+    silhouette counts by how far its B lies above or below a balance: the logarithm of a likelihood
+    ratio. What is outside of the silhouettes is the same for all hypotheses and cancels out.
+    """
+    inside = sums_inside(windows, seen)
+    area = np.maximum(np.nan_to_num(own.areas(), nan=1.0), 1.0)
+    return _SHARPNESS * (inside.ramp - _BALANCE * inside.area) / area[:, None]
+
+
+def taken(people: Followed, settings: SpheroidSettings) -> NDArray[np.bool_]:
+    """(people, N) hypotheses too close to where somebody else stands ([Waechter2013] 3.2.2)."""
+    close = np.zeros(people.weight.shape, bool)
+    reach = 2 * settings.radius_m if settings.paper else settings.apart_m
+    apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
+    width = np.abs(people.state[..., :2] - people.xy[:, None]).max(axis=(1, 2), initial=0.0)
+    for one, other in zip(*np.nonzero(apart < reach + np.sqrt(2) * width[:, None]), strict=True):
+        if one != other:
+            offset = people.state[one, :, :2] - people.xy[other]
+            close[one] |= np.hypot(offset[:, 0], offset[:, 1]) < reach
+    return close
+
+
+def _joined(one: Ellipses, other: Ellipses) -> Ellipses:
+    """Both of each person's, (people, n + k)."""
+    pairs = ((getattr(one, name), getattr(other, name)) for name in one.__slots__)
+    return Ellipses(*(np.concatenate(pair, axis=1) for pair in pairs))
