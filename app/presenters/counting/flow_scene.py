@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from app.presenters.counting.counting_scene import Floats, FlowScene
-from app.presenters.scenes import Colour, LegendEntry
+from app.presenters.pictures.colour_scales import VIRIDIS
+from app.presenters.scenes import LegendEntry
 from app.presenters.words import tr
 from tracking.counting import FlowMap
 
-_COLOURS = cv2.COLORMAP_VIRIDIS  # read by the colour-blind; bright is dense
 _FAINTEST, _STRONGEST = 60, 190
 _ARROW_S = 0.45
 """An arrow shows how far people get in this time, at most over its own cell."""
@@ -25,7 +23,7 @@ def flow_scene(flow: FlowMap) -> FlowScene:
     share = np.sqrt(flow.density / flow.most) if flow.most > 0 else flow.density
     image = np.zeros((*share.shape, 4), np.uint8)
     levels = np.round(255 * share).astype(np.uint8)
-    image[..., :3] = _colour_table()[levels]
+    image[..., :3] = VIRIDIS.table[levels]
     opacity = _FAINTEST + (_STRONGEST - _FAINTEST) * share
     image[..., 3] = np.where(flow.density > 0, opacity, 0).astype(np.uint8)
     return FlowScene(
@@ -53,9 +51,8 @@ def _legend(most: float) -> tuple[LegendEntry, ...]:
     """The colours of the highest density, of a quarter of it and of next to none."""
     if most <= 0:
         return ()
-    table = _colour_table()
     entries = [
-        LegendEntry(_triple(table[round(255 * np.sqrt(share))]), _density_text(share * most))
+        LegendEntry(VIRIDIS.colour(share**0.5), _density_text(share * most))
         for share in (1.0, 0.25, 0.0)
     ]
     return tuple(entries)
@@ -63,14 +60,3 @@ def _legend(most: float) -> tuple[LegendEntry, ...]:
 
 def _density_text(density: float) -> str:
     return tr("{density:.2g} people/m² on average", density=density)
-
-
-def _colour_table() -> NDArray[np.uint8]:
-    """(256, 3) red, green, blue."""
-    levels = np.arange(256, dtype=np.uint8)[:, None]
-    return np.asarray(cv2.applyColorMap(levels, _COLOURS), np.uint8)[:, 0, ::-1]
-
-
-def _triple(colour: NDArray[np.uint8]) -> Colour:
-    red, green, blue = (int(part) for part in colour)
-    return red, green, blue

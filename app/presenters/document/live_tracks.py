@@ -15,6 +15,7 @@ from tracking.tracks import (
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
+    SIGNAL_COLUMNS,
     TRACK_COLUMNS,
     TRACKLET_COLUMNS,
     Columns,
@@ -98,6 +99,11 @@ class LiveTracks:
         """The frame's tracklets."""
         step = self._step(frame)
         return empty(TRACKLET_COLUMNS) if step is None else step.tracklets
+
+    def signals(self, frame: int) -> Columns:
+        """What was noticed of the frame's people."""
+        step = self._step(frame)
+        return empty(SIGNAL_COLUMNS) if step is None else step.signals
 
     def parts_of_track(self, track: int) -> Columns:
         """The parts of a track so far."""
@@ -224,6 +230,10 @@ class ContinuedTracks:
     def tracklets(self, frame: int) -> Columns:
         """The frame's tracklets."""
         return self._part(frame).tracklets(frame)
+
+    def signals(self, frame: int) -> Columns:
+        """What was noticed of the frame's people."""
+        return self._part(frame).signals(frame)
 
     def parts_of_track(self, track: int) -> Columns:
         """The parts of a track."""

@@ -15,6 +15,7 @@ from tracking.tracks import (
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
+    SIGNAL_COLUMNS,
     TRACK_COLUMNS,
     TRACKLET_COLUMNS,
     Columns,
@@ -116,6 +117,12 @@ class SessionTracks:
         rows = self._run.tracklets.of_frame(frame)
         ids = _renamed(rows["track"], self._after_edits(frame))
         return {**rows, "track": np.maximum(ids, 0)}
+
+    def signals(self, frame: int) -> Columns:
+        """What the run noticed of people who are there, by their ids after the edits."""
+        if self._run is None or not len(self._run.signals["frame"]):
+            return empty(SIGNAL_COLUMNS)
+        return self._owned(_of_frame(self._run.signals, frame), frame)
 
     def parts_of_track(self, track: int) -> Columns:
         """The parts of a track, kept until another's are asked for."""

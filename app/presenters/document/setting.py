@@ -30,11 +30,20 @@ class Pictured:
     counts: bool = True
     counting: bool = False
     flow_map: bool = False
+    tracklets: bool = False
+    outlines: bool = False
+    evaluation: bool = False
+    ramp: bool = False
 
     @property
     def kinds(self) -> Kinds:
-        """What of subtraction stereo is asked for."""
-        return Kinds(self.foreground, self.disparity)
+        """What of the picture is asked for, worked out in the background."""
+        return Kinds(self.foreground, self.disparity, self.ramp)
+
+    @property
+    def bodies(self) -> bool:
+        """Whether something of what trackers of one camera think of is laid over."""
+        return self.tracklets or self.outlines or self.evaluation
 
 
 @dataclass(frozen=True, slots=True)

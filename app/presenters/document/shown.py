@@ -52,6 +52,9 @@ class ShownTracks(Protocol):
     def tracklets(self, frame: int) -> Columns:
         """`TRACKLET_COLUMNS` of a frame; none from trackers that follow no points."""
 
+    def signals(self, frame: int) -> Columns:
+        """`SIGNAL_COLUMNS` of a frame's people; none from trackers that notice nothing."""
+
     def parts_of_track(self, track: int) -> Columns:
         """`PART_COLUMNS` of a track, sorted by frame."""
 

@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.pictures.colour_scales import VIRIDIS
 from app.presenters.scenes import Colour, LegendEntry
 from app.presenters.words import tr
 from tracking.errors import CalibrationError, SettingsError
@@ -27,18 +28,18 @@ SHADOW: Colour = (240, 160, 40)
 _FOREGROUND_OPACITY, _DISPARITY_OPACITY = 120, 185
 _HEAD_M = 1.8
 _REACH_PER_HEIGHT, _REACH_M = 4.5, (8.0, 20.0)
-_COLOURS = cv2.COLORMAP_VIRIDIS  # read by the colour-blind; bright is near
 
 
 @dataclass(frozen=True, slots=True)
 class Kinds:
-    """Which of them are laid over the picture."""
+    """Which of them are laid over the picture; the ramp image comes alone."""
 
     foreground: bool = False
     disparity: bool = False
+    ramp: bool = False
 
     def __bool__(self) -> bool:
-        return self.foreground or self.disparity
+        return self.foreground or self.disparity or self.ramp
 
 
 class OverlayPainter:
@@ -96,8 +97,8 @@ class OverlayPainter:
             far, near = self._scale
             for share in (1.0, 0.5, 0.0):
                 metres = self._depth_m(far + share * (near - far))
-                colour = _colour_table()[round(255 * share)]
-                entries.append(LegendEntry(_triple(colour), tr("{z:.1f} m away", z=metres)))
+                colour = VIRIDIS.colour(share)
+                entries.append(LegendEntry(colour, tr("{z:.1f} m away", z=metres)))
         return tuple(entries)
 
     def _depth_m(self, disparity: float) -> float:
@@ -134,7 +135,7 @@ def painted_overlays(overlays: Overlays, kinds: Kinds, scale: tuple[float, float
         far, near = scale
         share = (overlays.disparity[known] - far) / max(near - far, 1e-6)
         levels = np.clip(255 * share, 0, 255).astype(np.uint8)
-        painted[known, :3] = _colour_table()[levels]
+        painted[known, :3] = VIRIDIS.table[levels]
         painted[known, 3] = _DISPARITY_OPACITY
     return painted
 
@@ -150,17 +151,6 @@ def disparity_scale(recording: Recording, rectification: Rectification) -> tuple
     disparity = rectification.disparity_from_world(standing)
     usable = disparity[np.isfinite(disparity) & (disparity > rectification.disparity_offset_px)]
     return (float(usable.min()), float(usable.max())) if len(usable) else (0.0, 64.0)
-
-
-def _colour_table() -> NDArray[np.uint8]:
-    """(256, 3) red, green, blue."""
-    levels = np.arange(256, dtype=np.uint8)[:, None]
-    return np.asarray(cv2.applyColorMap(levels, _COLOURS), np.uint8)[:, 0, ::-1]
-
-
-def _triple(colour: NDArray[np.uint8]) -> Colour:
-    red, green, blue = (int(part) for part in colour)
-    return red, green, blue
 
 
 def _settings(run: Run | None) -> Any:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from app.presenters.document.setting import NOTHING_LAID, Instant, Laid, Pictured
 from app.presenters.palette import colour_of_track, colours_of_tracks
 from app.presenters.pictures.anaglyph import Anaglyph
+from app.presenters.pictures.bodies import BodyPainter
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.pictures.trails import TRAIL_S, floor_points, foot_points, trails_by_track
 from app.presenters.scenes import Eye, PersonMark, PictureScene, PreviewTrail
@@ -32,6 +33,7 @@ class PicturePresenter:
         self._trail_frames = max(1, round(TRAIL_S * recording.fps))
         self._grid: dict[Eye, Floats] = {}
         self._anaglyph = Anaglyph(recording)
+        self._bodies = BodyPainter(recording.view)
 
     def scene(
         self,
@@ -55,11 +57,7 @@ class PicturePresenter:
             instant.frame,
             image,
             people=self._people(eye, instant, pictured),
-            overlay=(
-                self._particles(eye, instant, image, laid.image)
-                if pictured.particles
-                else laid.image
-            ),
+            overlay=self._overlay(eye, instant, pictured, image, laid.image),
             grid=self._floor_grid(eye) if pictured.grid else np.zeros((0, 2, 2)),
             message=laid.message,
             preview=self._preview(eye, instant),
@@ -157,6 +155,21 @@ class PicturePresenter:
         if rectification is None or self._recording.ground is None or not len(boxes):
             return np.full_like(boxes, np.nan)
         return boxes_in_right_eye(rectification, boxes, floor_points(rows))
+
+    def _overlay(
+        self,
+        eye: Eye,
+        instant: Instant,
+        pictured: Pictured,
+        image: Image,
+        laid: NDArray[np.uint8] | None,
+    ) -> NDArray[np.uint8] | None:
+        """All that lies over a picture: the very same as was laid where there is nothing more."""
+        if pictured.bodies and eye is Eye.LEFT:
+            none = np.zeros((*image.shape[:2], 4), np.uint8)
+            laid = none if laid is None else laid.copy()
+            self._bodies.paint(instant, pictured, laid)
+        return self._particles(eye, instant, image, laid) if pictured.particles else laid
 
     def _particles(
         self, eye: Eye, instant: Instant, image: Image, below: NDArray[np.uint8] | None

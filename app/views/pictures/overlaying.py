@@ -1,4 +1,4 @@
-"""Foreground and disparity over the left picture: painted in the background, shown when due."""
+"""What is painted in the background over the left picture: foreground, disparity, the ramp."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ from app.background import OverlayMaker
 from app.presenters.document.document import Document
 from app.presenters.document.setting import NOTHING_LAID, Laid
 from app.presenters.pictures.overlays import Kinds, OverlayPainter
+from app.presenters.pictures.ramp_overlay import RampPainter
 from app.presenters.words import tr
 from app.views.playing.playback import Playback
 from tracking.errors import CalibrationError
 
+_Painter = OverlayPainter | RampPainter
 _CAPACITY_BYTES = 128 * 2**20
 _AHEAD = 12
 _LATE, _MOST_LEAD = 4, 8
@@ -32,13 +34,13 @@ class Overlaying(QObject):
         super().__init__(parent)
         self._document = document
         self._playback = playback
-        self._at_work: tuple[OverlayPainter, OverlayMaker] | None = None
+        self._at_work: dict[bool, tuple[_Painter, OverlayMaker]] = {}  # by whether it is the ramp
         self._last = (-1, Kinds())
 
     def laid(self, kinds: Kinds) -> Laid:
         """What lies over the frame shown; it is asked for where it is not there yet."""
         frame = self._playback.frame
-        at_work = self._begin() if kinds and frame is not None else None
+        at_work = self._begin(kinds.ramp) if kinds and frame is not None else None
         if at_work is None or frame is None:
             return NOTHING_LAID
         painter, maker = at_work
@@ -49,30 +51,34 @@ class Overlaying(QObject):
         elif self._still_good(frame.number, kinds):
             image = maker.made(*self._last)
         waiting = image is None and not self._playback.clock.playing
-        said = tr("Working out foreground and disparity...") if waiting else ""
-        return Laid(image, painter.legend(kinds), said)
+        said = (
+            tr("Working out the ramp image...")
+            if kinds.ramp
+            else tr("Working out foreground and disparity...")
+        )
+        return Laid(image, painter.legend(kinds), said if waiting else "")
 
     def close(self) -> None:
-        """End the thread."""
-        if self._at_work is not None:
-            self._at_work[1].close()
+        """End the threads."""
+        for _, maker in self._at_work.values():
+            maker.close()
 
-    def _begin(self) -> tuple[OverlayPainter, OverlayMaker] | None:
-        """Start the painter at its first use; None where it cannot paint this recording."""
-        if self._at_work is not None:
-            return self._at_work
-        session = self._document.session
+    def _begin(self, ramp: bool) -> tuple[_Painter, OverlayMaker] | None:
+        """Start a painter at its first use; None where it cannot paint this recording."""
+        if ramp in self._at_work:
+            return self._at_work[ramp]
+        recording, session = self._document.recording, self._document.session
         run = session.corrected_run if session is not None else None
         try:
-            painter = OverlayPainter(self._document.recording, run)
+            painter = RampPainter(recording, run) if ramp else OverlayPainter(recording, run)
         except CalibrationError as error:
             self.failed.emit(error)
             return None
         maker = OverlayMaker(painter.paint, self._playback.at_hand, _CAPACITY_BYTES, self)
         maker.ready.connect(self._announce, Qt.ConnectionType.QueuedConnection)
         maker.failed.connect(self.failed, Qt.ConnectionType.QueuedConnection)
-        self._at_work = (painter, maker)
-        return self._at_work
+        self._at_work[ramp] = (painter, maker)
+        return painter, maker
 
     def _announce(self, frame: int) -> None:
         if frame == self._playback.number:

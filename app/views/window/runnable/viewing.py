@@ -58,4 +58,8 @@ VIEWING: dict[str, OnDesk] = {
     "view.counts": _toggle("counts"),
     "view.counting": _toggle("counting"),
     "view.flow_map": _toggle("flow_map"),
+    "view.tracklets": _toggle("tracklets"),
+    "view.outlines": _toggle("outlines"),
+    "view.evaluation": _toggle("evaluation"),
+    "view.ramp": _toggle("ramp"),
 }

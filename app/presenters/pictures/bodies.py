@@ -1,0 +1,175 @@
+"""What trackers of one camera think of, laid over the left picture: bodies and tracklets.
+
+Everything is painted into one picture, however many hypotheses there are.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.document.setting import Instant, Pictured
+from app.presenters.palette import colour_of_track, colours_of_tracks
+from app.presenters.pictures.overhead import relative_weights
+from app.presenters.scenes import Colour
+from tracking.geometry import View
+from tracking.trackers.flow import kernel_sizes
+from tracking.trackers.flow.settings import ClusterSettings
+from tracking.trackers.spheroid import SpheroidSettings, outlines, region_of_evaluation
+from tracking.tracks import Columns
+
+Rgba = NDArray[np.uint8]
+Floats = NDArray[np.float64]
+
+_MOST_OUTLINES = 1200
+"""More would be neither told apart nor painted in time."""
+_POINTS, _LEVELS = 24, 8
+_FAINTEST, _STRONGEST = 45, 235
+_REGION_ALPHA, _EDGE_ALPHA = 50, 220
+_SUBPIXEL = 3
+"""Bits of a pixel's fraction that OpenCV takes."""
+_FARTHEST_PX = 20_000
+_REGION_COLOUR: Colour = (240, 228, 66)
+_CLUSTERS = ClusterSettings()
+_USUAL_M = SpheroidSettings().usual_height_m
+
+
+class BodyPainter:
+    """Paints outlines of hypotheses, a region of evaluation, tracklets and a kernel.
+
+    Args:
+        view: the camera over its floor; None: nothing but tracklets can be painted.
+    """
+
+    def __init__(self, view: View | None) -> None:
+        self._view = view
+
+    def paint(self, instant: Instant, pictured: Pictured, below: Rgba) -> None:
+        """Paint what is asked for into (height, width, 4) RGBA of the left picture as recorded."""
+        if self._view is not None and pictured.evaluation and instant.selected:
+            self._paint_region(self._view, instant, below)
+        if self._view is not None and pictured.outlines:
+            self._paint_outlines(self._view, instant, below)
+        if pictured.tracklets:
+            _paint_tracklets(instant, below)
+            if self._view is not None and instant.selected:
+                self._paint_kernel(self._view, instant, below)
+
+    def _paint_outlines(self, view: View, instant: Instant, below: Rgba) -> None:
+        """Of the selected person's particles, or of everybody's; the heavier the clearer."""
+        particles = instant.tracks.particles(instant.frame)
+        weights = relative_weights(particles)
+        rows = np.arange(len(weights))
+        if instant.selected:
+            rows = rows[particles["track"] == instant.selected]
+        if len(rows) > _MOST_OUTLINES:
+            rows = rows[np.argsort(weights[rows], kind="stable")[-_MOST_OUTLINES:]]
+        heights = _heights(instant)
+        tracks = particles["track"][rows]
+        tall = np.array([heights.get(track, _USUAL_M) for track in tracks.tolist()])
+        xy = np.column_stack((particles["x"][rows], particles["y"][rows])).astype(np.float64)
+        drawn = outlines(view, xy, tall, points=_POINTS)
+        _stroke(below, drawn, colours_of_tracks(tracks), weights[rows])
+
+    def _paint_region(self, view: View, instant: Instant, below: Rgba) -> None:
+        """Where the selected person's hypotheses are judged; what the others cover is left out."""
+        rows = instant.tracks.of_frame(instant.frame)
+        xy = np.column_stack((rows["x"], rows["y"])).astype(np.float64)
+        known = np.isfinite(xy).all(axis=1)
+        own = known & (rows["track"] == instant.selected)
+        others = known & ~own
+        if not own.any():
+            return
+        heights = _heights(instant)
+        tall = np.array([heights.get(track, _USUAL_M) for track in rows["track"].tolist()])
+        region = region_of_evaluation(
+            view, xy[own][0], float(tall[own][0]), xy[others], tall[others]
+        )
+        inside = np.zeros(below.shape[:2], np.uint8)
+        cv2.fillPoly(inside, _fixed(region.outline[None]), 255, cv2.LINE_8, _SUBPIXEL)
+        for masked in _fixed(region.masked):
+            cv2.fillPoly(inside, [masked], 0, cv2.LINE_8, _SUBPIXEL)
+        below[inside > 0] = (*_REGION_COLOUR, _REGION_ALPHA)
+        edge = (*_REGION_COLOUR, _EDGE_ALPHA)
+        cv2.polylines(below, _fixed(region.outline[None]), True, edge, 2, cv2.LINE_AA, _SUBPIXEL)
+
+    def _paint_kernel(self, view: View, instant: Instant, below: Rgba) -> None:
+        """The rectangle that mean shift gathers the selected person's tracklets with."""
+        rows = instant.tracks.of_frame(instant.frame)
+        own = rows["track"] == instant.selected
+        if not own.any():
+            return
+        middle = np.array([[rows["x"][own][0], rows["y"][own][0], _CLUSTERS.centre_m]])
+        pixel = view.pixel_from_world(middle)
+        size = kernel_sizes(view, pixel)
+        if not np.isfinite((*pixel[0], *size[0])).all():
+            return
+        corners = pixel + np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * size / 2
+        colour = (*colour_of_track(instant.selected), _STRONGEST)
+        for shade, width in (((0, 0, 0, 150), 4), (colour, 2)):
+            cv2.polylines(below, _fixed(corners[None]), True, shade, width, cv2.LINE_AA, _SUBPIXEL)
+
+
+def _heights(instant: Instant) -> dict[int, float]:
+    """The body heights that the tracker has estimated of the frame's people, m."""
+    rows = instant.tracks.signals(instant.frame)
+    known = np.isfinite(rows["height_m"])
+    tracks, heights = rows["track"][known].tolist(), rows["height_m"][known].tolist()
+    return dict(zip(tracks, heights, strict=True))
+
+
+def _paint_tracklets(instant: Instant, below: Rgba) -> None:
+    """Last positions as strokes in their person's colour, a dot where each point is now."""
+    rows = instant.tracks.tracklets(instant.frame)
+    ways = _ways(rows)
+    colours = colours_of_tracks(rows["track"])
+    weights = np.where(rows["track"] > 0, 1.0, 0.3).astype(np.float32)
+    _stroke(below, ways, colours, weights, closed=False)
+    alpha = _alpha(weights)
+    for way, colour, strength in zip(_fixed(ways), colours.tolist(), alpha.tolist(), strict=True):
+        shade = (*colour, strength)
+        cv2.circle(below, way[0].tolist(), 2 << _SUBPIXEL, shade, -1, cv2.LINE_AA, _SUBPIXEL)
+
+
+def _ways(rows: Columns) -> Floats:
+    """(n, 3, 2) px, newest first; missing positions stand where the ones after them do."""
+    names = (("u0", "v0"), ("u1", "v1"), ("u2", "v2"))
+    ways = np.stack([np.column_stack([rows[one] for one in pair]) for pair in names], axis=1)
+    ways = ways.astype(np.float64)
+    for step in (1, 2):
+        missing = ~np.isfinite(ways[:, step]).all(axis=1)
+        ways[missing, step] = ways[missing, step - 1]
+    return ways
+
+
+def _stroke(
+    below: Rgba,
+    shapes: Floats,
+    colours: NDArray[np.uint8],
+    weights: NDArray[np.float32],
+    *,
+    closed: bool = True,
+) -> None:
+    """Draw (n, points, 2) shapes, the faintest first: one call for all of one colour and level."""
+    seen = np.isfinite(shapes).all(axis=(1, 2))
+    level = np.clip((weights * _LEVELS).astype(np.int64), 0, _LEVELS - 1)
+    fixed = _fixed(shapes[seen])
+    keys = np.column_stack((level[seen], colours[seen]))
+    kinds, of_kind = np.unique(keys, axis=0, return_inverse=True)
+    for number, (step, *colour) in enumerate(kinds.tolist()):
+        chosen = np.flatnonzero(of_kind.reshape(-1) == number).tolist()
+        alpha = int(_alpha(np.array([(step + 1) / _LEVELS]))[0])
+        drawn = [fixed[one] for one in chosen]
+        cv2.polylines(below, drawn, closed, (*colour, alpha), 1, cv2.LINE_AA, _SUBPIXEL)
+
+
+def _alpha(weights: NDArray[np.floating]) -> NDArray[np.int64]:
+    alpha = _FAINTEST + (_STRONGEST - _FAINTEST) * np.clip(weights, 0, 1)
+    return np.asarray(alpha, np.int64)
+
+
+def _fixed(shapes: Floats) -> list[NDArray[np.int32]]:
+    """Shapes in fractions of pixels, as OpenCV takes them; none that are nowhere."""
+    near = np.clip(np.nan_to_num(shapes, nan=-_FARTHEST_PX), -_FARTHEST_PX, _FARTHEST_PX)
+    return list(np.rint(near * (1 << _SUBPIXEL)).astype(np.int32))
