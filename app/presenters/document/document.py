@@ -3,31 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 
 from app.presenters.comparing.differences import Comparison
-from app.presenters.correcting import (
-    EditFlow,
-    Footing,
-    Ground,
-    PlannedEdit,
-    PreviewedTracks,
-    preview_trails,
-    replaced_rows,
-)
+from app.presenters.correcting import EditFlow, Footing, Ground, PlannedEdit
 from app.presenters.correcting.correcting import Correcting
 from app.presenters.correcting.planning import refuse_too_large
-from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
+from app.presenters.document.instants import Instants
 from app.presenters.document.selection import Selection
-from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.document.setting import Instant
+from app.presenters.document.showing import Showing
 from app.presenters.document.shown import ShownTracks
 from app.presenters.panels import EditMarks, HistoryList, track_card
 from app.presenters.parts.detector_choice import DetectorChoice, PartsAsked
 from app.presenters.parts.part_curve import LaneScore
 from app.presenters.pictures.overhead import OverheadPresenter
 from app.presenters.pictures.pictures import PicturePresenter
-from app.presenters.pictures.trails import floor_points
 from app.presenters.scenes import HistoryItem, TimelineMark, TimelineScene, TrackCard
 from app.presenters.timeline.lanes import TimelinePresenter
 from app.presenters.words import tr
@@ -36,7 +26,7 @@ from tracking.errors import EditError
 from tracking.recording import Recording
 from tracking.session import Session, author_named
 from tracking.trackers import StepResult
-from tracking.tracks import Labels, ReviewedRange, Run, TrackLabel, TrackTable
+from tracking.tracks import Labels, ReviewedRange, TrackLabel
 
 Settle = Callable[[Change, Labels], Change]
 """Adds to an edit that is confirmed what it settles."""
@@ -51,16 +41,15 @@ class Document:
 
     def __init__(self, recording: Recording, session: Session | None = None) -> None:
         self.recording = recording
-        self.session = session
         self.selection = Selection()
+        self._showing = Showing(session)
         self._author = ""
         self._footing = Footing.of(recording)
         self.correcting = Correcting(self.selection, self._footing, self._ground)
         self.pictures = PicturePresenter(recording)
         self.overhead = OverheadPresenter(recording)
         self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
-        self._live, self._live_shown = LiveTracks(), session is None
-        self._continues_at: int | None = None
+        self._instants = Instants(self._showing, self.selection, self.correcting, self.pictures)
         self.settle: Settle | None = None
         self.detector, self.detector_chosen = DetectorChoice(), False
         self.comparison: Comparison | None = None
@@ -68,24 +57,29 @@ class Document:
         self._retake()
 
     @property
+    def session(self) -> Session | None:
+        """None: nothing has been tracked yet."""
+        return self._showing.session
+
+    @property
     def tracks(self) -> ShownTracks:
         """The tracks that are shown."""
-        return self._tracks
+        return self._showing.tracks
 
     @property
     def is_live(self) -> bool:
         """Whether the tracks of a tracker at work are shown, not those of the session."""
-        return self._live_shown
+        return self._showing.is_live
 
     @property
     def tracked_until(self) -> int:
         """One past the last frame a tracker at work has been through."""
-        return self._live.frames[1]
+        return self._showing.tracked_until
 
     @property
     def busiest_frame(self) -> int:
         """The frame with the most people; the first where there are none."""
-        return int(self._tracks.activity(self.recording.frame_count).argmax())
+        return int(self.tracks.activity(self.recording.frame_count).argmax())
 
     # tracking
 
@@ -103,14 +97,13 @@ class Document:
         """
         self.correcting.leave()
         self.selection.choose(0)
-        self._live, self._live_shown = LiveTracks(), True
-        self._continues_at = continues_at
+        self._showing.begin_live(continues_at)
         self._retake()
 
     def take_live(self, results: Iterable[StepResult]) -> None:
         """Take further results of the tracker at work, in order."""
-        self._live.extend(results)
-        self._timeline.take(self._tracks, {})
+        self._showing.extend(results)
+        self._timeline.take(self.tracks, {})
 
     def sign(self, author: str) -> None:
         """Log edits made from now on under a name; "": under that of the account."""
@@ -120,9 +113,8 @@ class Document:
 
     def take_session(self, session: Session) -> None:
         """Show a session from now on."""
-        self.session = session
+        self._showing.take_session(session)
         self.sign(self._author)
-        self._live, self._live_shown = LiveTracks(), False
         self._marks, self._history = EditMarks(), HistoryList()
         self._retake()
 
@@ -132,78 +124,19 @@ class Document:
             self.take_session(self.session)
 
     def _retake(self) -> None:
-        """Show the tracks of the tracker at work, or those of the session."""
-        session = self.session
-        self._tracks: ShownTracks = self._live
-        if session is not None and self._live_shown and self._continues_at is not None:
-            before = SessionTracks(session.tracks, self._adopted)
-            self._tracks = ContinuedTracks(before, self._continues_at, self._live)
+        """Show on the timeline the tracks that are shown by now."""
         marks: dict[int, tuple[TimelineMark, ...]] = {}
         reviewed: tuple[ReviewedRange, ...] = ()
-        if session is not None and not self._live_shown:
-            self._tracks = SessionTracks(session.tracks, self._adopted)
-            marks, reviewed = self._marks.of(session.history), session.labels.reviewed
-        self._timeline.take(self._tracks, marks)
+        if self.session is not None and not self.is_live:
+            marks, reviewed = self._marks.of(self.session.history), self.session.labels.reviewed
+        self._timeline.take(self.tracks, marks)
         self._timeline.take_reviewed(reviewed)
-
-    @property
-    def _adopted(self) -> Run | None:
-        """The run the corrected tracks began as."""
-        return None if self.session is None else self.session.corrected_run
 
     # what the views show
 
     def instant(self, frame: int) -> Instant:
         """The frame as the pictures and the floor show it: with what is compared, too."""
-        return self._compared(self._corrected(frame))
-
-    def _corrected(self, frame: int) -> Instant:
-        """The corrected tracks; with an edit that waits as they would be after it."""
-        planned, flow = self.planned, self.flow
-        change = planned.change if planned is not None else None
-        shown = planned is not None and change is not None
-        return Instant(
-            frame=frame,
-            tracks=PreviewedTracks(self._tracks, change) if change else self._tracks,
-            names=self._names(),
-            selected=self.selection.track,
-            other=flow.other if flow is not None else 0,
-            also=self._emphasised(change),
-            preview=preview_trails(planned, floor_points) if planned and shown else (),
-            picture_preview=(
-                preview_trails(planned, self.pictures.left_foot_points) if planned and shown else ()
-            ),
-            replaced=replaced_rows(planned, frame),
-            movable=self.correcting.can_place,
-            drawing=flow is not None and flow.drawing,
-        )
-
-    def _compared(self, instant: Instant) -> Instant:
-        """The instant with the ways of the people in question in both versions.
-
-        Where two runs are compared, its people are those of the one that is drawn solid.
-        """
-        comparison, frame, planned = self.comparison, instant.frame, self.planned
-        if comparison is None or (planned is not None and planned.change is not None):
-            return instant
-        if comparison.solid is not None:
-            asked = comparison.current
-            instant = Instant(
-                frame,
-                comparison.solid,
-                selected=asked.track if asked is not None else 0,
-                other=asked.other if asked is not None else 0,
-            )
-        return replace(
-            instant,
-            preview=comparison.trails(frame, floor_points),
-            picture_preview=comparison.trails(frame, self.pictures.left_foot_points),
-        )
-
-    def _emphasised(self, change: Change | None) -> tuple[int, ...]:
-        """Who is drawn like the selected person: others selected too, and who is being drawn."""
-        new = change.tracks if change is not None and self.flow and not self.flow.track else ()
-        return (*self.selection.also, *new)
+        return self._instants.compared(frame, self.comparison)
 
     def timeline(
         self,
@@ -218,7 +151,8 @@ class Document:
         """
         cut = self.flow.cut if self.flow is not None and self.flow.has_cut else None
         marked = self.correcting.range_shown
-        return self._timeline.scene(playhead, self._corrected(frame), loaded, cut, no_lanes, marked)
+        instant = self._instants.corrected(frame)
+        return self._timeline.scene(playhead, instant, loaded, cut, no_lanes, marked)
 
     def take_suspicions(self, suspicions: Sequence[TimelineMark]) -> None:
         """Mark on the timeline what may be wrong, instead of what was marked before."""
@@ -233,7 +167,7 @@ class Document:
         if not self.selection:
             return None
         track, others = self.selection.track, self.selection.also
-        return track_card(self._tracks, track, self.label(track), others)
+        return track_card(self.tracks, track, self.label(track), others)
 
     def history(self) -> tuple[HistoryItem, ...]:
         """All edits, oldest first."""
@@ -241,20 +175,7 @@ class Document:
 
     def label(self, track: int) -> TrackLabel:
         """What people said of a track; nothing of those a tracker at work has numbered anew."""
-        session = self.session
-        if session is None or self._renumbered:
-            return TrackLabel()
-        return session.labels.of_track(track)
-
-    @property
-    def _renumbered(self) -> bool:
-        """Whether the ids shown are a tracker's own, not those of the session."""
-        return self._live_shown and self._continues_at is None
-
-    def _names(self) -> dict[int, str]:
-        if self.session is None or self._renumbered:
-            return {}
-        return {track: label.name for track, label in self.session.labels.tracks.items()}
+        return self._showing.label(track)
 
     # correcting
 
@@ -270,20 +191,12 @@ class Document:
 
     def people_at(self, frame: int) -> list[int]:
         """Who stands in a frame; all there are where nobody does."""
-        here: list[int] = self._tracks.of_frame(frame)["track"].tolist()
-        return here or list(self._tracks.ids)
+        here: list[int] = self.tracks.of_frame(frame)["track"].tolist()
+        return here or list(self.tracks.ids)
 
     def _ground(self) -> Ground | None:
-        """What edits are planned on; nothing yet where there is no session; None: not now."""
-        session = self.session
-        if session is None:
-            idle = not self._tracks.ids
-            return Ground(TrackTable(), Labels(), self._footing) if idle else None
-        if self._live_shown or session.read_only:
-            return None
-        run = session.corrected_run
-        signals = run.signals if run is not None else None
-        return Ground(session.tracks, session.labels, self._footing, signals)
+        """What edits are planned on; None: they cannot be planned now."""
+        return self._showing.ground(self._footing)
 
     def confirm_edit(self) -> Change | None:
         """Do the edit that waits; None where it is not ready. Who was drawn is selected then.
@@ -323,9 +236,7 @@ class Document:
         self._refuse_while_live()
         change = entry.change
         self.session.undo()
-        self._take_changed(change.inverse)
-        self._select_touched(change)
-        return change
+        return self._shown(change, change.inverse)
 
     def redo(self) -> Change | None:
         """Do the edit again that was taken back last."""
@@ -335,9 +246,7 @@ class Document:
         self._refuse_while_live()
         change = entry.change
         self.session.redo()
-        self._take_changed(change)
-        self._select_touched(change)
-        return change
+        return self._shown(change, change)
 
     def undo_alone(self, edit: int) -> Change:
         """Take one older edit back and leave what was done after it; what was done.
@@ -349,16 +258,14 @@ class Document:
             raise EditError(tr("Nothing to undo: there is no session yet"))
         self._refuse_while_live()
         change = self.session.undo_alone(edit).change
-        self._take_changed(change)
-        self._select_touched(change)
-        return change
+        return self._shown(change, change)
 
     def why_not_alone(self, edit: int) -> str:
         """Why an edit cannot be undone alone; "" where it can."""
         return "" if self.session is None else self.session.history.why_not_alone(edit)
 
     def _refuse_while_live(self) -> None:
-        if self._live_shown and self.session is not None:
+        if self.is_live and self.session is not None:
             raise EditError(tr("Not changed: stop tracking first, then correct"))
 
     def _take_changed(self, change: Change) -> None:
@@ -368,13 +275,18 @@ class Document:
         table = self.session.tracks
         frames = change.before.rows["frame"], change.after.rows["frame"]
         marks = self._marks.of(self.session.history)
-        self._timeline.take_changed(change.tracks, self._tracks, frames, marks)
+        self._timeline.take_changed(change.tracks, self.tracks, frames, marks)
         self._timeline.take_reviewed(self.session.labels.reviewed)
         self.selection.keep(track for track in self.selection.all if track in table)
 
-    def _select_touched(self, change: Change) -> None:
-        """Select who an edit taken back or done again is about, where nobody of them is."""
-        known = set(self._tracks.ids)
+    def _shown(self, change: Change, made: Change) -> Change:
+        """The change, once what was made of it is shown; where nobody of it is selected, they are.
+
+        made: the change itself where it was done, its inverse where it was taken back.
+        """
+        self._take_changed(made)
+        known = set(self.tracks.ids)
         there = [track for track in change.tracks if track in known]
         if there and not set(there) & set(self.selection.all):
             self.selection.choose_all(there)
+        return change

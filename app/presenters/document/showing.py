@@ -1,0 +1,90 @@
+"""Which tracks are shown: those of a session, or what a tracker at work has found so far."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from app.presenters.correcting import Footing, Ground
+from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
+from app.presenters.document.session_tracks import SessionTracks
+from app.presenters.document.shown import ShownTracks
+from tracking.session import Session
+from tracking.trackers import StepResult
+from tracking.tracks import Labels, TrackLabel, TrackTable
+
+
+class Showing:
+    """The tracks of a session once there is one, but for the time a tracker is at work.
+
+    Attributes:
+        session: None: there is none yet.
+        is_live: whether the tracks of a tracker at work are shown, not those of the session.
+        tracks: the tracks that are shown.
+    """
+
+    def __init__(self, session: Session | None) -> None:
+        self.session = session
+        self.is_live = session is None
+        self._live = LiveTracks()
+        self._continues_at: int | None = None
+        self.tracks: ShownTracks = self._chosen()
+
+    @property
+    def tracked_until(self) -> int:
+        """One past the last frame a tracker at work has been through."""
+        return self._live.frames[1]
+
+    @property
+    def names(self) -> dict[int, str]:
+        """What people called the tracks; nothing where they are numbered anew."""
+        if self.session is None or self._renumbered:
+            return {}
+        return {track: label.name for track, label in self.session.labels.tracks.items()}
+
+    def label(self, track: int) -> TrackLabel:
+        """What people said of a track; nothing of those a tracker at work has numbered anew."""
+        if self.session is None or self._renumbered:
+            return TrackLabel()
+        return self.session.labels.of_track(track)
+
+    def ground(self, footing: Footing) -> Ground | None:
+        """What edits are planned on; nothing yet where there is no session; None: not now."""
+        session = self.session
+        if session is None:
+            return None if self.tracks.ids else Ground(TrackTable(), Labels(), footing)
+        if self.is_live or session.read_only:
+            return None
+        run = session.corrected_run
+        signals = run.signals if run is not None else None
+        return Ground(session.tracks, session.labels, footing, signals)
+
+    def begin_live(self, continues_at: int | None) -> None:
+        """Show what a tracker finds from now on; before `continues_at`, if any, the session."""
+        self._live, self.is_live = LiveTracks(), True
+        self._continues_at = continues_at
+        self.tracks = self._chosen()
+
+    def extend(self, results: Iterable[StepResult]) -> None:
+        """Take further results of the tracker at work, in order."""
+        self._live.extend(results)
+
+    def take_session(self, session: Session) -> None:
+        """Show a session from now on."""
+        self.session = session
+        self._live, self.is_live = LiveTracks(), False
+        self.tracks = self._chosen()
+
+    def _chosen(self) -> ShownTracks:
+        if self.session is None:
+            return self._live
+        if not self.is_live:
+            return SessionTracks(self.session.tracks, self.session.corrected_run)
+        if self._continues_at is None:
+            return self._live
+        before = SessionTracks(self.session.tracks, self.session.corrected_run)
+        return ContinuedTracks(before, self._continues_at, self._live)
+
+    @property
+    def _renumbered(self) -> bool:
+        """Whether the ids shown are a tracker's own, not those of the session."""
+        return self.is_live and self._continues_at is None
