@@ -63,7 +63,7 @@ class Workspace(QWidget):
         self.timeline = TimelineView(self)
         self._splitters: dict[str, QSplitter] = {}
         for plot in (self.curves.plot, self.counting.plot):
-            self.timeline.area.axis_changed.connect(plot.show_axis)
+            self.timeline.area.stretch.changed.connect(plot.show_axis)
         self._lay_out()
         self._ring = PaneRing(self)
 

@@ -42,11 +42,11 @@ class Gestures:
         over_names = event.position().x() < area.axis.left
         notches = (steps.y() or steps.x()) / _NOTCH
         if over_names or held & key.ShiftModifier:
-            area.scroll_lanes(-notches * _LANES_PER_NOTCH)
+            area.lanes.scroll(-notches * _LANES_PER_NOTCH)
         elif held & key.ControlModifier or abs(steps.x()) > abs(steps.y()):
-            area.pan(-notches * _PAN_PER_NOTCH)
+            area.stretch.pan(-notches * _PAN_PER_NOTCH)
         else:
-            area.set_axis(area.axis.zoomed(event.position().x(), _ZOOM_PER_NOTCH**notches))
+            area.stretch.show(area.axis.zoomed(event.position().x(), _ZOOM_PER_NOTCH**notches))
         event.accept()
 
     def press(self, event: QMouseEvent) -> None:
@@ -85,7 +85,7 @@ class Gestures:
             area.cut_moved.emit(area.axis.frame_at(at.x() + area.axis.px_per_frame / 2))
         elif self._doing == "pan":
             moved, self._last = at - self._last, at
-            area.set_axis(area.axis.moved(-moved.x() / area.axis.px_per_frame))
+            area.stretch.show(area.axis.moved(-moved.x() / area.axis.px_per_frame))
             area.scroll_bar.setValue(round(area.scroll_bar.value() - moved.y()))
         else:
             shape = Qt.CursorShape
@@ -101,9 +101,9 @@ class Gestures:
         """On the ruler the whole recording; on a lane the whole track, and then a second of it."""
         area, at = self._area, event.position()
         if at.y() <= area.ruler_height:
-            area.show_all()
+            area.stretch.show_all()
         else:
-            area.show_track_or_second(area.lane_at(at), area.axis.frame_at(at.x()))
+            area.stretch.show_track_or_second(area.lane_at(at), area.axis.frame_at(at.x()))
 
     def _is_on_cut(self, at: QPointF) -> bool:
         area, cut = self._area, self._area.cut

@@ -24,6 +24,7 @@ from app.views.timeline.controls import TimelineControls
 from app.views.timeline.gestures import Gestures
 from app.views.timeline.hover import words_at
 from app.views.timeline.lane_marks import mark_at
+from app.views.timeline.lane_scroll import LaneScroll
 from app.views.timeline.rows import Arrangement, LaneRows
 from app.views.timeline.ruler import (
     PLAYHEAD_HEIGHT,
@@ -33,12 +34,11 @@ from app.views.timeline.ruler import (
     draw_tick_lines,
 )
 from app.views.timeline.scroll_bars import BAR_PX, LanesBar, TimeBar
+from app.views.timeline.stretch import TimeStretch
 from app.views.widgets.still_picture import StillPicture
 
 _PLAYHEAD_PX = 8.0  # to either side of its line
 _RIGHT_PX = BAR_PX + 2
-_LEAST_LOWERED = 0.7
-"""Lanes lower than this share of their height would be hard to read."""
 
 
 class TracksArea(QWidget):
@@ -50,7 +50,9 @@ class TracksArea(QWidget):
         menu_asked(int, QPoint): a right click on a lane (0: below the last), or the menu key (-1:
             on who is selected); where on the screen.
         cut_moved(int): the cut of a preview was dragged to a frame.
-        axis_changed(object): zoomed or panned; the new :class:`TimeAxis`.
+
+    Attributes:
+        stretch: which frames are shown. lanes: which lanes are in sight.
     """
 
     frame_sought = Signal(int)
@@ -58,21 +60,21 @@ class TracksArea(QWidget):
     track_added = Signal(int)
     menu_asked = Signal(int, QPoint)
     cut_moved = Signal(int)
-    axis_changed = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._scene: TimelineScene | None = None
-        self._axis = TimeAxis(0.0, 1.0, 0.0, 1.0, 0)
+        self.stretch = TimeStretch(self)
+        self.stretch.changed.connect(self._take_axis)
         self._rows = LaneRows()
-        self._lowered = 1.0
         self._still = StillPicture(self)
         self._gestures = Gestures(self)
         self.lanes_drawn = 0
         self.scroll_bar = LanesBar(self)
         self.scroll_bar.valueChanged.connect(self._redraw)
+        self.lanes = LaneScroll(self.scroll_bar, self._rows)
         self.time_bar = TimeBar(self)
-        self.time_bar.valueChanged.connect(self._scroll_time)
+        self.time_bar.valueChanged.connect(self.stretch.begin_at)
         self.controls = TimelineControls(self)
         self._connect_controls()
         self.setMouseTracking(True)
@@ -81,12 +83,13 @@ class TracksArea(QWidget):
         self.setAccessibleName(self.tr("Timeline"))
         self.scroll_bar.setAccessibleName(self.tr("Scroll the lanes"))
         self.time_bar.setAccessibleName(self.tr("Scroll in time"))
+        self._fit_scroll_bars()
 
     def _connect_controls(self) -> None:
-        self.controls.zoomed.connect(self.zoom)
-        self.controls.fit_all.connect(self.show_all)
-        self.controls.fit_selected.connect(self.show_selected)
-        self.controls.fit_second.connect(self.show_second)
+        self.controls.zoomed.connect(self.stretch.zoom)
+        self.controls.fit_all.connect(self.stretch.show_all)
+        self.controls.fit_selected.connect(self.stretch.show_selected)
+        self.controls.fit_second.connect(self.stretch.show_second)
         self.controls.arranged.connect(self._arrange)
 
     # sizes
@@ -94,7 +97,7 @@ class TracksArea(QWidget):
     @property
     def axis(self) -> TimeAxis:
         """The stretch of frames shown."""
-        return self._axis
+        return self.stretch.axis
 
     @property
     def cut(self) -> int | None:
@@ -103,9 +106,8 @@ class TracksArea(QWidget):
 
     @property
     def lane_height(self) -> float:
-        """Of a row, by the font and the user's choice; lower where all selected must be seen."""
-        chosen = self.fontMetrics().height() * self.controls.arrangement.height.value
-        return float(round(chosen * self._lowered))
+        """Of a lane now."""
+        return self.lanes.height
 
     @property
     def ruler_height(self) -> float:
@@ -129,124 +131,36 @@ class TracksArea(QWidget):
     def show_scene(self, scene: TimelineScene) -> None:
         """Draw another instant; lanes only where they are other ones."""
         before, self._scene = self._scene, scene
-        if before is None or before.frame_count != scene.frame_count:
-            self.set_axis(self._axis.whole(scene.frame_count))
-        elif before.frame != scene.frame and not self._gestures.dragging:
-            self.set_axis(self._axis.showing(scene.frame))
+        self._place_axis()
+        self.stretch.take(scene, still=self._gestures.dragging)
         if before is None or before.lanes is not scene.lanes:
             self._rows.take(scene.lanes)
             self._arrange(self.controls.arrangement)
         if before is not None and before.frame != scene.frame and not self._gestures.dragging:
-            self._follow(scene.frame)
+            self.lanes.follow(scene.frame)
         self._update_moved(before, scene)
 
     def reveal(self, tracks: tuple[int, ...]) -> None:
-        """Scroll to the lanes of these; a little lower ones where only so all of them are seen."""
-        rows = [row for row in map(self._rows.row_of, tracks) if row is not None]
-        self._lower_for(1 + max(rows) - min(rows) if rows else 1)
-        for row in sorted(rows, reverse=True):
-            self._reveal_row(row)
-
-    def _lower_for(self, lanes: int) -> None:
-        """Make lanes so low that so many are seen at once, where they stay readable."""
-        before, self._lowered = self._lowered, 1.0
-        share = self._lanes_rect().height() / (lanes * self.lane_height)
-        if _LEAST_LOWERED <= share < 1.0:
-            self._lowered = int(share * self.lane_height) / self.lane_height
-        if self._lowered != before:
-            self._fit_scroll_bars()
+        """Scroll to the lanes of these."""
+        if self.lanes.reveal(tracks):
             self._redraw()
 
-    def _follow(self, frame: int) -> None:
-        """Scroll to somebody who is there at a frame where nobody in sight is."""
-        there = self._rows.living_at(frame)
-        first, stop = self._rows_in_sight()
-        if len(there) and not ((there >= first) & (there < stop)).any():
-            self._reveal_row(int(there[-1]))
-            self._reveal_row(int(there[0]))
-
-    def _reveal_row(self, row: int) -> None:
-        top, bar = round(row * self.lane_height), self.scroll_bar
-        lowest = top - self._lanes_rect().height() + self.lane_height
-        bar.setValue(min(max(bar.value(), round(lowest)), top))
-
-    def _rows_in_sight(self) -> tuple[int, int]:
-        """The lanes of which anything is seen, half-open; may go past the last."""
-        offset, height = self.scroll_bar.value(), self.lane_height
-        return int(offset // height), int((offset + self._lanes_rect().height()) // height) + 1
-
     def _arrange(self, arrangement: Arrangement) -> None:
-        self._rows.arrange(arrangement, self._axis)
+        self._rows.arrange(arrangement, self.axis)
         self._fit_scroll_bars()
         self._redraw()
 
-    # what is shown of the recording
+    def _place_axis(self) -> None:
+        """Give the frames the room there is beside the names."""
+        names = self._name_width()
+        self.stretch.place(names, self.width() - names - _RIGHT_PX)
 
-    def set_axis(self, axis: TimeAxis) -> None:
-        """Show other frames."""
-        name_width = self._name_width()
-        fitted = axis.resized(name_width, self.width() - name_width - _RIGHT_PX)
-        if fitted == self._axis:
-            return
-        self._axis = fitted
+    def _take_axis(self, axis: TimeAxis) -> None:
+        """Other frames are shown."""
         if self.controls.arrangement.in_view_only:
-            self._rows.arrange(self.controls.arrangement, fitted)
+            self._rows.arrange(self.controls.arrangement, axis)
         self._fit_scroll_bars()
         self._redraw()
-        self.axis_changed.emit(fitted)
-
-    def zoom(self, factor: float) -> None:
-        """Closer around the playhead where it is in sight, else around the middle."""
-        axis, frame = self._axis, self._scene.frame if self._scene is not None else 0
-        inside = axis.start <= frame < axis.start + axis.frames
-        x = axis.x_of(frame + 0.5) if inside else axis.left + axis.width / 2
-        self.set_axis(axis.zoomed(x, factor))
-
-    def pan(self, share: float) -> None:
-        """Later, or earlier, by a share of the frames shown."""
-        self.set_axis(self._axis.moved(share * self._axis.frames))
-
-    def centre(self, frame: int) -> None:
-        """As many frames as now, around another one."""
-        self.set_axis(self._axis.around(frame, self._axis.frames))
-
-    def scroll_lanes(self, lanes: float) -> None:
-        """Further down by so many lanes, or up."""
-        self.scroll_bar.setValue(round(self.scroll_bar.value() + lanes * self.lane_height))
-
-    def show_all(self) -> None:
-        """The whole recording."""
-        if self._scene is not None:
-            self.set_axis(self._axis.whole(self._scene.frame_count))
-
-    def show_selected(self) -> None:
-        """The selected track from its first to its last frame."""
-        lanes = self._scene.lanes if self._scene is not None else ()
-        chosen = [lane.spans for lane in lanes if lane.selected and len(lane.spans)]
-        if chosen:
-            first = min(int(spans[0, 0]) for spans in chosen)
-            self.set_axis(self._axis.fitting(first, max(int(spans[-1, 1]) for spans in chosen)))
-
-    def show_second(self) -> None:
-        """A second around the playhead."""
-        if self._scene is not None:
-            self.set_axis(self._axis.around(self._scene.frame, self._scene.fps))
-
-    def show_track_or_second(self, lane: Lane | None, frame: int) -> None:
-        """All of a track; where it is shown already, or beside the lanes, a second there."""
-        if self._scene is None:
-            return
-        second = self._axis.around(frame, self._scene.fps)
-        if lane is None or not len(lane.spans):
-            self.set_axis(second)
-            return
-        whole = self._axis.fitting(int(lane.spans[0, 0]), int(lane.spans[-1, 1]))
-        shown = (whole.start, whole.frames) == (self._axis.start, self._axis.frames)
-        self.set_axis(second if shown else whole)
-
-    def _scroll_time(self, first: int) -> None:
-        if first != int(self._axis.start):
-            self.set_axis(self._axis.moved(first - self._axis.start))
 
     def _redraw(self) -> None:
         self._still.forget()
@@ -264,17 +178,20 @@ class TracksArea(QWidget):
             self._redraw()
             return
         for frame in (before.frame, scene.frame):
-            left = self._axis.x_of(frame + 0.5) - _PLAYHEAD_PX
+            left = self.axis.x_of(frame + 0.5) - _PLAYHEAD_PX
             self.update(QRectF(left, 0, 2 * _PLAYHEAD_PX, self.height()).toAlignedRect())
 
     def _lanes_rect(self) -> QRectF:
         return QRectF(self.rect()).adjusted(0, self.ruler_height, 0, -self.time_bar.room)
 
     def _fit_scroll_bars(self) -> None:
-        self.controls.setGeometry(0, 0, round(self._axis.left), round(self.ruler_height))
-        self.time_bar.fit(self._axis, self.height())
-        whole = len(self._rows) * self.lane_height
-        self.scroll_bar.fit(self._lanes_rect(), whole, self.lane_height)
+        self.controls.setGeometry(0, 0, round(self.axis.left), round(self.ruler_height))
+        self.time_bar.fit(self.axis, self.height())
+        self.lanes.fit(self._lanes_rect(), self._chosen_height())
+
+    def _chosen_height(self) -> float:
+        """Of a lane, by the font and the user's choice."""
+        return self.fontMetrics().height() * self.controls.arrangement.height.value
 
     # drawing
 
@@ -285,19 +202,17 @@ class TracksArea(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if self._scene is not None:
             area = self._lanes_rect()
-            painter.setClipRect(
-                QRectF(self._axis.left - 6, 0, self._axis.width + 12, area.bottom())
-            )
-            draw_edit(painter, self._scene, self._axis, area, theme)
-            draw_playhead(painter, self._axis.x_of(self._scene.frame + 0.5), area, theme)
+            painter.setClipRect(QRectF(self.axis.left - 6, 0, self.axis.width + 12, area.bottom()))
+            draw_edit(painter, self._scene, self.axis, area, theme)
+            draw_playhead(painter, self.axis.x_of(self._scene.frame + 0.5), area, theme)
         painter.end()
 
     def _draw_still(self, painter: QPainter, theme: Theme) -> None:
         painter.setFont(self.font())
         if self._scene is not None:
             size = QSizeF(self.width(), self.ruler_height)
-            draw_ruler(painter, self._scene, self._axis, size, theme)
-            draw_tick_lines(painter, self._scene, self._axis, self._lanes_rect(), theme)
+            draw_ruler(painter, self._scene, self.axis, size, theme)
+            draw_tick_lines(painter, self._scene, self.axis, self._lanes_rect(), theme)
             painter.setFont(self.font())
             self._draw_lanes(painter, self._scene, theme)
 
@@ -307,8 +222,8 @@ class TracksArea(QWidget):
         if not scene.lanes:
             draw_message(painter, area, scene.message, theme)
             return
-        placed = area, float(self.scroll_bar.value()), self.lane_height
-        self.lanes_drawn = draw_rows(painter, scene, self._rows, placed, self._axis, theme)
+        placed = area, self.lanes.offset, self.lane_height
+        self.lanes_drawn = draw_rows(painter, scene, self._rows, placed, self.axis, theme)
         if not len(self._rows):
             draw_message(painter, area, self.tr("No track is in the frames shown"), theme)
 
@@ -317,7 +232,7 @@ class TracksArea(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
         """The same frames over the new width."""
         super().resizeEvent(event)
-        self.set_axis(self._axis)
+        self._place_axis()
         self._fit_scroll_bars()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802
@@ -359,17 +274,16 @@ class TracksArea(QWidget):
         """The lane under a point."""
         if not self._lanes_rect().contains(at):
             return None
-        offset = at.y() - self.ruler_height + self.scroll_bar.value()
-        return self._rows.lane(int(offset // self.lane_height))
+        return self._rows.lane(self.lanes.row_at(at.y() - self.ruler_height))
 
     def words_at(self, at: QPointF) -> str:
         """What is told of a point: the track, the frame and its time, and what is there."""
         if self._scene is None:
             return ""
         lane, x = self.lane_at(at), at.x()
-        beside = x < self._axis.left
-        mark = mark_at(lane.marks, x, self._axis) if lane is not None and not beside else None
-        frame = None if beside else self._axis.frame_at(x)
+        beside = x < self.axis.left
+        mark = mark_at(lane.marks, x, self.axis) if lane is not None and not beside else None
+        frame = None if beside else self.axis.frame_at(x)
         return words_at(self._scene, lane, frame, mark)
 
     def event(self, event: QEvent) -> bool:

@@ -35,15 +35,15 @@ class TimelineView(QFrame):
         rows.setSpacing(0)
         rows.addWidget(self.area, 1)
         rows.addWidget(self.overview)
-        self.area.axis_changed.connect(self.overview.show_window)
+        self.area.stretch.changed.connect(self.overview.show_window)
         self.area.frame_sought.connect(self.frame_sought)
         self.area.track_picked.connect(self.track_picked)
         self.area.track_added.connect(self.track_added)
         self.area.menu_asked.connect(self.menu_asked)
         self.area.cut_moved.connect(self.cut_moved)
         self.overview.frame_sought.connect(self.frame_sought)
-        self.overview.window_sought.connect(self.area.centre)
-        self.overview.zoomed.connect(self.area.zoom)
+        self.overview.window_sought.connect(self.area.stretch.centre)
+        self.overview.zoomed.connect(self.area.stretch.zoom)
         self._selected: tuple[int, ...] = ()
 
     def show_scene(self, scene: TimelineScene) -> None:

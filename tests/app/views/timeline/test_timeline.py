@@ -52,7 +52,7 @@ def test_scrolling_the_lanes_leaves_the_ruler_as_it_is(view, drawn):
     view.show_scene(timeline(*(lane(track) for track in range(1, 40))))
     ruler = QRect(0, 0, view.width(), round(view.area.ruler_height) - 1)
     at_the_top = drawn(view).copy(ruler)
-    view.area.scroll_lanes(2.5)
+    view.area.lanes.scroll(2.5)
     assert view.area.scroll_bar.value() > 0
     assert drawn(view).copy(ruler) == at_the_top
 
@@ -155,7 +155,7 @@ def test_while_playing_the_people_who_are_there_come_into_sight(view):
     lanes = tuple(lane(track, (10 * track, 10 * track + 10, 0)) for track in range(1, 91))
     view.show_scene(timeline(*lanes))
     view.show_scene(replace(timeline(*lanes, frame=705), lanes=view.area._scene.lanes))
-    rows = range(*view.area._rows_in_sight())
+    rows = range(*view.area.lanes.in_sight)
     assert 69 in rows
 
 

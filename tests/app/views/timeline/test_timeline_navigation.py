@@ -52,20 +52,20 @@ def window(view) -> tuple[float, float]:
 
 def test_zooming_by_key_keeps_the_playhead_where_it_is(view):
     before = view.area.axis.x_of(300.5)
-    view.area.zoom(4.0)
+    view.area.stretch.zoom(4.0)
     assert view.area.axis.frames == pytest.approx(250)
     assert view.area.axis.x_of(300.5) == pytest.approx(before, abs=1)
 
 
 def test_the_selected_track_fills_the_width(view):
-    view.area.show_selected()
+    view.area.stretch.show_selected()
     start, end = window(view)
     assert 0 <= start < 50
     assert 600 < end < 660
 
 
 def test_a_second_around_the_playhead_is_shown(view):
-    view.area.show_second()
+    view.area.stretch.show_second()
     start, end = window(view)
     assert start <= 290.5
     assert end >= 310.5
@@ -86,14 +86,14 @@ def test_a_double_click_shows_the_track_then_a_second_of_it_and_on_the_ruler_all
 
 def test_the_scroll_bar_below_moves_in_time_and_is_there_while_zoomed(view):
     assert view.area.time_bar.isHidden()
-    view.area.zoom(4.0)
+    view.area.stretch.zoom(4.0)
     assert not view.area.time_bar.isHidden()
     view.area.time_bar.setValue(600)
     assert view.area.axis.start == pytest.approx(600)
 
 
 def test_ctrl_and_drag_pans(view, qtbot, heard):
-    view.area.zoom(4.0)
+    view.area.stretch.zoom(4.0)
     start, sought = view.area.axis.start, heard(view.frame_sought)
     at = point(view, 0, start + 100)
     qtbot.mousePress(view.area, LEFT, CTRL, at)
@@ -121,9 +121,9 @@ def test_lanes_are_sorted_by_first_frame_or_by_number(view):
 
 def test_only_tracks_with_rows_in_the_frames_shown_and_the_selected_one_are_left(view):
     view.area.controls.arrange(Arrangement(in_view_only=True))
-    view.area.set_axis(view.area.axis.fitting(610, 690))
+    view.area.stretch.show(view.area.axis.fitting(610, 690))
     assert shown(view) == [4, 7]
-    view.area.show_all()
+    view.area.stretch.show_all()
     assert shown(view) == [9, 4, 7]
 
 
@@ -131,7 +131,7 @@ def test_a_track_is_not_in_view_in_its_own_gap(view):
     unselected = [replace(one, selected=False) for one in LANES]
     view.show_scene(timeline(*unselected, frame=300))
     view.area.controls.arrange(Arrangement(in_view_only=True))
-    view.area.set_axis(view.area.axis.around(425, 25))
+    view.area.stretch.show(view.area.axis.around(425, 25))
     assert shown(view) == [7]
 
 
