@@ -162,12 +162,6 @@ def test_a_range_outside_the_recording_is_refused(recording: Recording, frames: 
         track(recording, frames=frames)
 
 
-@pytest.mark.parametrize("name", ["flow"])
-def test_a_tracker_that_is_not_built_yet_is_refused_with_what_there_is(name: str):
-    with pytest.raises(SettingsError, match="not built yet: available are stereo-direction"):
-        tracker_named(name)
-
-
 def test_an_unknown_tracker_is_refused_with_what_there_is():
     with pytest.raises(SettingsError, match="tracker sort is unknown: available are"):
         tracker_named("sort")

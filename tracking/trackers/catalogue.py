@@ -10,6 +10,7 @@ from typing import Any
 from tracking.errors import CalibrationError, RecordingError, SettingsError
 from tracking.recording import Recording
 from tracking.trackers import stereo_colour, stereo_direction
+from tracking.trackers.flow import FlowSettings, build_flow
 from tracking.trackers.protocol import Perception, Tracker
 from tracking.trackers.settings import settings_from_text, settings_values
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
@@ -109,21 +110,28 @@ _BUILT = (
         settings_type=WholeBodySettings,
         build=build_whole_body,
     ),
+    TrackerSpec(
+        name="flow",
+        title="One camera: bundles of tracklets, for counting a flow of people",
+        paper="Yoneji2013",
+        needs_stereo=False,
+        needs_calibration=True,
+        settings_type=FlowSettings,
+        build=build_flow,
+    ),
 )
 
 TRACKERS: Mapping[str, TrackerSpec] = MappingProxyType({spec.name: spec for spec in _BUILT})
 """The trackers that can be run, the best first."""
 
 _WITHOUT = "; without, three-part follows people in pixels"
-_ANNOUNCED = ("flow",)
 
 
 def tracker_named(name: str) -> TrackerSpec:
     """The tracker of that name; raises `SettingsError` that says what there is."""
     if name in TRACKERS:
         return TRACKERS[name]
-    why = "not built yet" if name in _ANNOUNCED else "unknown"
-    raise SettingsError(f"tracker {name} is {why}: available are {', '.join(TRACKERS)}")
+    raise SettingsError(f"tracker {name} is unknown: available are {', '.join(TRACKERS)}")
 
 
 def best_tracker(recording: Recording) -> str:

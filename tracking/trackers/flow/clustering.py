@@ -66,8 +66,9 @@ def shifted(modes: Vectors, within: Flags, tracklets: Vectors) -> Vectors:
     is the paper's eq. 8, by which modes are carried on.
     """
     count = within.sum(axis=1)
-    total = within.astype(np.float64) @ tracklets.reshape(len(tracklets), -1)
-    mean = total.reshape(len(modes), *modes.shape[1:]) / np.maximum(count, 1)[:, None, None]
+    flat = tracklets.reshape(len(tracklets), 2 * tracklets.shape[1])
+    total = within.astype(np.float64) @ flat
+    mean = total.reshape(len(modes), *tracklets.shape[1:]) / np.maximum(count, 1)[:, None, None]
     return np.where((count > 0)[:, None, None], mean, modes)
 
 
@@ -112,7 +113,7 @@ def gathered(
         fewest: tracklets of a cluster. bound: of `joined`.
     """
     held = inside(modes, size, tracklets)
-    kept = np.unique(joined(modes, size, held.sum(axis=1), bound)) if len(modes) else []
+    kept = np.unique(joined(modes, size, held.sum(axis=1), bound))
     modes, size, held = modes[kept], size[kept], held[kept]
     label = _nearest(modes, size, held, tracklets)
     count = np.bincount(label[label >= 0], minlength=len(modes))

@@ -96,24 +96,34 @@ class PointFollower:
 
     def _followed(self, before: Grey, grey: Grey) -> Tracklets:
         points, settings = self._points, self._settings
-        start = points.path[:, 0]
+        start = np.ascontiguousarray(points.path[:, 0])
         pace = np.nan_to_num(start - points.path[:, 1])
-        window = (settings.window_px, settings.window_px)
-        criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, _STEPS, _FINE_PX)
-        options = {"winSize": window, "criteria": criteria, "flags": cv2.OPTFLOW_USE_INITIAL_FLOW}
-        there, found, _ = cv2.calcOpticalFlowPyrLK(
-            before, grey, start, start + pace, maxLevel=settings.levels, **options
-        )
-        back, again, _ = cv2.calcOpticalFlowPyrLK(
-            grey, before, there, start.copy(), maxLevel=0, **options
-        )
+        there, found = self._flow(before, grey, start, start + pace, settings.levels)
+        back, again = self._flow(grey, before, there, start.copy(), 0)
         height, width = grey.shape
-        kept = (found[:, 0] > 0) & (again[:, 0] > 0)
+        kept = found & again
         kept &= np.hypot(*(back - start).T) <= settings.return_px
         kept &= (there >= _BORDER_PX).all(axis=1)
         kept &= (there < np.array((width, height)) - _BORDER_PX).all(axis=1)
         path = np.concatenate((there[:, None], points.path[:, :-1]), axis=1)
         return Tracklets(points.id, path, points.age + 1).select(kept)
+
+    def _flow(
+        self, before: Grey, after: Grey, points: Paths, guess: Paths, levels: int
+    ) -> tuple[Paths, NDArray[np.bool_]]:
+        """Where points (n, 2) of a picture are in another one, and whether they are found."""
+        side = self._settings.window_px
+        there, found, _ = cv2.calcOpticalFlowPyrLK(
+            before,
+            after,
+            points,
+            guess,
+            winSize=(side, side),
+            maxLevel=levels,
+            criteria=(cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, _STEPS, _FINE_PX),
+            flags=cv2.OPTFLOW_USE_INITIAL_FLOW,
+        )
+        return np.asarray(there, np.float32), np.asarray(found[:, 0] > 0)
 
     def _with_new(self, grey: Grey, seek: Mask | None) -> Tracklets:
         points = self._points

@@ -14,7 +14,7 @@ class PointSettings:
 
     most: int = setting(300, "", (20, 2000), "points followed at once, at most")
     corner: float = setting(
-        0.0004, "", (0.00001, 0.1), "weakest corner followed: least eigenvalue of its gradients"
+        0.0001, "", (0.00001, 0.1), "weakest corner followed: least eigenvalue of its gradients"
     )
     spacing: float = setting(
         0.2, "", (0.02, 2.0), "distance between new points, in widths of the kernel there"
@@ -52,3 +52,37 @@ class ClusterSettings:
     occlusion: bool = setting(
         True, "", None, "shrink the kernel where the lower part of a body has no tracklets"
     )
+
+
+@dataclass(frozen=True, slots=True)
+class FlowSettings:
+    """What the flow tracker can be told; see the `help` of each field."""
+
+    hold: bool = setting(
+        True,
+        "",
+        None,
+        "a tracklet stays with its person while it moves as the body does; off: clusters of each "
+        "frame, as in the paper",
+    )
+    birth_s: float = setting(
+        0.35, "s", (0.0, 10.0), "time a cluster must have moved before it becomes a track"
+    )
+    lost_after_s: float = setting(
+        1.5, "s", (0.05, 60.0), "time without tracklets after which a track ends"
+    )
+    lost_at_edge_s: float = setting(
+        0.4, "s", (0.05, 60.0), "the same for a person at the picture's edge or outside it"
+    )
+    closest_m: float = setting(
+        0.3, "m", (0.0, 2.0), "people who walk nearer together than this are one"
+    )
+    silhouettes: bool = setting(
+        True, "", None, "draw people to where their bodies fill the foreground"
+    )
+    smooth: bool = setting(
+        True, "", None, "look a finished run over from both ends: smoother paths and boxes"
+    )
+    points: PointSettings = field(default_factory=PointSettings)
+    clusters: ClusterSettings = field(default_factory=ClusterSettings)
+    foreground: ForegroundSettings = field(default_factory=ForegroundSettings)

@@ -1,0 +1,24 @@
+"""The flow tracker at its start."""
+
+from __future__ import annotations
+
+from tracking.errors import CalibrationError
+from tracking.recording import Recording
+from tracking.trackers.flow.perception import FlowPerception
+from tracking.trackers.flow.settings import FlowSettings
+from tracking.trackers.flow.tracker import FlowTracker
+
+
+def build_flow(
+    recording: Recording,
+    settings: FlowSettings,
+    seed: int,  # noqa: ARG001 - of every tracker; nothing here is random
+) -> tuple[FlowPerception, FlowTracker]:
+    """Perception and tracker; raises `CalibrationError` where the floor is not known."""
+    if recording.view is None:
+        raise CalibrationError(
+            f"recording {recording.name}: flow needs the camera's calibration and height over the "
+            "floor; without them three-part can still follow people, in pixels"
+        )
+    perception = FlowPerception(recording.fps, settings.foreground)
+    return perception, FlowTracker(recording.view, recording.fps, settings)

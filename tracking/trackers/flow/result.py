@@ -1,0 +1,114 @@
+"""A frame of the flow tracker as the columns of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import View
+from tracking.trackers.flow.following import Tracklets
+from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
+from tracking.trackers.flow.walkers import Walkers
+from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
+from tracking.tracks.columns import (
+    DETECTION_COLUMNS,
+    PARTICLE_COLUMNS,
+    TRACK_COLUMNS,
+    TRACKLET_COLUMNS,
+    Columns,
+    empty,
+)
+
+Floats = NDArray[np.float64]
+
+_BODY_WIDTH_M = 0.55
+_CHEST_M = 1.1
+_PLENTY = 8
+"""Tracklets with which somebody is as sure as can be."""
+
+
+def step_result(
+    frame: int,
+    walkers: Walkers,
+    tracklets: Tracklets,
+    owner: NDArray[np.int32],
+    view: View,
+) -> StepResult:
+    """The frame's result.
+
+    Args:
+        owner: (n,) the track each tracklet belongs to; 0: none.
+    """
+    seen = walkers.missed_s == 0.0
+    box = view.box_of_person(walkers.place, USUAL_HEIGHT_M, _BODY_WIDTH_M)
+    return StepResult(
+        frame=frame,
+        tracks=_tracks(frame, walkers, seen, box, view),
+        detections=_detections(frame, walkers, seen, box),
+        particles=empty(PARTICLE_COLUMNS),
+        associations=empty(ASSOCIATION_COLUMNS),
+        tracklets=_tracklets(tracklets, owner),
+    )
+
+
+def _tracks(
+    frame: int, walkers: Walkers, seen: NDArray[np.bool_], box: Floats, view: View
+) -> Columns:
+    sure = np.minimum(walkers.count / _PLENTY, 1.0)
+    values = {
+        "frame": np.full(len(walkers), frame),
+        "track": walkers.track,
+        **_sides(box),
+        "x": walkers.place[:, 0],
+        "y": walkers.place[:, 1],
+        "vx": walkers.pace[:, 0],
+        "vy": walkers.pace[:, 1],
+        "confidence": np.where(seen, sure, 0.0),
+        "visibility": np.where(seen, _inside(box, view), 0.0),
+        "predicted": ~seen,
+    }
+    return _typed(values, TRACK_COLUMNS)
+
+
+def _detections(frame: int, walkers: Walkers, seen: NDArray[np.bool_], box: Floats) -> Columns:
+    values = {
+        "frame": np.full(len(walkers), frame),
+        **_sides(box),
+        "x": walkers.place[:, 0],
+        "y": walkers.place[:, 1],
+        "z": np.full(len(walkers), _CHEST_M),
+        "track": walkers.track,
+    }
+    return {name: column[seen] for name, column in _typed(values, DETECTION_COLUMNS).items()}
+
+
+def _tracklets(tracklets: Tracklets, owner: NDArray[np.int32]) -> Columns:
+    """Those with all their positions, grouped by track."""
+    whole = np.flatnonzero(np.isfinite(tracklets.path[:, 2, 0]))
+    rows = whole[np.argsort(owner[whole], kind="stable")]
+    path = tracklets.path[rows]
+    values: dict[str, NDArray[Any]] = {"track": owner[rows]}
+    for step in range(3):
+        values[f"u{step}"], values[f"v{step}"] = path[:, step, 0], path[:, step, 1]
+    return _typed(values, TRACKLET_COLUMNS)
+
+
+def _inside(box: Floats, view: View) -> Floats:
+    """(m,) share of the boxes that lies in the picture."""
+    low, high = box[:, :2], box[:, :2] + box[:, 2:]
+    edge = np.array(view.camera.size, np.float64) - 0.5
+    shown = np.minimum(high, edge) - np.maximum(low, -0.5)
+    share = np.prod(np.maximum(shown, 0.0) / np.maximum(box[:, 2:], 1e-6), axis=1)
+    return np.asarray(np.nan_to_num(share))
+
+
+def _sides(box: Floats) -> Columns:
+    return dict(zip(("left", "top", "width", "height"), box.T, strict=True))
+
+
+def _typed(values: Columns, columns: Mapping[str, np.dtype[Any]]) -> Columns:
+    """The values in the columns' order and types."""
+    return {name: np.ascontiguousarray(values[name], dtype) for name, dtype in columns.items()}

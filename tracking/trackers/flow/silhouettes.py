@@ -1,0 +1,245 @@
+"""What the foreground says of where people are: bodies that fill it from head to feet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.trackers.flow.floor import Floor, sight_axes
+
+Floats = NDArray[np.float64]
+Mask = NDArray[np.uint8]
+Cover = NDArray[np.float32]
+Pixels = NDArray[np.int16]
+
+USUAL_HEIGHT_M = 1.70
+SHADE, BODY = 1, 2
+"""Values of a mask of the foreground. Plain grey clothes look like shadow."""
+
+_BODY = np.array(
+    (
+        *((0.0, 1.62, 0.0, 1.5), (-0.05, 1.52, 0.0, 1.0), (0.05, 1.52, 0.0, 1.0)),
+        *((0.0, 1.35, 0.0, 1.0), (-0.12, 1.35, 0.0, 1.0), (0.12, 1.35, 0.0, 1.0)),
+        *((0.0, 1.15, 0.0, 1.0), (-0.16, 1.15, 0.0, 1.0), (0.16, 1.15, 0.0, 1.0)),
+        *((0.0, 0.9, 0.0, 1.0), (-0.12, 0.9, 0.0, 1.0), (0.12, 0.9, 0.0, 1.0)),
+        *((0.0, 0.65, 0.0, 1.0), (-0.08, 0.4, 0.0, 1.0), (0.08, 0.4, 0.0, 1.0)),
+        *((-0.06, 0.2, 0.0, 1.5), (0.06, 0.2, 0.0, 1.5), (0.0, 0.06, 0.0, 2.0)),
+    )
+)
+"""Spots of a body: m across the sight, over the floor, nearer than the axis; how much they tell."""
+_BESIDE = np.array(
+    (
+        *((0.0, 1.87, 0.0, 1.5), (-0.08, 1.92, 0.0, 1.0), (0.08, 1.92, 0.0, 1.0)),
+        *((-0.42, 1.2, 0.0, 0.7), (0.42, 1.2, 0.0, 0.7)),
+        *((-0.42, 0.7, 0.0, 0.7), (0.42, 0.7, 0.0, 0.7)),
+        *((0.0, 0.0, 0.3, 1.0), (-0.1, 0.0, 0.38, 1.0), (0.1, 0.0, 0.38, 1.0)),
+        *((-0.06, 0.0, 0.6, 1.0), (0.06, 0.0, 0.6, 1.0), (0.0, 0.0, 0.9, 1.0)),
+    )
+)
+"""Spots where a body is not: over the head, at the sides, on the floor before the feet."""
+_OUTLINE = ((-0.1, 1.78), (-0.22, 1.5), (-0.2, 0.8), (-0.12, 0.0))
+"""Half the outline of a body that hides what is behind it: m across the sight, over the floor."""
+_AHEAD_M = 0.25
+"""Who is so much nearer stands before a body."""
+_BESIDE_WEIGHT = 0.8
+_SHADE_WEIGHT, _FOREIGN_WEIGHT = 0.75, 0.25
+_SAME_M = 1e-3
+_ALONG = np.linspace(-0.12, 0.12, 7)
+_ACROSS_M = np.array([-0.16, -0.08, 0.0, 0.08, 0.16])
+"""Places that are tried round the one believed: as shares of the distance, and in m."""
+_FAR_ALONG = np.concatenate((np.linspace(-0.4, 0.0, 8)[:-1], np.linspace(0.0, 0.7, 9)))
+_FAR_ACROSS_M = np.array([-0.2, 0.0, 0.2])
+_POOR, _CLEARLY = 0.85, 0.1
+"""Whose body suits no better is looked for farther off, and taken there if it suits it clearly."""
+_SHARPNESS = 16.0
+_LEAST_ERROR_M = 0.08
+_LEAST_SEEN = 0.18
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Spots:
+    """Where bodies at k places would be seen, and what is just beside them.
+
+    Attributes:
+        distance: (k, 1) m along the floor. body, beside: (k, j, 2) px at half resolution.
+    """
+
+    distance: Floats
+    body: Pixels
+    beside: Pixels
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fit:
+    """How well bodies suit the foreground.
+
+    Attributes:
+        score: (...,) share of the body in the foreground less most of that beside it.
+        seen: (...,) share of the body that nobody nearer hides, and that is in the picture.
+        own: (...,) share of what is seen of it that is in the foreground and explained by nobody.
+    """
+
+    score: Floats
+    seen: Floats
+    own: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Drawn:
+    """Where the foreground draws people.
+
+    Attributes:
+        place: (m, 2) m; NaN where it cannot tell. error_m: (m, 2) along and across the sight.
+        score: (m,) of the best place; NaN where too little of the body is in sight.
+    """
+
+    place: Floats
+    error_m: Floats
+    score: Floats
+
+
+def cover_of(place: Floats, shape: tuple[int, ...], floor: Floor) -> Cover:
+    """(rows, columns) how far away, in m, the nearest of the people stands that hides a pixel.
+
+    Infinite where there is nobody. At half resolution.
+
+    Args:
+        place: (m, 2) m. shape: of the picture.
+    """
+    cover = np.full((shape[0] // 2, shape[1] // 2), np.inf, np.float32)
+    if not len(place):
+        return cover
+    left = np.array(_OUTLINE)
+    half = np.concatenate((left, left[::-1] * (-1.0, 1.0)))
+    outline = _pixels(place, np.column_stack((half, np.zeros(len(half)))), floor) / 2
+    distance = np.hypot(place[:, 0], place[:, 1])
+    for person in np.argsort(-distance, kind="stable"):
+        corners = outline[person]
+        if np.isfinite(corners).all() and np.abs(corners).max() < 1e4:
+            cv2.fillConvexPoly(cover, np.rint(corners).astype(np.int32), float(distance[person]))
+    return cover
+
+
+def fits(place: Floats, mask: Mask, cover: Cover, floor: Floor, own: Floats | None = None) -> Fit:
+    """How well bodies at places (k, 2) suit the foreground.
+
+    What is hidden by somebody nearer does not count, nor what lies beside the body and is
+    explained by somebody else; the foreground of somebody farther away counts little.
+
+    Args:
+        mask: (rows, columns) `SHADE` where the foreground may be shadow, `BODY` where not, at half
+            resolution.
+        own: (k,) how far away they stand themselves in the cover; None: they are not in it.
+    """
+    return fits_at(spots_at(place, floor), mask, cover, own)
+
+
+def spots_at(place: Floats, floor: Floor) -> Spots:
+    """Where bodies at places (k, 2) would be seen."""
+    return Spots(
+        np.hypot(place[:, 0], place[:, 1])[:, None],
+        _half(_pixels(place, _BODY, floor)),
+        _half(_pixels(place, _BESIDE, floor)),
+    )
+
+
+def fits_at(spots: Spots, mask: Mask, cover: Cover, own: Floats | None = None) -> Fit:
+    """`fits` of bodies whose pixels are known."""
+    inside, nearest = _sampled(mask, cover, spots.body)
+    free = np.isinf(nearest) | _same(nearest, own)
+    hidden = (nearest < spots.distance - _AHEAD_M) & ~free
+    weight = _BODY[:, 3] * ((inside >= 0) & ~hidden) * np.where(free, 1.0, _FOREIGN_WEIGHT)
+    body = _share(inside > SHADE, weight) + _SHADE_WEIGHT * _share(inside == SHADE, weight)
+    around, owner = _sampled(mask, cover, spots.beside)
+    unclaimed = np.isinf(owner) | _same(owner, own)
+    beside = _share(around > SHADE, ((around >= 0) & unclaimed) * _BESIDE[:, 3])
+    return Fit(
+        body - _BESIDE_WEIGHT * beside,
+        ((inside >= 0) & free).mean(axis=1),
+        _share((inside > SHADE) & free, _BODY[:, 3] * ((inside >= 0) & ~hidden)),
+    )
+
+
+def _same(nearest: Cover, own: Floats | None) -> NDArray[np.bool_]:
+    """Where the person in the cover is the one looked for."""
+    if own is None:
+        return np.zeros(nearest.shape, bool)
+    return np.asarray(np.abs(nearest - own[:, None]) < _SAME_M)
+
+
+def drawn(place: Floats, mask: Mask, cover: Cover, floor: Floor) -> Drawn:
+    """Where people believed at places (m, 2) are, by the foreground near there.
+
+    Bodies are tried on a small grid along and across the line of sight; the mean of the places,
+    weighed by how well they suit, is where somebody is drawn to, and how far they spread is how
+    little that says: in the middle of a crowd, nothing.
+    """
+    near = _tried(place, _ALONG, _ACROSS_M, mask, cover, floor)
+    poor = np.flatnonzero((near.score < _POOR) & np.isfinite(near.place).all(axis=1))
+    if not len(poor):
+        return near
+    far = _tried(place[poor], _FAR_ALONG, _FAR_ACROSS_M, mask, cover, floor)
+    better = far.score > near.score[poor] + _CLEARLY
+    rows = poor[better]
+    near.place[rows], near.error_m[rows] = far.place[better], far.error_m[better]
+    near.score[rows] = far.score[better]
+    return near
+
+
+def _tried(
+    place: Floats, along: Floats, across: Floats, mask: Mask, cover: Cover, floor: Floor
+) -> Drawn:
+    """`drawn` over a grid: along as shares of the distance, across in m."""
+    people = len(place)
+    axes = sight_axes(place)
+    distance = np.maximum(np.hypot(place[:, 0], place[:, 1]), 1.0)
+    along, across = (grid.ravel() for grid in np.meshgrid(along, across))
+    off = np.stack(
+        (along * distance[:, None], np.broadcast_to(across, (people, len(across)))), axis=-1
+    )
+    tried = place[:, None] + np.einsum("mki,mij->mkj", off, axes)
+    own = np.repeat(np.hypot(place[:, 0], place[:, 1]), off.shape[1])
+    fit = fits(tried.reshape(-1, 2), mask, cover, floor, own)
+    score = fit.score.reshape(people, -1)
+    weight = np.exp(_SHARPNESS * (score - score.max(axis=1, keepdims=True)))
+    weight /= weight.sum(axis=1, keepdims=True)
+    mean = np.einsum("mk,mki->mi", weight, off)
+    spread = np.einsum("mk,mki->mi", weight, (off - mean[:, None]) ** 2)
+    told = (fit.seen.reshape(people, -1).mean(axis=1) > _LEAST_SEEN)[:, None]
+    where = place + np.einsum("mi,mij->mj", mean, axes)
+    error = np.sqrt(_LEAST_ERROR_M**2 + 2 * spread)
+    return Drawn(
+        np.where(told, where, np.nan),
+        np.where(told, error, np.nan),
+        np.where(told[:, 0], score.max(axis=1), np.nan),
+    )
+
+
+def _pixels(place: Floats, spots: Floats, floor: Floor) -> Floats:
+    """(k, j, 2) px of spots (j, 3), see `_BODY`, of people at places (k, 2)."""
+    axes = sight_axes(place)
+    level = place[:, None] + axes[:, None, 1] * spots[:, :1] - axes[:, None, 0] * spots[:, 2:3]
+    return floor.pixels(level, spots[:, 1])
+
+
+def _half(pixels: Floats) -> Pixels:
+    """Whole pixels at half resolution; far outside where there are none."""
+    return np.asarray(np.nan_to_num(pixels * 0.5, nan=-9.0).clip(-9.0, 30000.0), np.int16)
+
+
+def _sampled(mask: Mask, cover: Cover, pixels: Pixels) -> tuple[NDArray[np.int8], Cover]:
+    """At pixels (k, j, 2): the mask, -1 outside the picture, and the cover."""
+    rows, columns = mask.shape
+    u, v = pixels[..., 0], pixels[..., 1]
+    inside = (u >= 0) & (v >= 0) & (u < columns) & (v < rows)
+    at = v.clip(0, rows - 1).astype(np.intp) * columns + u.clip(0, columns - 1)
+    seen = np.where(inside, mask.ravel()[at], -1).astype(np.int8)
+    return seen, cover.ravel()[at]
+
+
+def _share(hit: NDArray[np.bool_], weight: Floats) -> Floats:
+    """(k,) the share of the weight (k, j) that is hit; 0 where there is none."""
+    return np.asarray((hit * weight).sum(axis=1) / np.maximum(weight.sum(axis=1), 1e-9))

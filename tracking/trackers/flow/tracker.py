@@ -1,0 +1,115 @@
+"""The flow tracker: points followed, bundled into people, frame by frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import View
+from tracking.people import Observation
+from tracking.trackers.flow.camera_moves import CameraWatch
+from tracking.trackers.flow.clustered import ClusteredPeople
+from tracking.trackers.flow.floor import Floor
+from tracking.trackers.flow.following import PointFollower
+from tracking.trackers.flow.kernels import kernel_table
+from tracking.trackers.flow.people import HeldPeople
+from tracking.trackers.flow.perception import SEEN, SHADOW
+from tracking.trackers.flow.result import step_result
+from tracking.trackers.flow.resuming import resumed
+from tracking.trackers.flow.seen import POSITIONS, Seen, speeds
+from tracking.trackers.flow.settings import FlowSettings
+from tracking.trackers.flow.silhouettes import BODY, SHADE
+from tracking.trackers.protocol import StepResult
+from tracking.trackers.resuming import Resume
+
+_SPACING_PX = (4.0, 24.0)
+
+
+class FlowTracker:
+    """Follows people by bundles of tracklets [Yoneji2013].
+
+    With the setting `hold` people keep their tracklets, see `HeldPeople`; without it a step is the
+    paper's, see `ClusteredPeople`. Nothing is random.
+    """
+
+    def __init__(self, view: View, fps: float, settings: FlowSettings) -> None:
+        """Nobody is followed yet.
+
+        Args:
+            view: the camera over its floor. fps: frames a second.
+        """
+        self._view = view
+        self._fps = fps
+        self._settings = settings
+        self._floor = Floor(view)
+        box, points = settings.clusters, settings.points
+        table = kernel_table(
+            view, width_m=box.width_m, height_m=box.height_m, centre_m=box.centre_m
+        )
+        spacing = np.nan_to_num(table.hx * np.float32(points.spacing), nan=0.0).clip(*_SPACING_PX)
+        self._history = max(POSITIONS, round(points.history_s * fps) + 1)
+        self._follower = PointFollower(points, self._history, spacing)
+        kind = HeldPeople if settings.hold else ClusteredPeople
+        self._people: HeldPeople | ClusteredPeople = kind(settings, table, self._floor)
+        self._watch = CameraWatch(fps)
+        self._moved: list[int] = []
+        self._time_s: float | None = None
+
+    @property
+    def settings(self) -> FlowSettings:
+        """The settings in force."""
+        return self._settings
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should be told, a line each."""
+        if not self._moved:
+            return ()
+        return (
+            f"frame {self._moved[0]}: the camera was moved: places on the floor, and counts, are "
+            "wrong from there on; cut the recording there and measure height and tilt again",
+        )
+
+    def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
+        """Go on with the people as corrected; those who are new get ids above all there were."""
+        seen = None
+        for observation in observations:
+            if observation.frame >= resume.frame - self._history:
+                seen = self._looked(observation)
+        if seen is not None:
+            self._people.take_over(resumed(resume), seen, resume.highest_track)
+
+    def step(self, observation: Observation) -> StepResult:
+        """Take one frame further."""
+        seen = self._looked(observation)
+        self._people.step(seen)
+        owner = self._people.owner
+        result = step_result(
+            observation.frame, self._people.walkers, seen.tracklets, owner, self._view
+        )
+        self._drop_still(seen, owner)
+        return result
+
+    def _looked(self, observation: Observation) -> Seen:
+        """The frame's tracklets."""
+        assert observation.picture is not None, "perception hands the picture on"
+        elapsed_s = 0.0 if self._time_s is None else observation.time_s - self._time_s
+        self._time_s = observation.time_s
+        grey = np.asarray(cv2.cvtColor(observation.picture, cv2.COLOR_BGR2GRAY), np.uint8)
+        if self._watch.moved(grey):
+            self._moved.append(observation.frame)
+        shown = observation.overlays.foreground[::2, ::2]
+        mask = np.where(
+            shown == SEEN, np.uint8(BODY), np.where(shown == SHADOW, np.uint8(SHADE), np.uint8(0))
+        )
+        seek = mask if self._settings.points.foreground_only else None
+        tracklets = self._follower.step(grey, seek)
+        return Seen.of(tracklets, mask, elapsed_s, self._fps, self._floor)
+
+    def _drop_still(self, seen: Seen, owner: NDArray[np.int32]) -> None:
+        """Follow no further what is nobody's and hardly moves."""
+        speed = speeds(seen.tracklets, self._history, self._fps, self._floor)
+        self._follower.drop((owner == 0) & (speed < self._settings.points.still_m_s))
