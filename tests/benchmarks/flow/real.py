@@ -22,6 +22,9 @@ BY_EYE = ((20, 110, False), (180, 320, True), (380, 470, False), (480, 570, Fals
 BELOW = CountingLine("below the camera", (0.0, -3.0), (0.0, 3.0))
 """Forward is from left to right."""
 
+TWO_EYES = "stereo-direction"
+"""To compare with, where both eyes are there."""
+
 PETS = "pets-s2l1-real"
 PETS_LINES = (
     CountingLine("along", (3.0, 11.0), (3.0, 36.0)),
@@ -34,7 +37,9 @@ def measure(data: Path) -> dict[str, Any]:
     """What is counted in the real recordings that are there."""
     found: dict[str, Any] = {}
     if (data / OVERHEAD / "recording.toml").is_file():
-        found["overhead"] = [_overhead(data / OVERHEAD, tracker) for tracker in TRACKERS]
+        found["overhead"] = [
+            _overhead(data / OVERHEAD, tracker) for tracker in (*TRACKERS, TWO_EYES)
+        ]
     if (data / PETS / "truth.txt").is_file():
         truth = read_mot(data / PETS / "truth.txt")
         found["pets"] = [
