@@ -16,7 +16,7 @@ from tracking.formats import read_mot
 from tracking.recording import open_recording
 from tracking.tracks import CountingLine, Region
 
-TRACKERS = ("flow", "spheroid")
+TRACKERS = ("flow",)
 STRETCH_S = 20.0
 """Sums are told for stretches of a recording, too."""
 

@@ -9,10 +9,10 @@ from tracking.synthesis import Circumstances
 
 SITUATIONS = tuple(f"situation-{number}" for number in range(1, 16))
 PLACES = ("lobby", "plaza", "square", "pillars", "ceiling", "corridor")
-SECONDS = 15.0
+SECONDS = 12.0
 """Of the clips that are not programmes."""
 
-_BEGIN_S, _LATER_S = 8.0, 7.0
+_BEGIN_S, _LATER_S = 8.0, 6.0
 
 
 @dataclass(frozen=True, slots=True)
