@@ -45,8 +45,21 @@ class BodyPainter:
     def __init__(self, view: View | None) -> None:
         self._view = view
 
-    def paint(self, instant: Instant, pictured: Pictured, below: Rgba) -> None:
-        """Paint what is asked for into (height, width, 4) RGBA of the left picture as recorded."""
+    def over(
+        self, instant: Instant, pictured: Pictured, below: Rgba | None, shape: tuple[int, ...]
+    ) -> Rgba:
+        """What is asked for over what lies over the left picture already, if anything does.
+
+        Args:
+            below: (height, width, 4) RGBA, as the result is. shape: of the picture.
+        """
+        layer = np.zeros((*shape[:2], 4), np.uint8)
+        self._paint(instant, pictured, layer)
+        layer = _straight(layer)
+        return layer if below is None else _laid_over(layer, below)
+
+    def _paint(self, instant: Instant, pictured: Pictured, below: Rgba) -> None:
+        """Paint what is asked for; colours are multiplied by their opacity, see `_ink`."""
         if self._view is not None and pictured.evaluation and instant.selected:
             self._paint_region(self._view, instant, below)
         if self._view is not None and pictured.outlines:
@@ -90,8 +103,8 @@ class BodyPainter:
         cv2.fillPoly(inside, _fixed(region.outline[None]), 255, cv2.LINE_8, _SUBPIXEL)
         for masked in _fixed(region.masked):
             cv2.fillPoly(inside, [masked], 0, cv2.LINE_8, _SUBPIXEL)
-        below[inside > 0] = (*_REGION_COLOUR, _REGION_ALPHA)
-        edge = (*_REGION_COLOUR, _EDGE_ALPHA)
+        below[inside > 0] = _ink(_REGION_COLOUR, _REGION_ALPHA)
+        edge = _ink(_REGION_COLOUR, _EDGE_ALPHA)
         cv2.polylines(below, _fixed(region.outline[None]), True, edge, 2, cv2.LINE_AA, _SUBPIXEL)
 
     def _paint_kernel(self, view: View, instant: Instant, below: Rgba) -> None:
@@ -106,8 +119,8 @@ class BodyPainter:
         if not np.isfinite((*pixel[0], *size[0])).all():
             return
         corners = pixel + np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * size / 2
-        colour = (*colour_of_track(instant.selected), _STRONGEST)
-        for shade, width in (((0, 0, 0, 150), 4), (colour, 2)):
+        colour = _ink(colour_of_track(instant.selected), _STRONGEST)
+        for shade, width in ((_ink((0, 0, 0), _EDGE_ALPHA), 4), (colour, 2)):
             cv2.polylines(below, _fixed(corners[None]), True, shade, width, cv2.LINE_AA, _SUBPIXEL)
 
 
@@ -128,7 +141,8 @@ def _paint_tracklets(instant: Instant, below: Rgba) -> None:
     _stroke(below, ways, colours, weights, closed=False)
     alpha = _alpha(weights)
     for way, colour, strength in zip(_fixed(ways), colours.tolist(), alpha.tolist(), strict=True):
-        shade = (*colour, strength)
+        red, green, blue = colour
+        shade = _ink((red, green, blue), strength)
         cv2.circle(below, way[0].tolist(), 2 << _SUBPIXEL, shade, -1, cv2.LINE_AA, _SUBPIXEL)
 
 
@@ -157,11 +171,39 @@ def _stroke(
     fixed = _fixed(shapes[seen])
     keys = np.column_stack((level[seen], colours[seen]))
     kinds, of_kind = np.unique(keys, axis=0, return_inverse=True)
-    for number, (step, *colour) in enumerate(kinds.tolist()):
+    for number, (step, red, green, blue) in enumerate(kinds.tolist()):
         chosen = np.flatnonzero(of_kind.reshape(-1) == number).tolist()
         alpha = int(_alpha(np.array([(step + 1) / _LEVELS]))[0])
         drawn = [fixed[one] for one in chosen]
-        cv2.polylines(below, drawn, closed, (*colour, alpha), 1, cv2.LINE_AA, _SUBPIXEL)
+        shade = _ink((red, green, blue), alpha)
+        cv2.polylines(below, drawn, closed, shade, 1, cv2.LINE_AA, _SUBPIXEL)
+
+
+def _ink(colour: Colour, alpha: int) -> tuple[float, float, float, int]:
+    """A colour multiplied by its opacity: smooth edges of strokes then keep their hue."""
+    red, green, blue = (part * alpha / 255 for part in colour)
+    return red, green, blue, alpha
+
+
+def _straight(layer: Rgba) -> Rgba:
+    """Colours as they are, no longer multiplied by their opacity."""
+    seen = layer[..., 3] > 0
+    inked = layer[seen].astype(np.float32)
+    inked[:, :3] = np.minimum(np.rint(inked[:, :3] * 255 / inked[:, 3:]), 255)
+    layer[seen] = inked
+    return layer
+
+
+def _laid_over(layer: Rgba, below: Rgba) -> Rgba:
+    """A layer over another one, as the painter lays pictures over each other."""
+    result, seen = below.copy(), layer[..., 3] > 0
+    top, ground = layer[seen].astype(np.float32), below[seen].astype(np.float32)
+    share = top[:, 3:] / 255
+    alpha = top[:, 3:] + ground[:, 3:] * (1 - share)
+    mixed = top[:, :3] * top[:, 3:] + ground[:, :3] * ground[:, 3:] * (1 - share)
+    result[seen, :3] = mixed / alpha
+    result[seen, 3] = alpha[:, 0]
+    return result
 
 
 def _alpha(weights: NDArray[np.floating]) -> NDArray[np.int64]:

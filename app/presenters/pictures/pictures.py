@@ -166,9 +166,7 @@ class PicturePresenter:
     ) -> NDArray[np.uint8] | None:
         """All that lies over a picture: the very same as was laid where there is nothing more."""
         if pictured.bodies and eye is Eye.LEFT:
-            none = np.zeros((*image.shape[:2], 4), np.uint8)
-            laid = none if laid is None else laid.copy()
-            self._bodies.paint(instant, pictured, laid)
+            laid = self._bodies.over(instant, pictured, laid, image.shape)
         return self._particles(eye, instant, image, laid) if pictured.particles else laid
 
     def _particles(

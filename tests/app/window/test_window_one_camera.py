@@ -1,0 +1,81 @@
+"""What trackers of one camera think of, over the picture of the real window."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from correcting_desk import opened_desk
+from PySide6.QtCore import Qt
+
+from app.presenters.pictures.overlays import Kinds
+from app.presenters.pictures.ramp_overlay import RampPainter
+from tracking.errors import CalibrationError
+from tracking.recording import open_recording
+from tracking.tracks import TRACKLET_COLUMNS, Particles
+
+Key, SHIFT = Qt.Key, Qt.KeyboardModifier.ShiftModifier
+
+
+@pytest.fixture
+def desk(window, qtbot, tiny_session):
+    return opened_desk(window, qtbot, tiny_session)
+
+
+def overlay(window) -> np.ndarray | None:
+    return window.workspace.left._scene.overlay
+
+
+@pytest.mark.parametrize("key", [Key.Key_E, Key.Key_R])
+def test_a_key_lays_them_over_the_left_eye_and_takes_them_off(window, desk, press, key):
+    desk.editing.pick(int(desk.document.tracks.of_frame(desk.playback.number)["track"][0]))
+    press(key, SHIFT)
+    assert np.count_nonzero(overlay(window)[..., 3]) > 50
+    assert window.workspace.right._scene.overlay is None
+    press(key, SHIFT)
+    assert overlay(window) is None
+
+
+def test_tracklets_follow_the_frame(window, desk, press, qtbot):
+    run = desk.document.session.corrected_run
+    frames = desk.document.recording.frame_count
+    point = {name: np.full(frames, 40, dtype) for name, dtype in TRACKLET_COLUMNS.items()}
+    point["track"][:] = 1
+    point["u0"][:] = np.arange(frames) + 50
+    object.__setattr__(run, "tracklets", Particles(np.arange(frames + 1), point))
+    press(Key.Key_T, SHIFT)
+    before = np.argwhere(overlay(window)[..., 3] > 200)[:, 1].max()
+    desk.playback.step(10)
+    qtbot.waitUntil(lambda: desk.playback.number == desk.playback.clock.frame)
+    after = np.argwhere(overlay(window)[..., 3] > 200)[:, 1].max()
+    assert after == before + 10
+
+
+def test_the_ramp_image_covers_the_picture_with_its_legend(window, desk, press, qtbot):
+    press(Key.Key_B, SHIFT)
+    qtbot.waitUntil(lambda: overlay(window) is not None, timeout=20_000)
+    assert (overlay(window)[..., 3] > 0).all()
+    texts = [entry.text for entry in window.workspace.left._scene.legend]
+    assert texts == ["foreground", "doubtful", "background"]
+
+
+def test_people_are_brighter_in_the_ramp_image_than_what_lies_around(
+    tiny_recording: Path, tiny_run
+) -> None:
+    with open_recording(tiny_recording) as recording:
+        painter = RampPainter(recording)
+        frame = recording.read(60)
+        painted = painter.paint(frame, Kinds(ramp=True))
+    people = tiny_run.tracks["frame"] == 60
+    bright = painted[..., :3].astype(int).sum(axis=-1)
+    u = tiny_run.tracks["left"][people] + tiny_run.tracks["width"][people] / 2
+    v = tiny_run.tracks["top"][people] + tiny_run.tracks["height"][people] / 2
+    assert np.median(bright[v.astype(int), u.astype(int)]) > 3 * np.median(bright) + 30
+
+
+def test_without_a_calibration_the_ramp_image_is_refused(tiny_recording: Path) -> None:
+    with open_recording(tiny_recording) as recording:
+        recording.view = None
+        with pytest.raises(CalibrationError, match="needs a calibrated camera"):
+            RampPainter(recording)
