@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.document.setting import Instant, Pictured
-from app.presenters.palette import colour_of_track, colours_of_tracks
+from app.presenters.palette import colours_of_tracks
 from app.presenters.pictures.overhead import relative_weights
 from app.presenters.scenes import Colour
+from app.presenters.words import tr
 from tracking.geometry import View
 from tracking.trackers.flow import kernel_sizes
 from tracking.trackers.flow.settings import ClusterSettings
@@ -119,9 +120,21 @@ class BodyPainter:
         if not np.isfinite((*pixel[0], *size[0])).all():
             return
         corners = pixel + np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * size / 2
-        colour = _ink(colour_of_track(instant.selected), _STRONGEST)
-        for shade, width in ((_ink((0, 0, 0), _EDGE_ALPHA), 4), (colour, 2)):
+        white = _ink((255, 255, 255), _STRONGEST)
+        for shade, width in ((_ink((0, 0, 0), _EDGE_ALPHA), 4), (white, 2)):
             cv2.polylines(below, _fixed(corners[None]), True, shade, width, cv2.LINE_AA, _SUBPIXEL)
+
+
+def why_nothing(instant: Instant, name: str) -> str:
+    """What to do where something that was asked for is not seen in the frame; "": it is."""
+    tracks, frame = instant.tracks, instant.frame
+    if name == "tracklets" and not len(tracks.tracklets(frame)["track"]):
+        return tr("No points are followed here: track with flow (Ctrl+T) to see tracklets")
+    if name == "outlines" and not len(tracks.particles(frame)["track"]):
+        return tr("No hypotheses here: track with spheroid, or two eyes (Ctrl+T), to see them")
+    if name == "evaluation" and not instant.selected:
+        return tr("Click a person to see where their hypotheses are judged")
+    return ""
 
 
 def _heights(instant: Instant) -> dict[int, float]:

@@ -37,6 +37,15 @@ def test_a_key_lays_them_over_the_left_eye_and_takes_them_off(window, desk, pres
     assert overlay(window) is None
 
 
+@pytest.mark.parametrize(
+    ("command", "said"), [("tracklets", "track with flow"), ("evaluation", "Click a person")]
+)
+def test_what_is_not_there_is_told_with_what_to_do(window, desk, command, said):
+    window.run_command(f"view.{command}")
+    assert said in window.statusBar().currentMessage()
+    window.run_command(f"view.{command}")
+
+
 def test_tracklets_follow_the_frame(window, desk, press, qtbot):
     run = desk.document.session.corrected_run
     frames = desk.document.recording.frame_count

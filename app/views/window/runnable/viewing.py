@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from app.presenters.pictures.bodies import why_nothing
 from app.views.desk.desk import Desk
 from app.views.timeline.tracks_area import TracksArea
 from app.views.window.runnable.on_desk import OnDesk
@@ -25,6 +26,18 @@ def _toggle_parts(name: str) -> OnDesk:
         _toggle(name)(desk)
         if getattr(desk.pictured, name):
             desk.parts.tell_what_is_missing(whose=name == "part_particles")
+
+    return toggle
+
+
+def _toggle_bodies(name: str) -> OnDesk:
+    """Likewise of what trackers of one camera think of."""
+
+    def toggle(desk: Desk) -> None:
+        _toggle(name)(desk)
+        why = why_nothing(desk.document.instant(desk.playback.number), name)
+        if why and getattr(desk.pictured, name):
+            desk.said.emit(why)
 
     return toggle
 
@@ -58,8 +71,8 @@ VIEWING: dict[str, OnDesk] = {
     "view.counts": _toggle("counts"),
     "view.counting": _toggle("counting"),
     "view.flow_map": _toggle("flow_map"),
-    "view.tracklets": _toggle("tracklets"),
-    "view.outlines": _toggle("outlines"),
-    "view.evaluation": _toggle("evaluation"),
+    "view.tracklets": _toggle_bodies("tracklets"),
+    "view.outlines": _toggle_bodies("outlines"),
+    "view.evaluation": _toggle_bodies("evaluation"),
     "view.ramp": _toggle("ramp"),
 }
