@@ -69,7 +69,7 @@ class FlowSettings:
         0.35, "s", (0.0, 10.0), "time a cluster must have moved before it becomes a track"
     )
     lost_after_s: float = setting(
-        1.5, "s", (0.05, 60.0), "time without tracklets after which a track ends"
+        2.5, "s", (0.05, 60.0), "time out of sight after which a track ends"
     )
     lost_at_edge_s: float = setting(
         0.4, "s", (0.05, 60.0), "the same for a person at the picture's edge or outside it"

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.silhouettes import Cover, Fit, Mask, Spots, cover_of, fits_at, spots_at
+from tracking.trackers.flow.silhouettes import Mask, Spots, cover_of, fits_at, spots_at
 
 Floats = NDArray[np.float64]
 
@@ -16,6 +16,7 @@ _ALONG_SHARE, _ACROSS_M = 0.06, 0.18
 """Between the places of the grid."""
 _NEAREST_M, _FARTHEST_M = 0.3, 14.0
 _MOST_A_FRAME = 4
+_OWN_WEIGHT = 0.2
 _SAME_M = 0.45
 """As far a sighting may be from that of the frame before."""
 
@@ -62,10 +63,6 @@ class FloorGrid:
         self.place = _in_sight(floor)
         self._spots: Spots = spots_at(self.place, floor)
 
-    def fits(self, mask: Mask, cover: Cover) -> Fit:
-        """How well bodies at all these places suit the foreground."""
-        return fits_at(self._spots, mask, cover)
-
     def sighted(
         self, followed: Floats, mask: Mask, least: tuple[float, float, float], apart_m: float
     ) -> Floats:
@@ -78,17 +75,18 @@ class FloorGrid:
             least: score, seen and own of a `Fit` that convince.
             apart_m: from the people followed and from each other.
         """
-        known = followed
+        known, rows = followed, np.arange(len(self.place))
         for _ in range(_MOST_A_FRAME):
             cover = cover_of(known, tuple(2 * side for side in mask.shape), self._floor)
-            fit = self.fits(mask, cover)
+            fit = fits_at(self._spots.select(rows), mask, cover)
             good = (fit.score >= least[0]) & (fit.seen >= least[1]) & (fit.own >= least[2])
-            away = self.place[:, None] - known[None]
+            away = self.place[rows][:, None] - known[None]
             good &= (np.hypot(away[..., 0], away[..., 1]) > apart_m).all(axis=1)
             if not good.any():
                 break
-            best = np.where(good, fit.score + 0.2 * fit.own, -1.0).argmax()
-            known = np.concatenate((known, self.place[best : best + 1]))
+            best = np.where(good, fit.score + _OWN_WEIGHT * fit.own, -1.0).argmax()
+            known = np.concatenate((known, self.place[rows[best : best + 1]]))
+            rows = rows[good]  # others explain more, never less
         return known[len(followed) :]
 
 

@@ -71,6 +71,10 @@ class Spots:
     body: Pixels
     beside: Pixels
 
+    def select(self, rows: NDArray[np.intp]) -> Spots:
+        """Some of them."""
+        return Spots(self.distance[rows], self.body[rows], self.beside[rows])
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fit:
