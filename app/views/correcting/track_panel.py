@@ -26,7 +26,7 @@ from app.views.correcting.attributes import AttributesTable
 from app.views.look.theme import current_theme, scaled_font
 from app.views.widgets.parts import Panel, Swatch, bring_into_view, heading, quiet
 
-_LEAST_LINES = 9
+_LEAST_LINES = 7
 _MOST_NAMED = 8
 
 
@@ -155,9 +155,6 @@ class TrackPanel(Panel):
             grid.addWidget(quiet(name, self), line, 0)
             grid.addWidget(value, line, 1)
         rows.addLayout(grid)
-        self._actions = QHBoxLayout()
-        self._actions.setSpacing(4)
-        rows.addLayout(self._actions)
 
     def _build_attributes(self, rows: QVBoxLayout) -> None:
         self._attributes = AttributesTable(self)
@@ -190,20 +187,17 @@ class TrackPanel(Panel):
         return button
 
     def set_actions(self, actions: Sequence[QAction]) -> None:
-        """Offer the window's own actions (swap, split, ...) as small buttons."""
+        """Offer the window's own actions (swap, split, ...) beside the title: always in sight."""
         for tool in self._tools:
             tool.deleteLater()
         self._tools = []
-        while self._actions.count():
-            self._actions.takeAt(0)
         for action in actions:
             tool = QToolButton(self)
             tool.setDefaultAction(action)
             tool.setFocusPolicy(Qt.FocusPolicy.NoFocus)
             tool.setAccessibleName(action.text().replace("&", ""))
             self._tools.append(tool)
-            self._actions.addWidget(tool)
-        self._actions.addStretch(1)
+            self.add_to_heading(tool)
 
     def show_scene(self, card: TrackCard | None) -> None:
         """Show another track; what is being typed about the same one is left alone."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QFrame,
     QHBoxLayout,
     QLabel,
     QPushButton,
@@ -19,9 +18,10 @@ from app.views.labelling.lists import DrawnList, RangesList
 from app.views.labelling.verdicts import PartsGrid
 from app.views.look.theme import scaled_font
 from app.views.widgets.parts import NOTICE_MARGINS, quiet
+from app.views.widgets.scrolled import ScrolledPanel
 
 
-class LabellingPanel(QFrame):
+class LabellingPanel(ScrolledPanel):
     """Draws a :class:`LabellingScene`; hidden without one.
 
     Its three pages, `parts`, `drawn` and `ranges`, say by their own signals what was done there.
@@ -36,10 +36,7 @@ class LabellingPanel(QFrame):
         super().__init__(parent)
         self.setProperty("notice", True)
         self.setAccessibleName(self.tr("Labelling"))
-        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        policy.setHeightForWidth(True)
-        self.setSizePolicy(policy)
-        rows = QVBoxLayout(self)
+        rows = QVBoxLayout(self.content)
         rows.setContentsMargins(*NOTICE_MARGINS)
         rows.setSpacing(8)
         self._title = QLabel(self)

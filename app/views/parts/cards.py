@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
@@ -28,25 +29,40 @@ def draw_cards(
     taken: Sequence[QRectF],
     theme: Theme,
 ) -> None:
-    """Each card where it hides nobody; those of others are left out where there is no such place.
+    """Each card where it hides nobody, else less of it.
+
+    Those of others are left out where there is no such place.
 
     Args:
         people: where everybody's box is on the widget. taken: names and notes that stand there.
     """
     kept = [*taken]
-    for card in cards:
-        rects = [viewport.rect(QRectF(*line.box)) for line in card.lines]
-        own = people.get(card.track, QRectF())
-        for rect in rects:
-            own = own.united(rect)
+    for whole in cards:
+        own = people.get(whole.track, QRectF())
+        for line in whole.lines:
+            own = own.united(viewport.rect(QRectF(*line.box)))
         if not own.intersects(area):
             continue
-        others = [*kept, *(box for track, box in people.items() if track != card.track)]
-        place, hidden = free_place(_size(painter.font(), card), own, others, area)
-        if card.selected or hidden < 1.0:
+        others = [*kept, *(box for track, box in people.items() if track != whole.track)]
+        card, place, hides = _fitting(painter.font(), whole, own, others, area)
+        if card.selected or not hides:
             kept.append(place)
+            rects = [viewport.rect(QRectF(*line.box)) for line in card.lines]
             _draw_leaders(painter, card, rects, place)
             _draw_card(painter, card, place, theme)
+
+
+def _fitting(
+    font: QFont, card: PartCard, own: QRectF, others: Sequence[QRectF], area: QRectF
+) -> tuple[PartCard, QRectF, bool]:
+    """As much of a card as has room without hiding anybody, its place, and whether it does."""
+    chosen = tuple(line for line in card.lines if line.chosen) or card.lines
+    shorter = (card, replace(card, foot=()), replace(card, foot=(), lines=chosen))
+    for one in shorter if card.selected else shorter[:1]:
+        place, hidden = free_place(_size(font, one), own, others, area)
+        if hidden < 1.0:
+            return one, place, False
+    return one, place, True
 
 
 def _size(font: QFont, card: PartCard) -> QSizeF:

@@ -12,11 +12,15 @@ from app.views.look.theme import current_theme
 
 
 class QueueView(QListView):
-    """A list that keeps its current row in sight, also when it gets less room."""
+    """A list of whole rows that keeps its current one in sight, also when it gets less room."""
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
-        """The list was given other room."""
+        """The list was given other room: what is left below the last whole row stays empty."""
         super().resizeEvent(event)
+        row, room = self.sizeHintForRow(0), self.height() - 2 * self.frameWidth()
+        below = room % row if 0 < row <= room else 0
+        if self.viewportMargins().bottom() != below:
+            self.setViewportMargins(0, 0, 0, below)
         if self.currentIndex().isValid() and self.selectionModel().hasSelection():
             self.scrollTo(self.currentIndex())
 

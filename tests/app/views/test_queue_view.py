@@ -37,6 +37,16 @@ def test_further_reasons_take_three_lines_however_many_they_are(qtbot, dark):
     assert panel._also.toolTip() == 9 * WORDS
 
 
+def test_no_row_of_the_queue_is_cut(qtbot, dark):
+    panel = shown(qtbot, ReviewScene(items=ITEMS, left=40))
+    high = row_height(panel._list.font(), 2)
+    for height in range(380, 380 + high, 7):
+        panel.resize(330, height)
+        qtbot.wait(1)
+        assert panel._list.viewport().height() % high == 0
+        assert panel._list.viewport().height() >= high
+
+
 def test_the_current_row_stays_in_sight_as_the_room_changes(qtbot, dark):
     scene = ReviewScene(items=ITEMS, current=30, left=40)
     panel = shown(qtbot, scene)

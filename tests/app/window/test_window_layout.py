@@ -38,6 +38,26 @@ def test_the_panel_without_suspicions_takes_its_few_words_and_no_more(window_on_
     assert panel.height() < 5 * panel.fontMetrics().height() + 32
 
 
+def test_what_can_be_done_to_a_track_is_in_sight_however_long_the_history_is(
+    window_on_a_laptop,
+):
+    card = window_on_a_laptop.workspace.card
+    for tool in card._tools:
+        assert not tool.visibleRegion().isEmpty()
+        assert tool.visibleRegion().boundingRect() == tool.rect()
+
+
+def test_labelling_on_a_low_screen_makes_the_window_no_higher(window_on_a_laptop, qtbot):
+    window = window_on_a_laptop
+    window.resize(800, 500)
+    before = window.minimumSizeHint()
+    window.run_command("labels.parts")
+    qtbot.waitUntil(window.workspace.labelling.isVisible)
+    qtbot.wait(50)
+    assert window.height() == 500
+    assert window.minimumSizeHint().height() <= before.height()
+
+
 def test_six_lanes_are_in_sight(window_on_a_laptop):
     area = window_on_a_laptop.workspace.timeline.area
     assert area.height() - area.ruler_height >= 6 * area.lane_height
