@@ -129,7 +129,7 @@ def _who_met(desk: Desk) -> tuple[int, int, int]:
 def _shoot(window: MainWindow, name: str) -> None:
     """Draw the window in both looks."""
     for look in LOOKS:
-        window.set_look(look)
+        window.look_choice.choose(look)
         wait_until(lambda: False, 400)
         path = DOCS / f"{name}-{look.value}.png"
         save_small(window.grab(), path)

@@ -25,7 +25,7 @@ def ask_again(desk: Desk) -> None:
         "reviewed is not overwritten, and you see what would change before anything does."
     )
     run = session.corrected_run
-    tracker = desk.proposed_tracker
+    tracker = desk.tracking.proposed
     asked = desk.document.parts_asked
     dialog = TrackDialog(recording, tracker, told, desk.window_page, asked)
     dialog.setWindowTitle(tr("Track again"))
@@ -42,7 +42,7 @@ def ask_again(desk: Desk) -> None:
 
 def _begin(desk: Desk, dialog: TrackDialog) -> None:
     try:
-        desk.track_again(*dialog.answer())
+        desk.tracking.track_again(*dialog.answer())
     except TrackwrightError as error:
         desk.failed.emit(error)
 

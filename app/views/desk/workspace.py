@@ -33,6 +33,7 @@ from app.views.pictures.picture import PictureView
 from app.views.playing.transport import TransportBar
 from app.views.reviewing.review_panel import ReviewPanel
 from app.views.timeline import TimelineView
+from app.views.widgets.gripped_splitter import GrippedSplitter
 from app.views.widgets.parts import bring_into_view
 from app.views.widgets.remembered import Remembered
 
@@ -77,7 +78,9 @@ class Workspace(QWidget):
         column = _unspaced(upper)
         column.addWidget(top, 1)
         column.addWidget(self._transport_line())
-        whole = self._split("whole", Qt.Orientation.Vertical, (upper, self.timeline), (11, 4))
+        drag = self.tr("Drag to make the timeline higher or lower")
+        border = GrippedSplitter(Qt.Orientation.Vertical, drag, self)
+        whole = self._filled("whole", border, (upper, self.timeline), (11, 4))
         _unspaced(self).addWidget(whole)
 
     def _side(self) -> QWidget:
@@ -132,7 +135,15 @@ class Workspace(QWidget):
         parts: tuple[QWidget, ...],
         shares: tuple[int, ...],
     ) -> QSplitter:
-        splitter = QSplitter(orientation, self)
+        return self._filled(name, QSplitter(orientation, self), parts, shares)
+
+    def _filled(
+        self,
+        name: str,
+        splitter: QSplitter,
+        parts: tuple[QWidget, ...],
+        shares: tuple[int, ...],
+    ) -> QSplitter:
         splitter.setChildrenCollapsible(False)
         for at, (part, share) in enumerate(zip(parts, shares, strict=True)):
             splitter.addWidget(part)

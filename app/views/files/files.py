@@ -18,24 +18,24 @@ from app.presenters.words import tr
 from app.views.desk.desk import Desk
 from app.views.files.author import Author
 from app.views.files.compare import Beside
-from app.views.files.exporting import Exporting, beside
+from app.views.files.exporting import Exporting
 from app.views.files.generations import OlderStates
 from app.views.files.keeping import Keeping
 from app.views.files.leaving import Leaving, Then
+from app.views.files.mishaps import Mishaps
+from app.views.files.saving import Saving
 from app.views.files.whereabouts import Whereabouts
 from app.views.parts.detectors import Detectors
 from app.views.runs.track_dialog import TrackDialog
-from app.views.widgets.questions import choose_file, choose_new_file
+from app.views.widgets.questions import choose_file
 from app.views.widgets.remembered import Remembered
 from app.views.widgets.work import Work
-from tracking.errors import SessionError, TrackwrightError
 from tracking.recording import OpenOptions
-from tracking.session import RecordingMissing, Session, generations
+from tracking.session import Session
 
 if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow
 
-_SESSIONS = "trackwright (*.h5)"
 _OPENABLE = "Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v)"
 
 
@@ -56,9 +56,8 @@ class Files(QObject):
         self._window = window
         self._work = work
         self._remembered = remembered
-        self._opening: Path | None = None  # only while it is being opened as the document
-        work.changed.connect(self._end_opening)
-        self._save_at: Path | None = None
+        self.mishaps = Mishaps(self, window, work)
+        self.mishaps.failed.connect(self.failed)
         self._whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
         self._leaving = Leaving(self, window)
@@ -76,6 +75,10 @@ class Files(QObject):
         self.beside = Beside(window, work, self)
         self.keeping = Keeping(window, work, self)
         self.keeping.changed.connect(self.changed)
+        self.saving = Saving(self, window, work, remembered)
+        self.saving.changed.connect(self.changed)
+        self.saving.failed.connect(self.failed)
+        self.saving.said.connect(self.said)
 
     # opening
 
@@ -114,14 +117,13 @@ class Files(QObject):
         again = partial(self.open_path, path, recording, options, play=play, save_at=save_at)
         if not self.may_leave(again):
             return
-        if not self._work.busy:
-            self._opening = path
+        self.mishaps.begin_opening(path)
         self._remembered.note_closed()  # what crashes while it opens is not opened again unasked
         title = tr("Opening {name}", name=path.name)
 
         def show(opened: Opened) -> None:
             self._show(opened, from_start=play)
-            self._save_at = save_at
+            self.saving.proposed = save_at
             if play and self.desk is not None:
                 self.desk.toggle()
 
@@ -134,41 +136,6 @@ class Files(QObject):
         play = partial(self.open_path, play=True, save_at=demo.session)
         self._work.run(tr("Making the demo recording"), demo.make, play)
 
-    def tell_failure(self, error: Exception) -> None:
-        """Tell why something did not work; offer to find a recording that has moved."""
-        session = self._opening
-        if isinstance(error, RecordingMissing) and session is not None:
-            find = partial(self._find, session)
-            self._window.notice.say(str(error), tr("Find it..."), find, is_error=True)
-        elif isinstance(error, SessionError) and session is not None and generations(session):
-            take = tr("Open the copy saved before")
-            older = partial(self._open_older, session)
-            self._window.notice.say(str(error), take, older, is_error=True)
-        else:
-            self.failed.emit(error)
-
-    def _end_opening(self) -> None:
-        if not self._work.busy:
-            self._opening = None
-
-    def _open_older(self, session: Path) -> None:
-        try:
-            copy = opening.older_copy(session)
-        except TrackwrightError as error:
-            self.failed.emit(error)
-            return
-        if copy is not None:
-            self.open_path(copy)
-
-    def _find(self, session: Path) -> None:
-        choose_file(
-            self._window,
-            tr("Where is the recording now?"),
-            "",
-            lambda place: self.open_path(session, place),
-            folder=True,
-        )
-
     def _show(self, opened: Opened, from_start: bool) -> None:
         self.close()
         path = opened.path
@@ -180,8 +147,8 @@ class Files(QObject):
         desk.progressed.connect(self.progressed)
         desk.failed.connect(self.failed)
         desk.said.connect(self.said)
-        desk.tracked.connect(self.keeping.keep)
-        desk.noted.connect(lambda notes: self._window.notice.say("\n".join(notes)))
+        desk.tracking.tracked.connect(self.keeping.keep)
+        desk.tracking.noted.connect(lambda notes: self._window.notice.say("\n".join(notes)))
         if not opening.is_unsaved_place(path):
             self._remembered.add_recent(path.resolve())
         self._window.show_workspace()
@@ -224,16 +191,14 @@ class Files(QObject):
         document = desk.document
         asked = document.parts_asked
         dialog = TrackDialog(
-            document.recording, desk.proposed_tracker, warning, self._window, asked
+            document.recording, desk.tracking.proposed, warning, self._window, asked
         )
         dialog.accepted.connect(lambda: self._track(dialog))
         dialog.open()
 
     def _track(self, dialog: TrackDialog) -> None:
         if self.desk is not None:
-            self.desk.track(*dialog.answer())
-
-    # saving
+            self.desk.tracking.track(*dialog.answer())
 
     @property
     def session(self) -> Session | None:
@@ -241,64 +206,9 @@ class Files(QObject):
         return self.desk.document.session if self.desk is not None else None
 
     @property
-    def unsaved(self) -> bool:
-        """Whether something would be lost from view without saving."""
-        if self.tracker_found_some or self.keeping.holds:
-            return True
-        session = self.session
-        return session is not None and (session.dirty or opening.is_unsaved_place(session.path))
-
-    @property
     def tracker_found_some(self) -> bool:
         """Whether a tracker is at work and has come past its first frame."""
         return self.desk is not None and self.desk.live.running and self.desk.live.done > 0
-
-    def save(self, then: Then | None = None) -> None:
-        """Save where the session stands; ask for a place where it has none yet."""
-        self._window.workspace.take_typed()
-        session = self.session
-        if session is None:
-            self.keeping.try_again(then)
-        elif opening.is_unsaved_place(session.path):
-            self.save_as(then)
-        elif session.path is not None:
-            self.save_to(session.path, then)
-
-    def save_as(self, then: Then | None = None) -> None:
-        """Ask for a place and save there."""
-        self._window.workspace.take_typed()
-        if self.desk is not None:
-            own = self.session.path if self.session is not None else None
-            name = "session.h5" if own is None or opening.is_unsaved_place(own) else own.name
-            start = self._save_at or beside(self.desk.document, name)
-            chosen = partial(self.save_to, then=then)
-            choose_new_file(self._window, tr("Save session"), start, _SESSIONS, chosen)
-
-    def save_to(self, path: Path, then: Then | None = None) -> None:
-        """Save at a place in the background."""
-        session = self.session
-        if self._work.refuses():
-            return
-        if session is None:
-            self.keeping.try_again(then, path)
-            return
-
-        def saved(_: object) -> None:
-            opening.finish_save(session, pending)
-            self._remembered.add_recent(path.resolve())
-            self.said.emit(tr("Saved: {path}", path=path))
-            self.changed.emit()
-            if then is not None:
-                then()
-
-        try:
-            pending = session.begin_save(path)
-        except TrackwrightError as error:
-            self.failed.emit(error)
-            return
-        title = tr("Saving {name}", name=path.name)
-        abandon = partial(session.abandon_save, pending)
-        self._work.run(title, lambda _: pending.write(), saved, abandon, cancellable=False)
 
     # leaving
 

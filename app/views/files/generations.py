@@ -97,7 +97,7 @@ class OlderStates(QObject):
         if desk is None:
             session.close()
             return
-        desk.take_session(session)
+        desk.tracking.take_session(session)
         self.said.emit(
             tr("Restored. What was open before is the newest of the older states: File > Restore")
         )

@@ -84,7 +84,7 @@ class Keeping(QObject):
         desk = self._window.desk
         try:
             if desk is not None:
-                desk.add_run(run)
+                desk.tracking.add_run(run)
             self.drop()
         except TrackwrightError as error:
             self._tell(_why(error))
@@ -95,7 +95,7 @@ class Keeping(QObject):
             return
         self.drop()
         if self._window.desk is not None:
-            self._window.desk.take_session(kept)
+            self._window.desk.tracking.take_session(kept)
         if then is not None:
             then()
 

@@ -29,7 +29,7 @@ class Leaving:
 
     def may_leave(self, again: Then) -> bool:
         """Whether the document can be let go; if not, ask, and do `again` afterwards."""
-        if self._agreed or not self._files.unsaved:
+        if self._agreed or not self._files.saving.unsaved:
             self._agreed = False
             return True
         if self._files.tracker_found_some:
@@ -42,7 +42,7 @@ class Leaving:
     def _drop_tracked(self, again: Then) -> None:
         """Only what the tracker found goes; `again` asks about edits, where there are any."""
         if self._files.desk is not None:
-            self._files.desk.drop_live()
+            self._files.desk.tracking.drop()
         again()
 
     def _save(self, again: Then) -> None:
@@ -50,7 +50,7 @@ class Leaving:
             self.agree()
             again()
 
-        self._files.save(leave)
+        self._files.saving.save(leave)
 
     def _discard(self, again: Then) -> None:
         """What was discarded is not shown any longer, whether or not something else opens."""

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
 
 _PASSES_MS = 60_000
 
 
 class NoticeBar(QFrame):
-    """One message across the window, hidden while there is none.
+    """One message across a page, hidden while there is none.
+
+    It lies over the page: what is being looked at, or aimed at with the mouse, does not move.
 
     Signals: `spoken()`, another message is shown.
     """
@@ -42,6 +44,30 @@ class NoticeBar(QFrame):
             button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
             row.addWidget(button)
         self.hide()
+
+    def stand_over(self, page: QWidget) -> None:
+        """Lie over the upper edge of a page from now on, as wide as it is."""
+        self.setParent(page)
+        page.installEventFilter(self)
+        self._place()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+        """Stay as wide as the page."""
+        if watched is self.parent() and event.type() is QEvent.Type.Resize:
+            self._place()
+        return super().eventFilter(watched, event)
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802
+        """Be as high as the text is in another font."""
+        super().changeEvent(event)
+        if event.type() is QEvent.Type.FontChange:
+            self._place()
+
+    def _place(self) -> None:
+        page = self.parentWidget()
+        if page is not None:
+            self.resize(page.width(), self.heightForWidth(page.width()))
+        self.raise_()
 
     @property
     def text(self) -> str:
@@ -79,6 +105,7 @@ class NoticeBar(QFrame):
         self._action.setText(action)
         self._action.setVisible(bool(action))
         self.show()
+        self._place()
         self.spoken.emit()
 
     def settle(self) -> None:

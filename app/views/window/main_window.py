@@ -25,7 +25,6 @@ from app.views.desk.desk import Desk
 from app.views.desk.workspace import Workspace
 from app.views.files.files import Files
 from app.views.look.icons import application_icon
-from app.views.look.theme import Look, apply_look
 from app.views.welcome.welcome import WelcomePage
 from app.views.widgets.notice import NoticeBar
 from app.views.widgets.progress_strip import ProgressStrip
@@ -34,12 +33,12 @@ from app.views.widgets.work import Work
 from app.views.window.command_palette import CommandPalette
 from app.views.window.context_menu import ContextMenu
 from app.views.window.fitting import fit_to_screen, keep_on_screen
+from app.views.window.look_choice import LookChoice
 from app.views.window.menus import Menus, TypingGuard
 from app.views.window.runnable import runnable_commands
+from app.views.window.told import Told
 
 _FIRST_SIZE = QSize(1440, 900)
-_BEGIN_TYPING = frozenset({"tracks.rename", "tracks.attributes", "tracks.notes"})
-"""Commands after which text is typed."""
 _NOTE_MS = 6000
 _PROGRESS_MS = 200
 _MARGIN = 8
@@ -60,13 +59,13 @@ class MainWindow(QMainWindow):
         self.work = Work(self.progress, self)
         self.files = Files(self, self.work, remembered)
         self.menus = Menus(self)
+        self.look_choice = LookChoice(remembered, self)
         self.palette_of_commands = CommandPalette(self)
         self.context_menu = ContextMenu(self)
         self._pages = QStackedWidget(self)
         self._guard = TypingGuard(self)
         self._commands: dict[str, Callable[[], None]] = runnable_commands(self)
-        self._refused = ""
-        self._told_after: tuple[object, ...] = ()
+        self._told = Told(self, self._guard)
         self._refreshing = QTimer(self, singleShot=True, interval=0)
         self._progressing = QTimer(self, singleShot=True, interval=_PROGRESS_MS)
         self._lay_out()
@@ -81,9 +80,9 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(centre)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(self.notice)
         column.addWidget(self._pages, 1)
         self.setCentralWidget(centre)
+        self.notice.stand_over(centre)
         # The line keeps its height, so that nothing above moves when work begins or ends.
         self.statusBar().setSizeGripEnabled(False)
         self.statusBar().setMinimumHeight(self.progress.sizeHint().height())
@@ -119,15 +118,14 @@ class MainWindow(QMainWindow):
         self.files.said.connect(self.say)
         self.work.changed.connect(self.refresh)
         self.work.succeeded.connect(self.notice.settle)
-        self.notice.spoken.connect(self._note_edits)
-        self.work.failed.connect(self.files.tell_failure)
+        self.work.failed.connect(self.files.mishaps.tell)
         self.work.said.connect(self.say)
         self.progress.cancelled.connect(self._cancel)
         self.files.progressed.connect(self._progress_soon)
         self.statusBar().messageChanged.connect(self._make_room)
         self._refreshing.timeout.connect(self._refresh_now)
         self._progressing.timeout.connect(self._show_progress)
-        QApplication.styleHints().colorSchemeChanged.connect(self._follow_system)
+        self.look_choice.changed.connect(self.menus.draw_icons)
         application = QApplication.instance()
         if application is not None:
             application.installEventFilter(self._guard)
@@ -168,10 +166,9 @@ class MainWindow(QMainWindow):
     def _refresh_now(self) -> None:
         self.menus.show_items(self.command_items())
         self.setWindowTitle(self.files.title())
-        self.setWindowModified(self.files.unsaved)
+        self.setWindowModified(self.files.saving.unsaved)
         self._show_progress()
-        if self._edits() != self._told_after or self._may_type_now:
-            self.notice.settle()
+        self._told.settle()
 
     def _progress_soon(self) -> None:
         if not self._progressing.isActive():
@@ -195,7 +192,7 @@ class MainWindow(QMainWindow):
         return situation.while_busy() if self.work.busy else situation
 
     def _checked(self) -> frozenset[str]:
-        on = {f"view.look_{self.look.value}"}
+        on = {f"view.look_{self.look_choice.look.value}"}
         if not self.files.detectors.choice.path:
             on.add("detector.built_in")
         if self.desk is not None:
@@ -226,45 +223,16 @@ class MainWindow(QMainWindow):
         """Tell what went wrong."""
         self.notice.say(explain(error), is_error=True)
 
-    def _edits(self) -> tuple[object, ...]:
-        """What differs once an edit was done, undone or redone."""
-        session = self.files.session
-        if session is None:
-            return ()
-        history = session.history
-        steps = (history.next_undo, history.next_redo)
-        return id(session), len(history), *(step.id if step else 0 for step in steps)
-
-    def _note_edits(self) -> None:
-        self._told_after = self._edits()
-
     # commands
 
     def run_command(self, name: str) -> None:
         """Do a command of the catalogue, where it can be done now; else say why not."""
         item = {item.command: item for item in self.command_items()}[name]
         if not item.enabled:
-            self._refuse(item)
+            self._told.refuse(item)
             return
         self._commands[name]()
         self.refresh()
-
-    def _refuse(self, item: CommandItem) -> None:
-        """Say why a command cannot be done; text typed after it must run no other ones."""
-        said = tr("{title}: {why}", title=item.title.rstrip("."), why=item.why_not)
-        if item.command not in _BEGIN_TYPING:
-            self.say(said)
-            return
-        self._guard.hold()
-        said = tr("{said}. What is typed now is not taken.", said=said)
-        self.notice.say(said, is_error=True, passing=True)
-        self._refused = said
-
-    @property
-    def _may_type_now(self) -> bool:
-        """Somebody is selected by now, and that nobody was is still told."""
-        told = self.notice.text == self._refused != ""
-        return told and self.desk is not None and bool(self.desk.document.selection)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
         """A key whose command cannot be done now comes here: say why not."""
@@ -280,28 +248,6 @@ class MainWindow(QMainWindow):
             self.work.cancel()
         elif self.desk is not None:
             self.desk.live.stop()
-
-    # look
-
-    @property
-    def look(self) -> Look:
-        """What the user chose."""
-        return Look(self.remembered.text("look", Look.SYSTEM.value))
-
-    def set_look(self, look: Look) -> None:
-        """Give the program another look and remember it."""
-        self.remembered.set_text("look", look.value)
-        self._apply_look()
-
-    def _apply_look(self) -> None:
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            apply_look(application, self.look)
-            self.menus.draw_icons()
-
-    def _follow_system(self) -> None:
-        if self.look is Look.SYSTEM:
-            self._apply_look()
 
     # coming and going
 
@@ -325,7 +271,7 @@ class MainWindow(QMainWindow):
         application = QApplication.instance()
         if application is not None:
             application.removeEventFilter(self._guard)
-        QApplication.styleHints().colorSchemeChanged.disconnect(self._follow_system)
+        self.look_choice.close()
         super().closeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:  # noqa: N802

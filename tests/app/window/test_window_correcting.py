@@ -187,7 +187,7 @@ def test_saving_clears_the_mark_and_the_file_holds_the_edits(window, desk, press
     desk.editing.rename(track, "anna")
     qtbot.waitUntil(lambda: window.isWindowModified())
     press(Key.Key_S, _CTRL)
-    qtbot.waitUntil(lambda: not window.files.unsaved and not window.work.busy)
+    qtbot.waitUntil(lambda: not window.files.saving.unsaved and not window.work.busy)
     path = window.files.session.path
     window.run_command("file.close")
     again = Session.open(path)
@@ -248,7 +248,7 @@ def test_notes_still_being_typed_are_saved_too(window, desk, press, qtbot):
     QTest.keyClicks(notes, "limps")
     assert desk.document.label(track).notes == ""
     press(Key.Key_S, _CTRL)
-    qtbot.waitUntil(lambda: not window.files.unsaved and not window.work.busy)
+    qtbot.waitUntil(lambda: not window.files.saving.unsaved and not window.work.busy)
     assert desk.document.label(track).notes == "limps"
 
 
@@ -299,7 +299,7 @@ def test_an_edit_that_waits_leaves_the_pictures_as_large_as_they_were(window, de
 
 def test_saving_cannot_be_cancelled_half_way(window, desk, qtbot, tmp_path):
     desk.editing.rename(desk.document.tracks.ids[0], "red coat")
-    window.files.save_to(tmp_path / "saved.h5")
+    window.files.saving.save_to(tmp_path / "saved.h5")
     assert window.progress._text.text() == "Saving saved.h5"
     assert window.progress._cancel.isHidden()
     qtbot.waitUntil(lambda: not window.work.busy)

@@ -154,9 +154,10 @@ def _label_parts(hands: Hands) -> None:
 
 
 def _save_and_close(hands: Hands, path: Path) -> Path:
-    hands.window.files.save_to(path)
+    hands.window.files.saving.save_to(path)
     hands.qtbot.waitUntil(
-        lambda: not hands.window.work.busy and not hands.window.files.unsaved, timeout=PATIENCE_MS
+        lambda: not hands.window.work.busy and not hands.window.files.saving.unsaved,
+        timeout=PATIENCE_MS,
     )
     hands.press(Key.Key_W, CTRL)
     hands.qtbot.waitUntil(lambda: hands.window.desk is None)

@@ -109,7 +109,7 @@ def test_labels_are_learnt_from_as_they_were_when_training_was_asked_for(labelle
 
 
 def test_labels_of_further_sessions_are_added(labelled, window, qtbot, parted_session, tmp_path):
-    window.files.save_to(parted_session)
+    window.files.saving.save_to(parted_session)
     qtbot.waitUntil(lambda: not window.work.busy)
     other = tmp_path / "other.h5"
     other.write_bytes(parted_session.read_bytes())
@@ -149,7 +149,7 @@ def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
     choice = labelled.desk.document.detector
     assert load_detector(Path(choice.path)).fingerprint == trained.detector.fingerprint
     assert choice.name in result._told.text()
-    assert labelled.desk.proposed_tracker == "three-part"
+    assert labelled.desk.tracking.proposed == "three-part"
     assert choice.name.startswith("detector trained 20")
     window.run_command("review.again")
     again = window.findChildren(TrackDialog)[-1]
@@ -215,7 +215,7 @@ def test_a_mistake_is_a_small_picture_that_takes_one_to_its_frame(result, labell
 def test_a_mistake_of_another_session_is_a_picture_of_its_recording(
     labelled, window, qtbot, parted_session
 ):
-    window.files.save_to(parted_session)
+    window.files.saving.save_to(parted_session)
     qtbot.waitUntil(lambda: not window.work.busy)
     taught = taught_by([source_at(parted_session)])
     number = int(np.flatnonzero(taught.samples.columns["frame"] == CROWDED)[0])

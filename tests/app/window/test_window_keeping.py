@@ -36,7 +36,7 @@ def held(window, qtbot, tiny_recording, tiny_run, disk):
     """The window with a run that could not be kept."""
     window.files.open_path(tiny_recording)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.desk.tracked.emit(tiny_run)
+    window.desk.tracking.tracked.emit(tiny_run)
     qtbot.waitUntil(lambda: bool(window.notice.text) and not window.work.busy)
     return window
 
@@ -46,7 +46,7 @@ def test_why_it_is_not_kept_is_told_and_it_stays_in_memory(held):
     assert "Nothing is lost" in held.notice.text
     assert held.notice.action_text == "Try again"
     assert held.files.keeping.holds
-    assert held.files.unsaved
+    assert held.files.saving.unsaved
 
 
 def test_trying_again_keeps_it_once_there_is_room(held, disk, qtbot):
@@ -66,7 +66,7 @@ def test_save_tries_again_too(held, disk, qtbot):
 
 def test_it_can_be_saved_at_another_place(held, disk, qtbot, tmp_path):
     disk.full = False
-    held.files.save_to(tmp_path / "elsewhere.h5")
+    held.files.saving.save_to(tmp_path / "elsewhere.h5")
     qtbot.waitUntil(lambda: held.files.session is not None)
     assert held.files.session.path == tmp_path / "elsewhere.h5"
 
@@ -101,6 +101,6 @@ def test_a_folder_that_cannot_be_made_is_no_bug(
     monkeypatch.setattr(opening, "keep_run", refuse)
     window.files.open_path(tiny_recording)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.desk.tracked.emit(tiny_run)
+    window.desk.tracking.tracked.emit(tiny_run)
     qtbot.waitUntil(lambda: "Permission denied" in window.notice.text)
     assert window.files.keeping.holds

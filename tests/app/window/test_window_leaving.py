@@ -36,23 +36,23 @@ def test_saving_that_is_refused_while_other_work_runs_can_be_done_later(window, 
     go = threading.Event()
     _rename(desk, "first")
     window.work.run("Scoring", lambda _: go.wait(20), lambda _: None)
-    window.files.save()
+    window.files.saving.save()
     go.set()
     qtbot.waitUntil(lambda: not window.work.busy)
-    window.files.save()
-    qtbot.waitUntil(lambda: not window.files.unsaved)
+    window.files.saving.save()
+    qtbot.waitUntil(lambda: not window.files.saving.unsaved)
 
 
 def test_edits_not_saved_are_asked_for_also_while_a_tracker_begins(window, desk):
     _rename(desk, "first")
-    desk.track("stereo-colour")
+    desk.tracking.track("stereo-colour")
     assert desk.live.done == 0
-    assert window.files.unsaved
+    assert window.files.saving.unsaved
 
 
 def test_letting_a_tracker_go_does_not_let_edits_go(window, desk, qtbot):
     _rename(desk, "first")
-    desk.track("stereo-colour")
+    desk.tracking.track("stereo-colour")
     qtbot.waitUntil(lambda: desk.live.done > 3, timeout=30_000)
     window.files.close_recording()
     assert "tracker" in _answer(window, qtbot, _BUTTON.Discard)
@@ -78,7 +78,7 @@ def test_what_a_tracker_found_while_other_work_ran_is_kept(window, fresh, qtbot)
     window.work.run("Making the demo", lambda _: go.wait(20), lambda _: None)
     fresh.live.stop()
     qtbot.waitUntil(lambda: not fresh.live.running, timeout=30_000)
-    assert window.files.unsaved
+    assert window.files.saving.unsaved
     go.set()
     qtbot.waitUntil(lambda: window.files.session is not None, timeout=30_000)
 

@@ -2,7 +2,7 @@
 
 import pytest
 from correcting_desk import Hands, opened_desk
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 
 from tracking.errors import SessionError
 
@@ -78,3 +78,25 @@ def test_another_session_that_is_damaged_does_not_offer_to_leave_the_open_one(
     window.files.beside.compare_with(damaged)
     qtbot.waitUntil(lambda: window.notice.text != "")
     assert window.notice.action_text == ""
+
+
+def test_the_page_does_not_move_when_something_is_told(window, hands, qtbot):
+    before = window.workspace.mapToGlobal(QPoint(0, 0)), window.workspace.size()
+    for text in ("not kept", "not kept, for a reason that takes many words " * 20):
+        window.notice.say(text, "Try again", lambda: None, is_error=True)
+        qtbot.wait(5)
+        after = window.workspace.mapToGlobal(QPoint(0, 0)), window.workspace.size()
+        assert after == before
+        assert window.notice.width() == window.centralWidget().width()
+        shown = window.centralWidget().childAt(QPoint(20, window.notice.height() // 2))
+        assert shown is window.notice or window.notice.isAncestorOf(shown)
+
+
+def test_all_of_a_long_text_is_seen_in_a_window_that_becomes_narrow(window, hands, qtbot):
+    window.notice.say("not kept, for a reason that takes many words " * 20, is_error=True)
+    wide = window.notice.height()
+    window.resize(window.minimumSizeHint())
+    qtbot.waitUntil(lambda: window.notice.width() == window.centralWidget().width())
+    label = window.notice._text
+    assert window.notice.height() > wide
+    assert label.height() >= label.heightForWidth(label.width())

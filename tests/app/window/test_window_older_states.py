@@ -13,8 +13,8 @@ def saved_twice(window, desk, qtbot):
     a, b = desk.document.tracks.ids[:2]
     for edit in (lambda: desk.editing.rename(a, "one"), lambda: _delete(desk, b)):
         edit()
-        window.files.save()
-        qtbot.waitUntil(lambda: not window.work.busy and not window.files.unsaved)
+        window.files.saving.save()
+        qtbot.waitUntil(lambda: not window.work.busy and not window.files.saving.unsaved)
     desk.editing.rename(a, "not saved")
     return a, b
 

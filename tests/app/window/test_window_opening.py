@@ -37,7 +37,7 @@ def test_a_session_opens_with_its_tracks(window, qtbot, tiny_session):
     window.files.open_path(tiny_session)
     qtbot.waitUntil(lambda: _is_open(window))
     assert len(window.desk.document.tracks.ids) >= 4
-    assert not window.files.unsaved
+    assert not window.files.saving.unsaved
 
 
 def test_what_cannot_be_opened_is_told_in_one_line_and_the_window_stays(window, qtbot, tmp_path):

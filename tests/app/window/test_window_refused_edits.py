@@ -33,7 +33,7 @@ def test_while_a_tracker_works_nobody_is_renamed_by_the_number_another_run_gave_
     track, told = _track(desk), []
     desk.editing.rename(track, "anna")
     desk.failed.connect(lambda error: told.append(str(error)))
-    desk.track("stereo-colour")
+    desk.tracking.track("stereo-colour")
     assert desk.document.label(track).name == ""
     desk.editing.rename(track, "bert")
     desk.editing.undo()

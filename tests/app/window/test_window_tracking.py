@@ -25,7 +25,7 @@ def test_the_first_play_tracks_live_and_ends_in_a_session_kept_on_disk(opened, q
     session = opened.files.session
     assert session.path.parent == opening.unsaved_folder()
     assert len(session.tracks.track_ids) >= 4
-    assert opened.files.unsaved  # nobody gave it a place yet
+    assert opened.files.saving.unsaved  # nobody gave it a place yet
 
 
 def test_playing_never_outruns_the_tracker(opened, qtbot):
@@ -85,7 +85,7 @@ def test_tracking_again_never_touches_corrected_tracks(opened, qtbot):
     track = session.tracks.track_ids[0]
     desk.editing.rename(track, "first")
     corrected = session.tracks.columns()["x"].copy()
-    desk.track("stereo-colour", None, 1)
+    desk.tracking.track("stereo-colour", None, 1)
     qtbot.waitUntil(lambda: not desk.live.running and _tracked(opened), timeout=30_000)
     assert len(session.runs) == 2
     assert np.array_equal(session.tracks.columns()["x"], corrected, equal_nan=True)

@@ -1,0 +1,165 @@
+"""The tracker at work on an open recording: begun, shown as it goes on, kept when it is done."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from app.presenters.document.document import Document
+from app.presenters.runs.tracker_state import TrackerState, TrackerWords, kept_beside
+from app.views.comparing.comparing import Comparing
+from app.views.playing.playback import Playback
+from app.views.runs.live import LiveTracking
+from tracking.session import Session
+from tracking.trackers import Resume, StepResult, tracker_named
+from tracking.tracks import Run
+
+
+class TrackerAtWork(QObject):
+    """Puts trackers to work and what they find into the document.
+
+    Signals: `found(first, last)`, it went through these frames, both included; `changed()`, all
+    is to be drawn; `people_found()`, there are tracks where there were none; `failed(error)`;
+    `tracked(run)`, it came to its end with a `Run`; `noted(lines)`, what the user should be told.
+    """
+
+    found = Signal(int, int)
+    changed = Signal()
+    people_found = Signal()
+    failed = Signal(object)
+    tracked = Signal(object)
+    noted = Signal(object)
+
+    def __init__(
+        self, document: Document, playback: Playback, comparing: Comparing, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._playback, self._comparing = document, playback, comparing
+        self._words = TrackerWords(document.recording)
+        self._again = False  # it is to put right what was corrected before
+        self.live = LiveTracking(document.recording, self)
+        self.live.tracked.connect(self._take)
+        self.live.finished.connect(self._end)
+        self.live.failed.connect(self._fail)
+        playback.wait_at = self._last_tracked
+
+    @property
+    def best(self) -> str:
+        """The tracker that play starts; "" where none can work on the recording."""
+        return self._words.best
+
+    @property
+    def why_not(self) -> str:
+        """Why none can."""
+        return self._words.why_not
+
+    @property
+    def proposed(self) -> str:
+        """The tracker that is asked about first."""
+        document = self._document
+        return self._words.proposed(document.session, in_parts=document.detector_chosen)
+
+    @property
+    def state(self) -> TrackerState:
+        """What is told of it beside the transport."""
+        if self.live.running:
+            return self._words.working(self.live.tracker, self.live.status)
+        return self._words.resting(self._document.session)
+
+    def begin_first(self) -> None:
+        """Put the best tracker to work where none was yet, not even on the way into a session."""
+        untouched = self._document.session is None and not self._document.tracked_until
+        if self.best and untouched and not self.live.running:
+            self.track(self.best)
+
+    def track(
+        self,
+        tracker: str,
+        settings: Any = None,
+        seed: int = 0,
+        frames: tuple[int, int] | None = None,
+        resume: Resume | None = None,
+    ) -> None:
+        """Put a tracker to work on some frames; what it finds is shown as it comes.
+
+        With `resume` it goes on from the corrected tracks, which stay shown before its frames.
+        """
+        self._again = False
+        if settings is None:
+            settings = self._document.parts_asked.filled(tracker_named(tracker).settings_type)
+        self._document.begin_live(resume.frame if resume is not None else None)
+        self.live.start(tracker, settings, seed, frames, resume)
+        if frames is not None and not frames[0] <= self._playback.clock.frame < frames[1]:
+            self._playback.go(frames[0])
+        self.changed.emit()
+
+    def track_again(
+        self,
+        tracker: str,
+        settings: Any = None,
+        seed: int = 0,
+        frames: tuple[int, int] | None = None,
+    ) -> None:
+        """Track some frames again, from the corrected tracks on; what would change is shown then.
+
+        Raises:
+            SettingsError: the tracker cannot go on from there.
+        """
+        session, first = self._document.session, frames[0] if frames is not None else 0
+        resume = None
+        if session is not None and first > 0:
+            resume = Resume.of(session.tracks, first, self._document.recording.fps)
+        self.track(tracker, settings, seed, frames, resume)
+        self._again = True
+
+    def drop(self) -> None:
+        """End the tracker at work; what it found is forgotten."""
+        self.live.close()
+        self._document.begin_live()
+        self._document.end_live()
+        self.changed.emit()
+
+    def take_session(self, session: Session) -> None:
+        """Show a session made of what was tracked."""
+        self._document.take_session(session)
+        self.changed.emit()
+
+    def add_run(self, run: Run) -> None:
+        """Keep a further result in the session; corrected tracks stay as they are."""
+        session = self._document.session
+        if session is None:
+            return
+        number = session.add_run(run)
+        self._document.end_live()
+        if self._again:
+            self._comparing.open(number)
+        if session.adopted_run != number:
+            self.noted.emit((kept_beside(number), *self.live.notes))
+        self.changed.emit()
+
+    def _last_tracked(self) -> int | None:
+        """Where playing waits for the tracker, so that people are seen with their picture."""
+        first = self.live.first
+        until = max(self._document.tracked_until, first)
+        if self.live.running and self._playback.clock.frame <= until:
+            return max(until - 1, first)
+        return None
+
+    def _take(self, results: tuple[StepResult, ...]) -> None:
+        nobody_before = not self._document.tracks.ids
+        self._document.take_live(results)
+        self.found.emit(results[0].frame, results[-1].frame)
+        if nobody_before and self._document.tracks.ids:
+            self.people_found.emit()
+
+    def _end(self, run: object) -> None:
+        if self.live.notes:
+            self.noted.emit(self.live.notes)
+        self.tracked.emit(run)
+        self.changed.emit()
+
+    def _fail(self, error: Exception) -> None:
+        """Nothing is kept of it, so nothing of it stays in view; play begins anew."""
+        self.drop()
+        self.failed.emit(error)

@@ -1,0 +1,101 @@
+"""Saving the open session: where it stands, somewhere else, and what is to happen after it."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from app.presenters.files import opening
+from app.presenters.words import tr
+from app.views.files.exporting import beside
+from app.views.files.leaving import Then
+from app.views.widgets.questions import choose_new_file
+from app.views.widgets.remembered import Remembered
+from app.views.widgets.work import Work
+from tracking.errors import TrackwrightError
+
+if TYPE_CHECKING:
+    from app.views.files.files import Files
+    from app.views.window.main_window import MainWindow
+
+_SESSIONS = "trackwright (*.h5)"
+
+
+class Saving(QObject):
+    """Saves the open document in the background.
+
+    Signals: `changed()`, it is saved; `failed(error)`; `said(text)`.
+
+    Attributes:
+        proposed: the place that is proposed for a session without one; None: beside the recording.
+    """
+
+    changed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+
+    def __init__(
+        self, files: Files, window: MainWindow, work: Work, remembered: Remembered
+    ) -> None:
+        super().__init__(files)
+        self._files, self._window = files, window
+        self._work, self._remembered = work, remembered
+        self.proposed: Path | None = None
+
+    @property
+    def unsaved(self) -> bool:
+        """Whether something would be lost from view without saving."""
+        if self._files.tracker_found_some or self._files.keeping.holds:
+            return True
+        session = self._files.session
+        return session is not None and (session.dirty or opening.is_unsaved_place(session.path))
+
+    def save(self, then: Then | None = None) -> None:
+        """Save where the session stands; ask for a place where it has none yet."""
+        self._window.workspace.take_typed()
+        session = self._files.session
+        if session is None:
+            self._files.keeping.try_again(then)
+        elif opening.is_unsaved_place(session.path):
+            self.save_as(then)
+        elif session.path is not None:
+            self.save_to(session.path, then)
+
+    def save_as(self, then: Then | None = None) -> None:
+        """Ask for a place and save there."""
+        self._window.workspace.take_typed()
+        if self._files.desk is not None:
+            own = self._files.session.path if self._files.session is not None else None
+            name = "session.h5" if own is None or opening.is_unsaved_place(own) else own.name
+            start = self.proposed or beside(self._files.desk.document, name)
+            chosen = partial(self.save_to, then=then)
+            choose_new_file(self._window, tr("Save session"), start, _SESSIONS, chosen)
+
+    def save_to(self, path: Path, then: Then | None = None) -> None:
+        """Save at a place."""
+        session = self._files.session
+        if self._work.refuses():
+            return
+        if session is None:
+            self._files.keeping.try_again(then, path)
+            return
+
+        def saved(_: object) -> None:
+            opening.finish_save(session, pending)
+            self._remembered.add_recent(path.resolve())
+            self.said.emit(tr("Saved: {path}", path=path))
+            self.changed.emit()
+            if then is not None:
+                then()
+
+        try:
+            pending = session.begin_save(path)
+        except TrackwrightError as error:
+            self.failed.emit(error)
+            return
+        title = tr("Saving {name}", name=path.name)
+        abandon = partial(session.abandon_save, pending)
+        self._work.run(title, lambda _: pending.write(), saved, abandon, cancellable=False)

@@ -1,0 +1,60 @@
+"""What the window tells of what went wrong or cannot be done, and when that is over."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from app.presenters.scenes import CommandItem
+from app.presenters.words import tr
+from app.views.window.menus import TypingGuard
+
+if TYPE_CHECKING:
+    from app.views.window.main_window import MainWindow
+
+_BEGIN_TYPING = frozenset({"tracks.rename", "tracks.attributes", "tracks.notes"})
+"""Commands after which text is typed."""
+
+
+class Told:
+    """Says in the window's notice why not, and takes it back once it is no longer so."""
+
+    def __init__(self, window: MainWindow, guard: TypingGuard) -> None:
+        self._window, self._notice, self._guard = window, window.notice, guard
+        self._refused = ""
+        self._told_after: tuple[object, ...] = ()
+        self._notice.spoken.connect(self._note_edits)
+
+    def refuse(self, item: CommandItem) -> None:
+        """Say why a command cannot be done; text typed after it must run no other ones."""
+        said = tr("{title}: {why}", title=item.title.rstrip("."), why=item.why_not)
+        if item.command not in _BEGIN_TYPING:
+            self._window.say(said)
+            return
+        self._guard.hold()
+        said = tr("{said}. What is typed now is not taken.", said=said)
+        self._notice.say(said, is_error=True, passing=True)
+        self._refused = said
+
+    def settle(self) -> None:
+        """Take back what was told where something was edited since, or may be typed by now."""
+        if self._edits() != self._told_after or self._may_type_now:
+            self._notice.settle()
+
+    def _note_edits(self) -> None:
+        self._told_after = self._edits()
+
+    def _edits(self) -> tuple[object, ...]:
+        """What differs once an edit was done, undone or redone."""
+        session = self._window.files.session
+        if session is None:
+            return ()
+        history = session.history
+        steps = (history.next_undo, history.next_redo)
+        return id(session), len(history), *(step.id if step else 0 for step in steps)
+
+    @property
+    def _may_type_now(self) -> bool:
+        """Somebody is selected by now, and that nobody was is still told."""
+        desk = self._window.desk
+        told = self._notice.text == self._refused != ""
+        return told and desk is not None and bool(desk.document.selection)
