@@ -15,6 +15,8 @@ _ALONG = 0.11
 """Distance between places behind each other, in body heights as they are seen."""
 _LEAST_TALL = 0.035
 """Of the picture's height: smaller people are not looked for."""
+_COARSEST_M = 0.2
+"""Of the floor that one pixel's row is: farther away nobody's place could be told."""
 _FARTHEST_M = 120.0
 _LEAST_INSIDE = 0.3
 _MOST = 20_000
@@ -47,7 +49,9 @@ def _net(flat: FlatView, height_m: float) -> Floats:
     """(n, 2) m, rings round the point below the camera."""
     eye_m = float(flat.eye[2])
     reach = [0.0]
-    while reach[-1] < _FARTHEST_M:
+    focal_px = float(np.linalg.norm(np.cross(flat.projection[0, :3], flat.projection[2, :3])))
+    farthest = min(_FARTHEST_M, float(np.sqrt(_COARSEST_M * eye_m * focal_px)))
+    while reach[-1] < farthest:
         reach.append(reach[-1] + max(_ACROSS_M, _ALONG * height_m * reach[-1] / eye_m))
     bearing = _bearings(flat)
     rings = []

@@ -27,6 +27,7 @@ Picture = NDArray[np.uint8]
 
 _WIDEST_PX = 800
 """Wider pictures are shrunk by a whole number before anything is done with them."""
+_SMOOTHED = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 _SHADOW = 100
 """Weight below which foreground is shown as a shadow."""
 _PROTECTED = np.ones((9, 9), np.uint8)
@@ -130,7 +131,9 @@ class SpheroidPerception:
     def _weighed(self, seen: Subtraction, weight: Picture) -> Picture:
         """B times 255 with shadows weighed down, not undistorted."""
         rising = ramp(seen, self._background, self._ramp)
-        return np.asarray(cv2.multiply(rising, weight, scale=1 / 255), np.uint8)
+        weighed = cv2.multiply(rising, weight, scale=1 / 255)
+        # Smoothing before subtraction makes everybody a pixel larger all round.
+        return np.asarray(cv2.erode(weighed, _SMOOTHED), np.uint8)
 
     def _remember(self) -> None:
         """Learn from the frame before, once it is known where people were in it."""

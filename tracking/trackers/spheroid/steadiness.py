@@ -6,34 +6,31 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+Picture = NDArray[np.uint8]
+
 _EVERY_S = 0.5
-_WIDE_PX = 160
+_WIDE_PX = 320
 """Width of the pictures compared."""
+_POINTS, _FEWEST = 80, 15
 _MOVED_PX = 1.0
 """Of such a picture, that counts as moved."""
-_CLEAR = 0.15
-"""Height of the correlation's peak from which it tells anything."""
-_LOOKS = 3
-"""So many looks that tell of a movement, to be sure: a light switched on moves nothing."""
+_ALIKE_PX, _SHARE = 0.7, 0.6
+"""So many of the points must have moved by about as much: people move some, a camera all."""
 
 
 class Steadiness:
-    """Compares each picture with one half a second before, as a whole.
-
-    People who walk move parts of the picture; a camera that turns moves all of it by as much.
+    """Compares each picture with one half a second before, by the corners of the scene.
 
     Attributes:
-        moved_at: the first frame in which it had moved; None while it stands still.
+        moved_at: the first frame in which the camera had moved; None while it stands still.
     """
 
     def __init__(self, fps: float) -> None:
         self.moved_at: int | None = None
         self._every = max(1, round(fps * _EVERY_S))
-        self._before: NDArray[np.float32] | None = None
-        self._window = np.zeros(0, np.float32)
-        self._suspected: list[int] = []
+        self._before: Picture | None = None
 
-    def look(self, frame: int, picture: NDArray[np.uint8]) -> None:
+    def look(self, frame: int, picture: Picture) -> None:
         """Take notice of a frame; only one in half a second is looked at.
 
         Args:
@@ -42,19 +39,28 @@ class Steadiness:
         if self.moved_at is not None or frame % self._every:
             return
         small = _small(picture)
-        if self._before is not None and self._before.shape == small.shape:
-            (right, down), clear = cv2.phaseCorrelate(self._before, small, self._window)
-            if np.hypot(right, down) > _MOVED_PX and clear > _CLEAR:
-                self._suspected.append(frame)
-        else:
-            self._window = np.asarray(cv2.createHanningWindow(small.shape[::-1], cv2.CV_32F))
+        if self._before is not None and _has_moved(self._before, small):
+            self.moved_at = frame
         self._before = small
-        if len(self._suspected) >= _LOOKS:
-            self.moved_at = self._suspected[0]
 
 
-def _small(picture: NDArray[np.uint8]) -> NDArray[np.float32]:
-    height = round(picture.shape[0] * _WIDE_PX / picture.shape[1])
+def _small(picture: Picture) -> Picture:
+    height = max(2, round(picture.shape[0] * _WIDE_PX / picture.shape[1]))
     light = cv2.extractChannel(picture, 1)
-    shrunk = cv2.resize(light, (_WIDE_PX, max(height, 2)), interpolation=cv2.INTER_AREA)
-    return np.asarray(cv2.Laplacian(shrunk, cv2.CV_32F), np.float32)
+    return np.asarray(cv2.resize(light, (_WIDE_PX, height), interpolation=cv2.INTER_AREA), np.uint8)
+
+
+def _has_moved(before: Picture, now: Picture) -> bool:
+    """Whether most corners are elsewhere, all by about as much."""
+    corners = cv2.goodFeaturesToTrack(before, _POINTS, 0.02, 7.0)
+    if corners is None or len(corners) < _FEWEST:
+        return False
+    start = np.asarray(corners, np.float32)
+    found, state, _ = cv2.calcOpticalFlowPyrLK(before, now, start, np.zeros_like(start))
+    good = state.ravel() == 1
+    if np.count_nonzero(good) < _FEWEST:
+        return False
+    shift = (found - start).reshape(-1, 2)[good]
+    middle = np.median(shift, axis=0)
+    alike = np.hypot(*(shift - middle).T) < _ALIKE_PX
+    return bool(np.hypot(*middle) > _MOVED_PX and alike.mean() > _SHARE)

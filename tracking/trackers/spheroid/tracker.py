@@ -103,8 +103,8 @@ class SpheroidTracker:
         if moved_at is None:
             return ()
         return (
-            f"the camera moves from frame {moved_at} on: spheroid needs a fixed one, what it says "
-            "after that is not to be relied on; track the frames before, or footage that is steady",
+            f"the camera moved at about frame {moved_at}: spheroid needs a fixed one, what it says "
+            f"from there is not to be relied on; track the frames before with --frames 0:{moved_at}",
         )
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
