@@ -13,11 +13,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from made_up_sessions import make_session
 
-from tracking.editing import Scope, plan_rename, plan_swap, protected_stretches
+from tracking.editing import (
+    Scope,
+    plan_label_part,
+    plan_rename,
+    plan_swap,
+    plan_unlabel_part,
+    protected_stretches,
+)
 from tracking.errors import EditError, SessionError
 from tracking.session import Session
 from tracking.session.saving import companions
-from tracking.tracks import LARGEST_NUMBER
+from tracking.tracks import LARGEST_NUMBER, PartLabel
 
 
 def scopes(session: Session) -> list[Scope | None]:
@@ -90,3 +97,20 @@ def test_an_empty_text_is_no_scope() -> None:
     assert Scope.of_text("") is None
     with pytest.raises(EditError, match="no frames"):
         Scope.of_text("here")
+
+
+def test_undoing_alone_is_about_the_frames_of_what_it_takes_back(saved: Path) -> None:
+    with closing(Session.open(saved)) as session:
+        session.undo_alone(2)
+        assert scopes(session)[-1] == Scope(3, 5)
+        session.undo_alone(3)
+        assert scopes(session)[-1] is None
+
+
+def test_labels_of_parts_are_about_the_frames_from_the_first_to_the_last(saved: Path) -> None:
+    box = (1.0, 2.0, 3.0, 4.0)
+    with closing(Session.open(saved)) as session:
+        several = [PartLabel(frame, 1, 0, box) for frame in (12, 7, 9)]
+        session.apply(plan_label_part(session.labels, several))
+        session.apply(plan_unlabel_part(session.labels, (9, 1, 0)))
+        assert scopes(session)[-2:] == [Scope(7, 13), Scope(9, 10)]

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from tracking.editing.change import Change, LabelState, State
+from tracking.editing.scope import Scope
 from tracking.errors import EditError
 from tracking.tracks import PART_NAMES, Labels, PartKey, PartLabel, check_part_label
 
@@ -90,8 +91,9 @@ def _named(labels: Sequence[PartLabel]) -> str:
 
 def _change(kind: str, text: str, out: Iterable[PartLabel], into: Iterable[PartLabel]) -> Change:
     before, after = LabelState(parts=_sorted(out)), LabelState(parts=_sorted(into))
-    frame = min(label.frame for label in (*before.parts, *after.parts))
-    return Change(kind, text, frame, State(labels=before), State(labels=after))
+    frames = {label.frame for label in (*before.parts, *after.parts)}
+    scope = Scope(min(frames), max(frames) + 1)
+    return Change(kind, text, scope.start, State(labels=before), State(labels=after), scope)
 
 
 def _sorted(labels: Iterable[PartLabel]) -> tuple[PartLabel, ...]:

@@ -38,6 +38,7 @@ def plan_undo_alone(history: History, labels: Labels, number: int) -> Change:
         entry.frame,
         replace(old.before, labels=replace(old.before.labels, tracks=before)),
         replace(old.after, labels=replace(old.after.labels, tracks=after)),
+        entry.scope,
     )
 
 
