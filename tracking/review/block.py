@@ -13,12 +13,12 @@ from tracking.review.joining import joined_places, stacked
 from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
 from tracking.review.material import REACH_M, Material, reached
 from tracking.review.reasons import REASONS
-from tracking.review.run_rows import run_within
 from tracking.review.speaking import Speaker
 from tracking.review.stretches import stretches
 from tracking.review.suspicion import Suspicion
 from tracking.review.wording import fix
 from tracking.tracks import Occluder, Run
+from tracking.tracks.run_rows import run_within
 
 JOINED_S = 0.75
 """Reasons about the same people so near in time are one suspicion."""

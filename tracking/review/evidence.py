@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.run_rows import rows_in_run
 from tracking.tracks import CLOTHES, Columns, Run, TrackTable
+from tracking.tracks.run_rows import rows_in_run
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]

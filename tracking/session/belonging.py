@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.run_rows import rows_in_run
 from tracking.tracks import PART_COLUMNS, Columns, Run, TrackTable, between, empty
+from tracking.tracks.run_rows import rows_in_run
 
 Keys = NDArray[np.int64]
 _BOX = ("left", "top", "width", "height")

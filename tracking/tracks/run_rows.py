@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.tracks import Columns, Run
+from tracking.tracks.columns import Columns
+from tracking.tracks.run import Run
 
 Rows = NDArray[np.int64]
 _HELD = ("left", "top", "x", "y")
