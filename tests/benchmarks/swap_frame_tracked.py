@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tests.benchmarks.accuracy import rendered
-from tracking.editing import apply_change, plan_swap, propose_swap_frame, signals_of
+from tracking.editing import apply_change, plan_swap, propose_swap_frames, signals_of
 from tracking.formats import read_mot
 from tracking.pipeline import track
 from tracking.recording import open_recording
@@ -69,7 +69,9 @@ def injected_found(run: Run, seed: int) -> Iterator[bool]:
         for frame in random.choice(frames, min(_EACH, len(frames)), replace=False).tolist():
             swapped = table.snapshot()
             apply_change(swapped, Labels(), plan_swap(swapped, a, b, frame))
-            proposed = propose_swap_frame(swapped, a, b, None, signals_of(swapped, run, (a, b)))
+            proposed = propose_swap_frames(swapped, a, b, None, signals_of(swapped, run, (a, b)))[
+                0
+            ].frame
             yield abs(proposed - frame) <= WITHIN
 
 
@@ -90,7 +92,7 @@ def natural_found(run: Run, truth: Columns) -> Iterator[bool]:
     table = TrackTable(run.tracks)
     for a, b, first, last in natural_swaps(run.tracks, truth):
         signals = signals_of(table, run, (a, b))
-        proposed = propose_swap_frame(table, a, b, last + _LATER, signals)
+        proposed = propose_swap_frames(table, a, b, last + _LATER, signals)[0].frame
         yield first - WITHIN <= proposed <= last + WITHIN
 
 

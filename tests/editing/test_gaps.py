@@ -13,7 +13,6 @@ from tracking.editing import (
     plan_delete,
     plan_fill_gap,
     plan_fill_gaps,
-    plan_merge,
     plan_merge_tracks,
     plan_move_box,
     plan_split,
@@ -74,7 +73,7 @@ def test_a_filled_gap_follows_when_its_end_is_moved(table: TrackTable) -> None:
 
 
 def test_a_merge_fills_what_is_missing_between_the_two_and_nothing_else(table: TrackTable) -> None:
-    change = plan_merge(table, 2, 3, fill=True)
+    change = plan_merge_tracks(table, 2, [3], fill=True)
     assert change.text == "Merge 3 into 2; 21 frames between them interpolated"
     do(table, change)
     assert gaps_of(table, 2) == ((4, 5),)

@@ -11,7 +11,7 @@ from tracking.editing import (
     State,
     apply_change,
     plan_delete,
-    plan_merge,
+    plan_merge_tracks,
     plan_reassign,
     plan_split,
     plan_swap,
@@ -37,7 +37,7 @@ def test_planning_changes_nothing(table: TrackTable) -> None:
     before = bytes_of(table)
     plan_swap(table, 1, 2, 4)
     plan_split(table, 1, 4)
-    plan_merge(table, 1, 2)
+    plan_merge_tracks(table, 1, [2])
     plan_reassign(table, 4, 1)
     assert bytes_of(table) == before
 
@@ -93,7 +93,7 @@ def test_a_new_id_was_never_used_not_even_by_a_deleted_or_undone_track(table: Tr
 def test_a_merge_keeps_whom_it_was_told_to(table: TrackTable, keep: str, kept: int) -> None:
     both = [2, 3, 4, 8, 9]
     wanted = dict(zip(frames(table, kept), lefts(table, kept), strict=True))
-    change = plan_merge(table, 1, 2, keep)  # type: ignore[arg-type]
+    change = plan_merge_tracks(table, 1, [2], keep)  # type: ignore[arg-type]
     apply(table, change)
     assert change.text == f"Merge 2 into 1; where both stand (5 frames), {kept} is kept"
     assert 2 not in table
@@ -105,7 +105,7 @@ def test_a_merge_keeps_whom_it_was_told_to(table: TrackTable, keep: str, kept: i
 def test_a_merge_takes_over_what_the_label_does_not_say(table: TrackTable) -> None:
     labels = Labels({2: TrackLabel("red coat", {"bag": "yes"}, "limps")})
     labels = labels.with_track(1, TrackLabel("", {"bag": "no"}, "tall"))
-    merged = apply_change(table, labels, plan_merge(table, 1, 2, labels=labels))
+    merged = apply_change(table, labels, plan_merge_tracks(table, 1, [2], labels=labels))
     assert merged.tracks == {1: TrackLabel("red coat", {"bag": "no"}, "tall\nlimps")}
 
 
@@ -128,8 +128,8 @@ def test_a_reassigned_range_belongs_to_the_other_track(table: TrackTable) -> Non
         (lambda table: plan_swap(table, 1, 2, -1), "before frame 0"),
         (lambda table: plan_split(table, 1, 0), "cannot be split"),
         (lambda table: plan_split(table, 1, 10), "cannot be split"),
-        (lambda table: plan_merge(table, 1, 1), "with itself"),
-        (lambda table: plan_merge(table, 1, 2, "third"), "keep is 'third'"),
+        (lambda table: plan_merge_tracks(table, 1, [1]), "with itself"),
+        (lambda table: plan_merge_tracks(table, 1, [2], "third"), "keep is 'third'"),
         (lambda table: plan_reassign(table, 1, 1), "choose another"),
         (lambda table: plan_reassign(table, 1, 0), "ids are 1 to"),
         (lambda table: plan_reassign(table, 1, 2**31), "ids are 1 to"),

@@ -20,7 +20,7 @@ from tracking.editing import (
     plan_label_part,
     plan_lines,
     plan_mark_reviewed,
-    plan_merge,
+    plan_merge_tracks,
     plan_occluders,
     plan_reassign,
     plan_regions,
@@ -159,7 +159,7 @@ def test_of_a_row_that_leaves_for_another_the_labels_leave_too() -> None:
     table = table_of({1: [(0, 20)], 2: [(10, 30)]})
     own, other = PartLabel(15, 1, 0, BOX), PartLabel(15, 2, 1, (1.0, 2.0, 3.0, 4.0))
     labels = Labels(parts=PartLabels([own, other]))
-    change = with_parts_carried(plan_merge(table, 1, 2, "second"), labels)
+    change = with_parts_carried(plan_merge_tracks(table, 1, [2], "second"), labels)
     after = apply_change(table, labels, change)
     assert list(after.parts) == [(15, 1, 1)]
     assert apply_change(table, after, change.inverse) == labels

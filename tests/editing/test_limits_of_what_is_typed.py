@@ -15,7 +15,7 @@ from tracking.editing import (
     plan_draw_box,
     plan_label_part,
     plan_mark_reviewed,
-    plan_merge,
+    plan_merge_tracks,
     plan_reassign,
     plan_rename,
     plan_set_attribute,
@@ -86,7 +86,7 @@ def test_a_text_of_the_longest_length_is_taken(table: TrackTable, plan: Plan) ->
         lambda table, _: plan_draw_box(table, SEVEN, NOUGHT, BOX),
         lambda table, _: plan_swap(table, FOUR, SEVEN, FIVE, NINE),
         lambda table, _: plan_split(table, FOUR, FIVE),
-        lambda table, _: plan_merge(table, FOUR, SEVEN),
+        lambda table, _: plan_merge_tracks(table, FOUR, [SEVEN]),
         lambda table, _: plan_reassign(table, FOUR, NINE, FIVE),
     ],
 )
@@ -115,7 +115,7 @@ def test_numbers_of_arrays_unmark_what_was_reviewed() -> None:
     [
         lambda table: plan_swap(table, 4, 7, 10),
         lambda table: plan_split(table, 4, 10),
-        lambda table: plan_merge(table, 7, 4),
+        lambda table: plan_merge_tracks(table, 7, [4]),
         lambda table: plan_reassign(table, 4, 9, 10),
     ],
 )

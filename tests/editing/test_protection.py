@@ -18,7 +18,7 @@ from tracking.editing import (
     plan_draw_box,
     plan_label_part,
     plan_mark_reviewed,
-    plan_merge,
+    plan_merge_tracks,
     plan_move_box,
     plan_reassign,
     plan_rename,
@@ -101,7 +101,7 @@ def test_tracks_given_to_another_stay_with_it(table: TrackTable):
 
 def test_tracks_that_were_merged_stay_merged(table: TrackTable):
     apart = table_of([(1, 0, 40, 0.0), (2, 50, 90, 0.0)])
-    assert after(apart, lambda _: plan_merge(apart, 1, 2)) == only(of1=[[50, 90]])
+    assert after(apart, lambda _: plan_merge_tracks(apart, 1, [2])) == only(of1=[[50, 90]])
 
 
 def test_what_was_deleted_stays_away(table: TrackTable):

@@ -14,7 +14,7 @@ from tracking.editing import (
     plan_delete,
     plan_draw_box,
     plan_mark_reviewed,
-    plan_merge,
+    plan_merge_tracks,
     plan_move_box,
     plan_occluders,
     plan_reassign,
@@ -43,7 +43,9 @@ def changes(draw: st.DrawFn, table: TrackTable, labels: Labels) -> Change | None
     plans = [
         lambda: plan_swap(table, a, b, start, end),
         lambda: plan_split(table, a, start),
-        lambda: plan_merge(table, a, b, draw(st.sampled_from(("first", "second"))), labels),
+        lambda: plan_merge_tracks(
+            table, a, [b], draw(st.sampled_from(("first", "second"))), labels
+        ),
         lambda: plan_reassign(table, a, b, start, end),
         lambda: plan_delete(table, a, start, end),
         lambda: plan_move_box(table, a, start, draw(BOXES)),

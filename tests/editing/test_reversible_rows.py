@@ -23,7 +23,6 @@ from tracking.editing import (
     plan_fill_gaps,
     plan_interpolate,
     plan_mark_occluded,
-    plan_merge,
     plan_merge_tracks,
     plan_move_box,
     plan_new_track,
@@ -93,7 +92,7 @@ def split(table: TrackTable, data: st.DataObject) -> tuple[Change, set[int], ran
 def merge(table: TrackTable, data: st.DataObject) -> tuple[Change, set[int], range]:
     a, b, fill = data.draw(TRACKS), data.draw(TRACKS), data.draw(st.booleans())
     ways = data.draw(WAYS)
-    return plan_merge(table, a, b, data.draw(KEEPS), fill=fill, **ways), {a, b}, whole()
+    return plan_merge_tracks(table, a, [b], data.draw(KEEPS), fill=fill, **ways), {a, b}, whole()
 
 
 def merge_tracks(table: TrackTable, data: st.DataObject) -> tuple[Change, set[int], range]:

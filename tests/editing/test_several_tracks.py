@@ -11,7 +11,6 @@ from tracking.editing import (
     apply_change,
     plan_delete_tracks,
     plan_mark_occluded,
-    plan_merge,
     plan_merge_tracks,
     plan_new_track,
     standing_box,
@@ -83,7 +82,7 @@ def test_several_become_one(table: TrackTable) -> None:
 def test_where_both_stand_the_surer_row_can_be_kept(table: TrackTable) -> None:
     both = list(range(5, 10))
     a, b = table.of_track(1, 5, 10), table.of_track(2, 5, 10)
-    change = plan_merge(table, 1, 2, "surer")
+    change = plan_merge_tracks(table, 1, [2], "surer")
     assert change.text == "Merge 2 into 1; where both stand (5 frames), the surer row is kept"
     do(table, change)
     wanted = np.where(a["confidence"] >= b["confidence"], a["left"], b["left"])
@@ -99,7 +98,7 @@ def test_a_row_without_a_confidence_is_the_least_sure() -> None:
     rows["confidence"][:] = [np.nan, 0.0, 0.5, np.nan]
     table = TrackTable(rows)
     wanted = [rows["left"][1], rows["left"][2]]
-    do(table, plan_merge(table, 1, 2, "surer"))
+    do(table, plan_merge_tracks(table, 1, [2], "surer"))
     assert table.of_track(1)["left"].tolist() == wanted
 
 

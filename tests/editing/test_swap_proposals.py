@@ -11,7 +11,6 @@ from tracking.editing import (
     apply_change,
     plan_split,
     plan_swap,
-    propose_swap_frame,
     propose_swap_frames,
     signals_of,
 )
@@ -68,7 +67,7 @@ def test_people_who_walk_the_same_way_side_by_side_are_told_apart_by_where_they_
 ) -> None:
     table = table_of_ways(*ways((1.2, 0.0), (1.2, 0.0), 0.6))
     apply_change(table, Labels(), plan_swap(table, 1, 2, frame))
-    assert propose_swap_frame(table, 1, 2) == pytest.approx(frame, abs=1)
+    assert propose_swap_frames(table, 1, 2)[0].frame == pytest.approx(frame, abs=1)
 
 
 def test_who_turns_round_where_the_other_does_is_told_by_looks() -> None:
@@ -108,7 +107,7 @@ def test_what_was_only_predicted_does_not_count() -> None:
     lost = (rows["frame"] >= 92) & (rows["frame"] < 108)
     rows["predicted"][lost] = True
     rows["x"][lost] = 7.0
-    assert propose_swap_frame(TrackTable(rows), 1, 2) == 108
+    assert propose_swap_frames(TrackTable(rows), 1, 2)[0].frame == 108
 
 
 def test_people_who_stand_together_and_look_alike_give_several_unsure_frames() -> None:
@@ -138,7 +137,7 @@ def test_a_swap_far_from_where_the_user_looks_is_found_when_they_did_not_meet_th
     a = np.column_stack([np.clip(time_s, -5, 5), np.zeros(count)])
     table = table_of_ways(a, -a + (0.0, 0.3))
     apply_change(table, Labels(), plan_swap(table, 1, 2, 300))
-    assert propose_swap_frame(table, 1, 2, near=9000) == pytest.approx(300, abs=2)
+    assert propose_swap_frames(table, 1, 2, near=9000)[0].frame == pytest.approx(300, abs=2)
 
 
 def run_of(table: TrackTable, signals: Columns) -> Run:
@@ -188,9 +187,9 @@ def test_in_hours_of_footage_a_frame_is_proposed_at_once() -> None:
     count = 60_000
     way = np.column_stack([np.sin(np.arange(count) / 200) * 3, np.zeros(count)])
     table = table_of_ways(way, -way + 0.2)
-    propose_swap_frame(table, 1, 2, near=30_000)
+    propose_swap_frames(table, 1, 2, near=30_000)
     start = time.thread_time()
-    propose_swap_frame(table, 1, 2, near=30_000)
+    propose_swap_frames(table, 1, 2, near=30_000)
     assert time.thread_time() - start < 0.1
 
 

@@ -19,7 +19,14 @@ from walks_on_a_floor import (
     with_column,
 )
 
-from tracking.editing import Change, apply_change, plan_delete, plan_merge, plan_split, plan_swap
+from tracking.editing import (
+    Change,
+    apply_change,
+    plan_delete,
+    plan_merge_tracks,
+    plan_split,
+    plan_swap,
+)
 from tracking.review import find_suspicions
 from tracking.review.evidence import gathered
 from tracking.review.found import Found
@@ -111,7 +118,7 @@ def proposed(kind: str, table: TrackTable, first: int, second: int, frame: int) 
     plans: dict[str, Callable[[], Change]] = {
         "swap": lambda: plan_swap(table, first, second, frame),
         "split": lambda: plan_split(table, first, frame),
-        "merge": lambda: plan_merge(table, first, second),
+        "merge": lambda: plan_merge_tracks(table, first, [second]),
         "delete": lambda: plan_delete(table, first, frame),
     }
     return plans[fix(kind, second)]()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, made_run, straight
 
-from tracking.editing import apply_change, plan_delete, plan_merge, plan_split, plan_swap
+from tracking.editing import apply_change, plan_delete, plan_merge_tracks, plan_split, plan_swap
 from tracking.errors import CancelledError
 from tracking.review import Lookout, find_suspicions, searching
 from tracking.review.footage import Footage
@@ -66,7 +66,7 @@ def test_after_each_edit_it_finds_what_looking_through_everything_finds() -> Non
     begin, stop = table.frame_range(third)
     for plan in (
         lambda: plan_split(table, third, (begin + stop) // 2),
-        lambda: plan_merge(table, third, table.highest_track),
+        lambda: plan_merge_tracks(table, third, [table.highest_track]),
         lambda: plan_delete(table, third, stop - 200),
     ):
         apply_change(table, Labels(), plan())

@@ -18,7 +18,6 @@ from tracking.editing import (
     plan_label_part,
     plan_mark_occluded,
     plan_mark_reviewed,
-    plan_merge,
     plan_merge_tracks,
     plan_move_box,
     plan_new_track,
@@ -51,7 +50,7 @@ def row_plan(draw: st.DrawFn, session: Session) -> Plan:
     plans: tuple[Plan, ...] = (
         lambda: plan_swap(table, a, b, start, end),
         lambda: plan_split(table, a, start),
-        lambda: plan_merge(table, a, b, labels=labels, fill=start > 7),
+        lambda: plan_merge_tracks(table, a, [b], labels=labels, fill=start > 7),
         lambda: plan_merge_tracks(table, a, (b, b % 5 + 1), "surer", labels),
         lambda: plan_reassign(table, a, b, start, end),
         lambda: plan_delete(table, a, start, end),

@@ -20,9 +20,9 @@ from tracking.editing.boxes.standing import Box, body_position, standing_box
 from tracking.editing.boxes.thinning import plan_thin
 from tracking.editing.boxes.visibility import plan_mark_occluded
 from tracking.editing.change import Change, LabelState, State, apply_change
-from tracking.editing.identity.crossing import SwapFrame, propose_swap_frame, propose_swap_frames
+from tracking.editing.identity.crossing import SwapFrame, propose_swap_frames
 from tracking.editing.identity.identities import plan_reassign, plan_split, plan_swap
-from tracking.editing.identity.merging import Keep, plan_merge, plan_merge_tracks
+from tracking.editing.identity.merging import Keep, plan_merge_tracks
 from tracking.editing.identity.noticed import signals_of
 from tracking.editing.labels.drawing import plan_lines, plan_occluders, plan_regions
 from tracking.editing.labels.labelling import plan_rename, plan_set_attribute, plan_set_notes
@@ -88,7 +88,6 @@ __all__ = [
     "plan_lines",
     "plan_mark_occluded",
     "plan_mark_reviewed",
-    "plan_merge",
     "plan_merge_tracks",
     "plan_move_box",
     "plan_new_track",
@@ -106,7 +105,6 @@ __all__ = [
     "plan_unlabel_part",
     "plan_unmark_reviewed",
     "plan_verdict",
-    "propose_swap_frame",
     "propose_swap_frames",
     "protected_stretches",
     "rows_beyond_the_log",

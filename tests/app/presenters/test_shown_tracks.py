@@ -4,7 +4,7 @@ import two_people
 
 from app.presenters.document.live_tracks import LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
-from tracking.editing import apply_change, plan_delete, plan_merge, plan_split, plan_swap
+from tracking.editing import apply_change, plan_delete, plan_merge_tracks, plan_split, plan_swap
 from tracking.tracks import Labels, TrackTable
 
 
@@ -103,7 +103,7 @@ def test_particles_go_to_the_new_id_after_a_split():
 
 
 def test_of_two_who_are_merged_only_the_kept_ones_particles_stay():
-    shown = _after(lambda table: plan_merge(table, 4, 7))
+    shown = _after(lambda table: plan_merge_tracks(table, 4, [7]))
     assert shown.particles(50)["track"].tolist() == [4] * 5
 
 

@@ -39,13 +39,6 @@ class SwapFrame:
     text: str
 
 
-def propose_swap_frame(
-    table: TrackTable, a: int, b: int, near: int | None = None, signals: Columns | None = None
-) -> int:
-    """The first frame in which a and b should change names: see `propose_swap_frames`."""
-    return propose_swap_frames(table, a, b, near, signals)[0].frame
-
-
 def propose_swap_frames(
     table: TrackTable,
     a: int,

@@ -29,28 +29,6 @@ Keep = Literal["first", "second", "surer"]
 Frames = NDArray[np.int32]
 
 
-def plan_merge(
-    table: TrackTable,
-    a: int,
-    b: int,
-    keep: Keep = "first",
-    labels: Labels | None = None,
-    *,
-    fill: bool = False,
-    how: How | None = None,
-    view: View | None = None,
-    fps: float | None = None,
-) -> Change:
-    """Make one track of two: everything of b becomes a's.
-
-    Where both stand in a frame, keep says whose row stays: a's ("first"), b's ("second") or that of
-    higher confidence ("surer"). With labels given, a takes over what b's label says and its own
-    does not. fill: gaps that are left between a row of a and one of b are interpolated.
-    Raises EditError for unknown or equal tracks.
-    """
-    return plan_merge_tracks(table, a, [b], keep, labels, fill=fill, how=how, view=view, fps=fps)
-
-
 def plan_merge_tracks(
     table: TrackTable,
     into: int,
