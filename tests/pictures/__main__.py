@@ -1,4 +1,4 @@
-"""Make `docs/*.png`: the welcome page, two recordings playing, a swap waiting for Enter."""
+"""Make `docs/*.png`: the welcome page, a recording playing, a swap waiting for Enter."""
 
 from __future__ import annotations
 
@@ -50,11 +50,11 @@ def welcome(name: str, own: Path) -> None:
         _shoot(window, name)
 
 
-def playing(recording: str, scene: str, frame: int) -> Callable[[str, Path], None]:
+def playing(scene: str, frame: int) -> Callable[[str, Path], None]:
     """A recording that plays while the tracker is at work."""
 
     def make(name: str, own: Path) -> None:
-        with _playing(_recording(recording, scene, own), frame) as window:
+        with _playing(_recording(scene, own), frame) as window:
             _shoot(window, name)
 
     return make
@@ -62,7 +62,7 @@ def playing(recording: str, scene: str, frame: int) -> Callable[[str, Path], Non
 
 def swap_preview(name: str, own: Path) -> None:
     """Two people who met, and the swap that would change their ids over."""
-    with _playing(_recording("rendered-plaza", "plaza", own), 120) as window:
+    with _playing(_recording("plaza", own), 120) as window:
         desk = window.desk
         assert desk is not None
         wait_until(lambda: not desk.live.running and not window.work.busy, _PATIENCE_MS)
@@ -78,21 +78,16 @@ def swap_preview(name: str, own: Path) -> None:
 
 PICTURES: dict[str, Callable[[str, Path], None]] = {
     "welcome": welcome,
-    "playing-plaza": playing("rendered-plaza", "plaza", 215),
-    "playing-overhead": playing("overhead-real", "hall", 215),
+    "playing-plaza": playing("plaza", 215),
     "swap-preview": swap_preview,
 }
 
 
-def _recording(name: str, scene: str, own: Path) -> Path:
-    """A shared test recording where there is one, else a built-in scene."""
-    named = os.environ.get("TRACKWRIGHT_DATA")
-    shared = Path(named) if named else Path(__file__).parents[3] / "shared" / "data"
-    if (shared / name).is_dir():
-        return shared / name
+def _recording(scene: str, own: Path) -> Path:
+    """A built-in scene, rendered once: pictures show nobody who lives."""
     folder = own / scene
     if not folder.is_dir():
-        render_recording(folder, scene, 20.0, 9, 4)
+        render_recording(folder, scene, 20.0, 11, 4)
     return folder
 
 
