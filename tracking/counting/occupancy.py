@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from tracking.counting.paths import Floats, Integers, Paths
 from tracking.counting.polygons import area, inside
-from tracking.counting.speeds import speeds
+from tracking.counting.speeds import Velocities, lengths
 from tracking.counting.steps import PAPER_STEP_S, Steps
 from tracking.tracks.labels import Region
 
@@ -65,15 +65,14 @@ def occupancy(
     frames = np.asarray(columns["frame"])
     stop = max(frame_count, int(frames.max(initial=-1)) + 1)
     steps = Steps.of(stop, fps, step_s)
+    if not regions:
+        return ()
     floor = Paths.on_floor(columns)
-    speed = speeds(floor, fps, frame_step)
     some_in_picture = any(region.in_picture for region in regions)
     feet = Paths.in_picture(columns) if some_in_picture else floor
-    feet_speed = _speeds_of(feet, floor, speed) if some_in_picture else speed
+    walking = Velocities(floor, fps, frame_step)
     return tuple(
-        _through_time(region, feet, feet_speed, steps)
-        if region.in_picture
-        else _through_time(region, floor, speed, steps)
+        _through_time(region, feet if region.in_picture else floor, floor, walking, steps)
         for region in regions
     )
 
@@ -86,14 +85,18 @@ def density_of(region: Region, people: Floats | Integers) -> Floats:
     return found
 
 
-def _through_time(region: Region, paths: Paths, speed: Floats, steps: Steps) -> Occupancy:
-    at_steps = np.flatnonzero(np.isin(paths.frame, steps.frame))
+def _through_time(
+    region: Region, paths: Paths, floor: Paths, walking: Velocities, steps: Steps
+) -> Occupancy:
+    """One region, of paths in its own frame of reference; speeds are those on the floor."""
+    at_steps = np.flatnonzero(steps.begins_at(paths.frame))
     within = at_steps[inside(region.polygon, paths.place[at_steps])]
     step = np.searchsorted(steps.frame, paths.frame[within])
     people = np.bincount(step, minlength=len(steps))
-    return Occupancy(
-        region, people, density_of(region, people), _mean(speed[within], step, len(steps))
-    )
+    speed = np.full(len(within), np.nan)
+    rows = within if paths is floor else _same_rows(paths, within, floor)
+    speed[rows >= 0] = lengths(walking.at(rows[rows >= 0]))
+    return Occupancy(region, people, density_of(region, people), _mean(speed, step, len(steps)))
 
 
 def _mean(values: Floats, step: Integers, count: int) -> Floats:
@@ -105,12 +108,12 @@ def _mean(values: Floats, step: Integers, count: int) -> Floats:
     return mean
 
 
-def _speeds_of(feet: Paths, floor: Paths, speed: Floats) -> Floats:
-    """(n,) for rows in the picture the speeds of the same rows on the floor, NaN where unknown."""
+def _same_rows(feet: Paths, rows: Integers, floor: Paths) -> Integers:
+    """(k,) where rows in the picture stand among those on the floor; -1: nowhere."""
     stride = int(max(feet.frame.max(initial=0), floor.frame.max(initial=0))) + 1
-    asked, known = feet.track * stride + feet.frame, floor.track * stride + floor.frame
+    asked = feet.track[rows] * stride + feet.frame[rows]
+    known = floor.track * stride + floor.frame
     if not len(known):
-        return np.full(len(feet), np.nan)
+        return np.full(len(rows), -1)
     at = np.minimum(np.searchsorted(known, asked), len(known) - 1)
-    found: Floats = np.where(known[at] == asked, speed[at], np.nan)
-    return found
+    return np.where(known[at] == asked, at, -1)

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracking.counting.paths import Floats, Integers
 from tracking.errors import CountingError
@@ -56,6 +57,13 @@ class Steps:
     def start_s(self) -> Floats:
         """(k,) when each begins."""
         return np.arange(len(self), dtype=np.float64) * self.step_s
+
+    def begins_at(self, frame: Integers) -> NDArray[np.bool_]:
+        """(n,) whether a step begins at each frame."""
+        begins = np.zeros(int(frame.max(initial=0)) + 1, bool)
+        begins[self.frame[self.frame < len(begins)]] = True
+        at: NDArray[np.bool_] = begins[frame]
+        return at
 
     def of_time(self, time_s: Floats) -> Integers:
         """(n,) the step each moment lies in."""

@@ -23,9 +23,9 @@ from tracking.tracks import Columns
 Rgba = NDArray[np.uint8]
 Floats = NDArray[np.float64]
 
-_MOST_OUTLINES = 1200
+_MOST_OUTLINES = 600
 """More would be neither told apart nor painted in time."""
-_POINTS, _LEVELS = 24, 8
+_POINTS, _LEVELS = 20, 6
 _FAINTEST, _STRONGEST = 45, 235
 _REGION_ALPHA, _EDGE_ALPHA = 50, 220
 _SUBPIXEL = 3
