@@ -16,7 +16,7 @@ from tracking.editing.boxes.rows import (
     plan_move_box,
     plan_new_track,
 )
-from tracking.editing.boxes.standing import Box, body_position, standing_box
+from tracking.editing.boxes.standing import body_position, standing_box
 from tracking.editing.boxes.thinning import plan_thin
 from tracking.editing.boxes.visibility import plan_mark_occluded
 from tracking.editing.change import Change, LabelState, State, apply_change
@@ -54,7 +54,6 @@ from tracking.editing.tracking_again.taking import plan_take
 
 __all__ = [
     "TOUCHED_COLUMNS",
-    "Box",
     "Change",
     "Difference",
     "Entry",

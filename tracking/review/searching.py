@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from tracking.geometry import View
+from tracking.progress import Progress
 from tracking.review.block import Block, Scene, looked_through
 from tracking.review.costs import costs
 from tracking.review.evidence import Rows
@@ -14,9 +15,6 @@ from tracking.review.footage import Footage
 from tracking.review.queue import ranked
 from tracking.review.suspicion import Suspicion
 from tracking.tracks import Labels, Run, TrackTable
-
-Progress = Callable[[int, int], None]
-"""Told steps done and steps in all; may raise to cancel."""
 
 MOST = 10_000
 """Of more than these, more than anybody ever looks through, those worth most are kept."""

@@ -5,13 +5,14 @@ from __future__ import annotations
 import csv
 import json
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from tracking.editing import Change, Entry, History, LabelState, State
 from tracking.errors import EditError
+from tracking.progress import Progress
 from tracking.replacing import replacing
 from tracking.session.edit_words import in_words
 from tracking.tracks import PART_NAMES, PartLabel
@@ -20,7 +21,6 @@ LOG_COLUMNS = (
     *("id", "time", "author", "kind", "text", "frame", "frames", "tracks"),
     *("undone", "undoes", "before", "after"),
 )
-Progress = Callable[[int, int], None]
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n")
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from tracking.errors import CancelledError, OutputError, SettingsError
 from tracking.formats import write_mot
 from tracking.geometry import write_calibration
+from tracking.progress import Progress
 from tracking.recording import Manifest, write_manifest
 from tracking.synthesis.body import PARTS
 from tracking.synthesis.circumstances import ORDINARY, Circumstances
@@ -23,9 +24,6 @@ from tracking.synthesis.scenes import SCENES
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.truth import CARED_FOR, SceneTruth
 from tracking.synthesis.video import VideoWriter
-
-Progress = Callable[[int, int], None]
-"""Told frames done and frames in all."""
 
 MOST_PEOPLE, LONGEST_S = 200, 3600.0
 _SIDES = ("left", "right")

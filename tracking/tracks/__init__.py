@@ -36,7 +36,14 @@ from tracking.tracks.labels import (
     Verdict,
     VerdictKey,
 )
-from tracking.tracks.part_labels import PART_NAMES, PART_SOURCES, PartKey, PartLabel, PartLabels
+from tracking.tracks.part_labels import (
+    PART_NAMES,
+    PART_SOURCES,
+    Box,
+    PartKey,
+    PartLabel,
+    PartLabels,
+)
 from tracking.tracks.run import ParticleColumn, Particles, Run
 from tracking.tracks.table import TrackTable, check_known, next_track
 from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, checked_columns
@@ -57,6 +64,7 @@ __all__ = [
     "SIGNAL_COLUMNS",
     "TRACKLET_COLUMNS",
     "TRACK_COLUMNS",
+    "Box",
     "Columns",
     "CountingLine",
     "Labels",

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 PartKey = tuple[int, int, int]
 """frame, track, part."""
 Box = tuple[float, float, float, float]
+"""left, top, width, height in 0-based pixels of the left image as recorded."""
 
 PART_NAMES = ("head", "torso", "hip-leg")
 """By the number of the part."""

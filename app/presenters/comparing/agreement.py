@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,12 +15,12 @@ from app.presenters.comparing.other_people import OtherPeople
 from app.presenters.palette import colour_of_track
 from app.presenters.words import span_text, tr
 from tracking.errors import SessionError
+from tracking.progress import Progress
 from tracking.recording import Recording
 from tracking.scoring import Agreement, Disagreement, ScoringTable, agreement
 from tracking.session import RecordingReference, Session
 from tracking.tracks import TrackTable
 
-Report = Callable[[int, int], None]
 _STEPS = 4
 _GAP_S = 0.5
 """Disagreements of the same two tracks that lie closer together are one stretch."""
@@ -61,7 +60,7 @@ def refuse_other_recording(one: RecordingReference, other: RecordingReference, n
         )
 
 
-def read_other(path: Path, own: Session, snapshot: TrackTable, report: Report) -> OtherSession:
+def read_other(path: Path, own: Session, snapshot: TrackTable, report: Progress) -> OtherSession:
     """Read another session and compare it; for a thread of its own.
 
     Args:
@@ -86,14 +85,14 @@ def read_other(path: Path, own: Session, snapshot: TrackTable, report: Report) -
 
 
 def compared_again(
-    other: OtherSession, own: Session, snapshot: TrackTable, report: Report
+    other: OtherSession, own: Session, snapshot: TrackTable, report: Progress
 ) -> OtherSession:
     """The same session compared with the open one as it is by now."""
     found = _compared(own, snapshot, other.tracks, report)
     return OtherSession(other.name, other.tracks, found, snapshot.revision)
 
 
-def _compared(own: Session, a: TrackTable, b: TrackTable, report: Report) -> Agreement:
+def _compared(own: Session, a: TrackTable, b: TrackTable, report: Progress) -> Agreement:
     table_a = ScoringTable.from_columns(a.columns())
     report(2, _STEPS)
     table_b = ScoringTable.from_columns(b.columns())

@@ -15,7 +15,7 @@ from app.presenters.comparing.differences_scene import (
     Side,
     Sorted,
 )
-from app.presenters.comparing.finding import Found, Report, search_in
+from app.presenters.comparing.finding import Found, search_in
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.palette import colour_of_track
 from app.presenters.reviewing.review_scene import ReviewPerson
@@ -30,6 +30,7 @@ from tracking.editing import (
 from tracking.editing.tracking_again.alignment import rows_of_table
 from tracking.editing.tracking_again.counterparts import Places, counterparts
 from tracking.errors import EditError
+from tracking.progress import Progress
 from tracking.session import Session
 from tracking.tracks import Columns, TrackTable
 
@@ -72,7 +73,7 @@ class Comparison:
 
     # finding
 
-    def search(self) -> Callable[[Report], Found]:
+    def search(self) -> Callable[[Progress], Found]:
         """What finds the differences of the tracks as they are now; to be called in any thread."""
         return search_in(self._session, self.run, self.base, self._frames, self._fps)
 

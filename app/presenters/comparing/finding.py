@@ -13,11 +13,9 @@ from tracking.editing import (
     differing_rows,
     protected_stretches,
 )
+from tracking.progress import Progress
 from tracking.session import Session
 from tracking.tracks import Labels, Run, TrackTable
-
-Report = Callable[[int, int], None]
-"""Is told how many steps of how many are done; raises where the user has cancelled."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,7 +34,7 @@ class Found:
 
 def search_in(
     session: Session, run: int, base: int | None, frames: tuple[int, int] | None, fps: float
-) -> Callable[[Report], Found]:
+) -> Callable[[Progress], Found]:
     """What compares a run with another one, or (base None) with the tracks as they are now."""
     if base is not None:
         return partial(_two_runs, session.runs[base], session.runs[run], fps)
@@ -44,7 +42,7 @@ def search_in(
     return partial(_with_tracks, (table, labels, history), session.runs[run], frames, fps)
 
 
-def _two_runs(base: Run, run: Run, fps: float, report: Report) -> Found:
+def _two_runs(base: Run, run: Run, fps: float, report: Progress) -> Found:
     found, solid, dashed = compare_runs(base, run, fps=fps, progress=report)
     return Found(_by_time(found), solid, dashed)
 
@@ -54,7 +52,7 @@ def _with_tracks(
     run: Run,
     frames: tuple[int, int] | None,
     fps: float,
-    report: Report,
+    report: Progress,
 ) -> Found:
     report(0, 1)
     protection = protected_stretches(*corrected, fps=fps)

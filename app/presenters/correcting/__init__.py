@@ -2,7 +2,7 @@
 
 from app.presenters.correcting.beginning import begun_box, begun_place
 from app.presenters.correcting.flow import EditFlow, Fill, Range
-from app.presenters.correcting.footing import Box, Footing, Place
+from app.presenters.correcting.footing import Footing, Place
 from app.presenters.correcting.ground import Ground
 from app.presenters.correcting.kinds import (
     OF_SEVERAL,
@@ -27,7 +27,6 @@ __all__ = [
     "OF_TWO",
     "PLACING",
     "SCOPES",
-    "Box",
     "EditFlow",
     "EditKind",
     "Fill",

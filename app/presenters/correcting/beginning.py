@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from app.presenters.correcting.flow import EditFlow
-from app.presenters.correcting.footing import Box, Place, box_of
+from app.presenters.correcting.footing import Place, box_of
 from app.presenters.correcting.ground import Ground
 from app.presenters.correcting.nearness import nearest_row
+from tracking.tracks import Box
 
 
 def begun_box(flow: EditFlow, on: Ground) -> Box:

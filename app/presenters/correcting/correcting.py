@@ -9,7 +9,6 @@ import numpy as np
 
 from app.presenters.correcting import (
     OF_SEVERAL,
-    Box,
     EditFlow,
     EditKind,
     Footing,
@@ -28,6 +27,7 @@ from app.presenters.correcting.gap_places import gap_near, next_filled
 from app.presenters.correcting.nearness import nearest_first
 from app.presenters.document.selection import Selection
 from app.presenters.words import tr
+from tracking.tracks import Box
 
 _BOX_STEP_PX, _PLACE_STEP_M, _FAR = 1.0, 0.05, 10.0
 _MOST_OTHERS = 5

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from app.presenters.correcting.footing import Box, Place
+from app.presenters.correcting.footing import Place
 from app.presenters.correcting.kinds import (
     OF_TWO,
     PLACING,
@@ -17,6 +17,7 @@ from app.presenters.correcting.kinds import (
     Way,
 )
 from tracking.editing import SwapFrame
+from tracking.tracks import Box
 
 Range = tuple[int, int]
 """A half-open range of frames."""

@@ -9,10 +9,8 @@ import numpy as np
 from tracking.editing import standing_box
 from tracking.geometry import View
 from tracking.recording import Recording
-from tracking.tracks import Columns
+from tracking.tracks import Box, Columns
 
-Box = tuple[float, float, float, float]
-"""left, top, width, height in 0-based pixels of the left image as recorded."""
 Place = tuple[float, float]
 """x, y in metres on the floor."""
 

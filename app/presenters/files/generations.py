@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from app.presenters.panels import local_time
 from app.presenters.words import counted, tr
 from tracking.editing import Entry
+from tracking.progress import Progress
 from tracking.session import Generation, list_generations
 from tracking.session.older import read_generation
 from tracking.tracks import Columns, TrackTable
 
-Report = Callable[[int, int], None]
 _LISTED = 6
 _PLACE = ("left", "top", "width", "height", "x", "y")
 
@@ -44,7 +44,7 @@ def older_states(path: Path) -> tuple[GenerationLine, ...]:
 
 
 def what_differs(
-    path: Path, number: int, now: TrackTable, entries: Sequence[Entry], report: Report
+    path: Path, number: int, now: TrackTable, entries: Sequence[Entry], report: Progress
 ) -> tuple[str, ...]:
     """What would be different after an older state is restored, a line each.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,14 +12,12 @@ from platformdirs import user_data_path
 from app.presenters.document.document import Document
 from tracking.errors import OutputError
 from tracking.formats import read_mot
+from tracking.progress import Progress
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.scoring import ScoringTable, score
 from tracking.session import KnownRecordings, PendingSave, Session, generations
 from tracking.session.saving import companions
 from tracking.tracks import Run
-
-Report = Callable[[int, int], None]
-"""Told how many steps of how many are done; raises where the user has cancelled."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +46,7 @@ def window_lock() -> Path:
 
 
 def open_cancellable(
-    path: Path, recording: Path | None, options: OpenOptions | None, report: Report
+    path: Path, recording: Path | None, options: OpenOptions | None, report: Progress
 ) -> Opened:
     """The same as `open_path`; where it was cancelled meanwhile nothing stays open.
 
@@ -176,7 +173,7 @@ def is_unsaved_place(path: Path | None) -> bool:
     return path is None or path.parent == unsaved_folder()
 
 
-def score_against_truth(session: Session, recording: Recording, report: Report) -> dict[str, Any]:
+def score_against_truth(session: Session, recording: Recording, report: Progress) -> dict[str, Any]:
     """The figures of the corrected tracks against the recording's truth.
 
     Raises:

@@ -21,12 +21,11 @@ from app.presenters.labelling.labelling_scene import (
     Tool,
 )
 from app.presenters.labelling.part_labelling import PartLabelling
-from app.presenters.labelling.parts import Box
 from app.presenters.palette import colour_of_track
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.scenes import Eye
 from app.presenters.words import tr
-from tracking.tracks import Labels, PartLabel
+from tracking.tracks import Box, Labels, PartLabel
 
 Counted = Callable[[Tool, int], str]
 """What is counted at a line or in a region, by its number; "" where nothing is."""

@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 from app.presenters.correcting import Reach
 from app.presenters.document.document import Document
 from app.presenters.labelling.labelling_scene import PartLine, Suggested
-from app.presenters.labelling.parts import Box, parts_of, parts_over
+from app.presenters.labelling.parts import parts_of, parts_over
 from app.presenters.parts.picturing import part_name
 from app.presenters.scenes import ChoiceRow
 from app.presenters.words import tr
 from tracking.editing import Change, plan_label_part, plan_unlabel_part
 from tracking.errors import EditError
-from tracking.tracks import PART_NAMES, Labels, PartLabel, PartLabels, Run
+from tracking.tracks import PART_NAMES, Box, Labels, PartLabel, PartLabels, Run
 
 SAID: dict[bool | None, str] = {True: "on", False: "off", None: "unsure"}
 SCOPES = (Reach.FRAME, Reach.RANGE)

@@ -10,8 +10,6 @@ import numpy as np
 from tracking.session import parts_by_now
 from tracking.tracks import PART_NAMES, Columns, Labels, PartLabel, Run, TrackTable
 
-Box = tuple[float, float, float, float]
-
 _BOX = ("left", "top", "width", "height")
 _SHARES = ((0.00, 0.15, 0.50), (0.15, 0.52, 0.95), (0.52, 1.00, 0.85))
 """Top and bottom of head, torso and hip-leg as shares of a standing body's height from the top,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 import numpy as np
@@ -10,21 +10,22 @@ from numpy.typing import NDArray
 
 from app.presenters.document.document import Document
 from app.presenters.files.opening import open_path
-from app.presenters.labelling.parts import Box, parts_of
+from app.presenters.labelling.parts import parts_of
 from app.presenters.parts.training import Source
 from app.presenters.parts.training_result import MistakeItem
 from tracking.errors import TrackwrightError
+from tracking.progress import Progress
+from tracking.tracks import Box
 
 Cut = tuple[NDArray[np.uint8], Box]
 """A piece of a picture, (h, w, 3) BGR, and the part's rectangle in it: left, top, width, height."""
 Cuts = dict[MistakeItem, Cut | None]
-Report = Callable[[int, int], None]
 _AROUND = 1.2
 """How much is seen around the part, in its larger side."""
 _LEAST_PX = 48
 
 
-def cut_outs(document: Document | None, items: Sequence[MistakeItem], report: Report) -> Cuts:
+def cut_outs(document: Document | None, items: Sequence[MistakeItem], report: Progress) -> Cuts:
     """The surroundings of parts; None where a recording is not found, or the person is gone.
 
     Args:

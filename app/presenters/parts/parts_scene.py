@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from app.presenters.parts.part_curve import PartCurve
 from app.presenters.scenes import Colour
-
-Box = tuple[float, float, float, float]
+from tracking.tracks import Box
 
 
 class Verdict(Enum):

@@ -11,14 +11,13 @@ from app.presenters.document.setting import Instant
 from app.presenters.palette import colour_of_track
 from app.presenters.parts.part_curve import THRESHOLD, PartCurve
 from app.presenters.parts.parts_scene import (
-    Box,
     CurvesScene,
     PartBox,
     PicturedParts,
 )
 from app.presenters.pictures.overhead import relative_weights
 from app.presenters.words import tr
-from tracking.tracks import PART_NAMES, Columns
+from tracking.tracks import PART_NAMES, Box, Columns
 
 
 def pictured_boxes(instant: Instant, part: int) -> tuple[PartBox, ...]:

@@ -11,13 +11,13 @@ import numpy as np
 from app.presenters.panels import local_time
 from app.presenters.words import counted, tr
 from tracking.formats import read_mot
+from tracking.progress import Progress
 from tracking.recording import Recording
 from tracking.scoring import ScoringTable, score
 from tracking.session import Session
 from tracking.trackers import TRACKERS, changed_settings
 from tracking.tracks import Columns, Run
 
-Report = Callable[[int, int], None]
 CORRECTED = -1
 """Stands for the corrected tracks where a run's number is asked for."""
 
@@ -69,7 +69,7 @@ class RunList:
         can_drop = last >= 0 and session.adopted_run != last and not session.read_only
         return RunsScene(tuple(rows), self._recording.truth_path is not None, can_drop)
 
-    def scoring(self) -> Callable[[Report], dict[int, Mapping[str, Any]]]:
+    def scoring(self) -> Callable[[Progress], dict[int, Mapping[str, Any]]]:
         """What scores all of them against the truth; to be called in any thread.
 
         Each run over the frames it went through. What it gives is for `take`.
@@ -83,7 +83,7 @@ class RunList:
         runs = self._session.runs
         tables += [(n, runs[n].tracks, runs[n].frames) for n in range(len(runs))]
 
-        def work(report: Report) -> dict[int, Mapping[str, Any]]:
+        def work(report: Progress) -> dict[int, Mapping[str, Any]]:
             truth = read_mot(truth_path)
             figures = {}
             for done, (number, columns, frames) in enumerate(tables):

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject
 
-from app.presenters.correcting import Box, EditKind
+from app.presenters.correcting import EditKind
 from app.presenters.document.document import Document
 from app.views.correcting.editing import Editing
 from app.views.playing.playback import Playback
+from tracking.tracks import Box
 
 
 class Dragging(QObject):

@@ -12,7 +12,6 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.document.document import Document
 from app.presenters.files import opening
 from app.presenters.files.exporting import exported_tracks
-from app.presenters.files.opening import Report
 from app.presenters.words import tr
 from app.views.runs.score_dialog import ScoreDialog
 from app.views.widgets.questions import choose_new_file
@@ -20,6 +19,7 @@ from app.views.widgets.work import Work
 from tracking.counting import Counts, write_counts
 from tracking.editing import History
 from tracking.formats import write_mot
+from tracking.progress import Progress
 from tracking.session import Session, write_log_csv, write_log_json
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ class Exporting(QObject):
         if session is None:
             return
 
-        def work(report: Report) -> None:
+        def work(report: Progress) -> None:
             rows = exported_tracks(session)
             report(1, 2)  # the last moment to cancel: what is written is whole
             write_mot(path, rows)
@@ -106,12 +106,12 @@ class Exporting(QObject):
             start = beside(desk.document, name)
             choose_new_file(self._window, title, start, filters, chosen)
 
-    def _write(self, path: Path, work: Callable[[Report], object]) -> None:
+    def _write(self, path: Path, work: Callable[[Progress], object]) -> None:
         title, told = tr("Exporting {name}", name=path.name), tr("Exported: {path}", path=path)
         self._work.run(title, work, lambda _: self.said.emit(told))
 
 
-def _written(counts: Counts, path: Path, report: Report) -> None:
+def _written(counts: Counts, path: Path, report: Progress) -> None:
     report(1, 2)  # the last moment to cancel: what is written is whole
     write_counts(path, counts)
 

@@ -15,11 +15,10 @@ from app.presenters.words import tr
 from app.views.labelling.suggesting import Suggesting
 from app.views.playing.playback import Playback
 from tracking.editing import Change
-from tracking.tracks import PART_NAMES, PartLabels
+from tracking.tracks import PART_NAMES, Box, PartLabels
 
 Do = Callable[[Callable[[], Change]], bool]
 """Does what is planned; whether it was done."""
-Box = tuple[float, float, float, float]
 
 
 class PartKeys(QObject):

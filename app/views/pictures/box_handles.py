@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-Box = tuple[float, float, float, float]
+from tracking.tracks import Box
+
 Handle = tuple[int, int]
 """Which side across and along: -1 left or top, 1 right or bottom, 0 neither; (0, 0): the inside."""
 

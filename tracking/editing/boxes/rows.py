@@ -11,7 +11,6 @@ from tracking.editing.boxes.keyframes import key_row_change, standing_row, vouch
 from tracking.editing.boxes.standing import (
     SIDES,
     USUAL_HEIGHT_M,
-    Box,
     body_position,
     boxes_of,
     followed_position,
@@ -33,6 +32,7 @@ from tracking.geometry import View
 from tracking.tracks import (
     CORRECTED_COLUMNS,
     LARGEST_NUMBER,
+    Box,
     Columns,
     TrackTable,
     check_known,

@@ -12,11 +12,9 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.people.boxes import standing_boxes
-from tracking.tracks import Columns
+from tracking.tracks import Box, Columns
 
 Floats = NDArray[np.float64]
-Box = tuple[float, float, float, float]
-"""left, top, width, height in 0-based pixels of the left image as recorded."""
 
 SIDES = ("left", "top", "width", "height")
 USUAL_HEIGHT_M = 1.75

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,11 +13,11 @@ from tracking.editing.tracking_again.alignment import Alignment, Exchange, align
 from tracking.editing.tracking_again.difference_text import Ends, Stretch, text_of
 from tracking.editing.tracking_again.folding import folded
 from tracking.editing.tracking_again.protection import Protection, protected_stretches
+from tracking.progress import Progress
 from tracking.tracks import Columns, Labels, Run, TrackTable
 
 Flags = NDArray[np.bool_]
 Integers = NDArray[np.integer]
-Progress = Callable[[int, int], None]
 
 _JOINED_FRAMES = 5
 """Differences of one kind with no more frames between them are told as one."""

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tracking.errors import CancelledError
-
-Progress = Callable[[int, int], None]
-"""Called with the steps done and the steps there are."""
+from tracking.progress import Progress
 
 
 class Steps:

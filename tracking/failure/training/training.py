@@ -22,7 +22,8 @@ from tracking.failure.training.gross import with_gross_failures
 from tracking.failure.training.questions import NAMES, SEVERAL, Question, questions_of
 from tracking.failure.training.report import TrainingReport, question_report
 from tracking.failure.training.search import Choice, Tried, curve_of, held_out_scores, search
-from tracking.failure.training.steps import Progress, Steps
+from tracking.failure.training.steps import Steps
+from tracking.progress import Progress
 
 
 @dataclass(frozen=True, slots=True)
