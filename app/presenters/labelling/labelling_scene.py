@@ -154,6 +154,7 @@ class LabellingScene:
         names: what was drawn, of the tools that draw. picked: number of the one chosen, -1: none.
         ranges: reviewed ranges. proposed: start and end (last frame) for a further one.
         selected: the selected track in words; "" for nobody.
+        refused: why the last answer was not taken, while the same frame and person are looked at.
     """
 
     tool: Tool
@@ -170,3 +171,4 @@ class LabellingScene:
     suggestions: tuple[Suggested, ...] | None = None
     current: int = -1
     doing: str = ""
+    refused: str = ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import QObject, QPointF, QRectF, Signal
@@ -66,6 +67,7 @@ class Labelling(QObject):
         self._workspace = workspace
         self._presenter = LabellingPresenter(document)
         self.shown = PictureLabels()
+        self._refused: tuple[str, tuple[object, ...]] = ("", ())
         self._panel: LabellingPanel = workspace.labelling
         self._parts = PartsLayer(workspace.left)
         self._on_picture = ShapesLayer(workspace.left)
@@ -302,13 +304,28 @@ class Labelling(QObject):
             change = plan()
             self._document.apply(change)
         except TrackwrightError as error:
-            self.failed.emit(error)
-            self.changed.emit()
+            self._refuse(error)
             return False
         self._keys.see_labels(self._presenter.labels.parts)
         self.said.emit(tr("Done: {what}", what=change.text))
         self.changed.emit()
         return True
+
+    def _refuse(self, error: TrackwrightError) -> None:
+        """Tell why not: of a part in the panel, for as long as it is true; else as any error."""
+        if self.tool is Tool.PARTS:
+            self._refused = (str(error), self._here)
+            self.said.emit(str(error))
+        else:
+            self.failed.emit(error)
+        self.changed.emit()
+
+    @property
+    def _here(self) -> tuple[object, ...]:
+        """What an answer would be about: frame, person, how far it goes, what is said so far."""
+        document, parts = self._document, self._presenter.parts
+        about = (self._playback.number, document.selection.track, parts.choice.scope)
+        return *about, document.correcting.marked, self._presenter.labels.parts
 
     # showing
 
@@ -335,10 +352,15 @@ class Labelling(QObject):
                 there = layer is self._on_picture
                 shapes = drawn_where(self.tool, presenter.labels, in_picture=there)
                 layer.show_shapes(shapes, closed=closed, colour=colour)
-        self._panel.show_scene(self._with_suggestions(presenter.scene(frame)))
+        self._panel.show_scene(self._completed(presenter.scene(frame)))
 
-    def _with_suggestions(self, scene: LabellingScene | None) -> LabellingScene | None:
-        return self._keys.suggesting.shown(scene) if scene is not None else None
+    def _completed(self, scene: LabellingScene | None) -> LabellingScene | None:
+        """The scene with the suggestions, and why the last answer was not taken."""
+        if scene is None:
+            return None
+        if self._refused[1] != self._here:
+            self._refused = ("", ())
+        return replace(self._keys.suggesting.shown(scene), refused=self._refused[0])
 
     def _show(self, left: PictureLabels, right: PictureLabels) -> None:
         self.shown = left

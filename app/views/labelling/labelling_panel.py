@@ -46,6 +46,10 @@ class LabellingPanel(ScrolledPanel):
         self._hint = quiet("", self)
         self._hint.setWordWrap(True)
         rows.addWidget(self._hint)
+        self._refused = QLabel(self)
+        self._refused.setFont(scaled_font(self.font(), 1.0, bold=True))
+        self._refused.setWordWrap(True)
+        rows.addWidget(self._refused)
         self.parts, self.drawn, self.ranges = PartsGrid(self), DrawnList(self), RangesList(self)
         self._pages = QStackedWidget(self)
         for page in (self.parts, self.drawn, self.ranges):
@@ -70,6 +74,9 @@ class LabellingPanel(ScrolledPanel):
             return
         self._title.setText(scene.title)
         self._hint.setText(scene.hint)
+        self._refused.setText(scene.refused)
+        self._refused.setAccessibleName(scene.refused)
+        self._refused.setVisible(bool(scene.refused))
         if scene.tool is Tool.PARTS:
             page: QWidget = self.parts
             self.parts.show_scene(scene)

@@ -162,7 +162,12 @@ def test_a_key_labels_nobody_where_the_person_is_not_in_the_frame(hands, labels,
     hands.qtbot.waitUntil(lambda: hands.desk.playback.number == away[-1])
     hands.press(Key.Key_4)
     assert len(labels()) == 0
-    assert "has no box in frame" in window.notice._text.text()
+    panel = window.workspace.labelling
+    assert "has no box in frame" in panel._refused.text()
+    assert not window.notice.isVisible()
+    hands.go(sorted(there)[0])
+    hands.desk.draw()
+    assert panel._refused.text() == ""  # it is not true any more
 
 
 def test_an_answer_elsewhere_goes_on_from_there(hands, suggested, labels, qtbot):
@@ -218,8 +223,12 @@ def test_a_range_that_is_not_set_is_asked_for(hands, labels, window):
     hands.press(Key.Key_R)
     hands.press(Key.Key_4)
     assert len(labels()) == 0
-    assert window.notice.isVisible()
-    assert "No range is set" in window.notice._text.text()
+    panel = window.workspace.labelling
+    assert "No range is set" in panel._refused.text()
+    assert panel._refused.isVisible()
+    hands.desk.document.correcting.marked = (CROWDED, CROWDED + 2)
+    hands.desk.draw()
+    assert not panel._refused.isVisible()
 
 
 def test_the_balance_of_a_part_is_told(hands, window):
