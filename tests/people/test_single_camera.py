@@ -8,6 +8,7 @@ from drawn_people import SIZE, floor, with_person, with_shadow
 from numpy.typing import NDArray
 
 from tracking.people import Observation, SingleCameraPerception
+from tracking.people.ghosts import without_ghosts
 from tracking.people.parts import part_regions, ycbcr
 from tracking.recording.frame import StereoFrame
 from tracking.synthesis import SCENES, Scene, SceneTruth
@@ -78,6 +79,42 @@ def test_somebody_who_stands_still_does_not_melt_into_the_background() -> None:
 
 def test_what_somebody_left_behind_in_the_background_is_nobody() -> None:
     assert len(seen(floor(), empty=with_person(floor(), 100, 60, 120)).people) == 0
+
+
+def test_somebody_dull_before_strong_bars_is_no_ghost() -> None:
+    bars = np.full((*SIZE, 3), 150, np.uint8)
+    for row in range(4):
+        bars[row::20] = 0
+    dull, regions = bars.copy(), np.zeros(SIZE, np.uint8)
+    dull[60:160, 100:130], regions[60:160, 100:130] = 120, 1
+    assert without_ghosts(regions, dull, bars).any()
+
+
+@pytest.mark.parametrize(("top", "height", "people"), [(105, 75, 1), (66, 114, 2), (60, 70, 2)])
+def test_without_metres_who_ends_as_low_as_somebody_must_be_about_as_tall(
+    top: int, height: int, people: int
+) -> None:
+    beside = with_person(floor(), 124, top, height)
+    assert len(seen(with_person(beside, 100, 60, 120)).people) == people
+
+
+def test_a_stretched_out_arm_is_nobody_without_metres() -> None:
+    picture = with_person(floor(), 100, 60, 120)
+    picture[82:92, 110:150] = (30, 30, 160)
+    picture[76:90, 144:156] = (90, 120, 190)
+    assert len(seen(picture).people) == 1
+
+
+def test_people_seen_from_above_are_not_doubled() -> None:
+    scene = Scene(SCENES["plaza"], people=6, seed=7, eyes=1)
+    frames = [scene.frame(number) for number in range(160, 480, 40)]
+    perception = SingleCameraPerception(FPS, scene.rig.view)
+    perception.learn([frame for frame, _ in frames])
+    counted = [(len(perception.observe(frame).people), len(truth)) for frame, truth in frames]
+    found, true = np.array(counted).T
+    assert true.sum() > 12
+    assert np.maximum(found - true, 0).sum() < 0.2 * true.sum()
+    assert np.maximum(true - found, 0).sum() < 0.2 * true.sum()
 
 
 def test_wide_pictures_give_boxes_and_regions_as_recorded() -> None:

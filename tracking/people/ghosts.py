@@ -11,6 +11,9 @@ from tracking.people.silhouettes import Labels
 _STRONGER = 0.9
 """Edges of the background along an outline, over those of the picture. People seen at all are
 below one half, ghosts above 1."""
+_EVERYWHERE = 0.55
+"""Share of the outline along which the background's edge is the stronger one: a ghost's is so
+nearly all along it, behind somebody before windows and fences it is so here and there."""
 _RING = np.ones((5, 5), np.uint8)
 
 
@@ -47,8 +50,10 @@ def _is_ghost(
     inside = np.s_[max(top - 3, 0) : top + height + 3, max(left - 3, 0) : left + width + 3]
     mask = own[inside]
     ring = cv2.morphologyEx(mask, cv2.MORPH_GRADIENT, _RING) > 0
-    now, usual = (float(_edges(eye[inside])[ring].mean()) for eye in (picture, background))
-    return usual > _STRONGER * now
+    now, usual = (_edges(eye[inside])[ring] for eye in (picture, background))
+    if float(usual.mean()) <= _STRONGER * float(now.mean()):
+        return False
+    return bool((usual > now).mean() > _EVERYWHERE)
 
 
 def _edges(picture: NDArray[np.uint8]) -> NDArray[np.float32]:

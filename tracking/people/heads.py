@@ -42,13 +42,14 @@ def bodies_in(own: Bools, left: int, top: int, standing: Standing) -> Bodies:
     bodies = standing.below(head, lowest(own, columns) + float(top))
     rises = _RISES if standing.calibrated else _RISES_UNKNOWN
     good = found["prominences"] >= rises * bodies.height
-    good &= _broad(own, columns, contour, bodies.height)
+    good &= _broad(own, columns, contour, bodies.height * bodies.stretch)
     seen = lowest(own, columns) - contour[columns]
     good &= seen >= _REACHES_DOWN * bodies.height
     if not good.any():
         good[contour[columns].argmin()] = True
     rows = np.flatnonzero(good)
-    return bodies.chosen(_distinct(bodies, rows[np.argsort(contour[columns[rows]], kind="stable")]))
+    downwards = rows[np.argsort(contour[columns[rows]], kind="stable")]
+    return bodies.chosen(_distinct(bodies, downwards, standing))
 
 
 def lowest(own: Bools, columns: NDArray[np.intp]) -> Floats:
@@ -71,19 +72,22 @@ def _broad(own: Bools, columns: NDArray[np.intp], contour: Floats, height: Float
     return np.array(found, np.bool_)
 
 
-def _distinct(bodies: Bodies, order: NDArray[np.intp]) -> NDArray[np.intp]:
+def _distinct(bodies: Bodies, order: NDArray[np.intp], standing: Standing) -> NDArray[np.intp]:
     """Of the bodies in order those whose heads are on no body kept before.
 
     Seen from high up bodies lean outwards: an elbow or a hip then peaks beside its own head.
     """
     kept: list[int] = []
     for k in order.tolist():
-        if (
-            not kept
-            or placed(bodies.head[k, :1], bodies.head[k, 1:], bodies.chosen(np.array(kept))).across[
-                0
-            ]
-            >= _APART
-        ):
+        if not kept or _is_another(bodies, k, bodies.chosen(np.array(kept)), standing):
             kept.append(k)
     return np.array(kept, np.intp)
+
+
+def _is_another(bodies: Bodies, k: int, kept: Bodies, standing: Standing) -> bool:
+    """Whether body k is somebody else than the bodies kept."""
+    across = placed(bodies.head[k, :1], bodies.head[k, 1:], kept).across[0]
+    if across < _APART:
+        return False
+    one = bodies.chosen(np.array([k]))
+    return bool((one.away_from(kept) if standing.calibrated else one.as_tall_as(kept))[0])

@@ -78,7 +78,7 @@ def people_regions(kind: NDArray[np.uint8], standing: Standing) -> Labels:
 def _seen_enough(regions: Labels, everybody: Bodies) -> Labels:
     """The regions without those of bodies of which hardly anything is seen; their numbers stay."""
     pixels = np.bincount(regions.ravel(), minlength=len(everybody) + 1)[1:]
-    gone = pixels < _LEAST_SEEN * _BODY_AREA * everybody.height**2
+    gone = pixels < _LEAST_SEEN * _BODY_AREA * everybody.height**2 * everybody.stretch
     return regions * np.concatenate(([False], ~gone)).astype(np.uint8)[regions]
 
 
@@ -97,7 +97,8 @@ def _absorbed(
     v, u = np.nonzero(own)
     place = placed(u + left, v + top, everybody)
     limb = (place.across < _LIMB_ACROSS) & (place.along > 0) & (place.along < 1)
-    whole = _BODY_AREA * everybody.height[np.bincount(place.body).argmax()] ** 2
+    most = np.bincount(place.body).argmax()
+    whole = _BODY_AREA * everybody.height[most] ** 2 * everybody.stretch[most]
     if limb.mean() < _LIMB_INSIDE or len(v) > _LIMB_AREA * whole:
         return False
     limb &= body_pixels(kind[inside][v, u], place, u, everybody.reach)
@@ -149,8 +150,10 @@ def _nearer(
         return None
     low = int(v[rest].max())
     body = standing.above(np.array([[float(np.median(u[rest])), float(low)]]))
-    enough = _NEARER_FILL * body.height[0] ** 2
-    return body if np.count_nonzero(rest) >= enough and body.head[0, 1] < low else None
+    enough = _NEARER_FILL * body.height[0] ** 2 * body.stretch[0]
+    if np.count_nonzero(rest) < enough or body.head[0, 1] >= low:
+        return None
+    return body if body.away_from(bodies)[0] else None
 
 
 def _paint(

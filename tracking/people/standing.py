@@ -18,9 +18,17 @@ _SLENDER = 0.29
 _LARGEST = 3.0
 """A body that should be this many times as high as what is seen: the floor tells nothing here."""
 _STRETCH = 1.8
-_ANKLE_M = 0.08
 _HEIGHTS_M = (0.5, 2.1)
 _GROWN_UP_M = (1.5, 1.92)
+_FROM_ABOVE = 1.3
+"""How much broader than that, seen from above, before it counts: a camera's height is known to
+no better."""
+_ARM_S_REACH, _AS_LOW = 0.6, 0.1
+_CHILD, _LIMB = 0.78, 0.4
+"""How far beside somebody their limbs and bags are, how much higher than their feet these end at
+most, and how high they are at most: on the ground, and in the air. All in heights of theirs."""
+_ELBOW_ROOM = 0.8
+"""In breadths, between the feet of two people."""
 _SLACK = 0.05
 """Of a body's height, that what is seen of it may go on below its feet."""
 
@@ -34,6 +42,8 @@ class Bodies:
         foot: (n, 2) between the feet.
         height, width: (n,) px.
         reach: (n,) how far below the head the tallest body's feet could be, over `height`.
+        stretch: (n,) how much broader bodies of this height look than people seen from the side;
+            1 or more, from above people look short but no narrower.
     """
 
     head: Floats
@@ -41,10 +51,33 @@ class Bodies:
     height: Floats
     width: Floats
     reach: Floats
+    stretch: Floats
 
     def __len__(self) -> int:
         """The number of bodies."""
         return len(self.head)
+
+    def away_from(self, others: Bodies) -> NDArray[np.bool_]:
+        """(n,) who stands where nobody of the others does; told of people seen from above only.
+
+        From the side, rows of the picture tell too little of who stands behind whom.
+        """
+        apart = np.linalg.norm(self.foot[:, None] - others.foot[None], axis=2)
+        near = apart < _ELBOW_ROOM * self.width[:, None]
+        return np.asarray(~near.any(axis=1) | (self.stretch <= 1.0))
+
+    def as_tall_as(self, others: Bodies) -> NDArray[np.bool_]:
+        """(n,) who is about as tall as the others beside them, if they stand as near.
+
+        Where nothing is known in metres: what ends as low as somebody and is clearly lower is a
+        bag on their back, and what hangs in the air beside them an arm.
+        """
+        height, foot = others.height[None], others.foot[None, :, 1]
+        share = self.height[:, None] / height
+        beside = np.abs(self.foot[:, :1] - others.foot[None, :, 0]) < _ARM_S_REACH * height
+        as_near = self.foot[:, 1:] > foot - _AS_LOW * height
+        piece = beside & ((as_near & (share < _CHILD)) | (share < _LIMB))
+        return np.asarray(~piece.any(axis=1))
 
     def chosen(self, rows: NDArray[np.bool_] | NDArray[np.intp]) -> Bodies:
         """Some of the bodies."""
@@ -58,7 +91,7 @@ class Bodies:
 
 def nobody() -> Bodies:
     """No bodies."""
-    return Bodies(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(0), np.zeros(0))
+    return Bodies(np.zeros((0, 2)), np.zeros((0, 2)), *np.zeros((4, 0)))
 
 
 class Standing:
@@ -94,7 +127,8 @@ class Standing:
         foot = np.column_stack((head[:, 0], bottom))
         height = np.maximum(bottom - head[:, 1], 1.0)
         width = height * _SLENDER
-        bodies = Bodies(head, foot, height, width, np.full(len(head), np.inf))
+        unknown = np.full(len(head), np.inf)
+        bodies = Bodies(head, foot, height, width, unknown, np.ones(len(head)))
         return bodies if self._view is None or len(head) == 0 else self._measured(bodies)
 
     def _measured(self, seen: Bodies) -> Bodies:
@@ -110,14 +144,18 @@ class Standing:
         over = np.nan_to_num(self.above(seen.foot).height, nan=1.0)
         high = np.where(known, high, np.maximum(over, seen.height))
         grown_up = (bottom >= short[:, 1]) & (bottom <= tallest)
-        taken = known & ~grown_up
-        row = np.where(taken, under[:, 1], bottom)
+        foot = np.column_stack((np.where(known, under[:, 0], head[:, 0]), bottom))
+        stretch = self._stretches(np.where(known[:, None], under, foot), high)
+        # Seen from above bodies lean: below a head's column there may be an arm only.
+        grown_up &= stretch == 1.0
+        foot[:, 1] = np.where(known & ~grown_up, under[:, 1], bottom)
         return Bodies(
             head,
-            np.column_stack((np.where(known, under[:, 0], head[:, 0]), row)),
+            foot,
             np.where(known & grown_up, seen.height, high),
-            high * settings.body_width_m / settings.body_height_m,
+            high * settings.body_width_m / settings.body_height_m * stretch,
             np.where(known, (tallest - head[:, 1]) / high + _SLACK, np.inf),
+            stretch,
         )
 
     def _under(self, head: Floats, heights_m: tuple[float, ...]) -> Floats:
@@ -135,8 +173,18 @@ class Standing:
         xy = self._view.floor_from_pixel(self.recorded(foot))
         head = self._working(self._view.pixel_from_world(_lifted(xy, settings.body_height_m)))
         high = np.hypot(*(foot - head).T)
-        width = high * settings.body_width_m / settings.body_height_m
-        return Bodies(head, foot, high, width, np.full(len(foot), 1 + _SLACK))
+        stretch = self._stretches(foot, high)
+        width = high * settings.body_width_m / settings.body_height_m * stretch
+        return Bodies(head, foot, high, width, np.full(len(foot), 1 + _SLACK), stretch)
+
+    def _stretches(self, foot: Floats, high: Floats) -> Floats:
+        """(n,) `Bodies.stretch` of bodies over feet (n, 2), so high in working px."""
+        assert self._view is not None
+        settings = self._settings
+        xy = self._view.floor_from_pixel(self.recorded(foot))
+        position = np.column_stack((xy, np.full(len(xy), settings.body_height_m / 2)))
+        across = settings.body_height_m / self.metres_per_pixel(position)
+        return np.nan_to_num(np.maximum(across / (_FROM_ABOVE * high), 1.0), nan=1.0)
 
     def positions(self, top: Floats, foot: Floats, foot_seen: NDArray[np.bool_]) -> Floats:
         """(n, 3) m on the floor under people, and half their height; NaN without calibration.
