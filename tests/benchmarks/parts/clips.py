@@ -50,6 +50,9 @@ REPORTED = _clips("walkway", range(4301, 4321))
 
 REPORTED_CROUCHING = _clips("crouching", range(4351, 4357))
 
+REPORTED_ELSEWHERE = tuple(clip for scene in ELSEWHERE for clip in _clips(scene, (4391,)))
+"""People as other cameras see them: for the detector alone."""
+
 TRAINED = (
     *_clips("walkway", range(4111, 4129)),
     *_clips("crouching", range(4161, 4166)),

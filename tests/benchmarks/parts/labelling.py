@@ -20,7 +20,7 @@ from tracking.failure import (
     read_true_parts,
     samples_of,
 )
-from tracking.failure.training.questions import NAMES, questions_of
+from tracking.failure.training.questions import NAMES, all_questions
 from tracking.tracks import Columns
 
 
@@ -45,7 +45,7 @@ def samples_of_parts(folder: Path, clip: Clip, parts: Columns) -> Samples:
 def machine_curves(detector: Detector, samples: Samples) -> dict[str, Curve]:
     """What each machine of a detector says of samples it has not seen, by question."""
     curves = {}
-    for question in questions_of(samples):
+    for question in all_questions(samples):
         value = detector.machines.decide(detector.preparation.of(question.features))
         if question.number >= value.shape[1]:
             continue

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.benchmarks.parts.clips import FPS, Clip, folder_of
+from tests.benchmarks.parts.kept import Seen, kept_run
 from tracking.pipeline import track
 from tracking.recording import open_recording
 from tracking.scoring.parts import (
@@ -22,7 +23,6 @@ from tracking.scoring.parts import (
     tracked_people,
 )
 from tracking.trackers import settings_from, tracker_named
-from tracking.tracks.run import Run
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,35 +34,56 @@ class Variant:
         tracker: in the catalogue.
         settings: other than the defaults.
         parts: whether it follows parts, and not people as a whole.
+        judged: whether what it does depends on the failure detector.
     """
 
     name: str
     tracker: str
     settings: tuple[tuple[str, Any], ...] = ()
     parts: bool = True
+    judged: bool = True
 
 
 ADJUSTED = Variant("with adjustment", "three-part")
-PLAIN = Variant("without adjustment", "three-part", (("adjust", False),))
+PAPER = Variant(
+    "the paper's adjustment",
+    "three-part",
+    (("follow_silhouettes", False), ("body_rules", False), ("find_again", False)),
+)
+"""Only what the detector finds is put back, as in [ZhaoLee2009] 4.3; the rest of ours left out."""
+PLAIN = Variant("without adjustment", "three-part", (("adjust", False),), judged=False)
 JOINT = Variant("joint", "three-part-joint")
-WHOLE = Variant("whole body", "whole-body", parts=False)
-VARIANTS = (ADJUSTED, PLAIN, JOINT, WHOLE)
+WHOLE = Variant("whole body", "whole-body", parts=False, judged=False)
+VARIANTS = (ADJUSTED, PAPER, PLAIN, JOINT, WHOLE)
 
 
 @cache
-def run_of(folder: Path, variant: Variant, seed: int = 0) -> Run:
-    """The variant's run over a recording; tracked once, however many sections look at it."""
+def run_of(folder: Path, variant: Variant) -> Seen:
+    """What the variant saw in a recording; tracked once, however many sections look at it."""
+    chosen = (variant.tracker, *variant.settings)
+    return kept_run(folder, chosen, variant.judged, lambda: fresh_run(folder, variant))
+
+
+def fresh_run(folder: Path, variant: Variant) -> Seen:
+    """The same, tracked now: with the verdicts of the detector in force."""
     settings = settings_from(tracker_named(variant.tracker).settings_type, dict(variant.settings))
+    began = time.perf_counter()
     with (
         open_recording(folder) as recording,
-        track(recording, variant.tracker, settings, seed) as tracking,
+        track(recording, variant.tracker, settings, 0) as tracking,
     ):
         for _ in tracking:
             pass
-        return tracking.run()
+        run = tracking.run()
+    print(
+        f"{variant.name}: {folder.name} in {time.perf_counter() - began:.0f} s",
+        file=sys.stderr,
+        flush=True,
+    )
+    return Seen(run.tracks, run.parts)
 
 
-def tracked_by(run: Run, variant: Variant) -> TrackedParts:
+def tracked_by(run: Seen, variant: Variant) -> TrackedParts:
     """The rectangles of a run."""
     return tracked_parts(run.parts) if variant.parts else tracked_people(run.tracks)
 
@@ -70,10 +91,7 @@ def tracked_by(run: Run, variant: Variant) -> TrackedParts:
 def judged_clip(clip: Clip, variant: Variant, kept: Path | None = None) -> list[Judged]:
     """Everybody of a clip, as the variant tracks them."""
     folder = folder_of(clip, kept)
-    began = time.perf_counter()
     run = run_of(folder, variant)
-    took = time.perf_counter() - began
-    print(f"{variant.name}: {clip.scene} {clip.seed} in {took:.0f} s", file=sys.stderr)
     with open_recording(folder) as recording:
         truth = read_part_truth(folder, recording.frame_count, recording.size)
     return judge(truth, tracked_by(run, variant), FPS)

@@ -61,20 +61,25 @@ def questions_of(samples: Samples) -> list[Question]:
 
     Raises TrainingError where parts have too few samples, of too few people; names them all.
     """
-    people, part = samples.people(), samples.columns["part"]
-    lost = samples.columns["label"] == 0
-    asked = [
-        _question(number, np.flatnonzero(part == number), samples, lost, people)
-        for number in range(PARTS)
-    ]
+    *asked, several = all_questions(samples)
     short = [why for question in asked if (why := shortage(question))]
     if short:
         raise TrainingError(
             f"{'; '.join(short)}: add labels or sessions until each has at least "
             f"{LEAST_SAMPLES} of {LEAST_PEOPLE} people or more"
         )
-    several = one_or_several(samples, people)
     return asked if shortage(several) else [*asked, several]
+
+
+def all_questions(samples: Samples) -> list[Question]:
+    """The four questions with whatever samples answer them, be it none."""
+    people, part = samples.people(), samples.columns["part"]
+    lost = samples.columns["label"] == 0
+    asked = [
+        _question(number, np.flatnonzero(part == number), samples, lost, people)
+        for number in range(PARTS)
+    ]
+    return [*asked, one_or_several(samples, people)]
 
 
 def one_or_several(samples: Samples, people: NDArray[np.int64]) -> Question:

@@ -13,7 +13,7 @@ from tracking.failure.machines import Machines
 from tracking.failure.operating import Curve
 from tracking.failure.preparation import Preparation
 from tracking.failure.training.fitting import Candidate, fitted
-from tracking.failure.training.questions import Question
+from tracking.failure.training.questions import SEVERAL, Question
 from tracking.failure.training.steps import Steps
 
 
@@ -23,13 +23,16 @@ class Tried:
 
     Attributes:
         question: number of it. by_size: of the preparation.
-        worth: mean share of failures found while false alarms are few.
+        worth: mean share of failures found while false alarms are few; of one-or-several, where
+            both mistakes cost alike, at any number of them.
+        unsure: the standard error of a share found, of as many failures as there were.
     """
 
     question: int
     by_size: bool
     candidate: Candidate
     worth: float
+    unsure: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,13 +58,13 @@ def search(
         most_false_alarms: how far the operating points of interest reach.
     """
     tried = [
-        Tried(question.number, by_size, candidate, area)
+        Tried(question.number, by_size, candidate, *_worth(curve_of(question, scores), most))
         for by_size, of_folds in preparations.items()
         for question in questions
         for candidate, scores in zip(
             grid, held_out_scores(question, folds, of_folds, grid, steps), strict=True
         )
-        for area in [curve_of(question, scores).area(most_false_alarms)]
+        for most in [1.0 if question.number == SEVERAL else most_false_alarms]
     ]
     return _best(tried, len(questions)), tried
 
@@ -96,16 +99,25 @@ def curve_of(question: Question, scores: Floats) -> Curve:
     return Curve(np.sort(scores[asked & ~question.yes]), np.sort(scores[asked & question.yes]))
 
 
+def _worth(curve: Curve, most_false_alarms: float) -> tuple[float, float]:
+    """The share found over few false alarms, and its standard error."""
+    worth = curve.area(most_false_alarms)
+    return worth, float(np.sqrt(worth * (1.0 - worth) / max(len(curve.off), 1)))
+
+
 def _best(tried: Sequence[Tried], questions: int) -> Choice:
     """For each preparation the best candidate of each question; then the better preparation.
 
-    Of equals the first in the grid: it has the wider kernel and the lower cost.
+    The first in the grid that is no more than one standard error worse than the best: with few
+    failures the best is so by chance, and wiggly machines fare worse on scenes they never saw.
     """
     chosen: dict[bool, list[Tried]] = {}
     for by_size in (False, True):
         for question in range(questions):
             of_it = [one for one in tried if (one.question, one.by_size) == (question, by_size)]
-            chosen.setdefault(by_size, []).append(max(of_it, key=lambda one: one.worth))
+            best = max(of_it, key=lambda one: one.worth)
+            enough = best.worth - best.unsure
+            chosen.setdefault(by_size, []).append(next(o for o in of_it if o.worth >= enough))
     total = {by_size: sum(one.worth for one in best[:PARTS]) for by_size, best in chosen.items()}
     by_size = total[True] >= total[False]
     return Choice(by_size, tuple(one.candidate for one in chosen[by_size]))
