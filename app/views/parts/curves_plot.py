@@ -30,7 +30,8 @@ class _Strip:
     """One of the plots: its name with the unit, what of a curve it shows, at least how far it goes.
 
     Attributes:
-        sides: of a threshold: what is said above and below it.
+        sides: of a threshold: what is said above and below it. high: its curves mostly run high,
+            so its name stands low.
     """
 
     name: str
@@ -39,6 +40,7 @@ class _Strip:
     share: float
     threshold: float | None = None
     sides: tuple[str, str] = ("", "")
+    high: bool = False
 
 
 class CurvesPlot(QWidget):
@@ -69,6 +71,7 @@ class CurvesPlot(QWidget):
                 lambda one: one.entropy,
                 (0.0, 1.0),
                 0.27,
+                high=True,
             ),
             _Strip(self.tr("Particles (number)"), lambda one: one.particles, (0.0, 10.0), 0.27),
         )
@@ -217,7 +220,9 @@ class CurvesPlot(QWidget):
         theme: Theme,
     ) -> None:
         """Below the curves: what is drawn; at the right which side of a threshold means what."""
-        _draw_words(painter, strip.name, place.topLeft() + QPointF(2, 1), theme.text)
+        height = painter.fontMetrics().height()
+        top = place.bottom() - height - 1 if strip.high else place.top() + 1
+        _draw_words(painter, strip.name, QPointF(place.left() + 2, top), theme.text)
         if strip.threshold is None:
             return
         line = painter.fontMetrics().height()
