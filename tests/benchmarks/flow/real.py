@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.benchmarks.flow.counting import JITTER_M, counts_of
+from tests.benchmarks.flow.counting import JITTER_M, TRACKERS, counts_of
 from tests.benchmarks.rendered import run_of
 from tracking.counting import Passages, passages
 from tracking.formats import read_mot
@@ -21,9 +21,6 @@ BY_EYE = ((20, 110, False), (180, 320, True), (380, 470, False), (480, 570, Fals
 
 BELOW = CountingLine("below the camera", (0.0, -3.0), (0.0, 3.0))
 """Forward is from left to right."""
-
-TRACKERS = ("flow", "spheroid")
-"""Tracks of every tracker can be counted."""
 
 TWO_EYES = "stereo-direction"
 """To compare with, where both eyes are there."""
