@@ -32,7 +32,7 @@ def view_of(height_m: float = 3.0, tilt_deg: float = 35.0, distortion: float = 0
 def floor_picture(seed: int = 1) -> Picture:
     """A floor with some texture, (480, 640, 3)."""
     random = np.random.default_rng(seed)
-    grey = cv2.GaussianBlur(random.normal(140.0, 40.0, SIZE[::-1]), (0, 0), 4.0)
+    grey = cv2.GaussianBlur(random.normal(140.0, 120.0, SIZE[::-1]), (0, 0), 3.0)
     return np.repeat(grey.clip(0, 255).astype(np.uint8)[..., None], 3, axis=2)
 
 

@@ -14,7 +14,7 @@ from tracking.trackers.flow.kernels import KernelTable
 from tracking.trackers.flow.people import in_picture
 from tracking.trackers.flow.seen import POSITIONS, Seen, speeds
 from tracking.trackers.flow.settings import FlowSettings
-from tracking.trackers.flow.walkers import Walkers, begun, measured, nobody, predicted
+from tracking.trackers.flow.walkers import Walkers, begun, measured, nobody, predicted, proven
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -54,7 +54,7 @@ class ClusteredPeople:
         before = self._owner_before(seen)
         who = _matched(label, before, walkers, len(clusters))
         place = self._places(clusters)
-        walkers = self._measured(walkers, who, place, label)
+        walkers = proven(self._measured(walkers, who, place, label), self._settings.walked_m)
         track = np.where(who >= 0, np.append(walkers.track, 0)[who], 0).astype(np.int32)
         walkers, track = self._with_newcomers(walkers, track, place, label, seen)
         self.owner = np.append(track, np.int32(0))[label]
@@ -92,7 +92,9 @@ class ClusteredPeople:
             self._settings.lost_after_s,
             self._settings.lost_at_edge_s,
         )
-        return walkers.select(walkers.missed_s <= limit_s)
+        kept = walkers.missed_s <= limit_s
+        kept &= walkers.walked | (walkers.age_s < self._settings.unproven_s)
+        return walkers.select(kept)
 
     def _owner_before(self, seen: Seen) -> NDArray[np.int32]:
         """(n,) whose each tracklet was in the frame before; 0: nobody's."""
@@ -107,8 +109,10 @@ class ClusteredPeople:
         """(m, 2) m where the bodies stand whose upper part, or all, the clusters are."""
         middle = clusters.mode[:, 0].copy()
         whole = self._table.at(middle)[:, 1]
-        middle[:, 1] += np.maximum(whole - clusters.size[:, 1], 0.0) / 2
-        height_m = self._settings.clusters.centre_m
+        settings = self._settings.clusters
+        body = 2.0 * settings.reach  # as many bodies high is a kernel
+        middle[:, 1] += np.maximum(whole - clusters.size[:, 1], 0.0) / 2 / body
+        height_m = settings.centre_m
         return self._floor.places(self._floor.slopes(middle), np.full(len(middle), height_m))
 
     def _measured(self, walkers: Walkers, who: Indices, place: Floats, label: Indices) -> Walkers:

@@ -16,9 +16,11 @@ Indices = NDArray[np.intp]
 
 MOST_STEPS = 60
 _SETTLED_PX = 0.05
-_LOWER, _ABOVE_LOWER = 0.5, 0.15
-"""The lower part of a kernel: from so far below its middle, and what tells that it is hidden, in
-heights of the kernel."""
+_LOWER = 0.08, 0.25
+"""Where the lower part of a body is below its middle, in heights of the kernel, which reaches a
+body's height up and down. What has no tracklets there is hidden."""
+_UPPER = 0.65
+"""How much of a body is left then."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,6 +49,9 @@ def kernel_at(table: KernelTable, modes: Vectors) -> Vectors:
 
 def inside(modes: Vectors, size: Vectors, tracklets: Vectors) -> Flags:
     """(m, n) whether a tracklet lies in a mode's kernel at every instant [Yoneji2013] eq. 7.
+
+    A kernel is a rectangle round the mode. In the source it reaches a body's width and height from
+    there to each side (eq. 4), so that it holds a whole body from any point of it.
 
     Args:
         modes: (m, t, 2). size: (m, t, 2), NaN: nothing is inside. tracklets: (n, t, 2).
@@ -182,10 +187,10 @@ def shrunk(modes: Vectors, size: Vectors, tracklets: Vectors) -> Vectors:
     away = tracklets[:, 0] - modes[:, 0][:, None]
     width, height = size[:, 0, 0, None], size[:, 0, 1, None]
     beside = 2 * np.abs(away[..., 0]) <= width
-    below = (away[..., 1] >= _ABOVE_LOWER * height) & (away[..., 1] <= _LOWER * height)
+    below = (away[..., 1] >= _LOWER[0] * height) & (away[..., 1] <= _LOWER[1] * height)
     hidden = ~(beside & below).any(axis=1)
     less = size.copy()
-    less[hidden, :, 1] *= _LOWER + _ABOVE_LOWER
+    less[hidden, :, 1] *= _UPPER
     return less
 
 

@@ -113,7 +113,7 @@ class PointFollower:
     ) -> tuple[Paths, NDArray[np.bool_]]:
         """Where points (n, 2) of a picture are in another one, and whether they are found."""
         side = self._settings.window_px
-        there, found, _ = cv2.calcOpticalFlowPyrLK(
+        there, found, change = cv2.calcOpticalFlowPyrLK(
             before,
             after,
             points,
@@ -123,7 +123,8 @@ class PointFollower:
             criteria=(cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, _STEPS, _FINE_PX),
             flags=cv2.OPTFLOW_USE_INITIAL_FLOW,
         )
-        return np.asarray(there, np.float32), np.asarray(found[:, 0] > 0)
+        alike = change[:, 0] <= self._settings.change
+        return np.asarray(there, np.float32), np.asarray((found[:, 0] > 0) & alike)
 
     def _with_new(self, grey: Grey, seek: Mask | None) -> Tracklets:
         points = self._points

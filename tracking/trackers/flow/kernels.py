@@ -41,6 +41,10 @@ class KernelTable:
         size = np.stack((self.hx[v, u], self.hy[v, u]), axis=-1).astype(np.float64)
         return np.where(inside[..., None], size, np.nan)
 
+    def scaled(self, factor: float) -> KernelTable:
+        """Kernels so many times as large."""
+        return KernelTable(self.hx * np.float32(factor), self.hy * np.float32(factor))
+
 
 def kernel_table(
     view: View, *, width_m: float = 0.40, height_m: float = 1.65, centre_m: float = 0.80

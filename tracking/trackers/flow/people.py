@@ -17,7 +17,7 @@ from tracking.trackers.flow.seen import POSITIONS, Seen, speeds
 from tracking.trackers.flow.settings import ClusterSettings, FlowSettings
 from tracking.trackers.flow.sightings import FloorGrid, Sightings
 from tracking.trackers.flow.silhouettes import cover_of, drawn
-from tracking.trackers.flow.walkers import Walkers, begun, measured, nobody, predicted
+from tracking.trackers.flow.walkers import Walkers, begun, measured, nobody, predicted, proven
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -69,6 +69,7 @@ class HeldPeople:
         walkers = predicted(self.walkers, seen.elapsed_s)
         holds = self._holds.of(seen.tracklets.id)
         walkers, holds = self._measured(walkers, holds, seen)
+        walkers = proven(walkers, self._settings.walked_m)
         walkers, holds = self._ended(walkers, holds)
         rows, who = claims(walkers, holds, seen, self._floor)
         holds = holds.given(
@@ -177,6 +178,7 @@ class HeldPeople:
             self._settings.lost_at_edge_s,
         )
         kept = (walkers.missed_s <= limit_s) & (walkers.empty_s < _EMPTY_S)
+        kept &= walkers.walked | (walkers.age_s < self._settings.unproven_s)
         heir = _heirs(walkers, kept, self._settings.closest_m)
         row = holds.rows_of(walkers)
         owner = np.where(row >= 0, np.append(walkers.track, 0)[np.append(heir, -1)[row]], 0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -24,7 +26,8 @@ def resumed(resume: Resume) -> Walkers:
     states = [_state(rows, track, resume) for track in people]
     place = np.array([state[0] for state in states]).reshape(-1, 2)
     pace = np.array([state[1] for state in states]).reshape(-1, 2)
-    return begun(people.astype(np.int32), place, pace)
+    walkers = begun(people.astype(np.int32), place, pace)
+    return replace(walkers, walked=np.ones(len(walkers), bool))
 
 
 def _state(rows: Columns, track: int, resume: Resume) -> tuple[Floats, Floats]:

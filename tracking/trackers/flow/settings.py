@@ -24,6 +24,9 @@ class PointSettings:
     return_px: float = setting(
         1.0, "px", (0.1, 10.0), "followed back, a point must come as near to where it was"
     )
+    change: float = setting(
+        20.0, "grey levels", (1.0, 255.0), "a point whose patch changes by more in a frame ends"
+    )
     history_s: float = setting(
         0.6, "s", (0.2, 5.0), "how long a way decides whether a point stands still"
     )
@@ -42,6 +45,9 @@ class ClusterSettings:
     width_m: float = setting(0.4, "m", (0.1, 2.0), "width of the kernel's box")
     height_m: float = setting(1.65, "m", (0.2, 3.0), "height of the kernel's box")
     centre_m: float = setting(0.8, "m", (0.1, 2.5), "height of the box's middle over the floor")
+    reach: float = setting(
+        1.0, "", (0.1, 5.0), "how far from its middle the kernel reaches, in widths and heights"
+    )
     fewest: int = setting(4, "", (1, 100), "clusters of fewer tracklets are dropped")
     join: float = setting(
         0.5, "", (0.0, 1.0), "modes closer than this join, in halves of the kernel's sides"
@@ -67,6 +73,12 @@ class FlowSettings:
     )
     birth_s: float = setting(
         0.35, "s", (0.0, 10.0), "time a cluster must have moved before it becomes a track"
+    )
+    walked_m: float = setting(
+        0.3, "m", (0.0, 10.0), "a track is told only once it has gone so far from where it began"
+    )
+    unproven_s: float = setting(
+        1.5, "s", (0.1, 60.0), "time in which it must do so, or it was nobody"
     )
     lost_after_s: float = setting(
         2.5, "s", (0.05, 60.0), "time out of sight after which a track ends"

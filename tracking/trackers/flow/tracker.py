@@ -53,7 +53,9 @@ class FlowTracker:
         self._history = max(POSITIONS, round(points.history_s * fps) + 1)
         self._follower = PointFollower(points, self._history, spacing)
         kind = HeldPeople if settings.hold else ClusteredPeople
-        self._people: HeldPeople | ClusteredPeople = kind(settings, table, self._floor)
+        self._people: HeldPeople | ClusteredPeople = kind(
+            settings, table.scaled(2.0 * box.reach), self._floor
+        )
         self._watch = CameraWatch(fps)
         self._moved: list[int] = []
         self._time_s: float | None = None
@@ -87,9 +89,9 @@ class FlowTracker:
         seen = self._looked(observation)
         self._people.step(seen)
         owner = self._people.owner
-        result = step_result(
-            observation.frame, self._people.walkers, seen.tracklets, owner, self._view
-        )
+        told = self._people.walkers.select(self._people.walkers.walked)
+        shown = np.where(np.isin(owner, told.track), owner, 0)
+        result = step_result(observation.frame, told, seen.tracklets, shown, self._view)
         self._drop_still(seen, owner)
         return result
 

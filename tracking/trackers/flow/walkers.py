@@ -28,6 +28,7 @@ class Walkers:
         age_s, missed_s: (m,) since the first frame, and since the last one they were measured in.
         empty_s: (m,) how long nothing has been seen where they are in sight.
         count: (m,) tracklets they are held by.
+        began: (m, 2) m where they were first. walked: (m,) whether they have gone on from there.
     """
 
     track: NDArray[np.int32]
@@ -37,6 +38,8 @@ class Walkers:
     missed_s: Floats
     empty_s: Floats
     count: NDArray[np.int64]
+    began: Floats
+    walked: NDArray[np.bool_]
 
     def __len__(self) -> int:
         """How many there are."""
@@ -62,6 +65,8 @@ class Walkers:
             self.missed_s[rows],
             self.empty_s[rows],
             self.count[rows],
+            self.began[rows],
+            self.walked[rows],
         )
 
     def and_also(self, more: Walkers) -> Walkers:
@@ -74,6 +79,8 @@ class Walkers:
             np.append(self.missed_s, more.missed_s),
             np.append(self.empty_s, more.empty_s),
             np.append(self.count, more.count),
+            np.concatenate((self.began, more.began)),
+            np.append(self.walked, more.walked),
         )
 
 
@@ -84,12 +91,20 @@ def begun(track: NDArray[np.int32], place: Floats, pace: Floats) -> Walkers:
     spread[:, 2:, 2:] = np.eye(2) * _FIRST_M_S**2
     none = np.zeros(len(track))
     state = np.concatenate((place, pace), axis=1)
-    return Walkers(track, state, spread, none, none, none, np.zeros(len(track), np.int64))
+    count, walked = np.zeros(len(track), np.int64), np.zeros(len(track), bool)
+    return Walkers(track, state, spread, none, none, none, count, place, walked)
 
 
 def nobody() -> Walkers:
     """No people."""
     return begun(np.zeros(0, np.int32), np.zeros((0, 2)), np.zeros((0, 2)))
+
+
+def proven(walkers: Walkers, walked_m: float) -> Walkers:
+    """With those marked who have gone so far from where they were found: only people do."""
+    way = walkers.place - walkers.began
+    far = np.hypot(way[:, 0], way[:, 1]) >= walked_m
+    return replace(walkers, walked=walkers.walked | far)
 
 
 def predicted(walkers: Walkers, elapsed_s: float) -> Walkers:
