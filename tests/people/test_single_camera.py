@@ -87,7 +87,7 @@ def test_somebody_dull_before_strong_bars_is_no_ghost() -> None:
         bars[row::20] = 0
     dull, regions = bars.copy(), np.zeros(SIZE, np.uint8)
     dull[60:160, 100:130], regions[60:160, 100:130] = 120, 1
-    assert without_ghosts(regions, dull, bars).any()
+    assert without_ghosts(regions, dull, bars, floor_known=False).any()
 
 
 @pytest.mark.parametrize(("top", "height", "people"), [(105, 75, 1), (66, 114, 2), (60, 70, 2)])

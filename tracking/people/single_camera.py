@@ -71,7 +71,8 @@ class SingleCameraPerception:
         shadow = self._shadows.shadows(seen)
         standing = Standing(self._view, _shrink(eye), self._settings)
         regions = people_regions(self._kinds(seen, shadow), standing)
-        regions = without_ghosts(regions, seen.picture, seen.background)
+        known = self._view is not None
+        regions = without_ghosts(regions, seen.picture, seen.background, floor_known=known)
         people = described(regions, seen.picture, eye.shape, standing, self._settings)
         self._remember(seen, regions)
         overlays = self._overlays(seen.mask, shadow, eye)

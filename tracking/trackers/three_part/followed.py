@@ -125,27 +125,33 @@ def together(one: Followed, other: Followed) -> Followed:
 
 def nobody(layout: Layout) -> Followed:
     """Nobody yet, ready to be joined."""
-    parts = layout.parts
+    return unknown(np.zeros(0, np.int32), layout.parts, no_clouds(layout.together))
+
+
+def unknown(track: NDArray[np.int32], parts: int, clouds: Clouds) -> Followed:
+    """People (people,) of so many parts of whom nothing is known but their particles."""
+    people = len(track)
+    each = (people, parts)
     return Followed(
-        track=np.zeros(0, np.int32),
-        clouds=no_clouds(layout.together),
-        state=np.zeros((0, parts, 6)),
-        pace=np.zeros((0, 2)),
-        model=np.zeros((0, parts, 3, 256), np.float32),
-        looks=np.zeros((0, parts, 3, 256), np.float32),
-        similarity=np.zeros((0, parts)),
-        usual=np.zeros((0, parts)),
-        entropy=np.zeros((0, parts)),
-        occluded=np.zeros((0, parts), bool),
-        touching=np.zeros(0, bool),
-        failed=np.zeros((0, parts), bool),
-        score=np.zeros((0, parts)),
-        outline=np.zeros((0, 4)),
-        pose=np.zeros((0, parts, 4)),
-        height=np.zeros(0),
-        place=np.zeros((0, 2)),
-        walk=np.zeros((0, 2)),
-        missed_s=np.zeros(0),
-        hidden_s=np.zeros(0),
-        age_s=np.zeros(0),
+        track=track,
+        clouds=clouds,
+        state=np.zeros((*each, 6)),
+        pace=np.zeros((people, 2)),
+        model=np.zeros((*each, 3, 256), np.float32),
+        looks=np.zeros((*each, 3, 256), np.float32),
+        similarity=np.zeros(each),
+        usual=np.zeros(each),
+        entropy=np.full(each, np.nan),
+        occluded=np.zeros(each, bool),
+        touching=np.zeros(people, bool),
+        failed=np.zeros(each, bool),
+        score=np.full(each, np.nan),
+        outline=np.zeros((people, 4)),
+        pose=np.zeros((*each, 4)),
+        height=np.zeros(people),
+        place=np.full((people, 2), np.nan),
+        walk=np.zeros((people, 2)),
+        missed_s=np.zeros(people),
+        hidden_s=np.zeros(people),
+        age_s=np.zeros(people),
     )

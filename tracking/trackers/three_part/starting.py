@@ -12,7 +12,7 @@ from tracking.people import Detections
 from tracking.people.parts import inner_rectangle, part_regions
 from tracking.trackers.three_part.appearance import looked_at
 from tracking.trackers.three_part.bodies import outlined_boxes
-from tracking.trackers.three_part.followed import Flags, Floats, Followed, Indices, Layout
+from tracking.trackers.three_part.followed import Flags, Floats, Followed, Indices, Layout, unknown
 
 _START_PARTICLES = 400
 _START_SPREAD = (0.1, 0.1, 0.08, 0.08, 1.0, 1.0)
@@ -66,30 +66,18 @@ def begun(
     state[..., :4], state[..., 4:] = rectangles, pace[:, None]
     filters = by_filter(state, layout)
     count = np.full(len(filters), _START_PARTICLES, np.int64)
+    clouds = scattered(filters, _start_spread(filters), count, random)
     model = looked_at(picture, rectangles)
     alike = np.full((people, parts), _ALIKE_AT_FIRST)
-    return Followed(
-        track=track,
-        clouds=scattered(filters, _start_spread(filters), count, random),
+    return unknown(track, parts, clouds).replace(
         state=state,
         pace=pace,
         model=model,
         looks=model,
         similarity=alike,
         usual=alike,
-        entropy=np.full((people, parts), np.nan),
-        occluded=np.zeros((people, parts), bool),
-        touching=np.zeros(people, bool),
-        failed=np.zeros((people, parts), bool),
-        score=np.full((people, parts), np.nan),
-        outline=np.zeros((people, 4)),
         pose=posed(rectangles),
         height=outlined_boxes(rectangles, np.zeros((people, 4)))[:, 3],
-        place=np.full((people, 2), np.nan),
-        walk=np.zeros((people, 2)),
-        missed_s=np.zeros(people),
-        hidden_s=np.zeros(people),
-        age_s=np.zeros(people),
     )
 
 
