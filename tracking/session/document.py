@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -11,11 +10,11 @@ from typing import TYPE_CHECKING
 from tracking.editing import Change, Entry, plan_undo_alone, with_parts_carried
 from tracking.errors import OutputError, SessionError
 from tracking.session.held import Held
-from tracking.session.image import Snapshot, Stamps, empty_snapshot
+from tracking.session.image import Stamps, empty_snapshot
 from tracking.session.journal import Act
 from tracking.session.known import KnownRecordings
 from tracking.session.older import read_generation, standing_in
-from tracking.session.pending import PendingSave
+from tracking.session.pending import PendingSave, next_stamps
 from tracking.session.reading import read_session, saved_as
 from tracking.session.recovery import recover
 from tracking.session.reference import Footage, refer_to
@@ -184,16 +183,8 @@ class Session(Held):
 
     def _keep(self, act: Act, entry: Entry) -> None:
         """Put a step into the journal; a session that was never saved has none."""
-        if self._store is None:
-            return
-        try:
-            journal = self._store.journal()
-            if journal.origin is None:
-                journal.start_over(self._stamps.session, self._stamps.save)
-            journal.append(act, entry)
-        except OutputError:
-            self._store.doubt()
-            raise
+        if self._store is not None:
+            self._store.keep(act, entry, self._stamps.session, self._stamps.save)
 
     def _begin_journal(self) -> None:
         """Have a journal ready before the first edit is made."""
@@ -254,40 +245,16 @@ class Session(Held):
             if self._store is not None:
                 self._make_sure(self._store)
         store = self._store if own and self._store is not None else Store.claim(target)
-        snapshot = Snapshot(
-            stamps=self._next_stamps(self._stamps, store if own else None),
-            recording=self._whereabouts.seen_from(target.parent, self._path),
-            runs=self._runs.held(),
-            tracks=self.tracks.snapshot(),
-            adopted=self._adopted,
-            labels=self.labels,
-            edits=self.history.entries,
-            touched=self.history.touches,
-            began_as=self._runs.in_memory(self._adopted),
-            samples=self._samples,
-        )
+        stamps = next_stamps(self._stamps, self._stamps, store if own else None)
+        snapshot = self._as_it_is(stamps, self._whereabouts.seen_from(target.parent, self._path))
         self._pending = PendingSave(snapshot, target, self._content, store)
         return self._pending
-
-    def _next_stamps(self, stamps: Stamps, store: Store | None) -> Stamps:
-        """Of the next save, which takes in the journal of store; None: it goes elsewhere."""
-        journal = store.journal() if store is not None and store.has_journal else None
-        origin = journal.origin if journal is not None else None
-        return replace(
-            stamps,
-            session=self._stamps.session,
-            save=made_up(),
-            previous_save=origin[1] if origin else self._stamps.save if store is not None else "",
-            included=journal.last if journal is not None else 0,
-            modified=now(),
-            software=software(),
-        )
 
     def finish_save(self, pending: PendingSave) -> Path:
         """The last step, after `write`: from now on the journal builds on the new file."""
         stamps, own = pending.snapshot.stamps, pending.store is self._store
         if own:
-            self._trim_journal(pending)
+            pending.store.rebase(stamps.session, stamps.save, stamps.included)
         elif pending.store.has_journal:
             pending.store.set_journal_aside()  # of the session that was there before
         left = None if own else self._store
@@ -304,13 +271,6 @@ class Session(Held):
             if left is not None:
                 left.release(keep_journal=self.dirty)
         return pending.path
-
-    def _trim_journal(self, pending: PendingSave) -> None:
-        """Let the journal build on the file that was just written."""
-        stamps = pending.snapshot.stamps
-        if pending.store.has_journal:
-            with contextlib.suppress(OutputError):  # it stays longer; the file says what it holds
-                pending.store.journal().start_over(stamps.session, stamps.save, stamps.included)
 
     def abandon_save(self, pending: PendingSave) -> None:
         """Instead of `finish_save`, where `write` failed or was not called."""
@@ -337,7 +297,7 @@ class Session(Held):
         if self.dirty:
             self._write(replace(self.begin_save(), most=UNLIMITED))
         file = next(kept for kept in generations(path) if file_state(kept) == known)
-        stamps = self._next_stamps(older.stamps, store)
+        stamps = next_stamps(older.stamps, self._stamps, store)
         recording = self._whereabouts.reference
         snapshot = replace(standing_in(older, file), stamps=stamps, recording=recording)
         pending = PendingSave(snapshot, path, 0, store, UNLIMITED)
@@ -345,7 +305,7 @@ class Session(Held):
         restored = Session(standing_in(snapshot, path), path, self.author)
         restored._whereabouts.place = self._whereabouts.place
         restored._store, self._store = store, None
-        restored._trim_journal(pending)
+        store.rebase(stamps.session, stamps.save, stamps.included)
         return restored
 
     # The recording

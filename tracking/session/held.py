@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tracking.editing import History
 from tracking.session.edited import Edited
-from tracking.session.image import Snapshot
+from tracking.session.image import Snapshot, Stamps
 from tracking.session.older import Generation, list_generations
 from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference
@@ -130,3 +130,18 @@ class Held:
     def generations(self) -> tuple[Generation, ...]:
         """What was saved before and is kept, the newest first: quick, no table is read."""
         return () if self._path is None else list_generations(self._path)
+
+    def _as_it_is(self, stamps: Stamps, recording: RecordingReference) -> Snapshot:
+        """All of it at this moment, to be saved."""
+        return Snapshot(
+            stamps=stamps,
+            recording=recording,
+            runs=self._runs.held(),
+            tracks=self.tracks.snapshot(),
+            adopted=self._adopted,
+            labels=self.labels,
+            edits=self.history.entries,
+            touched=self.history.touches,
+            began_as=self._runs.in_memory(self._adopted),
+            samples=self._samples,
+        )

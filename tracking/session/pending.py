@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
-from tracking.session.image import Snapshot, write_image
+from tracking.session.image import Snapshot, Stamps, write_image
 from tracking.session.saving import GENERATIONS, replace_verified
+from tracking.session.stamping import made_up, now, software
 from tracking.session.store import Store
 
 
@@ -42,3 +43,23 @@ class PendingSave:
             self.written.set_exception(why)
             raise
         self.written.set_result(None)
+
+
+def next_stamps(stamps: Stamps, own: Stamps, store: Store | None) -> Stamps:
+    """Of the next save of what bears `stamps`, under the session's own name.
+
+    Args:
+        own: of the session as it was saved last.
+        store: whose journal the save takes in; None: it goes elsewhere.
+    """
+    journal = store.journal() if store is not None and store.has_journal else None
+    origin = journal.origin if journal is not None else None
+    return replace(
+        stamps,
+        session=own.session,
+        save=made_up(),
+        previous_save=origin[1] if origin else own.save if store is not None else "",
+        included=journal.last if journal is not None else 0,
+        modified=now(),
+        software=software(),
+    )

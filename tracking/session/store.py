@@ -7,8 +7,9 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
+from tracking.editing import Entry
 from tracking.errors import OutputError, SessionError
-from tracking.session.journal import Journal
+from tracking.session.journal import Act, Journal
 from tracking.session.lock import SessionLock
 from tracking.session.saving import clear_leftovers, companions, sync_folder, telling_where
 
@@ -59,9 +60,25 @@ class Store:
             self._lock_again(is_own)
         return self._journal_again()
 
-    def doubt(self) -> None:
-        """Have the journal opened anew before it is written to again: its disk refused."""
-        self._doubted = True
+    def keep(self, act: Act, entry: Entry, session: str, save: str) -> None:
+        """Put a step into the journal, on disk when this returns; a new one builds on that save.
+
+        Raises OutputError where its disk refuses: it is opened anew before it is written to again.
+        """
+        try:
+            journal = self.journal()
+            if journal.origin is None:
+                journal.start_over(session, save)
+            journal.append(act, entry)
+        except OutputError:
+            self._doubted = True
+            raise
+
+    def rebase(self, session: str, save: str, included: int) -> None:
+        """Let the journal build on the file that was just written, which holds so many steps."""
+        if self.has_journal:
+            with contextlib.suppress(OutputError):  # it stays longer; the file says what it holds
+                self.journal().start_over(session, save, included)
 
     def _is_in_place(self) -> bool:
         journal = self._opened()
