@@ -8,9 +8,19 @@ import os
 from importlib import import_module
 from typing import Any
 
-GROUPS = ("pipeline", "filter", "scoring", "session", "timeline", "window", "parts")
+GROUPS = (
+    "pipeline",
+    "filter",
+    "scoring",
+    "session",
+    "timeline",
+    "window",
+    "parts",
+    "spheroid",
+    "flow",
+)
 
-_ELSEWHERE = {"parts": "parts.speed"}
+_ELSEWHERE = {"parts": "parts.speed", "spheroid": "spheroid_speed", "flow": "flow_speed"}
 """Groups measured by a module of another name."""
 
 

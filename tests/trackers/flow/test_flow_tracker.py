@@ -57,16 +57,16 @@ def test_two_people_are_two_tracks_that_stay_with_them() -> None:
     assert {len(step.tracks["track"]) for step in late} == {2}
 
 
-def test_clusters_alone_find_both_people_and_know_them_again() -> None:
-    late = steps_of_two(hold=False)[14:]
+def test_clusters_alone_find_both_people_until_they_cross() -> None:
+    steps = steps_of_two(hold=False)
     for way in TWO:
         ids = set()
-        for step in late:
+        for step in steps[14:20]:
             away = np.hypot(*(places(step) - way[step.frame]).T)
-            assert away.min() < 1.2, step.frame
+            assert away.min() < 0.9, step.frame
             ids.add(int(step.tracks["track"][away.argmin()]))
         assert len(ids) <= 2
-    assert max(len(step.tracks["track"]) for step in late) <= 3
+    assert max(len(step.tracks["track"]) for step in steps) <= 3
 
 
 def test_velocities_are_those_of_the_people() -> None:

@@ -30,6 +30,8 @@ _FEWEST = 2
 _APART_M = 0.4
 _SIGHTED = (0.5, 0.15, 0.4)
 _WALKED_M = 0.12
+_LOOK_S = 0.15
+"""People who are not followed yet are looked for about so often."""
 _WEAKER = 0.3
 _LONGER = 1.6
 """How much farther apart along the line of sight two may be found and be one."""
@@ -56,6 +58,7 @@ class HeldPeople:
         self._modes: Vectors | None = None
         self._grid = FloorGrid(floor)
         self._sightings = Sightings.none()
+        self._unlooked_s = 0.0
         self.walkers = nobody()
         self.last_id = 0
 
@@ -141,8 +144,12 @@ class HeldPeople:
         """Whoever is seen for a while, and moves, where nobody is followed yet."""
         if not self._settings.silhouettes:
             return walkers, holds
+        self._unlooked_s += seen.elapsed_s
+        if self._unlooked_s < _LOOK_S:
+            return walkers, holds
         place = self._grid.sighted(walkers.place, seen.mask, _SIGHTED, _APART_M)
-        self._sightings = self._sightings.then(place, seen.elapsed_s)
+        self._sightings = self._sightings.then(place, self._unlooked_s)
+        self._unlooked_s = 0.0
         ready = self._sightings.age_s >= self._settings.birth_s
         way = self._sightings.place - self._sightings.first
         ready &= np.hypot(way[:, 0], way[:, 1]) > _WALKED_M

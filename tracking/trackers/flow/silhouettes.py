@@ -13,7 +13,6 @@ from tracking.trackers.flow.floor import Floor, sight_axes
 Floats = NDArray[np.float64]
 Mask = NDArray[np.uint8]
 Cover = NDArray[np.float32]
-Pixels = NDArray[np.int16]
 
 USUAL_HEIGHT_M = 1.70
 SHADE, BODY = 1, 2
@@ -45,7 +44,11 @@ _OUTLINE = ((-0.1, 1.78), (-0.22, 1.5), (-0.2, 0.8), (-0.12, 0.0))
 _AHEAD_M = 0.25
 """Who is so much nearer stands before a body."""
 _BESIDE_WEIGHT = 0.8
-_SHADE_WEIGHT, _FOREIGN_WEIGHT = 0.75, 0.25
+_ONE, _FOREIGN_WEIGHT = np.float32(1.0), np.float32(0.25)
+_FILLED = np.array((0.0, 0.75, 1.0), np.float32)
+"""How well a body is filled by what is no foreground, may be shadow, is foreground."""
+_SOLID = np.array((0.0, 0.0, 1.0), np.float32)
+_BODY_TELLS, _BESIDE_TELLS = _BODY[:, 3].astype(np.float32), _BESIDE[:, 3].astype(np.float32)
 _SAME_M = 1e-3
 _ALONG = np.linspace(-0.12, 0.12, 7)
 _ACROSS_M = np.array([-0.16, -0.08, 0.0, 0.08, 0.16])
@@ -60,20 +63,35 @@ _LEAST_SEEN = 0.18
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Pixels:
+    """Pixels of the mask and the cover: of k bodies, j each.
+
+    Attributes:
+        at: (k, j) their number in the flattened picture. inside: (k, j) whether they are in it.
+    """
+
+    at: NDArray[np.intp]
+    inside: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Spots:
     """Where bodies at k places would be seen, and what is just beside them.
 
     Attributes:
-        distance: (k, 1) m along the floor. body, beside: (k, j, 2) px at half resolution.
+        distance: (k, 1) float32 m along the floor. body, beside: the pixels.
     """
 
-    distance: Floats
+    distance: NDArray[np.float32]
     body: Pixels
     beside: Pixels
 
     def select(self, rows: NDArray[np.intp]) -> Spots:
         """Some of them."""
-        return Spots(self.distance[rows], self.body[rows], self.beside[rows])
+        body, beside = (
+            Pixels(pixels.at[rows], pixels.inside[rows]) for pixels in (self.body, self.beside)
+        )
+        return Spots(self.distance[rows], body, beside)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -143,28 +161,28 @@ def fits(place: Floats, mask: Mask, cover: Cover, floor: Floor, own: Floats | No
 
 def spots_at(place: Floats, floor: Floor) -> Spots:
     """Where bodies at places (k, 2) would be seen."""
+    size = floor.view.camera.size
+    distance = np.hypot(place[:, 0], place[:, 1])[:, None].astype(np.float32)
     return Spots(
-        np.hypot(place[:, 0], place[:, 1])[:, None],
-        _half(_pixels(place, _BODY, floor)),
-        _half(_pixels(place, _BESIDE, floor)),
+        distance,
+        _halved(_pixels(place, _BODY, floor), size),
+        _halved(_pixels(place, _BESIDE, floor), size),
     )
 
 
 def fits_at(spots: Spots, mask: Mask, cover: Cover, own: Floats | None = None) -> Fit:
     """`fits` of bodies whose pixels are known."""
-    inside, nearest = _sampled(mask, cover, spots.body)
+    seen, nearest = _sampled(mask, cover, spots.body)
+    inside = spots.body.inside
     free = np.isinf(nearest) | _same(nearest, own)
     hidden = (nearest < spots.distance - _AHEAD_M) & ~free
-    weight = _BODY[:, 3] * ((inside >= 0) & ~hidden) * np.where(free, 1.0, _FOREIGN_WEIGHT)
-    body = _share(inside > SHADE, weight) + _SHADE_WEIGHT * _share(inside == SHADE, weight)
+    open_ = (inside & ~hidden) * _BODY_TELLS
+    body = _share(_FILLED[seen], open_ * np.where(free, _ONE, _FOREIGN_WEIGHT))
     around, owner = _sampled(mask, cover, spots.beside)
-    unclaimed = np.isinf(owner) | _same(owner, own)
-    beside = _share(around > SHADE, ((around >= 0) & unclaimed) * _BESIDE[:, 3])
-    return Fit(
-        body - _BESIDE_WEIGHT * beside,
-        ((inside >= 0) & free).mean(axis=1),
-        _share((inside > SHADE) & free, _BODY[:, 3] * ((inside >= 0) & ~hidden)),
-    )
+    unclaimed = spots.beside.inside & (np.isinf(owner) | _same(owner, own))
+    beside = _share(_SOLID[around], unclaimed * _BESIDE_TELLS)
+    in_sight = (inside & free).mean(axis=1)
+    return Fit(body - _BESIDE_WEIGHT * beside, in_sight, _share(_SOLID[seen] * free, open_))
 
 
 def _same(nearest: Cover, own: Floats | None) -> NDArray[np.bool_]:
@@ -229,21 +247,21 @@ def _pixels(place: Floats, spots: Floats, floor: Floor) -> Floats:
     return floor.pixels(level, spots[:, 1])
 
 
-def _half(pixels: Floats) -> Pixels:
-    """Whole pixels at half resolution; far outside where there are none."""
-    return np.asarray(np.nan_to_num(pixels * 0.5, nan=-9.0).clip(-9.0, 30000.0), np.int16)
-
-
-def _sampled(mask: Mask, cover: Cover, pixels: Pixels) -> tuple[NDArray[np.int8], Cover]:
-    """At pixels (k, j, 2): the mask, -1 outside the picture, and the cover."""
-    rows, columns = mask.shape
-    u, v = pixels[..., 0], pixels[..., 1]
+def _halved(pixels: Floats, size: tuple[int, int]) -> Pixels:
+    """Pixels (k, j, 2) of a picture of that width and height, at half resolution."""
+    columns, rows = size[0] // 2, size[1] // 2
+    whole = np.nan_to_num(pixels * 0.5, nan=-9.0).clip(-9.0, 30000.0).astype(np.int32)
+    u, v = whole[..., 0], whole[..., 1]
     inside = (u >= 0) & (v >= 0) & (u < columns) & (v < rows)
-    at = v.clip(0, rows - 1).astype(np.intp) * columns + u.clip(0, columns - 1)
-    seen = np.where(inside, mask.ravel()[at], -1).astype(np.int8)
-    return seen, cover.ravel()[at]
+    return Pixels(np.where(inside, v * columns + u, 0).astype(np.intp), inside)
 
 
-def _share(hit: NDArray[np.bool_], weight: Floats) -> Floats:
+def _sampled(mask: Mask, cover: Cover, pixels: Pixels) -> tuple[Mask, Cover]:
+    """The mask and the cover at pixels; what lies outside the picture means nothing."""
+    return mask.ravel()[pixels.at], cover.ravel()[pixels.at]
+
+
+def _share(hit: NDArray[np.float32], weight: NDArray[np.float32]) -> Floats:
     """(k,) the share of the weight (k, j) that is hit; 0 where there is none."""
-    return np.asarray((hit * weight).sum(axis=1) / np.maximum(weight.sum(axis=1), 1e-9))
+    total = np.einsum("kj,kj->k", hit, weight)
+    return np.asarray(total / np.maximum(weight.sum(axis=1), 1e-9), np.float64)
