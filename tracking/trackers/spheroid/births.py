@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.spheroid.floor_cells import FloorCells
-from tracking.trackers.spheroid.judging import bounds, silhouette
+from tracking.trackers.spheroid.judging import bounds, enlarged, silhouette
 from tracking.trackers.spheroid.sums import Window, sums_inside, window
 
 Floats = NDArray[np.float64]
@@ -18,14 +18,20 @@ Flags = NDArray[np.bool_]
 
 _STEP = 2
 """Rows of the picture that are summed to one line."""
-_BALANCE = 0.45
+_BALANCE = 0.4
 """B from which on a pixel speaks for a person, below against."""
-_COVERAGE = 0.45
+_COVERAGE = 0.42
 """Share of what counts of a silhouette that must be foreground."""
-_GAIN = 0.08
-"""What speaks for somebody, less what speaks against, over the whole silhouette."""
+_GAIN = 0.06
+"""What speaks for somebody, less what speaks against, over what counts of the silhouette."""
+_LEAST_COUNTED = 0.4
+"""Of a silhouette: less of it is weighed as if it were so much."""
 _LIKELY = 0.2
 """Share of a silhouette's box that must be foreground to be looked at closely."""
+_LEAST_SEEN = 0.35
+"""Share of a silhouette that must count: what peeps out between people is theirs."""
+EXPLAINED = 1.15
+"""Silhouettes of people explain what lies in them when they are so much larger: arms and feet."""
 _MOST_NEW = 8
 _NEAR_M = 0.45
 """Nobody starts closer than this to somebody followed."""
@@ -103,11 +109,14 @@ def _judged(sums: Window, cells: FloorCells, rows: NDArray[np.intp]) -> tuple[Fl
     """(n,) gain and coverage of the cells at these rows."""
     inside = sums_inside([sums], cells.outlines[rows][None])
     seen, area = inside.ramp[0], inside.area[0]
-    return (seen - _BALANCE * area) / cells.area[rows], seen / np.maximum(area, 1.0)
+    counted = np.maximum(area, _LEAST_COUNTED * cells.area[rows])
+    enough = area >= _LEAST_SEEN * np.minimum(cells.area[rows], cells.inside[rows])
+    gain = np.where(enough, (seen - _BALANCE * area) / counted, -1.0)
+    return gain, seen / np.maximum(area, 1.0)
 
 
 def _mask_out(counted: Flags, cells: FloorCells, row: int) -> None:
-    one = cells.outlines[row : row + 1]
+    one = enlarged(cells.outlines[row : row + 1], EXPLAINED)
     (left,), (top,), (right,), (bottom,) = bounds(one, counted.shape)
     drawn = silhouette((bottom - top, right - left), one.polygons(40)[0], left, top)
     counted[top:bottom, left:right] &= drawn == 0

@@ -9,7 +9,7 @@ import numpy as np
 from tracking.geometry import Ellipses, FlatView
 from tracking.people.boxes import standing_boxes
 from tracking.trackers.spheroid.followed import Floats, Followed
-from tracking.trackers.spheroid.judging import Evidence, bounds, silhouette
+from tracking.trackers.spheroid.judging import Evidence, bounds, enlarged, silhouette
 
 _WIDTH_M = 0.46
 """Of a body as the picture shows it, arms and stride included."""
@@ -75,11 +75,7 @@ def _sides(box: Floats) -> Floats:
 
 def _measured(outlines: Ellipses, evidence: Evidence) -> Floats:
     """(people, 4) left, top, right, bottom flat px of the foreground of each; NaN for none."""
-    wide = Ellipses(
-        outlines.u,
-        outlines.v,
-        *(getattr(outlines, name) * _REACH**2 for name in ("uu", "uv", "vv")),
-    )
+    wide = enlarged(outlines, _REACH)
     shape = evidence.ramp.shape
     reach, own = wide.polygons(40), outlines.polygons(40)
     found = np.full((len(outlines.u), 4), np.nan)

@@ -30,15 +30,17 @@ class FloorCells:
 
     Attributes:
         xy: (cells, 2) m. outlines: (cells) in flat px. area: (cells,) px² of them.
+        inside: (cells,) px² of that, about, in the picture.
     """
 
     def __init__(self, flat: FlatView, height_m: float, radius_m: float) -> None:
         xy = _net(flat, height_m)
         outlines = standing_ellipses(flat.projection, xy, np.full(len(xy), height_m), radius_m)
-        kept = _worth_looking(outlines, flat.size)
+        kept, share = _worth_looking(outlines, flat.size)
         self.xy: Floats = xy[kept]
         self.outlines: Ellipses = outlines[kept]
         self.area: Floats = self.outlines.areas()
+        self.inside: Floats = self.area * share
 
     def __len__(self) -> int:
         """The number of places."""
@@ -71,8 +73,8 @@ def _bearings(flat: FlatView) -> tuple[float, float]:
     return (angle.min() - spare, angle.max() + spare) if around else (-np.pi, np.pi)
 
 
-def _worth_looking(outlines: Ellipses, size: tuple[int, int]) -> NDArray[np.intp]:
-    """Numbers of those that are large enough and sufficiently in the picture."""
+def _worth_looking(outlines: Ellipses, size: tuple[int, int]) -> tuple[NDArray[np.intp], Floats]:
+    """Numbers of those large enough and sufficiently in the picture, and by what share."""
     top, bottom = outlines.rows()
     left, right = outlines.columns()
     wide = np.minimum(right, size[0]) - np.maximum(left, 0)
@@ -81,6 +83,7 @@ def _worth_looking(outlines: Ellipses, size: tuple[int, int]) -> NDArray[np.intp
     large = np.maximum(bottom - top, right - left) >= _LEAST_TALL * size[1]
     good = np.flatnonzero(np.isfinite(inside) & (inside >= _LEAST_INSIDE) & large)
     if len(good) <= _MOST:
-        return good
+        return good, inside[good]
     nearest = np.argsort(-(bottom - top)[good], kind="stable")[:_MOST]
-    return np.sort(good[nearest])
+    kept = np.sort(good[nearest])
+    return kept, inside[kept]

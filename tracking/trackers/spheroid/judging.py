@@ -14,8 +14,8 @@ from tracking.trackers.spheroid.sums import Inside, Window, sums_inside, window
 Floats = NDArray[np.float64]
 Picture = NDArray[np.uint8]
 
-LINES = 24
-"""So many lines of a person are looked at; taller ones in the picture have several rows summed."""
+LINES = 20
+"""At most so many lines of a person are looked at; in large ones several rows are summed to one."""
 _CORNERS = 40
 _FINE = 3
 """Bits of a pixel in which silhouettes are drawn."""
@@ -58,10 +58,16 @@ class Judgement:
 def silhouette(shape: tuple[int, ...], outline: Floats, left: int, top: int) -> Picture:
     """(height, width) uint8, 1 inside of an outline (corners, 2) px, of a part of the picture."""
     drawn = np.zeros(shape[:2], np.uint8)
-    if np.isfinite(outline).all():
+    if drawn.size and np.isfinite(outline).all():
         corners = np.rint((outline - (left, top)) * (1 << _FINE)).astype(np.int32)
         cv2.fillConvexPoly(drawn, corners, 1, cv2.LINE_8, _FINE)
     return drawn
+
+
+def enlarged(outlines: Ellipses, scale: float) -> Ellipses:
+    """Ellipses about the same centres, so many times as large."""
+    wide = (getattr(outlines, name) * scale**2 for name in ("uu", "uv", "vv"))
+    return Ellipses(outlines.u, outlines.v, *wide)
 
 
 def covered(shape: tuple[int, ...], people: Ellipses) -> Picture:
@@ -103,7 +109,7 @@ def windows_of(evidence: Evidence, reach: Ellipses, own: Ellipses, lines: int) -
 
     Args:
         reach: (people, n) what the window must hold. own: (people) each one's own silhouette,
-            which is part of the cover. lines: fewest in a silhouette before rows are summed.
+            which is part of the cover. lines: most in a silhouette, 0: as many as it has.
     """
     shape = evidence.ramp.shape
     corners = own.polygons(_CORNERS)
@@ -114,7 +120,7 @@ def windows_of(evidence: Evidence, reach: Ellipses, own: Ellipses, lines: int) -
         part = np.s_[up:down, left:right]
         others = evidence.cover[part] - silhouette((down - up, right - left), corners[k], left, up)
         counted = evidence.counted[part] & (others == 0)
-        step = max(1, int(tall[k] / lines)) if lines else 1
+        step = max(1, int(np.ceil(tall[k] / lines))) if lines else 1
         step = min(step, max(int(down - up), 1))
         windows.append(window(evidence.ramp[part], counted, int(left), int(up), step))
     return windows

@@ -20,6 +20,8 @@ Whole = NDArray[np.int64]
 _COUNTED = 32
 """Bits by which the number of pixels stands above the sum of their grey levels: one look-up finds
 both."""
+_BLOCK = 900
+"""Silhouettes worked on at once: their lines' numbers then stay in the processor's cache."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -87,38 +89,35 @@ def sums_inside(windows: Sequence[Window], outlines: Ellipses) -> Inside:
     if 0 in outlines.shape:
         return Inside(np.zeros(outlines.shape), np.zeros(outlines.shape))
     flat = np.concatenate([one.sums.ravel() for one in windows])
-    low, high = _looked_up(windows, outlines)
-    found = np.take(flat, high, mode="clip")
-    found -= np.take(flat, low, mode="clip")
-    total = found.sum(axis=-1)
+    lines = _lines(windows, outlines)
+    total = np.concatenate(
+        [_found(flat, lines[:, k : k + _BLOCK]) for k in range(0, lines.shape[1], _BLOCK)]
+    ).reshape(outlines.shape)
     grey = total & ((1 << _COUNTED) - 1)
     return Inside(grey / 255.0, (total >> _COUNTED).astype(np.float64))
 
 
-def _looked_up(
-    windows: Sequence[Window], outlines: Ellipses
-) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """(people, hypotheses, lines) the places of both look-ups in all sums joined."""
-    left, top, step, lines, width, base = (column[:, None] for column in _measures(windows).T)
+def _lines(windows: Sequence[Window], outlines: Ellipses) -> Floats:
+    """(9, people * hypotheses) of each silhouette what its lines are made from.
+
+    The first line's distance from the centre and that between two lines, in halves of the height;
+    how many lines there are and whether they end at the window's edge; the centre's column in the
+    window, lean and half width; where the first line's sums begin, and the window's width.
+    """
+    left, top, step, count, width, base = (column[:, None] for column in _measures(windows).T)
     known = np.isfinite(outlines.vv)
     u, v, uu, uv, vv = (np.where(known, getattr(outlines, n), 1.0) for n in outlines.__slots__)
     half = np.sqrt(vv)
     middle = top + (step - 1) / 2
-    first = np.clip(np.ceil((v - half - middle) / step), 0, lines)
+    first = np.clip(np.ceil((v - half - middle) / step), 0, count)
     last = np.floor((v + half - middle) / step)
-    cut = last >= lines
-    last = np.minimum(last, lines - 1)
-    count = int(max((last - first).max() + 1, 1))
-    begin, rise = (middle + first * step - v) / half, step / half
+    cut = last >= count
     lean = uv / half
     wide = np.where(known, np.sqrt(np.maximum(uu - lean**2, 0.0)), 0.0)
-    start = (base + first * (width + 1)).astype(np.int64)
-    rows = start[..., None] + np.arange(count) * (width[..., None] + 1)
-    low, high = _ends((begin, rise, count), (u - left, lean, wide), rows, width)
-    if cut.any():
-        beyond = np.arange(count) > (last - first)[..., None]
-        np.copyto(high, low, where=beyond)
-    return low, high
+    rows = np.maximum(np.minimum(last, count - 1) - first + 1, 0)
+    begin, start = (middle + first * step - v) / half, base + first * (width + 1)
+    columns = (begin, step / half, rows, cut, u - left, lean, wide, start, width)
+    return np.stack([np.broadcast_to(one, v.shape).ravel() for one in columns])
 
 
 def _measures(windows: Sequence[Window]) -> Whole:
@@ -132,40 +131,43 @@ def _measures(windows: Sequence[Window]) -> Whole:
     return np.array(rows, np.int64)
 
 
-def _ends(
-    lines: tuple[Floats, Floats, int],
-    shape: tuple[Floats, Floats, Floats],
-    rows: Whole,
-    width: Whole,
-) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """The first place within and the first one beyond of each line.
-
-    Between whole numbers ceil(x) is floor(x + 1), and lines that miss get two ends alike.
+def _found(flat: Whole, lines: Floats) -> Whole:
+    """(n,) packed sums in silhouettes, two look-ups a line.
 
     Args:
-        lines: the first and the distance between two, in halves from the centre, and how many.
-        shape: centre from the window's left, lean and half width, px.
-        rows: where each line's sums begin. width: of the windows.
+        flat: all running sums. lines: (9, n) of `_lines`.
     """
-    begin, rise, count = lines
-    centre, lean, wide = shape
-    down = rise[..., None] * np.arange(count)
-    down += begin[..., None]
+    _, _, rows, cut, _, _, _, start, width = lines
+    count = np.arange(int(max(rows.max(), 1)))
+    places = start.astype(np.int64)[:, None] + count * (width.astype(np.int64)[:, None] + 1)
+    low, high = _ends(lines, count)
+    low += places
+    high += places
+    if cut.any():
+        np.copyto(high, low, where=count >= rows[:, None])
+    found = np.take(flat, high, mode="clip")
+    found -= np.take(flat, low, mode="clip")
+    return np.asarray(found.sum(axis=1))
+
+
+def _ends(lines: Floats, count: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """(n, k) the first column within and the first one beyond, from the window's left.
+
+    Between whole numbers ceil(x) is floor(x + 1), and lines that miss get two ends alike.
+    """
+    begin, rise, _, _, centre, lean, wide, _, width = (column[:, None] for column in lines)
+    down = rise * count
+    down += begin
     reach = down * down
     np.subtract(1.0, reach, out=reach)
     np.maximum(reach, 0.0, out=reach)
     np.sqrt(reach, out=reach)
-    reach *= wide[..., None]
-    down *= lean[..., None]
-    down += centre[..., None] + 1.0
+    reach *= wide
+    down *= lean
+    down += centre + 1.0
     low = down - reach
     down += reach
-    limit = width[..., None].astype(np.float64)
-    places = []
     for end in (low, down):
         np.maximum(end, 0.0, out=end)
-        np.minimum(end, limit, out=end)
-        place = end.astype(np.intp)
-        place += rows
-        places.append(place)
-    return places[0], places[1]
+        np.minimum(end, width, out=end)
+    return low.astype(np.intp), down.astype(np.intp)

@@ -103,8 +103,8 @@ class SpheroidTracker:
         if moved_at is None:
             return ()
         return (
-            f"the camera moved at about frame {moved_at}: spheroid needs a fixed one, what it says "
-            f"from there is not to be relied on; track the frames before with --frames 0:{moved_at}",
+            f"the camera moved at about frame {moved_at}: spheroid needs a fixed one, do not rely "
+            f"on what it says from there; track the frames before with --frames 0:{moved_at}",
         )
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
@@ -177,7 +177,8 @@ class SpheroidTracker:
         if seen.time_s < self._next_look_s:
             return people
         self._next_look_s = seen.time_s + settings.birth_every_s - 1e-3
-        free = self._counted & (self._evidence(people, seen).cover == 0)
+        explained = silhouettes(people, self._flat, settings, births.EXPLAINED)
+        free = self._counted & (covered(seen.ramp.shape, explained) == 0)
         places = births.unexplained(seen.ramp, free, self._cells, people.xy)
         self._candidates = births.waited_for(self._candidates, places, seen.time_s)
         ready = self._candidates.looks >= settings.birth_looks

@@ -12,8 +12,11 @@ from tracking.trackers.spheroid.moving import weighed
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.sums import Window, sums_inside
 
-_BALANCE = 0.45
-"""B from which on a pixel speaks for a hypothesis, below against."""
+Flags = NDArray[np.bool_]
+
+_BALANCE, _CUT_BALANCE = 0.45, 0.3
+"""B from which on a pixel speaks for a hypothesis, below against; and of people whose heads are out
+of the picture: legs fill but half of a spheroid's width."""
 _SHARPNESS = 40.0
 """Logarithm of the weight of a hypothesis that explains everything, over one of nothing."""
 
@@ -52,7 +55,7 @@ def judged_and_weighed(
         with np.errstate(divide="ignore"):
             log_weight = np.log(judged(windows, seen, region).scores())
     else:
-        log_weight = _gains(windows, seen, own)
+        log_weight = _gains(windows, seen, own, _headless(people, flat))
     if alike is not None:
         log_weight += alike
     log_weight[taken(people, settings) | ~np.isfinite(seen.u)] = -np.inf
@@ -70,7 +73,7 @@ def _regions(people: Followed, flat: FlatView, settings: SpheroidSettings) -> El
     return standing_ellipses(flat.projection, *places_of(people), settings.radius_m, scale)
 
 
-def _gains(windows: list[Window], seen: Ellipses, own: Ellipses) -> Floats:
+def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, headless: Flags) -> Floats:
     """(people, N) logarithms of weights: what speaks for hypotheses less what speaks against.
 
     Where we differ from [Waechter2013] eq. 2: C hardly tells near hypotheses apart, and foreground
@@ -80,10 +83,18 @@ def _gains(windows: list[Window], seen: Ellipses, own: Ellipses) -> Floats:
     """
     inside = sums_inside(windows, seen)
     area = np.maximum(np.nan_to_num(own.areas(), nan=1.0), 1.0)
-    return _SHARPNESS * (inside.ramp - _BALANCE * inside.area) / area[:, None]
+    balance = np.where(headless, _CUT_BALANCE, _BALANCE)[:, None]
+    return _SHARPNESS * (inside.ramp - balance * inside.area) / area[:, None]
 
 
-def taken(people: Followed, settings: SpheroidSettings) -> NDArray[np.bool_]:
+def _headless(people: Followed, flat: FlatView) -> Flags:
+    """(people,) whose head is out of the picture where they are expected."""
+    head = flat.flat_from_world(np.column_stack((people.xy, people.height)))
+    inside = (head >= 0) & (head <= np.array(flat.size) - 1)
+    return np.asarray(~inside.all(axis=1))
+
+
+def taken(people: Followed, settings: SpheroidSettings) -> Flags:
     """(people, N) hypotheses too close to where somebody else stands ([Waechter2013] 3.2.2)."""
     close = np.zeros(people.weight.shape, bool)
     reach = 2 * settings.radius_m if settings.paper else settings.apart_m
