@@ -11,6 +11,7 @@ import typer
 
 from app.cli.destination import check_file
 from app.cli.drawn import line_of, refuse_repeated, region_of
+from app.cli.option_groups import InPicture, OnFloor
 from app.cli.output import print_json, say
 from app.cli.tracks import is_session
 from app.presenters.files.exporting import exported_tracks
@@ -60,14 +61,12 @@ def run_count(
         print("\n".join(_lines_of(counts)))
 
 
-def places_named(
-    lines: list[str], regions: list[str], picture_lines: list[str], picture_regions: list[str]
-) -> Places:
+def places_named(floor: OnFloor, picture: InPicture) -> Places:
     """What was typed. Raises BadParameter where something is no line or region."""
-    over = [line_of(text, in_picture=False) for text in lines]
-    over += [line_of(text, in_picture=True) for text in picture_lines]
-    within = [region_of(text, in_picture=False) for text in regions]
-    within += [region_of(text, in_picture=True) for text in picture_regions]
+    over = [line_of(text, in_picture=False) for text in floor.line or ()]
+    over += [line_of(text, in_picture=True) for text in picture.picture_line or ()]
+    within = [region_of(text, in_picture=False) for text in floor.region or ()]
+    within += [region_of(text, in_picture=True) for text in picture.picture_region or ()]
     refuse_repeated(over, "--line")
     refuse_repeated(within, "--region")
     return Places(tuple(over), tuple(within))

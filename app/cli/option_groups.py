@@ -73,6 +73,58 @@ class Onward:
     accept: options.Accept = False
 
 
+_PICTURE = "In the picture, where there is no calibration"
+
+
+@dataclass(frozen=True, slots=True)
+class OnFloor:
+    """Lines and regions on the floor, as typed.
+
+    Attributes:
+        line: NAME:x1,y1:x2,y2 each. region: NAME:x,y:x,y:x,y... each.
+        jitter: what is no passage, m.
+    """
+
+    line: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="NAME:x1,y1:x2,y2 on the floor, m; forward crosses from its left-hand side,"
+            " looking from the first to the second point, to its right-hand side.",
+            show_default="drawn in the session",
+        ),
+    ] = None
+    region: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="NAME:x,y:x,y:x,y... on the floor, m.", show_default="drawn in the session"
+        ),
+    ] = None
+    jitter: Annotated[
+        float,
+        typer.Option(help="Passing to and fro within this distance of a line is no passage, m."),
+    ] = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class InPicture:
+    """The same in the left picture as recorded, px."""
+
+    picture_line: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="NAME:u1,v1:u2,v2 in px of the left eye; people pass with the foot of their box.",
+            rich_help_panel=_PICTURE,
+        ),
+    ] = None
+    picture_region: Annotated[
+        list[str] | None,
+        typer.Option(help="NAME:u,v:u,v:u,v... in px.", rich_help_panel=_PICTURE),
+    ] = None
+    jitter_px: Annotated[
+        float, typer.Option(help="As --jitter, in px.", rich_help_panel=_PICTURE)
+    ] = 0.0
+
+
 def spread(command: Callable[..., None]) -> Callable[..., None]:
     """The command with the options of a group, one by one, in the place of each group it takes.
 
