@@ -11,7 +11,7 @@ from app.cli.tracks import is_session
 from app.presenters.files.exporting import exported_tracks
 from tracking.errors import OutputError
 from tracking.formats import format_named, write_part_labels, write_samples
-from tracking.formats.samples import HDF5_FORMAT
+from tracking.formats.samples_layout import HDF5_FORMAT
 from tracking.session import Session, session_samples
 
 _PARTS = ("samples", "labels")

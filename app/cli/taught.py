@@ -1,4 +1,4 @@
-"""Samples from whatever `train` is pointed at: sessions, and samples as CSV."""
+"""Samples from whatever `train` is pointed at: sessions, and exported samples."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from app.cli.tracks import is_session
 from tracking.errors import TrainingError
 from tracking.failure import (
     TRUE_PARTS,
@@ -18,7 +17,7 @@ from tracking.failure import (
     samples_of,
     told_apart,
 )
-from tracking.formats import read_samples
+from tracking.formats import samples_at
 from tracking.recording import Recording
 from tracking.session import RecordingMissing, Session, samples_from
 from tracking.tracks import Columns, PartKey, PartLabel
@@ -42,7 +41,7 @@ class Taught:
     """Samples of one recording and where they come from.
 
     Attributes:
-        path: the session, or the table of samples.
+        path: the session, or the file of samples.
         name: of the recording. footage: tells recordings of one name apart; "" for a table.
         labels: by frame, track and part; none for a table.
     """
@@ -70,14 +69,17 @@ def all_taught(paths: Sequence[Path], how: How) -> list[Taught]:
 
 
 def taught_by(path: Path, how: How) -> Taught:
-    """The samples of a session or a table of them.
+    """The samples of a session, or those that were exported from one.
 
     Raises what reading raises, and TrainingError where labels cannot be made from truth.
     """
-    if not is_session(path):
+    exported = samples_at(path)
+    if exported is not None:
         if how.from_truth:
-            raise TrainingError(f"{path} is a table of samples: truth belongs to sessions")
-        return Taught(path, str(path), "", read_samples(path), {})
+            raise TrainingError(
+                f"{path} holds samples: truth belongs to sessions; leave --from-truth out"
+            )
+        return Taught(path, str(path), "", exported, {})
     with closing(Session.open(path)) as session:
         recording, run = session.recording, session.corrected_run
         if run is None or not len(run.parts.get("frame", ())):

@@ -11,7 +11,7 @@ from app.cli.destination import check_file, check_folder, check_replaced, neares
 from app.cli.mistakes import pictures_of
 from app.cli.output import print_json, progress, say
 from app.cli.taught import How, all_taught
-from tracking.errors import TrainingError
+from tracking.errors import OutputError, TrainingError
 from tracking.failure import (
     Trained,
     TrainingPlan,
@@ -22,13 +22,15 @@ from tracking.failure import (
 )
 from tracking.failure.detector_layout import FORMAT
 
+_ENDINGS = (".h5", ".hdf5")
+
 
 @dataclass(frozen=True, slots=True)
 class Wish:
     """What is to be trained.
 
     Attributes:
-        sources: sessions, and samples as CSV. out: the detector to make.
+        sources: sessions, and exported samples. out: the detector to make.
         report: a folder for a report; None: none.
         false_alarms: share of good parts that may be taken for failed. seed: of the folds.
         how: labels are come by.
@@ -66,6 +68,8 @@ def run_train(wish: Wish, *, as_json: bool) -> None:
 
 def _check(wish: Wish) -> None:
     """Refuse what could not be written in the end, or would be lost."""
+    if wish.out.suffix.lower() not in _ENDINGS:
+        raise OutputError(f"{wish.out}: a detector's name ends in .h5; rename it with -o")
     check_file(wish.out)
     check_replaced(wish.out, FORMAT)
     if wish.report is not None:

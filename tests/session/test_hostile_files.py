@@ -231,7 +231,7 @@ def test_particle_offsets_that_fill_the_memory_are_refused(
     monkeypatch.setattr("tracking.session.inspection._MOST_BYTES", 1 << 20)
     inspect(copy)
     offsets = {"data": np.zeros(1 << 20, np.int64), "compression": "gzip"}
-    with pytest.raises(Refused, match="memory"):
+    with pytest.raises(Refused, match="more data than any session"):
         inspect(spoiled(copy, lambda file: replaced(file, "runs/0/particles/start", **offsets)))
 
 

@@ -10,5 +10,5 @@ PARTS = ("head", "torso", "hip-leg")
 MACHINES = (*PARTS, "several")
 """The last one may be missing."""
 
-MOST_BYTES = 1 << 30
-"""Of all arrays together; a million support vectors take a third of it."""
+MOST_BYTES = 128 << 20
+"""Of all arrays together: four machines that kept all of the most samples they may learn from."""

@@ -53,7 +53,7 @@ def read_true_parts(path: Path) -> TrueParts:
         size = path.stat().st_size
         if size > _MOST_BYTES:
             raise FormatError(
-                f"{path} has {size >> 20} MiB, true parts are read up to {_MOST_BYTES >> 20}; "
+                f"{path} has {size >> 20} MB, true parts are read up to {_MOST_BYTES >> 20}; "
                 "give a shorter recording"
             )
         with path.open(encoding="utf-8-sig", newline="") as stream:

@@ -3,7 +3,8 @@
 from tracking.formats.catalogue import FORMATS, TrackFormat, format_named
 from tracking.formats.mot import as_truth, read_mot, write_mot
 from tracking.formats.part_labels import GivenLabel, read_part_labels, write_part_labels
-from tracking.formats.samples import read_samples, write_samples
+from tracking.formats.samples import write_samples
+from tracking.formats.samples_reading import read_samples, samples_at
 from tracking.replacing import replacing
 
 __all__ = [
@@ -16,6 +17,7 @@ __all__ = [
     "read_part_labels",
     "read_samples",
     "replacing",
+    "samples_at",
     "write_mot",
     "write_part_labels",
     "write_samples",

@@ -9,21 +9,28 @@ from pathlib import Path
 from tracking.errors import FormatError
 
 _MOST_BYTES = 1 << 30
+_LONGEST_LINE = 1 << 16
 
 
 def numbered_rows(
-    path: Path, needed: Collection[str], also: Collection[str] = ()
+    path: Path,
+    needed: Collection[str],
+    also: Collection[str] = (),
+    *,
+    most_bytes: int = _MOST_BYTES,
 ) -> Iterator[tuple[int, Mapping[str, str]]]:
     """The rows of a CSV file with a header, each with its line from 1 on.
 
     Args:
         needed: columns it must have. also: columns it may have; others are refused.
+        most_bytes: a larger file is not read.
 
-    Raises FormatError where the file is missing, no text, or a row has too few or many values.
+    Raises FormatError where the file is missing, too large, no text, or a row has too few or too
+    many values.
     """
     try:
-        if path.stat().st_size > _MOST_BYTES:
-            raise FormatError(f"{path} is larger than {_MOST_BYTES >> 20} MB; split it first")
+        if path.stat().st_size > most_bytes:
+            raise FormatError(f"{path} is larger than {most_bytes >> 20} MB; split it first")
         with path.open(encoding="utf-8-sig", newline="") as stream:
             rows = csv.reader(stream, strict=True)
             header = [name.strip() for name in next(rows, [])]
@@ -43,6 +50,15 @@ def numbered_rows(
         raise FormatError(f"{path} is not text; give a CSV file") from error
     except csv.Error as error:
         raise FormatError(f"{path} is not CSV ({error}); write it anew") from error
+
+
+def header_of(path: Path) -> list[str]:
+    """The names in the first line of a CSV file; none where it has none that can be read."""
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as stream:
+            return [name.strip() for name in next(csv.reader([stream.readline(_LONGEST_LINE)]), [])]
+    except (OSError, UnicodeDecodeError, csv.Error):
+        return []  # reading the table itself says why
 
 
 def place_of(path: Path, line: int) -> str:

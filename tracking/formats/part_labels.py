@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.errors import EditError, FormatError
-from tracking.formats.lines import numbered_rows, place_of
+from tracking.failure import FEATURE_NAMES
+from tracking.formats.lines import header_of, numbered_rows, place_of
 from tracking.replacing import replacing
 from tracking.tracks import PART_NAMES, PartLabel, check_part_label
 from tracking.tracks.part_labels import Box
@@ -54,6 +55,11 @@ def read_part_labels(path: Path, author: str = "") -> list[GivenLabel]:
 
     Raises FormatError where the file is no such table; names the line.
     """
+    if {"label", "source", FEATURE_NAMES[0]} <= set(header_of(path)):
+        raise FormatError(
+            f"{path} holds samples, which are labels no more: train from it (trackwright train), "
+            "or export labels (--format labels) to take into a session"
+        )
     given = [_given(path, line, row, author) for line, row in numbered_rows(path, _NEEDED, _ALSO)]
     seen: dict[tuple[int, int, int], int] = {}
     for one in given:

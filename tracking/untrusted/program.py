@@ -1,7 +1,7 @@
 """Looking files over in a program of its own, since reading some of them can crash it.
 
 Such a program takes file names and prints one line of JSON a file, as soon as it is found:
-{"version": [major, minor]}, or {"refused": why} in words that follow the file's name.
+{"version": [major, minor]}, or {"refused": why, "held": what} in words that follow the file's name.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def verdict_by(inspect: Callable[[Path], tuple[int, int]], path: Path) -> dict[s
     try:
         return {"version": inspect(path)}
     except Refused as why:
-        return {"refused": f" {why}"}
+        return {"refused": f" {why}", "held": why.held}
     except Exception:  # what the library says of a damaged file tells its users nothing
         return {"refused": " is damaged or cut short"}
 

@@ -21,11 +21,25 @@ _MOST_ATTRIBUTES = 64
 _BEST_RATIO = 1100
 """DEFLATE packs at most 1032 bytes into one."""
 _FILTERS = frozenset({h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE})
+_OURS = {
+    "trackwright-session": ("session", "train a detector from it or open it"),
+    "trackwright-samples": ("samples export", "train a detector from it"),
+    "trackwright-detector": ("detector", "track with it (--detector)"),
+}
+"""What other files of this program are, and what to do with them."""
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 
 
 class Refused(Exception):  # noqa: N818 - a verdict, told to whoever asked
-    """The file is not taken; the message says why, in words that follow the file's name."""
+    """The file is not taken; the message says why, in words that follow the file's name.
+
+    Attributes:
+        held: what the file says it is, as `Kind.format`; "" where that is not known.
+    """
+
+    def __init__(self, why: str, held: str = "") -> None:
+        super().__init__(why)
+        self.held = held
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +78,11 @@ def check_signature(path: Path, kind: Kind) -> None:
 def version_of(file: h5py.File, kind: Kind) -> tuple[int, int]:
     """The file's format version; raises Refused for another format and for a newer one."""
     check_attributes(file, kind)
-    if file.attrs.get("format") != kind.format:
+    held = str(file.attrs.get("format", ""))
+    if held in _OURS and held != kind.format:
+        what, instead = _OURS[held]
+        raise Refused(f"is a trackwright {what}, no {kind.name}; {instead}, or {kind.choose}", held)
+    if held != kind.format:
         raise Refused(
             f"is HDF5, but of another program: it is no trackwright {kind.name}; {kind.choose}"
         )
@@ -73,12 +91,12 @@ def version_of(file: h5py.File, kind: Kind) -> tuple[int, int]:
         major, minor = (int(part) for part in said.split("."))
     except ValueError:
         raise Refused(
-            f"names {said!r} as its format version, not like 1.0; {kind.choose}"
+            f"names {said!r} as its format version, not like 1.0; {kind.choose}", held
         ) from None
     if major > kind.version[0]:
-        raise Refused(f"has format {said}, made by a newer trackwright; update to open it")
+        raise Refused(f"has format {said}, made by a newer trackwright; update to open it", held)
     if major < 1:
-        raise Refused(f"has format {said}, which never was")
+        raise Refused(f"has format {said}, which never was", held)
     return major, minor
 
 
@@ -137,7 +155,7 @@ class Walk:
             raise Refused(f"says {where} has {dataset.size} rows, which {stored} bytes cannot hold")
         self._unpacked += 0 if self._kind.free(where) else unpacked
         if self._unpacked > self._kind.most_bytes:
-            raise Refused("holds more rows than fit into memory")
+            raise Refused(f"holds more data than any {self._kind.name}")
         self._datasets[where] = dataset
 
     def _check_type(self, dataset: h5py.Dataset, where: str) -> None:

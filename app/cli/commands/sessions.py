@@ -19,7 +19,8 @@ def export(
         str,
         typer.Option(
             "--format",
-            help="mot; of body parts: labels (CSV), or samples (OUT ends in .csv, .h5, .libsvm).",
+            help="mot; of body parts: labels (CSV), or samples (OUT ends in .csv, .h5, .libsvm). "
+            "In samples part is 0 head, 1 torso, 2 hip-leg; label is 1 on its part, 0 off it.",
         ),
     ],
     run: Annotated[

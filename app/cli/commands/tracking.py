@@ -51,7 +51,10 @@ def track(
 @program.command()
 def train(
     sources: Annotated[
-        list[Path], typer.Argument(help="Sessions with labelled body parts, or samples as CSV.")
+        list[Path],
+        typer.Argument(
+            help="Sessions with labelled body parts, or samples exported from some (.csv, .h5)."
+        ),
     ],
     out: Annotated[Path, typer.Option("--out", "-o", help="The detector to make: NAME.h5.")],
     report: Annotated[

@@ -21,7 +21,7 @@ from tracking.failure import (
     train,
 )
 from tracking.failure.training.questions import LEAST_PEOPLE, LEAST_SAMPLES
-from tracking.formats import read_samples
+from tracking.formats import samples_at
 from tracking.session import Session, session_samples
 from tracking.setting import setting
 from tracking.tracks import PART_NAMES
@@ -91,12 +91,13 @@ class Source:
 
 
 def source_at(path: Path) -> Source:
-    """The labels of a session file, or a table of samples (CSV).
+    """The labels of a session file, or samples that were exported from one (CSV or HDF5).
 
     Raises SessionError or FormatError where it is neither or cannot be read.
     """
-    if path.suffix.lower() == ".csv":
-        return Source(path.name, path, read_samples(path), "")
+    exported = samples_at(path)
+    if exported is not None:
+        return Source(path.name, path, exported, "")
     with closing(Session.open(path)) as session:
         seen = session.recording
         title = f"{seen.name} ({path.name})"

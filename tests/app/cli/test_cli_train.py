@@ -16,7 +16,7 @@ from command_line import Trackwright
 
 from app.cli.taught import How, taught_by
 from tracking.editing import plan_label_part
-from tracking.failure import TRUE_PARTS, load_detector, training
+from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS, TRUE_PARTS, load_detector, training
 from tracking.failure.training import Candidate
 from tracking.formats import read_samples
 from tracking.recording import open_recording
@@ -132,10 +132,11 @@ def test_a_detector_no_better_than_chance_is_told(
     assert "no better than chance: head" not in told
 
 
+@pytest.mark.parametrize("ending", [".csv", ".h5"])
 def test_exported_samples_train_the_same_detector(
-    trackwright: Trackwright, labelled: Path, tmp_path: Path
+    trackwright: Trackwright, labelled: Path, tmp_path: Path, ending: str
 ) -> None:
-    table = tmp_path / "s.csv"
+    table = tmp_path / f"s{ending}"
     assert trackwright("export", labelled, "-o", table, "--format", "samples")[0] == 0
     detectors = []
     for source in (labelled, table):
@@ -264,15 +265,33 @@ def test_without_truth_beside_it_a_recording_does_not_label_itself(
         (["export", "{made}", "-o", "{out}", "--format", "labels"], "no labels of body parts"),
         (["export", "{made}", "-o", "{out}", "--format", "samples", "--run", "0"], "leave --run"),
         (["train", "{missing}", "-o", "{out}"], "there is no such session"),
+        (["train", "{made}", "-o", "d0.txt"], "a detector's name ends in .h5"),
+        (["import-labels", "{samples}", "{made}"], "holds samples, which are labels no more"),
+        (["train", "{labels}", "-o", "{out}"], "take them into the session they belong to"),
     ],
 )
 def test_what_cannot_be_is_told_in_one_line(
     trackwright: Trackwright, made: Path, tmp_path: Path, words: list[str], why: str
 ) -> None:
     places = {"made": made, "out": tmp_path / "o.h5", "missing": tmp_path / "m.h5"}
+    for name, header in (
+        ("samples", ",".join((*SAMPLE_COLUMNS, *FEATURE_NAMES))),
+        ("labels", "frame,track,part,on"),
+    ):
+        places[name] = tmp_path / f"{name}.csv"
+        places[name].write_text(header + "\n", encoding="utf-8")
     status, out, err = trackwright(*(word.format(**places) for word in words))
     assert (status, out, why in err, err.count("\n")) == (1, "", True, 1)
     assert not (tmp_path / "o.h5").exists()
+
+
+def test_a_session_named_as_a_detector_is_told_what_it_is(
+    trackwright: Trackwright, recording: Path, made: Path, tmp_path: Path
+) -> None:
+    words = ["track", recording, "-o", tmp_path / "o.h5", "--tracker", "three-part"]
+    status, _, err = trackwright(*words, "--detector", made)
+    assert (status, err.count("\n")) == (1, 1)
+    assert f"{made} is a trackwright session, no detector; train a detector from it" in err
 
 
 def test_a_table_beside_its_session_names_the_same_people(

@@ -1,0 +1,87 @@
+"""Look files of samples over before their data is touched: `python samples_inspection.py FILE...`.
+
+See `tracking.untrusted.program` for why this is a program of its own, and what it prints.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from types import ModuleType
+
+import h5py
+
+if __name__ == "__main__":
+    # This program needs a few names of two packages: loading all of them would take longer.
+    for name in ("formats", "failure"):
+        bare = ModuleType(f"tracking.{name}")
+        bare.__path__ = [str(Path(__file__).parents[1] / name)]
+        sys.modules[bare.__name__] = bare
+
+from tracking.formats.samples_layout import (
+    HDF5_FORMAT,
+    MOST_BYTES,
+    MOST_TEXT,
+    NUMBERS,
+    SHAPE,
+    SHARED,
+    TEXTS,
+    VERSION,
+)
+from tracking.untrusted import (
+    Kind,
+    Refused,
+    Walk,
+    check_signature,
+    say_verdicts,
+    version_of,
+)
+
+_KIND = Kind("samples export", HDF5_FORMAT, VERSION, MOST_BYTES, dimensions=2)
+_BLOCK = 10_000
+
+
+def inspect(path: Path) -> tuple[int, int]:
+    """The file's format version. Raises Refused where it holds no samples safe to read."""
+    check_signature(path, _KIND)
+    with h5py.File(path, "r", locking=False) as file:
+        version = version_of(file, _KIND)
+        try:
+            datasets = Walk(path.stat().st_size, _KIND).datasets_of(file)
+            _check_columns(datasets)
+            _check_text(datasets)
+        except Refused as why:
+            raise Refused(str(why), held=HDF5_FORMAT) from why
+    return version
+
+
+def _check_columns(datasets: Mapping[str, h5py.Dataset]) -> None:
+    """All there, of one length and of the right kind."""
+    features = datasets.get("features")
+    if features is None or features.ndim != len(SHAPE) or features.shape[1] != SHAPE[1]:
+        raise Refused(f"has no table of {SHAPE[1]} features a sample; {_KIND.choose}")
+    expected = {"features": "f", **dict.fromkeys(NUMBERS, "iu"), **dict.fromkeys(TEXTS, "O")}
+    expected |= {name: "iuf" for name in SHARED if name in datasets}
+    for name, kinds in expected.items():
+        column = datasets.get(name)
+        if column is None:
+            raise Refused(f"has no column {name}; {_KIND.choose}")
+        if column.dtype.kind not in kinds or (name != "features" and column.ndim != 1):
+            raise Refused(f"has {column.dtype} in {column.ndim} dimensions at {name}")
+        if len(column) != len(features):
+            raise Refused(f"has {len(column)} rows of {name} and {len(features)} of features")
+
+
+def _check_text(datasets: Mapping[str, h5py.Dataset]) -> None:
+    """Rows can share one long text, so that a small file holds any amount of it."""
+    total = 0
+    for name in TEXTS:
+        for start in range(0, len(datasets[name]), _BLOCK):
+            total += sum(map(len, datasets[name].asstr()[start : start + _BLOCK]))
+            if total > MOST_TEXT:
+                raise Refused(f"holds more text than any {_KIND.name}")
+
+
+if __name__ == "__main__":
+    say_verdicts(inspect)

@@ -1,0 +1,26 @@
+"""The file of samples as HDF5: names, version and size. One definition to write, check and read."""
+
+from __future__ import annotations
+
+from tracking.failure.features import FEATURES
+from tracking.failure.samples import BESIDES, SAMPLE_COLUMNS, TEXT
+
+HDF5_FORMAT = "trackwright-samples"
+VERSION = (1, 1)
+"""Major: older programs cannot read it. Minor: they can, and miss something.
+
+1.1: person and time_s."""
+
+MOST_BYTES = 512 << 20
+"""Of all numbers together: a million samples."""
+MOST_TEXT = 256 << 20
+"""Characters of all text together."""
+
+SHARED = tuple(name for name in BESIDES if name != "session")
+"""Columns besides `SAMPLE_COLUMNS` that stand in files; those of version 1.0 lack them."""
+
+TEXTS = tuple(name for name, dtype in SAMPLE_COLUMNS.items() if dtype == TEXT)
+NUMBERS = tuple(name for name, dtype in SAMPLE_COLUMNS.items() if dtype != TEXT)
+
+SHAPE = (-1, FEATURES)
+"""Of the features; the first number is how many samples there are."""

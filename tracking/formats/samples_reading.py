@@ -1,0 +1,168 @@
+"""Samples of the failure detector from files: CSV and HDF5, as this program writes them."""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.failure import BESIDES, FEATURE_NAMES, SAMPLE_COLUMNS, SAMPLE_SOURCES, Samples
+from tracking.failure.samples import NOT_TOLD_APART
+from tracking.formats import samples_inspection
+from tracking.formats.lines import header_of, numbered_rows, place_of
+from tracking.formats.samples_layout import HDF5_FORMAT, NUMBERS, SHARED, TEXTS
+from tracking.tracks import LARGEST_NUMBER, PART_NAMES
+from tracking.untrusted import verdicts_of
+
+_HDF5 = b"\x89HDF\r\n\x1a\n"
+_ENDINGS = (".h5", ".hdf5")
+_LIBSVM = (".libsvm", ".svm", ".txt")
+_LABELS = {"frame", "track", "part", "on"}
+_MOST_BYTES = 512 << 20
+"""Of text: half a million samples."""
+
+
+def read_samples(path: Path) -> Samples:
+    """Samples of a CSV or HDF5 file as `write_samples` makes it; it may come from anywhere.
+
+    Raises FormatError where it is missing, far too large, damaged, hostile or none of these, or a
+    row cannot be meant; names the line.
+    """
+    if path.suffix.lower() in _LIBSVM:
+        raise FormatError(
+            f"{path}: LIBSVM text does not say whose samples they are, so nobody could be held "
+            "out; export them as .csv or .h5"
+        )
+    samples = samples_in_hdf5(path) if _is_hdf5(path) else _read_csv(path)
+    if samples is None:
+        raise FormatError(f"{path} holds no samples; export some (--format samples)")
+    return samples
+
+
+def samples_at(path: Path) -> Samples | None:
+    """The samples of a file; None where it is HDF5 of another kind, as a session is.
+
+    Raises as `read_samples`.
+    """
+    return samples_in_hdf5(path) if _is_hdf5(path) else read_samples(path)
+
+
+def samples_in_hdf5(path: Path) -> Samples | None:
+    """Samples of an HDF5 file, looked over by a program of its own first; None: it holds others.
+
+    Raises FormatError where they are damaged or hostile.
+    """
+    if not path.is_file():
+        return None
+    verdict = verdicts_of(samples_inspection.__file__, "samples", [path])[0]
+    if "refused" in verdict:
+        if verdict.get("held") == HDF5_FORMAT:
+            raise FormatError(f"{path}{verdict['refused']}")
+        return None
+    try:
+        with h5py.File(path, "r", locking=False) as file:
+            return _checked(path, _columns_of(file), np.asarray(file["features"][()], float))
+    except (OSError, KeyError, ValueError, TypeError, RuntimeError, OverflowError) as why:
+        raise FormatError(f"{path}: the samples are damaged; export them again") from why
+
+
+def _is_hdf5(path: Path) -> bool:
+    if path.suffix.lower() in _ENDINGS:
+        return True
+    try:
+        with path.open("rb") as stream:
+            return stream.read(len(_HDF5)) == _HDF5
+    except OSError as error:
+        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+
+
+def _columns_of(file: h5py.File) -> dict[str, NDArray[Any]]:
+    names = file["features"].attrs.get("names")
+    if names is not None and tuple(map(str, names)) != FEATURE_NAMES:
+        raise ValueError("its features are others")
+    text = {name: np.array(file[name].asstr()[()], object) for name in TEXTS}
+    numbers = {name: file[name][()] for name in (*NUMBERS, *SHARED) if name in file}
+    return {**text, **numbers}
+
+
+def _read_csv(path: Path) -> Samples:
+    _check_is_no_other_table(path)
+    rows = numbered_rows(path, (*SAMPLE_COLUMNS, *FEATURE_NAMES), SHARED, most_bytes=_MOST_BYTES)
+    names = [*SAMPLE_COLUMNS, *SHARED]
+    columns: dict[str, list[Any]] = {name: [] for name in names}
+    lines, features = array("q"), array("d")
+    for line, values in rows:
+        try:
+            features.extend(float(values[name]) for name in FEATURE_NAMES)
+            for name, value in zip(names, _named(values), strict=True):
+                columns[name].append(value)
+        except ValueError as error:
+            raise FormatError(
+                f"{place_of(path, line)}: {error}; correct or remove the row"
+            ) from error
+        lines.append(line)
+    held = {name: np.array(columns[name], object) for name in names}
+    table = np.array(features, float).reshape(-1, len(FEATURE_NAMES))
+    return _checked(path, held, table, np.array(lines, np.int64))
+
+
+def _named(values: Mapping[str, str]) -> Iterator[Any]:
+    """A row's values by `SAMPLE_COLUMNS` and `SHARED`. Raises ValueError."""
+    for name in SAMPLE_COLUMNS:
+        yield values[name] if name in TEXTS else int(values[name])
+    for name in SHARED:
+        text, besides = values.get(name, ""), BESIDES[name]
+        number = float if besides.dtype.kind == "f" else int
+        yield number(text) if text else besides.unknown
+
+
+def _check_is_no_other_table(path: Path) -> None:
+    """Labels of parts are a table, too."""
+    names = set(header_of(path))
+    if names >= _LABELS and not names >= {"label", FEATURE_NAMES[0]}:
+        raise FormatError(
+            f"{path} holds labels of parts, which say nothing of how the parts stood: take them "
+            "into the session they belong to (trackwright import-labels), then train from that"
+        )
+
+
+def _checked(
+    path: Path,
+    columns: Mapping[str, NDArray[Any]],
+    features: NDArray[np.float64],
+    lines: NDArray[np.int64] | None = None,
+) -> Samples:
+    """The samples of columns as read; raises FormatError for the first that cannot be meant."""
+    track, frame, part, label = (columns[name] for name in NUMBERS)
+    person = columns.get("person", np.zeros(len(features), np.int64))
+    time_s = columns.get("time_s", np.zeros(len(features))).astype(float)
+    known = np.isin(columns["source"].astype(str), SAMPLE_SOURCES)
+    for wrong, reason in (
+        (~((track > 0) & (track <= LARGEST_NUMBER)), "the track is not a positive number"),
+        (~((frame >= 0) & (frame <= LARGEST_NUMBER)), "the frame is not a number from 0 on"),
+        (
+            ~np.isin(part, range(len(PART_NAMES))),
+            "the part is not 0 (head), 1 (torso) or 2 (hip-leg)",
+        ),
+        (~np.isin(label, (0, 1)), "the label is not 1 (on its part) or 0 (off it)"),
+        (~known, f"the source is not one of {', '.join(SAMPLE_SOURCES)}"),
+        (
+            ~((person >= NOT_TOLD_APART) & (person <= LARGEST_NUMBER)),
+            "the person is not a number from 1 on, 0 (not known) or -1 (not told apart)",
+        ),
+        (np.isinf(time_s), "the time is not a number of seconds"),
+        (~np.isfinite(features).all(axis=1), "a feature is not a finite number"),
+    ):
+        rows = np.flatnonzero(wrong)
+        if len(rows):
+            at = int(rows[0])
+            place = f"{path}, row {at}" if lines is None else place_of(path, int(lines[at]))
+            raise FormatError(f"{place}: {reason}; correct or remove the row")
+    types = {**SAMPLE_COLUMNS, **{name: BESIDES[name].dtype for name in SHARED}}
+    return Samples({name: column.astype(types[name]) for name, column in columns.items()}, features)
