@@ -109,8 +109,8 @@ def check_countable(
         return
     if "x" not in columns or not np.isfinite(np.asarray(columns["x"], np.float64)).any():
         raise CountingError(
-            f"{on_floor[0]!r} lies on the floor, and these tracks have no places there: the "
-            "recording has no calibration; draw it in the picture"
+            f"{on_floor[0]!r} lies on the floor, where these tracks have no places: name the "
+            "recording's calibration and track again, or draw it in the picture"
         )
 
 
