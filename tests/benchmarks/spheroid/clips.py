@@ -59,5 +59,5 @@ def _befallen(scene: str, seed: int, **befalls: float) -> Clip:
 TUNED = _clips((5101,))
 """For choosing settings; never reported."""
 
-REPORTED = _clips((5201,))
+REPORTED = _clips((5201, 5202))
 """Nothing was chosen on these."""

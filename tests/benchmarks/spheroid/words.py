@@ -17,7 +17,7 @@ reported here nothing was.
 MARKS = """
 ## People on marked spots
 
-Scenes `marks`, `marks-walking` and `marks-pairs`, of {clips} person or pair each: a camera 3.6 m
+Scenes `marks`, `marks-walking` and `marks-pairs`, {clips} people or pairs in turn: a camera 3.6 m
 above the floor that looks straight down, 640 x 480 at 15 frames a second, everybody in a red top
 and brown trousers. The paper's picture of its ten spots gives no coordinates. Ours: the outer
 ones (1) lie where heads are outside of the picture, and whoever stands at the inner one (2) of a
