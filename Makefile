@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench accuracy results detector kills model pictures lock clean
+.PHONY: help demo test format bench accuracy results results-parts results-spheroid results-flow detector kills model pictures lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -43,8 +43,16 @@ bench: $(STAMP) ## measure speed (not part of make test)
 accuracy: $(STAMP) ## the accuracy table of the README, on scenes no setting was chosen on (half an hour)
 	$(BIN)/python -m tests.benchmarks.accuracy
 
-results: $(STAMP) ## docs/results.md: body parts on scenes no setting was chosen on (half an hour)
+results: results-parts results-spheroid results-flow ## docs/results.md and its pages: the papers' figures beside ours (an hour and a half)
+
+results-parts: $(STAMP) ## docs/results.md: body parts on scenes no setting was chosen on (half an hour)
 	$(BIN)/python -m tests.benchmarks.parts --report
+
+results-spheroid: $(STAMP) ## docs/results/spheroid.md: marks, hard situations, places, real footage (half an hour)
+	$(BIN)/python -m tests.benchmarks.spheroid --report
+
+results-flow: $(STAMP) ## docs/results/flow.md: counted passages and sums (half an hour)
+	$(BIN)/python -m tests.benchmarks.flow --report
 
 detector: $(STAMP) ## the built-in failure detector: rendered, tracked, labelled from truth, trained (ten minutes)
 	$(BIN)/python -m tests.benchmarks.parts.detector
