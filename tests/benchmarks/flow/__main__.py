@@ -47,7 +47,7 @@ def _measures(wish: Asked) -> dict[str, Callable[[], Any]]:
     known = clips.REPORTED if wish.report else clips.TUNED
 
     def speed() -> dict[str, Any]:
-        from tests.benchmarks.flow.speed import measure
+        from tests.benchmarks.flow_speed import measure
 
         return dict(measure())
 

@@ -76,6 +76,7 @@ def counts_of(
         "happened": hits.happened,
         "found": hits.found,
         "hit": hits.hit,
+        "by_line": {line.name: hits_of(tracks, truth, fps, [line]).rate for line in lines},
     }
 
 

@@ -67,7 +67,7 @@ def _marks(known: Any, wish: Asked) -> dict[str, Any]:
 
 
 def _speed() -> dict[str, Any]:
-    from tests.benchmarks.spheroid.speed import measure
+    from tests.benchmarks.spheroid_speed import measure
 
     return dict(measure())
 
