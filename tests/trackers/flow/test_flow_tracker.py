@@ -149,6 +149,24 @@ def test_who_has_left_the_picture_is_let_go_within_a_second() -> None:
     assert not any(len(step.tracks["track"]) for step in steps[out + 10 :])
 
 
+def test_who_stops_for_a_moment_behind_a_pillar_keeps_the_id() -> None:
+    walk = straight((-1.5, 4.5), (1.0, 0.0), 16)
+    way = np.concatenate((walk, np.repeat(walk[-1:], 7, axis=0), walk[-1] + (walk - walk[0])))
+    left, right = (
+        int(VIEW.pixel_from_world(np.array([[x, 4.5, 1.0]]))[0, 0]) for x in (-0.35, 0.35)
+    )
+    floor = FLOOR.copy()
+    floor[:, left:right] = 90
+    pictures = pictures_of([way])
+    for picture in pictures:
+        picture[:, left:right] = 90
+    patient = parse_settings(tracker_named("flow"), {"empty_s": "3", "lost_after_s": "3"})
+    steps, _ = tracked(VIEW, pictures, patient, floor)
+    before, after = steps[10].tracks["track"], steps[-2].tracks["track"]
+    assert before.tolist() == after.tolist()
+    assert len(after) == 1
+
+
 def test_an_empty_scene_has_no_tracks() -> None:
     steps, tracker = tracked(VIEW, [FLOOR] * 10)
     assert not any(len(step.tracks["track"]) for step in steps)

@@ -17,7 +17,15 @@ from tracking.trackers.flow.seen import POSITIONS, Seen, speeds
 from tracking.trackers.flow.settings import ClusterSettings, FlowSettings
 from tracking.trackers.flow.sightings import FloorGrid, Sightings
 from tracking.trackers.flow.silhouettes import cover_of, drawn
-from tracking.trackers.flow.walkers import Walkers, begun, measured, nobody, predicted, proven
+from tracking.trackers.flow.walkers import (
+    Walkers,
+    begun,
+    measured,
+    nobody,
+    predicted,
+    proven,
+    put_at,
+)
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -25,13 +33,16 @@ Indices = NDArray[np.intp]
 _NEW_M_S = 0.3
 """Slower clusters are nobody new."""
 _FILL, _SEEN, _OWN = 0.5, 0.2, 0.3
-_EMPTY, _EMPTY_S, _FULL = 0.35, 0.6, 0.6
+_EMPTY, _FULL = 0.35, 0.6
 _FEWEST = 2
 _APART_M = 0.4
 _SIGHTED = (0.5, 0.15, 0.4)
 _WALKED_M = 0.12
 _LOOK_S = 0.15
 """People who are not followed yet are looked for about so often."""
+_LOST_S, _STRAY_M, _STRAY_M_S, _FARTHEST_STRAY_M = 0.15, 0.4, 0.4, 1.2
+_OTHER_PACE_M_S = 1.2
+"""Who is out of sight may turn up so far from where they are thought to be, and so much faster."""
 _WEAKER = 0.3
 _LONGER = 1.6
 """How much farther apart along the line of sight two may be found and be one."""
@@ -131,12 +142,9 @@ class HeldPeople:
             )
             if not _convincing(new) or _crowded(walkers, new.place):
                 continue
-            self.last_id += 1
-            track = np.array([self.last_id], np.int32)
-            one = begun(track, new.place[None], new.pace[None])
-            walkers = walkers.and_also(replace(one, count=np.array([len(rows)])))
+            walkers, row = self._begun(walkers, new.place, new.pace)
             axis = np.broadcast_to(new.place, (len(rows), 2))
-            owner = np.full(len(rows), self.last_id, np.int32)
+            owner = np.full(len(rows), walkers.track[row], np.int32)
             holds = holds.given(rows, owner, axis, seen.slope[rows], self._floor)
         return self._with_sighted(walkers, holds, seen)
 
@@ -156,14 +164,21 @@ class HeldPeople:
         for row in np.flatnonzero(ready):
             place = self._sightings.place[row]
             pace = way[row] / self._sightings.age_s[row]
-            self.last_id += 1
-            one = begun(np.array([self.last_id], np.int32), place[None], pace[None])
-            walkers = walkers.and_also(one)
+            walkers, _ = self._begun(walkers, place, pace)
         rows, who = claims(walkers, holds, seen, self._floor)
         holds = holds.given(
             rows, walkers.track[who], walkers.place[who], seen.slope[rows], self._floor
         )
         return walkers, holds
+
+    def _begun(self, walkers: Walkers, place: Floats, pace: Floats) -> tuple[Walkers, int]:
+        """With somebody at a place, and the row: who was lost near there, else somebody new."""
+        lost = _lost_near(walkers, place, pace)
+        if lost is not None:
+            return put_at(walkers, lost, place, pace), lost
+        self.last_id += 1
+        one = begun(np.array([self.last_id], np.int32), place[None], pace[None])
+        return walkers.and_also(one), len(walkers)
 
     def _clustered(self, tracklets: Vectors, settings: ClusterSettings) -> Clusters:
         """Clusters of tracklets that nobody has, from the modes of the frame before."""
@@ -184,7 +199,7 @@ class HeldPeople:
             self._settings.lost_after_s,
             self._settings.lost_at_edge_s,
         )
-        kept = (walkers.missed_s <= limit_s) & (walkers.empty_s < _EMPTY_S)
+        kept = (walkers.missed_s <= limit_s) & (walkers.empty_s < self._settings.empty_s)
         kept &= walkers.walked | (walkers.age_s < self._settings.unproven_s)
         heir = _heirs(walkers, kept, self._settings.closest_m)
         row = holds.rows_of(walkers)
@@ -209,6 +224,15 @@ def _convincing(new: Newcomer) -> bool:
 def _crowded(walkers: Walkers, place: Floats) -> bool:
     """Whether somebody stands there already."""
     return bool((np.hypot(*(walkers.place - place).T) < _APART_M).any())
+
+
+def _lost_near(walkers: Walkers, place: Floats, pace: Floats) -> int | None:
+    """The row of whoever is out of sight and may have come to the place; None: nobody."""
+    away = np.hypot(*(walkers.place - place).T)
+    reach = np.minimum(_STRAY_M + _STRAY_M_S * walkers.missed_s, _FARTHEST_STRAY_M)
+    alike = np.hypot(*(walkers.pace - pace).T) < _OTHER_PACE_M_S
+    near = (walkers.missed_s > _LOST_S) & (away < reach) & alike & walkers.walked
+    return int(np.where(near, away, np.inf).argmin()) if near.any() else None
 
 
 def _heirs(walkers: Walkers, kept: NDArray[np.bool_], closest_m: float) -> Indices:

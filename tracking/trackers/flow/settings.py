@@ -80,6 +80,13 @@ class FlowSettings:
     unproven_s: float = setting(
         1.5, "s", (0.1, 60.0), "time in which it must do so, or it was nobody"
     )
+    empty_s: float = setting(
+        0.6,
+        "s",
+        (0.05, 60.0),
+        "time with nothing seen where somebody should be in sight, after which a track ends; "
+        "longer where pillars hide people",
+    )
     lost_after_s: float = setting(
         2.5, "s", (0.05, 60.0), "time out of sight after which a track ends"
     )

@@ -100,6 +100,16 @@ def nobody() -> Walkers:
     return begun(np.zeros(0, np.int32), np.zeros((0, 2)), np.zeros((0, 2)))
 
 
+def put_at(walkers: Walkers, row: int, place: Floats, pace: Floats) -> Walkers:
+    """With one of them found again at a place, walking so."""
+    state, spread = walkers.state.copy(), walkers.spread.copy()
+    missed_s, empty_s = walkers.missed_s.copy(), walkers.empty_s.copy()
+    state[row] = (*place, *pace)
+    spread[row] = np.diag((_FIRST_M, _FIRST_M, _FIRST_M_S, _FIRST_M_S)) ** 2
+    missed_s[row] = empty_s[row] = 0.0
+    return replace(walkers, state=state, spread=spread, missed_s=missed_s, empty_s=empty_s)
+
+
 def proven(walkers: Walkers, walked_m: float) -> Walkers:
     """With those marked who have gone so far from where they were found: only people do."""
     way = walkers.place - walkers.began
