@@ -2,7 +2,8 @@
 
 Without --report: the rates on a few scenes for choosing settings, as a table. With it: all sections
 on the scenes reported, kept one by one in docs/results.json, and the page made of them. --rewrite
-only makes the page and its pictures anew.
+only makes the page and its diagrams anew. Real footage is looked for where --data or
+TRACKWRIGHT_DATA says; --pictures draws parts into a few of its frames, into a folder of yours.
 """
 
 from __future__ import annotations
@@ -15,7 +16,6 @@ from pathlib import Path
 from typing import Any
 
 _DOCS = Path(__file__).parents[3] / "docs"
-_DATA = Path(__file__).parents[4] / "shared" / "data"
 SECTIONS = ("rates", "crouching", "equalisation", "detector", "real", "speed")
 
 
@@ -29,6 +29,8 @@ def main() -> None:
     cv2.setNumThreads(1)
     if asked.rewrite:
         _write(json.loads((_DOCS / "results.json").read_text(encoding="utf-8")))
+    elif asked.pictures is not None:
+        _real_pictures(asked.data, asked.pictures)
     elif asked.report:
         _report(asked.only or SECTIONS, asked.clips, asked.data)
     else:
@@ -46,31 +48,34 @@ def _asked() -> argparse.Namespace:
     parser.add_argument("--only", nargs="+", choices=SECTIONS, help="these sections anew")
     parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
     parser.add_argument("--data", type=Path, default=_data(), help="folder of real recordings")
+    parser.add_argument("--pictures", type=Path, help="where pictures of real footage are put")
     return parser.parse_args()
 
 
-def _data() -> Path:
+def _data() -> Path | None:
     named = os.environ.get("TRACKWRIGHT_DATA")
-    return Path(named) if named else _DATA
+    return Path(named) if named else None
 
 
-def _report(sections: tuple[str, ...] | list[str], clips: Path | None, data: Path) -> None:
+def _report(sections: tuple[str, ...] | list[str], clips: Path | None, data: Path | None) -> None:
     from tests.benchmarks.parts import clips as known
     from tests.benchmarks.parts import measuring
 
+    detector_clips = (*known.REPORTED, *known.REPORTED_CROUCHING, *known.REPORTED_ELSEWHERE)
     measures: dict[str, Callable[[], Iterable[Any]]] = {
         "rates": lambda: measuring.rates_one_by_one(known.REPORTED, clips),
         "crouching": lambda: [measuring.crouching(known.REPORTED_CROUCHING, clips)],
         "equalisation": lambda: [measuring.equalisation()],
-        "detector": lambda: [measuring.detector(known.REPORTED, clips)],
+        "detector": lambda: [measuring.detector(detector_clips, clips)],
         "real": lambda: [measuring.real(data)],
         "speed": lambda: [measuring.speed()],
     }
     path = _DOCS / "results.json"
-    figures = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+    anew = set(sections) == set(SECTIONS)  # then nothing on the page is older than the rest
+    figures = {} if anew or not path.is_file() else json.loads(path.read_text(encoding="utf-8"))
     for name in sections:
         for found in measures[name]():
-            figures[name] = found
+            figures = {**figures, name: found} if found else _without(figures, name)
             path.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
             _write(figures)
         if name == "rates":
@@ -84,6 +89,18 @@ def _picture(clips: Path | None) -> None:
 
     shown = pictures.side_by_side(known.REPORTED[0], (ADJUSTED, PLAIN), (150, 190), clips)
     pictures.save(_DOCS / "parts-walkway.jpg", shown)
+
+
+def _without(figures: dict[str, Any], name: str) -> dict[str, Any]:
+    """What was not measured is not on the page: nothing there is older than the rest."""
+    return {section: found for section, found in figures.items() if section != name}
+
+
+def _real_pictures(data: Path | None, shown: Path) -> None:
+    from tests.benchmarks.parts import pictures
+
+    for path in pictures.of_real_footage(data, shown):
+        print(path)
 
 
 def _write(figures: dict[str, Any]) -> None:

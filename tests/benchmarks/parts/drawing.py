@@ -30,6 +30,7 @@ LINES = (
     Line("#cf222e", "7 4"),
     Line("#1a7f37", "2 3"),
     Line("#8250df", "10 3 2 3"),
+    Line("#9a6700", "14 4"),
 )
 """In the order of curves: told apart without colours too."""
 

@@ -100,6 +100,7 @@ def detector(clips: Sequence[Clip], kept: Path | None = None) -> Figures:
         "recordings": len(origin.recordings),
         "people": origin.people,
         "new_samples": len(new),
+        "new_clips": len(clips),
         "grid": _GRID.round(5).tolist(),
         "machines": machines,
     }
@@ -140,6 +141,6 @@ def speed() -> Figures:
     return dict(import_module("tests.benchmarks.parts.speed").measure())
 
 
-def real(data: Path) -> Figures:
+def real(data: Path | None) -> Figures:
     """Who keeps their parts in real footage; empty where the recordings are not there."""
     return real_footage(data)

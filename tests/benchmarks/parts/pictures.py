@@ -1,4 +1,4 @@
-"""Pictures of body parts being tracked in rendered clips, for the report."""
+"""Pictures of body parts being tracked: of rendered clips for the report, of footage to look at."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tests.benchmarks.parts.clips import Clip, folder_of
-from tests.benchmarks.parts.running import Variant, run_of
+from tests.benchmarks.parts.real import folders_in
+from tests.benchmarks.parts.running import ADJUSTED, PLAIN, Variant, fresh_run
 from tracking.recording import open_recording
 from tracking.tracks import Columns
 
@@ -18,18 +19,41 @@ _COLOURS = ((0, 255, 255), (80, 255, 80), (255, 160, 40))  # head, torso, hip-le
 _LOST = (40, 40, 255)
 _SHOWN_ROWS = 360  # nobody stands farther down
 _QUALITY = 80
+_SHARES = (0.3, 0.5, 0.7)
+"""Of a real recording's length: which frames are shown."""
 
 
 def side_by_side(
     clip: Clip, variants: Sequence[Variant], frames: Sequence[int], kept: Path | None = None
 ) -> NDArray[np.uint8]:
     """A row of pictures a frame, a column a tracker; (rows, columns, 3) BGR."""
-    folder = folder_of(clip, kept)
+    return _side_by_side(folder_of(clip, kept), variants, frames, _SHOWN_ROWS)
+
+
+def of_real_footage(data: Path | None, shown: Path) -> list[Path]:
+    """Pictures of the real recordings that are there, with parts drawn, into a folder.
+
+    They show people in footage of others, so they are for looking at and not for the repository.
+    """
+    shown.mkdir(parents=True, exist_ok=True)
+    written = []
+    for folder in folders_in(data):
+        with open_recording(folder) as recording:
+            frames = [round(recording.frame_count * share) for share in _SHARES]
+        written.append(shown / f"{folder.name}.jpg")
+        save(written[-1], _side_by_side(folder, (ADJUSTED, PLAIN), frames, None))
+    return written
+
+
+def _side_by_side(
+    folder: Path, variants: Sequence[Variant], frames: Sequence[int], rows: int | None
+) -> NDArray[np.uint8]:
     with open_recording(folder) as recording:
-        images = [recording.read(frame).left[:_SHOWN_ROWS] for frame in frames]
+        images = [recording.read(frame).left[:rows] for frame in frames]
     columns = []
     for variant in variants:
-        parts = run_of(folder, variant).parts
+        # Not a kept run: one that acts on no verdict keeps those of any detector.
+        parts = fresh_run(folder, variant).parts
         drawn = [_drawn(image, parts, at) for image, at in zip(images, frames, strict=True)]
         for image in drawn:
             _write(image, variant.name, (8, 22))

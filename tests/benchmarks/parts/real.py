@@ -8,6 +8,7 @@ exact truth, and told as such.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -25,10 +26,26 @@ FRAMES = 100
 _ZONES = ((0.0, 0.25), (0.1, 0.6), (0.4, 1.0))
 
 
-def measure(data: Path, variant: Variant = ADJUSTED) -> dict[str, Any]:
+def folders_in(data: Path | None) -> list[Path]:
+    """The real recordings that are there; those missing are told.
+
+    Args:
+        data: the folder that holds them; None: nobody named one.
+    """
+    if data is None:
+        print("no real footage: name its folder with --data or TRACKWRIGHT_DATA", file=sys.stderr)
+        return []
+    there = [data / name for name in RECORDINGS if (data / name / "truth.txt").is_file()]
+    for name in sorted(set(RECORDINGS) - {folder.name for folder in there}):
+        print(f"no real footage {name} in {data}: it is left out", file=sys.stderr)
+    return there
+
+
+def measure(data: Path | None, variant: Variant = ADJUSTED) -> dict[str, Any]:
     """Who keeps their parts in the real recordings that are there."""
-    folders = [data / name for name in RECORDINGS if (data / name / "truth.txt").is_file()]
-    return {folder.name: kept_parts(judged_recording(folder, variant)) for folder in folders}
+    return {
+        folder.name: kept_parts(judged_recording(folder, variant)) for folder in folders_in(data)
+    }
 
 
 def judged_recording(folder: Path, variant: Variant) -> list[Judged]:

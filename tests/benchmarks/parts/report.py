@@ -214,9 +214,11 @@ def _detector(figures: Figures) -> str:
         rows.append([*row, *_on_new_scenes(machine["new"])])
     head = (
         "machine", "on", "off", "area", "found at 1 %", "at 2 %", "at 5 %",
-        "new scenes: area", "false alarms, %", "found, %",
+        "new scenes: off", "area", "false alarms, %", "found, %",
     )  # fmt: skip
-    text = DETECTOR.format(people=figures["people"], recordings=figures["recordings"])
+    text = DETECTOR.format(
+        people=figures["people"], recordings=figures["recordings"], clips=figures["new_clips"]
+    )
     return "\n\n".join(
         (text.strip(), table(head, rows), "![receiver operating curves](detector-roc.svg)")
     )
@@ -224,9 +226,9 @@ def _detector(figures: Figures) -> str:
 
 def _on_new_scenes(new: Figures | None) -> list[str]:
     if new is None:
-        return ["", "", ""]
+        return ["", "", "", ""]
     shares = [f"{100 * new[name]:.1f}" for name in ("false_alarms", "found")]
-    return [f"{new['area']:.3f}", *shares]
+    return [str(new["off"]), f"{new['area']:.3f}", *shares]
 
 
 def roc_picture(figures: Figures) -> str:

@@ -19,8 +19,8 @@ from tracking.failure.training.search import Choice, Tried
 MOST_MISTAKES = 24
 """Of each part."""
 _OF_ONE_PERSON = 3
-_APART = 15
-"""Frames between two mistakes about one person: closer together they are one."""
+_APART_S = 0.75
+"""Between two mistakes about one person: closer together they are one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,14 +142,16 @@ def _mistakes(
 ) -> tuple[Mistake, ...]:
     """Those farthest on the wrong side first; a few of one person, and no neighbours."""
     wrong = np.flatnonzero((scores > 0) != question.yes)
-    taken: dict[int, list[int]] = {}
+    taken: dict[int, list[float]] = {}
+    times_s = samples.times_s()
     mistakes: list[Mistake] = []
     for row in wrong[np.argsort(-np.abs(scores[wrong]), kind="stable")].tolist():
         mistake = _mistake(int(question.rows[row]), float(scores[row]), samples)
         before = taken.setdefault(int(question.people[row]), [])
-        near = any(abs(frame - mistake.frame) < _APART for frame in before)
+        time_s = float(times_s[mistake.sample])
+        near = any(abs(earlier - time_s) < _APART_S for earlier in before)
         if not near and len(before) < _OF_ONE_PERSON and len(mistakes) < MOST_MISTAKES:
-            before.append(mistake.frame)
+            before.append(time_s)
             mistakes.append(mistake)
     return tuple(mistakes)
 

@@ -8,13 +8,14 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 
 import numpy as np
+from numpy.typing import NDArray
 
 import tracking
 from tracking.failure.detector import FALSE_ALARMS, Detector, Origin
 from tracking.failure.features import PARTS, Floats
 from tracking.failure.machines import Machines
 from tracking.failure.operating import Curve
-from tracking.failure.preparation import fitted_preparation
+from tracking.failure.preparation import Preparation, fitted_preparation
 from tracking.failure.samples import SAMPLE_COLUMNS, TEXT, Samples
 from tracking.failure.training.fitting import GRID, Candidate, fitted, library
 from tracking.failure.training.folds import folds_of, thinned
@@ -72,7 +73,6 @@ def train(
     """
     plan = plan or TrainingPlan()
     questions = questions_of(samples)
-    people = samples.people()
     folds = folds_of(questions, plan.folds, random)
     count = int(folds.max()) + 1
     few, many = (
@@ -81,14 +81,7 @@ def train(
     )
     total = len(questions) * (count * (2 * len(plan.grid) + 1) + 1)
     steps = Steps(total, progress, cancelled)
-    usual = samples.columns["label"] == 1
-    preparations = {
-        by_size: [
-            fitted_preparation(samples.features[usual & (folds[people] != held)], by_size=by_size)
-            for held in range(count)
-        ]
-        for by_size in (False, True)
-    }
+    preparations = _preparations(samples, folds[samples.people()], count)
     wide = max(0.1, 2 * plan.false_alarms)
     choice, tried = search(few, folds, preparations, plan.grid, wide, steps)
     scores = [
@@ -97,6 +90,20 @@ def train(
     ]
     detector = _detector(many, choice, samples, scores, plan, steps)
     return Trained(detector, _report(detector, many, scores, samples, choice, tried, count))
+
+
+def _preparations(
+    samples: Samples, fold: NDArray[np.int64], count: int
+) -> dict[bool, list[Preparation]]:
+    """By whether they measure in bodies: for each fold one that never saw its samples."""
+    usual = samples.columns["label"] == 1
+    return {
+        by_size: [
+            fitted_preparation(samples.features[usual & (fold != held)], by_size=by_size)
+            for held in range(count)
+        ]
+        for by_size in (False, True)
+    }
 
 
 def _detector(
