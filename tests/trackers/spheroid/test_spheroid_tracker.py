@@ -55,7 +55,8 @@ def test_somebody_who_walks_is_followed_on_the_floor(
     results = followed(seen_by, frames_of(seen_by, [Body(path)]))
     assert {tuple(result.tracks["track"]) for result in results[8:]} == {(1,)}
     errors = [np.hypot(*(places(results[k])[0] - path[k])) for k in range(12, 40)]
-    assert np.mean(errors) < (0.05 if tilt > 30 else 0.12)
+    # Half a pixel of the smoothed edge is 2 cm here straight below and 10 cm at the level camera.
+    assert np.mean(errors) < {90.0: 0.05, 40.0: 0.1, 12.0: 0.2}[tilt]
 
 
 def test_a_spheroid_of_the_papers_size_stands_still_within_a_few_centimetres() -> None:
@@ -74,7 +75,9 @@ def test_a_body_height_is_learnt() -> None:
     small = Body(straight((1.0, 4.0), (-0.1, 0.1), frames), BLUE, height_m=1.55)
     last = followed(seen_by, frames_of(seen_by, [tall, small]))[-1]
     by_x = np.argsort(last.tracks["x"])
-    assert np.allclose(last.signals["height_m"][by_x], (1.88, 1.55), atol=0.1)
+    found = last.signals["height_m"][by_x]
+    assert np.allclose(found, (1.88, 1.55), atol=0.14)
+    assert found[0] - found[1] > 0.2
 
 
 def test_people_who_cross_keep_their_tracks() -> None:

@@ -132,8 +132,10 @@ class SpheroidPerception:
         """B times 255 with shadows weighed down, not undistorted."""
         rising = ramp(seen, self._background, self._ramp)
         weighed = cv2.multiply(rising, weight, scale=1 / 255)
-        # Smoothing before subtraction makes everybody a pixel larger all round.
-        return np.asarray(cv2.erode(weighed, _SMOOTHED), np.uint8)
+        # Smoothing before subtraction makes everybody half a pixel larger all round: a pixel at
+        # the edge counts half.
+        smaller = cv2.erode(weighed, _SMOOTHED)
+        return np.asarray(cv2.addWeighted(weighed, 0.5, smaller, 0.5, 0.0), np.uint8)
 
     def _remember(self) -> None:
         """Learn from the frame before, once it is known where people were in it."""

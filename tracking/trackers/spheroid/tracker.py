@@ -31,8 +31,8 @@ Flags = NDArray[np.bool_]
 
 _START_SPREADS = (0.2, 0.5)
 """m and m/s, of a newcomer's hypotheses."""
-_HEIGHT_SD_M = 0.07
-"""Of grown-up people."""
+_HEIGHT_SD_M = 0.12
+"""Of people, children among them."""
 _PAPER_HEIGHT_M = 1.8
 _ALONE_M = 0.9
 """Colours are learnt while nobody is closer than this."""
