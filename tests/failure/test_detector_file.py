@@ -94,7 +94,10 @@ def replaced(file: h5py.File, name: str, data: object) -> None:
 
 
 SPOILT = [
-    (lambda f: f.attrs.__setitem__("format", "trackwright-session"), "is a trackwright session, no"),
+    (
+        lambda f: f.attrs.__setitem__("format", "trackwright-session"),
+        "is a trackwright session, no",
+    ),
     (lambda f: f.attrs.__setitem__("format", "other"), "no trackwright detector"),
     (lambda f: f.attrs.__setitem__("format_version", "9.0"), "newer trackwright"),
     (lambda f: f.__delitem__("machines/torso"), "no array machines/torso/support"),
