@@ -23,6 +23,7 @@ from tracking.failure import (
 from tracking.failure.training import Candidate, page_of
 from tracking.failure.training.folds import folds_of, thinned
 from tracking.failure.training.questions import Question, one_or_several, questions_of
+from tracking.failure.training.search import Tried, best_of
 
 QUICK = TrainingPlan(grid=(Candidate(1.0, 0.3), Candidate(10.0, 1.0)), folds=3, searched=300)
 
@@ -228,3 +229,29 @@ def test_a_part_at_the_other_end_of_the_picture_has_failed(trained: Trained, par
     now[0, part, :2] += (900.0, -50.0)
     said = trained.detector.judge(part_features(now, before))
     assert said.failed[0].any()
+
+
+def test_of_candidates_that_chance_cannot_tell_apart_the_smoothest_is_taken() -> None:
+    smooth, wiggly = Candidate(1.0, 0.1), Candidate(100.0, 3.0)
+    for better, taken in ((0.52, smooth), (0.9, wiggly)):
+        tried = [
+            Tried(question, by_size, candidate, worth, 0.05)
+            for by_size in (False, True)
+            for question in range(3)
+            for candidate, worth in ((smooth, 0.5), (wiggly, better))
+        ]
+        assert best_of(tried, 3).candidates == (taken,) * 3
+
+
+def test_mistakes_of_one_person_lie_apart_in_time_whatever_the_frame_rate(samples: Samples) -> None:
+    slow = samples.with_columns(time_s=samples.columns["frame"] / 2.0)
+    shown = []
+    for each in (samples, slow):
+        report = train(each, QUICK, random=np.random.default_rng(7)).report
+        shown.append(list(report.questions[0].mistakes))
+    times_s = samples.times_s()
+    for one in shown[0]:
+        for other in shown[0]:
+            same = one is not other and one.track == other.track
+            assert not same or abs(times_s[one.sample] - times_s[other.sample]) >= 0.75
+    assert len(shown[1]) >= len(shown[0])

@@ -66,7 +66,7 @@ def search(
         )
         for most in [1.0 if question.number == SEVERAL else most_false_alarms]
     ]
-    return _best(tried, len(questions)), tried
+    return best_of(tried, len(questions)), tried
 
 
 def held_out_scores(
@@ -105,7 +105,7 @@ def _worth(curve: Curve, most_false_alarms: float) -> tuple[float, float]:
     return worth, float(np.sqrt(worth * (1.0 - worth) / max(len(curve.off), 1)))
 
 
-def _best(tried: Sequence[Tried], questions: int) -> Choice:
+def best_of(tried: Sequence[Tried], questions: int) -> Choice:
     """For each preparation the best candidate of each question; then the better preparation.
 
     The first in the grid that is no more than one standard error worse than the best: with few

@@ -1,0 +1,73 @@
+"""Runs are kept for as long as nothing they were made with has changed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.benchmarks.parts import kept
+from tests.benchmarks.parts.kept import Seen, kept_run
+from tests.benchmarks.parts.real import RECORDINGS, folders_in
+
+
+class Tracker:
+    """Counts how often it tracked."""
+
+    def __init__(self) -> None:
+        self.runs = 0
+
+    def __call__(self) -> Seen:
+        self.runs += 1
+        return Seen({"frame": np.arange(3)}, {"part": np.array([self.runs], np.uint8)})
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    made = tmp_path / "walkway-1"
+    made.mkdir()
+    return made
+
+
+def test_a_run_is_tracked_once_and_comes_back_as_it_was(folder: Path) -> None:
+    tracker = Tracker()
+    first, again = (kept_run(folder, ("three-part",), True, tracker) for _ in range(2))
+    assert tracker.runs == 1
+    assert again.tracks["frame"].tolist() == first.tracks["frame"].tolist() == [0, 1, 2]
+    assert again.parts["part"].dtype == np.uint8
+
+
+def test_other_settings_and_other_sources_are_tracked_anew(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tracker = Tracker()
+    kept_run(folder, ("three-part",), False, tracker)
+    kept_run(folder, ("three-part", ("adjust", False)), False, tracker)
+    assert tracker.runs == 2
+    monkeypatch.setattr(kept, "sources", lambda: "edited")
+    assert kept_run(folder, ("three-part",), False, tracker).parts["part"].tolist() == [3]
+
+
+def test_another_detector_counts_for_those_who_act_on_it(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tracker = Tracker()
+    for judged in (True, False):
+        kept_run(folder, ("three-part", judged), judged, tracker)
+    other = kept.built_in_detector().with_operating_point(0.5)
+    monkeypatch.setattr(kept, "built_in_detector", lambda: other)
+    for judged in (True, False):
+        kept_run(folder, ("three-part", judged), judged, tracker)
+    assert tracker.runs == 3
+
+
+def test_real_footage_that_is_not_there_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert folders_in(None) == []
+    assert "--data or TRACKWRIGHT_DATA" in capsys.readouterr().err
+    (tmp_path / RECORDINGS[0]).mkdir()
+    (tmp_path / RECORDINGS[0] / "truth.txt").touch()
+    assert [folder.name for folder in folders_in(tmp_path)] == [RECORDINGS[0]]
+    assert f"no real footage {RECORDINGS[1]}" in capsys.readouterr().err
