@@ -24,9 +24,16 @@ def _marks(alone_cm: float) -> dict[str, Any]:
 
 def test_goals_on_the_marks_are_told_as_met_or_by_how_much_they_are_missed() -> None:
     page = report.writers()["marks"](_marks(4.2))
-    assert "| standing | 5 | 4.2 | met |" in page
-    assert "| pairs | 8 | 9.0 | missed by 1.0 |" in page
+    assert "| standing | 5 | 4.2 | 98 % | met |" in page
+    assert "| pairs | 8 | 9.0 | 98 % | missed by 1.0 |" in page
     assert "| A1 | 5 | 4.2 ± 1.0 | 98 % | 8 | 9.0 ± 1.0 | 98 % |" in page
+
+
+def test_a_small_error_of_few_frames_meets_no_goal() -> None:
+    figures = _marks(4.2)
+    figures["standing"]["all"] = {"mean_cm": 3.0, "std_cm": 1.0, "followed": 0.6, "frames": 9}
+    page = report.writers()["marks"](figures)
+    assert "| standing | 5 | 3.0 | 60 % | missed: people are lost |" in page
 
 
 def test_a_mark_where_nobody_is_followed_has_no_error() -> None:
