@@ -75,7 +75,9 @@ def _off(true: int, counted: int) -> str:
 def _hits_table(rows: Sequence[Figures], named: str) -> str:
     cells = [
         [
-            " ".join(str(row[name]) for name in (named, "seed", "tracker") if name in row),
+            " ".join(
+                str(row[key]) for key in dict.fromkeys((named, "seed", "tracker")) if key in row
+            ),
             *(str(row[name]) for name in ("happened", "found", "hit")),
             _share(row["hit"], row["happened"]),
             _share(row["hit"], row["found"]),

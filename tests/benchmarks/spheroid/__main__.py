@@ -28,6 +28,8 @@ def main() -> None:
         if wish.report:
             page.keep(name, found)
             page.write(words.INTRODUCTION, report.writers())
+            if name == "marks":
+                _picture(wish)
         else:
             print(report.writers()[name](found), flush=True)
     if wish.rewrite:
@@ -64,6 +66,15 @@ def _marks(known: Any, wish: Asked) -> dict[str, Any]:
         "pairs": spots.standing(known.pairs, wish.clips),
         "walking": spots.walking(known.walking, wish.clips),
     }
+
+
+def _picture(wish: Asked) -> None:
+    from tests.benchmarks.pages import DOCS
+    from tests.benchmarks.spheroid import clips, pictures
+
+    pair, crossing = clips.REPORTED.pairs[0], clips.REPORTED.situations[6]
+    shown = pictures.in_a_row(((pair, 7.0), (pair, 24.0), (crossing, 5.5)), wish.clips)
+    pictures.save(DOCS / "results" / "spheroid-pairs.jpg", shown)
 
 
 def _speed() -> dict[str, Any]:

@@ -42,6 +42,7 @@ def _marks(figures: Figures) -> str:
             words.MARKS.format(clips=figures["clips"]).strip(),
             _spots(figures),
             _goals(figures),
+            words.PICTURE.strip(),
             words.WALKING.strip(),
             _lines(figures["walking"]),
         )

@@ -26,6 +26,13 @@ and truth, over the seconds in which people stand still, mean ± deviation in cm
 share of frames in which somebody follows.
 """
 
+PICTURE = """
+![a pair on its marks, another pair, four people who cross](spheroid-pairs.jpg)
+
+The first pair 7 and 24 seconds in, and four people who cross in the middle: hypotheses in the
+colour of their track, each person's own spheroid in white.
+"""
+
 WALKING = """
 ### Walking from mark to mark
 
