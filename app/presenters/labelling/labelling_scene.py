@@ -45,7 +45,7 @@ class PartMark:
         track, part: whose, and 0 head, 1 torso, 2 hip-leg.
         box: left, top, width, height in pixels of that eye as recorded.
         colour: the part's while it is labelled, else the person's.
-        given: somebody said it; else it is a first guess, drawn dotted.
+        given: somebody said it; else it is a first guess, drawn faint.
         on_part: what was said; None: unsure.
         asked: it is being labelled. chosen: it is the part that the keys speak of.
     """

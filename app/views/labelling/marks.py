@@ -11,12 +11,14 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from app.presenters.labelling.labelling_scene import PART_COLOURS, Outline, PartMark
 from app.presenters.scenes import Colour
 from app.views.look.theme import Theme, faded
-from app.views.parts.signs import draw_said, sign_radius
+from app.views.parts.signs import draw_said, draw_unsure, sign_radius
 from app.views.pictures.name_plates import draw_name, place_plates, plate_rect, plate_text
 from app.views.pictures.viewport import Points, Viewport, path_through
 
 _CASING = QColor(0, 0, 0, 130)
 _FILL = 0.16
+_GUESSED = 0.5
+"""How much is seen of the line round a guess."""
 CORNER_PX = 4.5
 _TIP_PX = 8.0
 
@@ -63,7 +65,11 @@ def draw_corners(painter: QPainter, points: Points, colour: QColor, held: int = 
 
 
 def draw_parts(painter: QPainter, parts: Sequence[PartMark], viewport: Viewport) -> None:
-    """Rectangles: ticked where said to be on, crossed out where off, dashed where unsure."""
+    """Rectangles: ticked where said to be on, crossed out where off, with a ? where unsure.
+
+    A first guess is faint. No line is dashed or dotted: that is what the tracker says of a part,
+    and both may be drawn over one picture.
+    """
     for mark in sorted(parts, key=lambda one: one.chosen):
         _draw_part(painter, mark, viewport.rect(QRectF(*mark.box)))
 
@@ -76,21 +82,19 @@ def part_colour(part: int) -> Colour:
 def _draw_part(painter: QPainter, mark: PartMark, rect: QRectF) -> None:
     colour = QColor(*mark.colour)
     width = 2.8 if mark.chosen else 1.8
-    styles = Qt.PenStyle
-    style = styles.DotLine if not mark.given else styles.SolidLine
-    if mark.given and mark.on_part is None:
-        style = styles.DashLine
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(_CASING, width + 2.0))
+    painter.setPen(QPen(_CASING if mark.given else faded(_CASING, _GUESSED), width + 2.0))
     painter.drawRect(rect)
-    painter.setPen(QPen(colour, width, style))
+    painter.setPen(QPen(colour if mark.given else faded(colour, _GUESSED), width))
     painter.drawRect(rect)
     if mark.given and mark.on_part is False:
         painter.drawLine(rect.topLeft(), rect.bottomRight())
         painter.drawLine(rect.bottomLeft(), rect.topRight())
     if mark.chosen:
         painter.fillRect(rect, faded(colour, 0.14))
-    elif mark.given and mark.on_part:
+    if mark.given and mark.on_part is None:
+        draw_unsure(painter, rect.bottomLeft(), sign_radius(rect))
+    elif mark.given and mark.on_part and not mark.chosen:
         draw_said(painter, rect.bottomLeft(), sign_radius(rect))
 
 

@@ -54,7 +54,15 @@ class ShapesLayer(Layer):
     def show_shapes(
         self, shapes: Mapping[int, tuple[Corner, ...]], *, closed: bool, colour: Colour
     ) -> None:
-        """Which shapes there are, by their numbers; their corners can be dragged."""
+        """Which shapes there are, by their numbers; their corners can be dragged.
+
+        A corner that is held is let go where its shape is gone or another one by now.
+        """
+        if self._held is not None:
+            shape, corner = self._held
+            number, before = self._numbers[shape], self._shapes[shape]
+            same = shapes.get(number) == before
+            self._held = (list(shapes).index(number), corner) if same else None
         self._numbers, self._shapes = tuple(shapes), tuple(shapes.values())
         self._closed, self._colour = closed, colour
         self.update()

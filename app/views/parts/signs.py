@@ -41,3 +41,19 @@ def draw_said(painter: QPainter, at: QPointF, radius_px: float) -> None:
     painter.setBrush(_WHITE)
     painter.drawEllipse(at, radius_px, radius_px)
     draw_on(painter, at, 0.8 * radius_px, QColor(20, 90, 40))
+
+
+def draw_unsure(painter: QPainter, at: QPointF, radius_px: float) -> None:
+    """A question mark on a light disc: a person could not tell."""
+    painter.save()
+    painter.setPen(QPen(_CASING, 1.2))
+    painter.setBrush(_WHITE)
+    painter.drawEllipse(at, radius_px, radius_px)
+    font = painter.font()
+    font.setPixelSize(max(1, round(1.7 * radius_px)))
+    font.setBold(True)
+    painter.setFont(font)
+    painter.setPen(QColor(20, 20, 20))
+    disc = QRectF(at.x() - radius_px, at.y() - radius_px, 2 * radius_px, 2 * radius_px)
+    painter.drawText(disc, Qt.AlignmentFlag.AlignCenter, "?")
+    painter.restore()
