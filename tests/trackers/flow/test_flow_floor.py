@@ -41,7 +41,7 @@ def slopes_of(place: np.ndarray, spots: np.ndarray) -> np.ndarray:
 
 def body_mask(*people: tuple[float, float], value: int = BODY) -> np.ndarray:
     """The foreground of people at half resolution, by the silhouettes that hide others."""
-    cover = cover_of(np.array(people), (480, 640), FLOOR)
+    cover = cover_of(np.array(people), FLOOR)
     return np.where(np.isfinite(cover), np.uint8(value), np.uint8(0))
 
 
@@ -106,7 +106,7 @@ def test_tracklets_that_lie_beside_the_body_are_set_free() -> None:
 
 
 def test_a_body_fills_its_own_silhouette_best() -> None:
-    mask, nobody = body_mask((0.3, 4.0)), cover_of(np.zeros((0, 2)), (480, 640), FLOOR)
+    mask, nobody = body_mask((0.3, 4.0)), cover_of(np.zeros((0, 2)), FLOOR)
     places = np.array([[0.3, 4.0], [0.3, 3.2], [0.3, 5.2], [0.8, 4.0]])
     score = fits(places, mask, nobody, FLOOR).score
     assert score.argmax() == 0
@@ -117,21 +117,21 @@ def test_a_body_fills_its_own_silhouette_best() -> None:
 def test_people_are_drawn_to_where_the_foreground_has_them() -> None:
     believed = np.array([[0.2, 4.3]])
     mask = body_mask((0.3, 4.0))
-    to = drawn(believed, mask, cover_of(believed, (480, 640), FLOOR), FLOOR)
+    to = drawn(believed, mask, cover_of(believed, FLOOR), FLOOR)
     before, after = (np.hypot(*(at[0] - (0.3, 4.0))) for at in (believed, to.place))
     assert after < 0.5 * before
 
 
 def test_a_shadow_on_the_floor_fills_nobody() -> None:
     mask = body_mask((0.3, 4.0), value=SHADE)
-    nobody = cover_of(np.zeros((0, 2)), (480, 640), FLOOR)
+    nobody = cover_of(np.zeros((0, 2)), FLOOR)
     seen = fits(np.array([[0.3, 4.0]]), mask, nobody, FLOOR)
     assert seen.own[0] == 0.0
 
 
 def test_somebody_behind_another_is_in_sight_only_in_part() -> None:
     nearer = np.array([[0.0, 4.0]])
-    cover = cover_of(nearer, (480, 640), FLOOR)
+    cover = cover_of(nearer, FLOOR)
     mask = body_mask((0.0, 4.0), (0.0, 4.7))
     both = fits(np.array([[0.0, 4.7], [1.2, 4.7]]), mask, cover, FLOOR)
     assert both.seen[0] < 0.5
@@ -141,7 +141,7 @@ def test_somebody_behind_another_is_in_sight_only_in_part() -> None:
 def test_nothing_is_told_of_somebody_wholly_hidden() -> None:
     believed = np.array([[0.0, 4.0], [0.0, 4.35]])
     low = Floor(view_of(1.8, 8.0))
-    cover = cover_of(believed, (480, 640), low)
+    cover = cover_of(believed, low)
     mask = np.where(np.isfinite(cover), np.uint8(BODY), np.uint8(0))
     to = drawn(believed, mask, cover, low)
     assert np.isfinite(to.place[0]).all()

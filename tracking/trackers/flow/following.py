@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.trackers.flow.halving import halved
 from tracking.trackers.flow.settings import PointSettings
 
 Grey = NDArray[np.uint8]
@@ -71,18 +72,13 @@ class PointFollower:
         self._before: Grey | None = None
         self._next_id = 1
 
-    def forget(self) -> None:
-        """Drop all points: the next picture does not follow on the last."""
-        self._points = self._points.select(np.zeros(len(self._points), bool))
-        self._before = None
-
     def step(self, grey: Grey, seek: Mask | None) -> Tracklets:
         """Follow the points into the next picture and find new ones.
 
         Args:
             grey: (height, width).
-            seek: (rows, columns) non-zero where new points are looked for, at half resolution;
-                None: everywhere.
+            seek: (rows, columns) non-zero where new points are looked for, at half resolution
+                (see `halving`); None: everywhere.
         """
         if self._before is not None and len(self._points):
             self._points = self._followed(self._before, grey)
@@ -144,8 +140,7 @@ class PointFollower:
 
     def _corners(self, grey: Grey, seek: Mask | None, taken: Paths) -> Paths:
         """(k, 2) px new corners, the strongest first, one a cell that has no point yet."""
-        half = cv2.resize(grey, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
-        strength = cv2.cornerMinEigenVal(half, _EIGEN_BLOCK)
+        strength = cv2.cornerMinEigenVal(halved(grey), _EIGEN_BLOCK)
         peak = strength >= cv2.dilate(strength, np.ones((3, 3), np.uint8))
         peak &= strength > self._settings.corner
         if seek is not None:

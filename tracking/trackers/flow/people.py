@@ -117,7 +117,7 @@ class HeldPeople:
 
     def _drawn(self, walkers: Walkers, holds: Holds, seen: Seen) -> tuple[Walkers, Holds, Floats]:
         """Everybody drawn to the foreground, their tracklets with them; (m,) how it suits them."""
-        cover = cover_of(walkers.place, self._floor.view.camera.size[::-1], self._floor)
+        cover = cover_of(walkers.place, self._floor)
         to = drawn(walkers.place, seen.mask, cover, self._floor)
         before = walkers.place
         walkers = measured(walkers, to.place, to.error_m)
@@ -131,7 +131,7 @@ class HeldPeople:
         moving = speeds(seen.tracklets.select(free), POSITIONS, seen.fps, self._floor) > _NEW_M_S
         free = free[moving]
         clusters = self._clustered(seen.vectors(free), settings.clusters)
-        cover = cover_of(walkers.place, self._floor.view.camera.size[::-1], self._floor)
+        cover = cover_of(walkers.place, self._floor)
         for number in range(len(clusters)):
             rows = free[clusters.label == number]
             if np.median(seen.age_s[rows]) < settings.birth_s:

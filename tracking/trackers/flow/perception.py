@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -11,13 +12,28 @@ from numpy.typing import NDArray
 from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
 from tracking.people import Detections, Observation, Overlays
 from tracking.recording.frame import Image, StereoFrame
+from tracking.trackers.flow.halving import doubled, halved
+from tracking.trackers.flow.silhouettes import BODY, SHADE
 
 Mask = NDArray[np.uint8]
 
-SHADOW, SEEN = 127, 255
-_HALVED = cv2.INTER_AREA
 _SOLID = np.ones((3, 3), np.uint8)
 _TOLD_SHADOW = 255
+_LAID = np.zeros(256, np.uint8)
+_LAID[[SHADE, BODY]] = 127, 255
+"""Values of `Overlays.foreground` for those of the mask."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FlowObservation(Observation):
+    """What the flow tracker steps on.
+
+    Attributes:
+        mask: (rows, columns) uint8 `SHADE` where the foreground may be shadow, `BODY` where not,
+            at half resolution (see `halving`).
+    """
+
+    mask: Mask
 
 
 class FlowPerception:
@@ -36,27 +52,27 @@ class FlowPerception:
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn the background from frames spread over some time, before the first `observe`."""
-        self._background.learn([_half(frame.left) for frame in frames])
+        self._background.learn([halved(frame.left) for frame in frames])
 
-    def observe(self, frame: StereoFrame) -> Observation:
+    def observe(self, frame: StereoFrame) -> FlowObservation:
         """The frame's picture and foreground. Frames come in order."""
-        seen = self._background.subtract(_half(frame.left))
-        overlays = self._overlays(seen, frame.left)
+        seen = self._background.subtract(halved(frame.left))
+        mask = self._mask(seen)
         self._background.update(seen)
         people = nobody_seen(frame.left.shape[:2])
-        return Observation(frame.number, frame.time_s, people, overlays, frame.left)
+        overlays = _overlays(mask, frame.left)
+        return FlowObservation(frame.number, frame.time_s, people, overlays, frame.left, mask=mask)
 
     def overlays(self, frame: StereoFrame) -> Overlays:
         """What a view may lay over a frame; nothing is remembered, frames come in any order."""
-        return self._overlays(self._background.subtract(_half(frame.left)), frame.left)
+        return _overlays(self._mask(self._background.subtract(halved(frame.left))), frame.left)
 
-    def _overlays(self, seen: Subtraction, eye: Image) -> Overlays:
+    def _mask(self, seen: Subtraction) -> Mask:
         shadow = self._shadows.shadows(seen)
-        mask = np.asarray(cv2.morphologyEx(seen.mask, cv2.MORPH_CLOSE, _SOLID), np.uint8)
-        mask[shadow == _TOLD_SHADOW] = SHADOW
-        size = eye.shape[1], eye.shape[0]
-        whole = cv2.resize(mask, size, interpolation=cv2.INTER_NEAREST)
-        return Overlays(np.asarray(whole, np.uint8), None)
+        solid = cv2.morphologyEx(seen.mask, cv2.MORPH_CLOSE, _SOLID)
+        mask = np.where(solid > 0, np.uint8(BODY), np.uint8(0))
+        mask[shadow == _TOLD_SHADOW] = SHADE
+        return mask
 
 
 def nobody_seen(shape: tuple[int, ...]) -> Detections:
@@ -77,6 +93,5 @@ def nobody_seen(shape: tuple[int, ...]) -> Detections:
     )
 
 
-def _half(eye: Image) -> Image:
-    size = (max(1, eye.shape[1] // 2), max(1, eye.shape[0] // 2))
-    return np.asarray(cv2.resize(eye, size, interpolation=_HALVED), np.uint8)
+def _overlays(mask: Mask, eye: Image) -> Overlays:
+    return Overlays(doubled(_LAID[mask], (eye.shape[1], eye.shape[0])), None)

@@ -27,7 +27,7 @@ class Seen:
         slope, before: (n, 2) where their rays go (see `Floor`), now and `over_s` ago; NaN: not
             known.
         over_s: time between the first and the last position of those that are clustered.
-        mask: (rows, columns) uint8 `SHADE` and `BODY` of the foreground, at half resolution.
+        mask: (rows, columns) of the foreground at half resolution, as in `FlowObservation`.
         elapsed_s: since the frame before.
         fps: frames a second.
     """

@@ -77,7 +77,7 @@ class FloorGrid:
         """
         known, rows = followed, np.arange(len(self.place))
         for _ in range(_MOST_A_FRAME):
-            cover = cover_of(known, tuple(2 * side for side in mask.shape), self._floor)
+            cover = cover_of(known, self._floor)
             fit = fits_at(self._spots.select(rows), mask, cover)
             good = (fit.score >= least[0]) & (fit.seen >= least[1]) & (fit.own >= least[2])
             away = self.place[rows][:, None] - known[None]

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.floor import Floor, sight_axes
+from tracking.trackers.flow.halving import half_size
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.uint8]
@@ -123,15 +124,16 @@ class Drawn:
     score: Floats
 
 
-def cover_of(place: Floats, shape: tuple[int, ...], floor: Floor) -> Cover:
+def cover_of(place: Floats, floor: Floor) -> Cover:
     """(rows, columns) how far away, in m, the nearest of the people stands that hides a pixel.
 
     Infinite where there is nobody. At half resolution.
 
     Args:
-        place: (m, 2) m. shape: of the picture.
+        place: (m, 2) m.
     """
-    cover = np.full((shape[0] // 2, shape[1] // 2), np.inf, np.float32)
+    columns, rows = half_size(floor.view.camera.size)
+    cover = np.full((rows, columns), np.inf, np.float32)
     if not len(place):
         return cover
     left = np.array(_OUTLINE)
@@ -249,7 +251,7 @@ def _pixels(place: Floats, spots: Floats, floor: Floor) -> Floats:
 
 def _halved(pixels: Floats, size: tuple[int, int]) -> Pixels:
     """Pixels (k, j, 2) of a picture of that width and height, at half resolution."""
-    columns, rows = size[0] // 2, size[1] // 2
+    columns, rows = half_size(size)
     whole = np.nan_to_num(pixels * 0.5, nan=-9.0).clip(-9.0, 30000.0).astype(np.int32)
     u, v = whole[..., 0], whole[..., 1]
     inside = (u >= 0) & (v >= 0) & (u < columns) & (v < rows)

@@ -16,12 +16,11 @@ from tracking.trackers.flow.floor import Floor
 from tracking.trackers.flow.following import PointFollower
 from tracking.trackers.flow.kernels import kernel_table
 from tracking.trackers.flow.people import HeldPeople
-from tracking.trackers.flow.perception import SEEN, SHADOW
+from tracking.trackers.flow.perception import FlowObservation
 from tracking.trackers.flow.result import step_result
 from tracking.trackers.flow.resuming import resumed
 from tracking.trackers.flow.seen import POSITIONS, Seen, speeds
 from tracking.trackers.flow.settings import FlowSettings
-from tracking.trackers.flow.silhouettes import BODY, SHADE
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.resuming import Resume
 
@@ -57,7 +56,7 @@ class FlowTracker:
             settings, table.scaled(2.0 * box.reach), self._floor
         )
         self._watch = CameraWatch(fps)
-        self._moved: list[int] = []
+        self._moved: int | None = None
         self._time_s: float | None = None
 
     @property
@@ -68,10 +67,10 @@ class FlowTracker:
     @property
     def notes(self) -> tuple[str, ...]:
         """What the user should be told, a line each."""
-        if not self._moved:
+        if self._moved is None:
             return ()
         return (
-            f"frame {self._moved[0]}: the camera was moved: places on the floor, and counts, are "
+            f"frame {self._moved}: the camera was moved: places on the floor, and counts, are "
             "wrong from there on; cut the recording there and measure height and tilt again",
         )
 
@@ -97,16 +96,14 @@ class FlowTracker:
 
     def _looked(self, observation: Observation) -> Seen:
         """The frame's tracklets."""
+        assert isinstance(observation, FlowObservation), "flow steps on what its perception made"
         assert observation.picture is not None, "perception hands the picture on"
         elapsed_s = 0.0 if self._time_s is None else observation.time_s - self._time_s
         self._time_s = observation.time_s
         grey = np.asarray(cv2.cvtColor(observation.picture, cv2.COLOR_BGR2GRAY), np.uint8)
-        if self._watch.moved(grey):
-            self._moved.append(observation.frame)
-        shown = observation.overlays.foreground[::2, ::2]
-        mask = np.where(
-            shown == SEEN, np.uint8(BODY), np.where(shown == SHADOW, np.uint8(SHADE), np.uint8(0))
-        )
+        if self._watch.moved(grey) and self._moved is None:
+            self._moved = observation.frame
+        mask = observation.mask
         seek = mask if self._settings.points.foreground_only else None
         tracklets = self._follower.step(grey, seek)
         return Seen.of(tracklets, mask, elapsed_s, self._fps, self._floor)
