@@ -189,9 +189,11 @@ def test_mistakes_are_those_at_the_operating_point(result):
         one.said.split()[0].rstrip(",") for one in result.scene().mistakes
     }
     result.put(1.0)
-    assert all("called failed" in one.said for one in result.scene().mistakes)
+    few = sum("missed" in one.said for one in result.scene().mistakes)
     result.put(0.0)
-    assert all("missed" in one.said for one in result.scene().mistakes)
+    said = [one.said for one in result.scene().mistakes]
+    assert len(said) > few
+    assert all("missed" in one for one in said)
 
 
 def test_the_area_under_each_curve_is_told(result, trained):
