@@ -42,7 +42,6 @@ def _marks(figures: Figures) -> str:
             words.MARKS.format(clips=figures["clips"]).strip(),
             _spots(figures),
             _goals(figures),
-            words.PICTURE.strip(),
             words.WALKING.strip(),
             _lines(figures["walking"]),
         )
@@ -114,7 +113,7 @@ def _situations(rows: Sequence[Figures]) -> str:
     said = "nobody" if not easy else f"{easy} tracks"
     head = ("situation", "difficulty", "people", "swapped", "renamed", "missed")
     goal = f"Goal, no swap in those rated up to {EASY}: {said} swapped there."
-    return "\n\n".join((words.SITUATIONS.strip(), table(head, cells), goal))
+    return "\n\n".join((words.SITUATIONS.strip(), table(head, cells), goal, words.PICTURE.strip()))
 
 
 def _added(rows: Sequence[Figures]) -> list[dict[str, Any]]:

@@ -27,9 +27,9 @@ share of frames in which somebody follows.
 """
 
 PICTURE = """
-![a pair on its marks, another pair, four people who cross](spheroid-pairs.jpg)
+![four people who cross, two who change places](spheroid-situations.jpg)
 
-The first pair 7 and 24 seconds in, and four people who cross in the middle: hypotheses in the
+Four who cross half round the middle, and two who change places at the edge: hypotheses in the
 colour of their track, each person's own spheroid in white.
 """
 
