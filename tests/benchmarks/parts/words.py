@@ -13,6 +13,9 @@ kept for as long as nothing they were made with changes). The figures stand in
 clips that are not public; ours are rendered, so that truth is exact and everybody can repeat them.
 Settings were chosen on scenes with other seeds, and the built-in failure detector was trained on
 others again; on the scenes reported here nothing was chosen.
+
+The two systems of one calibrated camera have pages of their own: [spheroids](results/spheroid.md)
+and [flow](results/flow.md).
 """
 
 HOW_RATES = """
