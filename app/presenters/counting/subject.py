@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from app.presenters.document.document import Document
 from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
-from app.presenters.document.shown import ShownTracks
 from tracking.counting import CountingLine, Counts, FlowMap, How, Region, count, flow_map
 from tracking.tracks import Columns, TrackTable
 
@@ -79,11 +78,7 @@ def loader(document: Document, whose: int) -> Load:
     if whose != SHOWN and session is not None:
         run = session.runs[whose]
         return lambda: run.tracks
-    tracks: ShownTracks = document.tracks
-    if isinstance(tracks, LiveTracks | ContinuedTracks):
-        return tracks.held()
-    table = session.tracks.snapshot() if session is not None else TrackTable()
-    return lambda: table.by_track(_COLUMNS)
+    return document.tracks.held(_COLUMNS)
 
 
 @dataclass(frozen=True, slots=True)
