@@ -110,8 +110,7 @@ class ClusteredPeople:
         middle = clusters.mode[:, 0].copy()
         whole = self._table.at(middle)[:, 1]
         settings = self._settings.clusters
-        body = 2.0 * settings.reach  # as many bodies high is a kernel
-        middle[:, 1] += np.maximum(whole - clusters.size[:, 1], 0.0) / 2 / body
+        middle[:, 1] += np.maximum(whole - clusters.size[:, 1], 0.0) / 2 / settings.bodies
         height_m = settings.centre_m
         return self._floor.places(self._floor.slopes(middle), np.full(len(middle), height_m))
 

@@ -59,6 +59,14 @@ class ClusterSettings:
         True, "", None, "shrink the kernel where the lower part of a body has no tracklets"
     )
 
+    @property
+    def bodies(self) -> float:
+        """How many bodies wide and high a kernel is.
+
+        It reaches `reach` bodies from its middle to each side ([Yoneji2013] eq. 4).
+        """
+        return 2.0 * self.reach
+
 
 @dataclass(frozen=True, slots=True)
 class FlowSettings:

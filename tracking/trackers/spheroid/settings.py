@@ -9,6 +9,8 @@ from tracking.foreground import ForegroundSettings, RampSettings
 from tracking.setting import setting
 from tracking.trackers.three_part.occlusion import occluders_from
 
+_PAPER_HEIGHT_M = 1.8
+
 
 def _sensitive() -> ForegroundSettings:
     """What a ramp makes of small differences is little, so that it may begin early."""
@@ -34,7 +36,10 @@ class SpheroidSettings:
     )
     spread_velocity: float = setting(0.8, "m/s/√s", (0.0, 10.0), "the same of their velocities")
     region_scale: float = setting(
-        2.0, "", (1.0, 4.0), "the region of evaluation, in sizes of the person's spheroid"
+        2.0,
+        "",
+        (1.0, 4.0),
+        "the region of evaluation, in sizes of the person's spheroid; counts with paper only",
     )
     apart_m: float = setting(
         0.35, "m", (0.0, 2.0), "a hypothesis closer than this to another person's place counts 0"
@@ -63,6 +68,11 @@ class SpheroidSettings:
     )
     ramp: RampSettings = field(default_factory=RampSettings)
     foreground: ForegroundSettings = field(default_factory=_sensitive)
+
+    @property
+    def newcomer_m(self) -> float:
+        """Body height thought of a newcomer, m; as published one fixed height, everybody's."""
+        return _PAPER_HEIGHT_M if self.paper else self.usual_height_m
 
     def __post_init__(self) -> None:
         """Check what belongs together, before any work; raises `SettingsError`."""

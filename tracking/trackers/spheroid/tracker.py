@@ -33,7 +33,6 @@ _START_SPREADS = (0.2, 0.5)
 """m and m/s, of a newcomer's hypotheses."""
 _HEIGHT_SD_M = 0.12
 """Of people, children among them."""
-_PAPER_HEIGHT_M = 1.8
 _ALONE_M = 0.9
 """Colours are learnt while nobody is closer than this."""
 _GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
@@ -81,8 +80,7 @@ class SpheroidTracker:
         self._settings = settings
         self._counted = counted
         self._random = np.random.default_rng(seed)
-        usual_m = _PAPER_HEIGHT_M if settings.paper else settings.usual_height_m
-        self._usual_m = usual_m
+        usual_m = self._usual_m = settings.newcomer_m
         self._cells = FloorCells(self._flat, usual_m, settings.radius_m)
         self._people = nobody(settings.particles)
         self._lost = Lost(self._people, np.zeros(0))
