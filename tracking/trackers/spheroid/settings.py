@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from tracking.errors import SettingsError
 from tracking.foreground import ForegroundSettings, RampSettings
 from tracking.setting import setting
-from tracking.trackers.three_part.occlusion import occluders_from
+from tracking.trackers.occluders import occluders_from
 
 _PAPER_HEIGHT_M = 1.8
 
@@ -29,7 +29,7 @@ class SpheroidSettings:
     least_height_m: float = setting(1.35, "m", (0.5, 2.2), "lowest body height that is estimated")
     most_height_m: float = setting(2.0, "m", (0.6, 2.5), "largest body height that is estimated")
     usual_height_m: float = setting(
-        1.72, "m", (0.5, 2.4), "body height thought of a newcomer; [paper] uses 1.8"
+        1.72, "m", (0.5, 2.4), "body height thought of a newcomer; paper takes 1.8"
     )
     spread_m: float = setting(
         0.12, "m/√s", (0.0, 2.0), "random spread of the hypotheses' places after a second"
@@ -42,10 +42,16 @@ class SpheroidSettings:
         "the region of evaluation, in sizes of the person's spheroid; counts with paper only",
     )
     apart_m: float = setting(
-        0.35, "m", (0.0, 2.0), "a hypothesis closer than this to another person's place counts 0"
+        0.35,
+        "m",
+        (0.0, 2.0),
+        "a hypothesis closer than this to another person's place counts 0; paper takes two radii",
     )
     colour_weight: float = setting(
-        6.0, "", (0.0, 100.0), "how much the colours of a person say against foreground; 0: nothing"
+        6.0,
+        "",
+        (0.0, 100.0),
+        "how much the colours of a person say against foreground; 0, or with paper: nothing",
     )
     birth_every_s: float = setting(0.2, "s", (0.02, 10.0), "how often newcomers are looked for")
     birth_looks: int = setting(
@@ -55,10 +61,16 @@ class SpheroidSettings:
         0.9, "m", (0.1, 10.0), "a track ends when its hypotheses are spread wider than this"
     )
     lost_hidden_s: float = setting(
-        1.5, "s", (0.05, 60.0), "time after which a person hidden by others is given up"
+        1.5,
+        "s",
+        (0.05, 60.0),
+        "time after which a person hidden by others is given up; not with paper",
     )
     remembered_s: float = setting(
-        5.0, "s", (0.0, 120.0), "so long somebody lost gets the same track when found again near by"
+        5.0,
+        "s",
+        (0.0, 120.0),
+        "so long somebody lost gets the same track when found again near by; not with paper",
     )
     smooth: bool = setting(
         True, "", None, "once tracked, smooth paths and boxes from both ends and fill their gaps"
