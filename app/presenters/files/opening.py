@@ -82,7 +82,7 @@ def open_path(
     try:
         search = [recording] if recording is not None else []
         allowed = options is not None and options.allow_outside
-        found = session.open_recording(search, _known(), allow_outside=allowed)
+        found = session.open_recording(search, known_recordings(), allow_outside=allowed)
         return Opened(path, Document(found, session))
     except BaseException:
         session.close()
@@ -123,7 +123,7 @@ def _unsaved_path(recording: Recording) -> Path:
 
 def remember_place(session: Session, recording: Recording) -> None:
     """Note where the recording stands, so that the session finds it again unasked."""
-    _known().remember(session.recording, recording.folder)
+    known_recordings().remember(session.recording, recording.folder)
 
 
 def finish_save(session: Session, pending: PendingSave) -> None:
@@ -191,7 +191,8 @@ def score_against_truth(session: Session, recording: Recording, report: Progress
     return figures
 
 
-def _known() -> KnownRecordings:
+def known_recordings() -> KnownRecordings:
+    """Where this user's recordings stood when they were opened last."""
     return KnownRecordings(own_folder())
 
 

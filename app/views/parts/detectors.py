@@ -10,15 +10,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document.document import Document
+from app.presenters.files.opening import known_recordings
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
 from app.presenters.parts.kept_detectors import kept
-from app.presenters.parts.mistake_pictures import cut_outs, is_of
-from app.presenters.parts.training import (
-    Source,
-    Taught,
-    TrainingSettings,
-    trained_from,
-)
+from app.presenters.parts.mistake_pictures import Here, Search, cut_outs, is_of
+from app.presenters.parts.taught import Source, Taught, with_labels
+from app.presenters.parts.training import TrainingSettings, trained_from
 from app.presenters.parts.training_result import MistakeItem, TrainingResult
 from app.presenters.parts.truth_labels import plan_truth_labels
 from app.presenters.words import tr
@@ -31,10 +28,9 @@ from app.views.widgets.remembered import Remembered
 from app.views.widgets.work import Work
 from tracking.editing import Change
 from tracking.errors import TrackwrightError
-from tracking.failure import Trained, load_detector, save_detector
+from tracking.failure import Trained, load_detector, no_samples, save_detector
 from tracking.recording import Recording
 from tracking.session import Session
-from tracking.session.samples import samples_from
 
 if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow
@@ -111,7 +107,7 @@ class Detectors(QObject):
         if self.result is None:
             return
         self.close()
-        cut = partial(cut_outs, self._document)
+        cut = partial(cut_outs, self._here(), Search(known_recordings()))
         dialog = ResultDialog(self.result, cut, self._window)
         dialog.use_asked.connect(self.use_trained)
         dialog.save_asked.connect(self.ask_save)
@@ -119,6 +115,12 @@ class Detectors(QObject):
         dialog.finished.connect(lambda _: self._forget(dialog))
         self._dialog = dialog
         dialog.show()
+
+    def _here(self) -> Here | None:
+        document = self._document
+        if document is None or document.session is None:
+            return None
+        return Here.of(document.recording, document.session)
 
     def _forget(self, dialog: ResultDialog) -> None:
         if self._dialog is dialog:
@@ -128,7 +130,9 @@ class Detectors(QObject):
     def _go_to(self, item: MistakeItem) -> None:
         """Look at a mistake, where it is of what is open: elsewhere the id is another person's."""
         desk = self._window.desk
-        if desk is None or not is_of(desk.document, item.source, item.recording):
+        session = None if desk is None else desk.document.session
+        path = None if session is None else session.path
+        if desk is None or not is_of(desk.document.recording, path, item):
             where = item.source.path or item.recording
             self._tell(tr("That is in {where}: open it first", where=where))
             return
@@ -224,11 +228,6 @@ class Detectors(QObject):
 def _labels_here(session: Session, recording: Recording) -> Callable[[], Source]:
     """Reads the labels as they are now, off the GUI thread: later edits are left out."""
     run, table, labels = session.corrected_run, session.tracks.snapshot(), session.labels
-    footage = session.recording.footage
-
-    def read() -> Source:
-        samples = samples_from(labels, table, run, recording.fps, recording.name)
-        title = tr("This session")
-        return Source(title, None, samples, footage, recording.name, recording.fps)
-
-    return read
+    footage, name, fps = session.recording.footage, recording.name, recording.fps
+    source = Source(tr("This session"), None, no_samples(), footage, name, fps)
+    return lambda: with_labels(source, labels, table, run)

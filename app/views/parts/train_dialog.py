@@ -22,15 +22,12 @@ from PySide6.QtWidgets import (
 
 from app.background import Job, Progress
 from app.presenters.explaining import explain
+from app.presenters.parts.taught import Source, Taught, source_at, taught_by
 from app.presenters.parts.training import (
     PartCount,
     SettingsOfTraining,
-    Source,
-    Taught,
     TrainingSettings,
     counts_of,
-    source_at,
-    taught_by,
 )
 from app.presenters.words import tr
 from app.views.runs.settings_form import SettingsForm
