@@ -34,17 +34,28 @@ Indices = NDArray[np.intp]
 _NEW_M_S = 0.3
 """Slower clusters are nobody new."""
 _FILL, _SEEN, _OWN = 0.5, 0.2, 0.3
-_EMPTY, _FULL = 0.35, 0.6
-_FEWEST = 2
-_APART_M = 0.4
+"""Least score, seen and own (see `Fit`) of a cluster that is somebody new."""
 _SIGHTED = (0.5, 0.15, 0.4)
+"""The same where nothing but foreground says that somebody is there."""
+_EMPTY, _FULL = 0.35, 0.6
+"""Score below which nothing is where somebody should be; above which they are seen without
+tracklets."""
+_FEWEST = 2
+"""Tracklets by which somebody counts as seen."""
+_APART_M = 0.4
+"""So near to somebody there is nobody new."""
 _WALKED_M = 0.12
+"""So far must go who is sighted before they are followed."""
 _LOOK_S = 0.15
 """People who are not followed yet are looked for about so often."""
-_LOST_S, _STRAY_M, _STRAY_M_S, _FARTHEST_STRAY_M = 0.15, 0.4, 0.4, 1.2
+_LOST_S = 0.15
+"""Who is missed for longer is out of sight."""
+_STRAY_M, _STRAY_M_S, _FARTHEST_STRAY_M = 0.4, 0.4, 1.2
 _OTHER_PACE_M_S = 1.2
-"""Who is out of sight may turn up so far from where they are thought to be, and so much faster."""
+"""They may turn up so far from where they are thought to be: at once, more for each second, at
+most; and so much faster or slower."""
 _WEAKER = 0.3
+"""Of two at one place the one with a smaller share of the other's tracklets is not the person."""
 _LONGER = 1.6
 """How much farther apart along the line of sight two may be found and be one."""
 
