@@ -79,9 +79,18 @@ def run_of(work: Tracking, recording: Recording, what: str) -> Run:
 
 
 def save_session(recording: Recording, run: Run, out: Path) -> None:
-    """A new session of one run, in place of what stood there; it will find its recording."""
+    """A new session of one run, in place of what stood there; it will find its recording.
+
+    Whoever has not tracked it here has to allow a recording outside of the session's folder.
+    """
     with closing(Session.create(recording, [run], out)) as session:
         remember_place(session, recording)
+        if not session.recording.is_inside:
+            say(
+                f"note: the recording is outside the folder of {out.name} and only you on this "
+                "computer open it unasked; elsewhere name its place: "
+                f"trackwright open {out.name} --recording PATH"
+            )
 
 
 def refuse_to_lose(out: Path, *, force: bool) -> None:
