@@ -30,13 +30,12 @@ class Suggestion:
 
     Attributes:
         frame, track, part: whose, as in the parts that were given.
-        reason: why, for the label. score: the detector's, as in `Judgement`.
+        score: the detector's, as in `Judgement`.
     """
 
     frame: int
     track: int
     part: int
-    reason: str
     score: float
 
     @property
@@ -124,8 +123,7 @@ def _of_person(
         if near or (frame, track, part) in labelled:
             continue
         score = float(scores[row, part])
-        reason = f"the detector is unsure: score {score:+.2f}"
-        found.append((float(unsure[row, part]), Suggestion(frame, track, part, reason, score)))
+        found.append((float(unsure[row, part]), Suggestion(frame, track, part, score)))
     return found
 
 
