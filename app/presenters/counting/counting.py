@@ -151,8 +151,8 @@ class CountingPresenter:
     def _message(self, rows: tuple[TallyRow, ...], picked: int) -> str:
         if rows and self.refused:
             return self.refused
-        if rows and self.counted is not None:
-            return self.counted.why_not(rows[picked].is_line, rows[picked].name)
+        if rows and self._shown is not None:
+            return self._shown.why_not(rows[picked].is_line, rows[picked].name)
         if not rows:
             return tr(
                 "Draw a counting line (Alt+3) or a region (Alt+4): who passes it and who is inside "
