@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.document.document import Document
 from app.presenters.files.opening import known_recordings
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
-from app.presenters.parts.kept_detectors import kept
+from app.presenters.parts.kept_detectors import kept, kept_name
 from app.presenters.parts.mistake_pictures import Here, Search, cut_outs, is_of
 from app.presenters.parts.taught import Source, Taught, with_labels
 from app.presenters.parts.training import TrainingSettings, trained_from
@@ -56,6 +56,8 @@ class Detectors(QObject):
         self._window, self._work, self._remembered = window, work, remembered
         self.choice = known_choice(remembered.text(_REMEMBERED))
         self.result: TrainingResult | None = None
+        self._saved: tuple[str, DetectorChoice] = ("", DetectorChoice())  # fingerprint, where
+        self._learnt: tuple[Path, ...] = ()
         self._dialog: ResultDialog | None = None
 
     def begin(self, desk: Desk) -> None:
@@ -80,7 +82,9 @@ class Detectors(QObject):
         here = None
         if document is not None and session is not None:
             here = _labels_here(session, document.recording)
-        dialog = TrainDialog(here, self._window)
+        own = session.path if session is not None else None
+        before = [path for path in self._learnt if path != own and path.is_file()]
+        dialog = TrainDialog(here, before, self._window)
         dialog.accepted.connect(lambda: self._begin(dialog))
         dialog.open()
 
@@ -93,7 +97,11 @@ class Detectors(QObject):
         self.train(taught, settings)
 
     def train(self, taught: Taught, settings: TrainingSettings) -> None:
-        """Train in the background, then show what came of it."""
+        """Train in the background, then show what came of it.
+
+        What is learnt from is proposed again the next time, also where training is cancelled.
+        """
+        self._learnt = tuple(one.path for one in taught.sources if one.path is not None)
         work = partial(trained_from, taught.samples, settings)
         self._work.run(tr("Training the detector"), work, partial(self._take, taught))
 
@@ -149,7 +157,9 @@ class Detectors(QObject):
         if self.result is None:
             return
         try:
-            self._use(kept(self.result.detector))
+            fingerprint, saved = self._saved
+            same = fingerprint == self.result.detector.fingerprint
+            self._use(saved if same and Path(saved.path).is_file() else kept(self.result.detector))
         except (TrackwrightError, OSError) as error:
             self.failed.emit(error)
 
@@ -196,6 +206,10 @@ class Detectors(QObject):
         except TrackwrightError as error:
             self.failed.emit(error)
             return
+        fingerprint, saved = self.result.detector.fingerprint, DetectorChoice(str(path.resolve()))
+        self._saved = (fingerprint, saved)
+        if Path(self.choice.path).name == kept_name(self.result.detector):
+            self._use(saved)  # the same one, which the user has given a name
         self._tell(tr("Saved: {path}", path=path))
 
     def _tell(self, text: str) -> None:

@@ -261,6 +261,63 @@ def test_training_is_cancelled_and_nothing_is_kept(labelled, window, qtbot):
     assert not window.findChildren(ResultDialog)
 
 
+def test_after_a_cancelled_training_the_same_sessions_are_proposed_again(
+    labelled, window, qtbot, parted_session, tmp_path
+):
+    window.files.saving.save_to(parted_session)
+    qtbot.waitUntil(lambda: not window.work.busy)
+    other = tmp_path / "other.h5"
+    other.write_bytes(parted_session.read_bytes())
+    dialog = _train_dialog(window, qtbot)
+    dialog.add(other)
+    qtbot.waitUntil(lambda: dialog._job is None)
+    counted = dialog._cells[1][1].text()
+    dialog._train.click()
+    window.progress.cancelled.emit()
+    qtbot.waitUntil(lambda: not window.work.busy, timeout=60_000)
+    window.files.detectors.ask_train()
+    again = window.findChildren(TrainDialog)[-1]
+    assert again is not dialog
+    qtbot.waitUntil(lambda: again._job is None)
+    assert again._list.count() == 2
+    assert again._cells[1][1].text() == counted
+    assert again._train.isEnabled()
+    again.reject()
+
+
+def test_a_trained_detector_in_use_goes_by_the_name_it_is_saved_under(
+    result, window, qtbot, tmp_path
+):
+    detectors, path = window.files.detectors, tmp_path / "mine.h5"
+    detectors.use_trained()
+    assert detectors.choice.name.startswith("detector trained")
+    detectors.save_to(path)
+    assert detectors.choice == DetectorChoice(str(path))
+    assert "Saved" in window.statusBar().currentMessage()
+    detectors.use_built_in()
+    detectors.use_trained()
+    assert detectors.choice == DetectorChoice(str(path))
+
+
+def test_the_menu_shows_which_detector_is_in_use(hands, window, qtbot, tmp_path):
+    from_file = window.menus.actions["detector.open"]
+    built_in = window.menus.actions["detector.built_in"]
+    window.bring_up_to_date()
+    assert built_in.isChecked()
+    assert not from_file.isChecked()
+    path = tmp_path / "mine & yours.h5"
+    save_detector(path, built_in_detector())
+    window.files.detectors.use_file(path)
+    qtbot.waitUntil(lambda: hands.desk.document.detector.path == str(path))
+    window.bring_up_to_date()
+    assert not built_in.isChecked()
+    assert from_file.isChecked()
+    assert from_file.text() == "Use a detector from a file... (mine && yours.h5)"
+    window.run_command("detector.built_in")
+    window.bring_up_to_date()
+    assert from_file.text() == "Use a detector from a file..."
+
+
 def test_a_file_that_is_no_detector_is_refused_and_the_one_in_use_stays(
     hands, window, qtbot, tmp_path
 ):
