@@ -12,7 +12,6 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.counting.subject import Counted
 from app.presenters.document.document import Document
 from app.presenters.files import opening
-from app.presenters.files.exporting import exported_tracks
 from app.presenters.words import tr
 from app.views.runs.score_dialog import ScoreDialog
 from app.views.widgets.questions import choose_new_file
@@ -20,7 +19,7 @@ from app.views.widgets.work import Work
 from tracking.counting import write_counts
 from tracking.editing import History
 from tracking.errors import CountingError
-from tracking.formats import write_mot
+from tracking.formats import as_truth, write_mot
 from tracking.progress import Progress
 from tracking.session import Session, write_log_csv, write_log_json
 
@@ -57,8 +56,10 @@ class Exporting(QObject):
         if session is None:
             return
 
+        tracks = session.tracks.snapshot()  # what is edited meanwhile is not in it
+
         def work(report: Progress) -> None:
-            rows = exported_tracks(session)
+            rows = as_truth(tracks.columns())
             report(1, 2)  # the last moment to cancel: what is written is whole
             write_mot(path, rows)
 
@@ -99,7 +100,7 @@ class Exporting(QObject):
         recording = desk.document.recording
         self._work.run(
             tr("Scoring"),
-            partial(opening.score_against_truth, session, recording),
+            partial(opening.score_against_truth, session.tracks.snapshot(), recording),
             lambda figures: ScoreDialog(figures, recording.name, self._window).open(),
         )
 
