@@ -46,9 +46,10 @@ follow_silhouettes=false --set body_rules=false --set find_again=false`) puts ba
 failure detector finds, as the paper does; ours draws parts of people seen alone to their
 silhouettes, too, puts parts back that stand where no part of a body can, and looks for people it
 lost. "Without" (`--set adjust=false`) is colours alone. "Joint" is `three-part-joint`: as good by
-this measure, and better where a part shall never be lost for a moment. Births, ends and who is occluded are the same in all of them, and that alone keeps more
-parts than the paper's tracker had without adjustment: the torso, large and of one cloth, is seldom
-lost by colours, so the gain cannot be what it was there.
+this measure, and better where a part shall never be lost for a moment. Births, ends and who is
+occluded are the same in all of them, and that alone keeps more parts than the paper's tracker had
+without adjustment: the torso, large and of one cloth, is seldom lost by colours, so the gain cannot
+be what it was there.
 
 What is lost is lost among people who hide each other. In these scenes every second person's way is
 planned to cross another's, up to five within a few metres, and some walk in as one bunch.
