@@ -46,3 +46,20 @@ class Detections:
     def __len__(self) -> int:
         """The number of people seen."""
         return len(self.box)
+
+    @classmethod
+    def none(cls, shape: tuple[int, ...]) -> Detections:
+        """Nobody, in a picture of this height and width."""
+        flags, histograms = np.zeros(0, bool), np.zeros((0, 1), np.float32)
+        return cls(
+            box=np.zeros((0, 4)),
+            position=np.zeros((0, 3)),
+            size=np.zeros((0, 2)),
+            merged=flags,
+            truncated=flags,
+            upper=histograms,
+            lower=histograms,
+            middle=histograms,
+            regions=np.broadcast_to(np.int32(0), shape),
+            clothes=np.zeros((0, 2, 3), np.float32),
+        )

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,6 +19,8 @@ from tracking.tracks.columns import (
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
     Columns,
+    box_columns,
+    typed,
 )
 
 
@@ -56,7 +55,7 @@ def _tracks(frame: int, people: Population, box: NDArray[np.float64], view: View
     values = {
         "frame": np.full(len(people), frame),
         "track": people.track,
-        **_sides(box),
+        **box_columns(box),
         "x": people.position[:, 0],
         "y": people.position[:, 1],
         "vx": people.velocity[:, 0],
@@ -65,7 +64,7 @@ def _tracks(frame: int, people: Population, box: NDArray[np.float64], view: View
         "visibility": visibility(box, range_m, view.camera.size),
         "predicted": people.missed_s > 0.0,
     }
-    return _typed(values, TRACK_COLUMNS)
+    return typed(values, TRACK_COLUMNS)
 
 
 def _detections(frame: int, seen: Detections, people: Population, pairs: Association) -> Columns:
@@ -74,13 +73,13 @@ def _detections(frame: int, seen: Detections, people: Population, pairs: Associa
     x, y, z = seen.position.T
     values = {
         "frame": np.full(len(seen), frame),
-        **_sides(seen.box),
+        **box_columns(seen.box),
         "x": x,
         "y": y,
         "z": z,
         "track": track,
     }
-    return _typed(values, DETECTION_COLUMNS)
+    return typed(values, DETECTION_COLUMNS)
 
 
 def _particles(people: Population) -> Columns:
@@ -90,7 +89,7 @@ def _particles(people: Population) -> Columns:
         "y": people.particles[..., 1].ravel(),
         "weight": people.weight.ravel(),
     }
-    return _typed(values, PARTICLE_COLUMNS)
+    return typed(values, PARTICLE_COLUMNS)
 
 
 def _associations(frame: int, people: Population, pairs: Association, costs: Costs) -> Columns:
@@ -108,7 +107,7 @@ def _associations(frame: int, people: Population, pairs: Association, costs: Cos
         "total": costs.total[chosen],
         "margin": pairs.margin[order],
     }
-    return _typed(values, ASSOCIATION_COLUMNS)
+    return typed(values, ASSOCIATION_COLUMNS)
 
 
 def _seen_alone(
@@ -140,13 +139,4 @@ def _signals(
         "spread_m": spread_m,
         "split": split,
     }
-    return _typed(values, SIGNAL_COLUMNS)
-
-
-def _sides(box: NDArray[np.float64]) -> Columns:
-    return dict(zip(("left", "top", "width", "height"), box.T, strict=True))
-
-
-def _typed(values: Columns, columns: Mapping[str, np.dtype[Any]]) -> Columns:
-    """The values in the columns' order and types."""
-    return {name: np.ascontiguousarray(values[name], dtype) for name, dtype in columns.items()}
+    return typed(values, SIGNAL_COLUMNS)

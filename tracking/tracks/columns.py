@@ -144,3 +144,13 @@ class Source:
 def empty(columns: Mapping[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
     """No rows of the given columns."""
     return {name: np.zeros(0, dtype) for name, dtype in columns.items()}
+
+
+def typed(values: Columns, columns: Mapping[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
+    """The values in the columns' order and types."""
+    return {name: np.ascontiguousarray(values[name], dtype) for name, dtype in columns.items()}
+
+
+def box_columns(box: NDArray[np.float64]) -> Columns:
+    """`left, top, width, height` of boxes (n, 4)."""
+    return dict(zip(("left", "top", "width", "height"), box.T, strict=True))

@@ -59,7 +59,7 @@ class FlowPerception:
         seen = self._background.subtract(halved(frame.left))
         mask = self._mask(seen)
         self._background.update(seen)
-        people = nobody_seen(frame.left.shape[:2])
+        people = Detections.none(frame.left.shape[:2])
         overlays = _overlays(mask, frame.left)
         return FlowObservation(frame.number, frame.time_s, people, overlays, frame.left, mask=mask)
 
@@ -73,24 +73,6 @@ class FlowPerception:
         mask = np.where(solid > 0, np.uint8(BODY), np.uint8(0))
         mask[shadow == _TOLD_SHADOW] = SHADE
         return mask
-
-
-def nobody_seen(shape: tuple[int, ...]) -> Detections:
-    """No people in a picture of that height and width."""
-    none = np.zeros((0, 2))
-    flags, histograms = np.zeros(0, bool), np.zeros((0, 1), np.float32)
-    return Detections(
-        box=np.zeros((0, 4)),
-        position=np.zeros((0, 3)),
-        size=none,
-        merged=flags,
-        truncated=flags,
-        upper=histograms,
-        lower=histograms,
-        middle=histograms,
-        regions=np.broadcast_to(np.int32(0), shape),
-        clothes=np.zeros((0, 2, 3), np.float32),
-    )
 
 
 def _overlays(mask: Mask, eye: Image) -> Overlays:

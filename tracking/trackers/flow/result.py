@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -19,7 +18,9 @@ from tracking.tracks.columns import (
     TRACK_COLUMNS,
     TRACKLET_COLUMNS,
     Columns,
+    box_columns,
     empty,
+    typed,
 )
 
 Floats = NDArray[np.float64]
@@ -64,7 +65,7 @@ def _tracks(
     values = {
         "frame": np.full(len(walkers), frame),
         "track": walkers.track,
-        **_sides(box),
+        **box_columns(box),
         "x": walkers.place[:, 0],
         "y": walkers.place[:, 1],
         "vx": walkers.pace[:, 0],
@@ -73,19 +74,19 @@ def _tracks(
         "visibility": np.where(seen, _inside(box, view), 0.0),
         "predicted": ~seen,
     }
-    return _typed(values, TRACK_COLUMNS)
+    return typed(values, TRACK_COLUMNS)
 
 
 def _detections(frame: int, walkers: Walkers, seen: NDArray[np.bool_], box: Floats) -> Columns:
     values = {
         "frame": np.full(len(walkers), frame),
-        **_sides(box),
+        **box_columns(box),
         "x": walkers.place[:, 0],
         "y": walkers.place[:, 1],
         "z": np.full(len(walkers), _CHEST_M),
         "track": walkers.track,
     }
-    return {name: column[seen] for name, column in _typed(values, DETECTION_COLUMNS).items()}
+    return {name: column[seen] for name, column in typed(values, DETECTION_COLUMNS).items()}
 
 
 def _tracklets(tracklets: Tracklets, owner: NDArray[np.int32]) -> Columns:
@@ -96,7 +97,7 @@ def _tracklets(tracklets: Tracklets, owner: NDArray[np.int32]) -> Columns:
     values: dict[str, NDArray[Any]] = {"track": owner[rows]}
     for step in range(3):
         values[f"u{step}"], values[f"v{step}"] = path[:, step, 0], path[:, step, 1]
-    return _typed(values, TRACKLET_COLUMNS)
+    return typed(values, TRACKLET_COLUMNS)
 
 
 def _inside(box: Floats, view: View) -> Floats:
@@ -106,12 +107,3 @@ def _inside(box: Floats, view: View) -> Floats:
     shown = np.minimum(high, edge) - np.maximum(low, -0.5)
     share = np.prod(np.maximum(shown, 0.0) / np.maximum(box[:, 2:], 1e-6), axis=1)
     return np.asarray(np.nan_to_num(share))
-
-
-def _sides(box: Floats) -> Columns:
-    return dict(zip(("left", "top", "width", "height"), box.T, strict=True))
-
-
-def _typed(values: Columns, columns: Mapping[str, np.dtype[Any]]) -> Columns:
-    """The values in the columns' order and types."""
-    return {name: np.ascontiguousarray(values[name], dtype) for name, dtype in columns.items()}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from functools import lru_cache
 
 import cv2
 import numpy as np
@@ -101,7 +100,7 @@ class SpheroidPerception:
         return FlatObservation(
             frame.number,
             frame.time_s,
-            _nobody(frame.left.shape[:2]),
+            Detections.none(frame.left.shape[:2]),
             self._overlays(seen.mask, weight, frame.left),
             frame.left,
             ramp=flat,
@@ -173,23 +172,3 @@ def _in_full(picture: Picture, frame: StereoFrame) -> Picture:
     if picture.shape[::-1] == size:
         return picture
     return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_LINEAR), np.uint8)
-
-
-@lru_cache(maxsize=2)
-def _nobody(shape: tuple[int, int]) -> Detections:
-    """No people, in a picture of this shape."""
-    regions = np.zeros(shape, np.int32)
-    regions.flags.writeable = False
-    bins = np.zeros((0, 1), np.float32)
-    return Detections(
-        box=np.zeros((0, 4)),
-        position=np.zeros((0, 3)),
-        size=np.zeros((0, 2)),
-        merged=np.zeros(0, bool),
-        truncated=np.zeros(0, bool),
-        upper=bins,
-        lower=bins,
-        middle=bins,
-        regions=regions,
-        clothes=np.zeros((0, 2, 3), np.float32),
-    )

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +17,9 @@ from tracking.tracks.columns import (
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
     Columns,
+    box_columns,
     empty,
+    typed,
 )
 
 
@@ -64,13 +64,13 @@ def _tracks(
     values = {
         "frame": np.full(len(people), frame),
         "track": people.track,
-        **_sides(box),
+        **box_columns(box),
         **dict(zip(("x", "y", "vx", "vy"), people.mean.T, strict=True)),
         "confidence": np.clip(people.coverage * people.shown, 0.0, 1.0),
         "visibility": np.clip(people.shown, 0.0, 1.0),
         "predicted": missed,
     }
-    return _typed(values, TRACK_COLUMNS)
+    return typed(values, TRACK_COLUMNS)
 
 
 def _detections(
@@ -78,13 +78,13 @@ def _detections(
 ) -> Columns:
     values = {
         "frame": np.full(len(rows), frame),
-        **_sides(box[rows]),
+        **box_columns(box[rows]),
         "x": people.xy[rows, 0],
         "y": people.xy[rows, 1],
         "z": people.height[rows] / 2,
         "track": people.track[rows],
     }
-    return _typed(values, DETECTION_COLUMNS)
+    return typed(values, DETECTION_COLUMNS)
 
 
 def _particles(people: Followed) -> Columns:
@@ -94,7 +94,7 @@ def _particles(people: Followed) -> Columns:
         "y": people.state[..., 1].ravel(),
         "weight": people.weight.ravel(),
     }
-    return _typed(values, PARTICLE_COLUMNS)
+    return typed(values, PARTICLE_COLUMNS)
 
 
 def _signals(frame: int, people: Followed, clothes: NDArray[np.float32]) -> Columns:
@@ -107,13 +107,4 @@ def _signals(frame: int, people: Followed, clothes: NDArray[np.float32]) -> Colu
         "spread_m": spread_m,
         "split": split,
     }
-    return _typed(values, SIGNAL_COLUMNS)
-
-
-def _sides(box: NDArray[np.float64]) -> Columns:
-    return dict(zip(("left", "top", "width", "height"), box.T, strict=True))
-
-
-def _typed(values: dict[str, Any], columns: Any) -> Columns:
-    """The values in the columns' order and types."""
-    return {name: np.ascontiguousarray(values[name], dtype) for name, dtype in columns.items()}
+    return typed(values, SIGNAL_COLUMNS)

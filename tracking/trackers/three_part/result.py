@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +19,9 @@ from tracking.tracks.columns import (
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
     Columns,
+    box_columns,
     empty,
+    typed,
 )
 
 _RECTANGLE = ("cx", "cy", "width", "height")
@@ -79,7 +79,7 @@ def _tracks(frame: int, people: Followed, shown: Shown) -> Columns:
     values = {
         "frame": np.full(len(people), frame),
         "track": people.track,
-        **_sides(shown.box),
+        **box_columns(shown.box),
         "x": people.place[:, 0],
         "y": people.place[:, 1],
         "vx": np.where(np.isfinite(people.place[:, 0]), people.walk[:, 0], np.nan),
@@ -88,7 +88,7 @@ def _tracks(frame: int, people: Followed, shown: Shown) -> Columns:
         "visibility": shown.inside * in_sight,
         "predicted": shown.gone | people.occluded.all(axis=1),
     }
-    return _typed(values, TRACK_COLUMNS)
+    return typed(values, TRACK_COLUMNS)
 
 
 def _detections(frame: int, seen: Detections, people: Followed, shown: Shown) -> Columns:
@@ -98,13 +98,13 @@ def _detections(frame: int, seen: Detections, people: Followed, shown: Shown) ->
     x, y, z = seen.position.T
     values = {
         "frame": np.full(len(seen), frame),
-        **_sides(seen.box),
+        **box_columns(seen.box),
         "x": x,
         "y": y,
         "z": z,
         "track": track,
     }
-    return _typed(values, DETECTION_COLUMNS)
+    return typed(values, DETECTION_COLUMNS)
 
 
 def _signals(frame: int, seen: Detections, people: Followed, shown: Shown) -> Columns:
@@ -120,7 +120,7 @@ def _signals(frame: int, seen: Detections, people: Followed, shown: Shown) -> Co
         "spread_m": np.full(len(people), np.nan),
         "split": np.full(len(people), np.nan),
     }
-    return _typed(values, SIGNAL_COLUMNS)
+    return typed(values, SIGNAL_COLUMNS)
 
 
 def _parts(frame: int, people: Followed, layout: Layout, fps: float) -> Columns:
@@ -142,7 +142,7 @@ def _parts(frame: int, people: Followed, layout: Layout, fps: float) -> Columns:
         "particles": np.where(filtered, count, 0),
         "occluded": people.occluded.ravel(),
     }
-    return _typed(values, PART_COLUMNS)
+    return typed(values, PART_COLUMNS)
 
 
 def _part_particles(people: Followed, layout: Layout, kept: int) -> Columns:
@@ -169,18 +169,9 @@ def _part_particles(people: Followed, layout: Layout, kept: int) -> Columns:
         "v": place[..., 1].ravel()[order],
         "weight": np.repeat(weight, layout.together)[order],
     }
-    return _typed(values, PART_PARTICLE_COLUMNS)
+    return typed(values, PART_PARTICLE_COLUMNS)
 
 
 def _part_row(owner: Indices, part: NDArray[np.intp], layout: Layout) -> NDArray[np.intp]:
     """(particles, together) the number of the part among those of all people."""
     return np.asarray(owner[:, None] // layout.filters * layout.parts + part)
-
-
-def _sides(box: Floats) -> Columns:
-    return dict(zip(("left", "top", "width", "height"), box.T, strict=True))
-
-
-def _typed(values: Columns, columns: Mapping[str, np.dtype[Any]]) -> Columns:
-    """The values in the columns' order and types."""
-    return {name: np.ascontiguousarray(values[name], dtype) for name, dtype in columns.items()}
