@@ -25,7 +25,7 @@ class Store:
         self._folder = companions(path)
         self._lock = lock
         self._journal: Journal | None = None
-        self._begun: Future[Journal] | None = None
+        self._begun: tuple[ThreadPoolExecutor, Future[Journal]] | None = None
         self._doubted = False
 
     @classmethod
@@ -124,9 +124,9 @@ class Store:
         """
         if self.has_journal:
             return
-        with_one = ThreadPoolExecutor(1, "journal")
-        self._begun = with_one.submit(self._begin, session, save)
-        with_one.shutdown(wait=False)
+        maker = ThreadPoolExecutor(1, "journal")
+        self._begun = (maker, maker.submit(self._begin, session, save))
+        maker.shutdown(wait=False)
 
     def _begin(self, session: str, save: str) -> Journal:
         sync_folder(self._path.parent)  # what is journalled must not vanish with its new folder
@@ -144,9 +144,9 @@ class Store:
     def _opened(self) -> Journal | None:
         """The journal that is open, waited for where it is being made."""
         if self._begun is not None:
-            begun, self._begun = self._begun, None
-            with contextlib.suppress(SessionError, OutputError):
-                self._journal = begun.result()
+            (maker, begun), self._begun = self._begun, None
+            with maker, contextlib.suppress(SessionError, OutputError):
+                self._journal = begun.result()  # and its thread has ended, not only its work
         return self._journal
 
     def set_journal_aside(self) -> Path:

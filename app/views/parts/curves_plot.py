@@ -5,24 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.labelling.labelling_scene import PART_COLOURS
 from app.presenters.parts.part_curve import THRESHOLD, PartCurve
 from app.presenters.parts.parts_scene import CurvesScene
-from app.views.look.theme import Theme, current_theme, faded, scaled_font
+from app.views.look.theme import Theme, faded
 from app.views.pictures.name_plates import draw_message
-from app.views.timeline.axis import TimeAxis, ticks
 from app.views.timeline.curves import Floats, curve_path, stretches, whole_span
+from app.views.timeline.frame_plot import FramePlot
 from app.views.timeline.strips import covered, draw_strip, opacity
-from app.views.widgets.still_picture import StillPicture
 
 _GAP_PX = 8.0
-_TICK_LETTERS = 11
 _WIDEST_NUMBER = "-88.8"
-_SMALL = 0.86
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,20 +40,12 @@ class _Strip:
     high: bool = False
 
 
-class CurvesPlot(QWidget):
-    """Draws the curves of a :class:`CurvesScene`; they stay while only the playhead moves.
-
-    Signals:
-        frame_sought(int): a click or a drag.
-    """
-
-    frame_sought = Signal(int)
+class CurvesPlot(FramePlot):
+    """Draws the curves of a :class:`CurvesScene`; they stay while only the playhead moves."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._scene = CurvesScene("")
-        self._shown = TimeAxis(0.0, 1.0, 0.0, 1.0, 1)
-        self._still = StillPicture(self)
         self._strips = (
             _Strip(
                 self.tr("Score of the detector in the run"),
@@ -76,7 +65,6 @@ class CurvesPlot(QWidget):
             _Strip(self.tr("Particles (number)"), lambda one: one.particles, (0.0, 10.0), 0.27),
         )
         self.setAccessibleName(self.tr("Failure score, entropy and particles over time"))
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
 
     def show_scene(self, scene: CurvesScene) -> None:
         """Draw another instant; the curves only where they are others."""
@@ -86,15 +74,9 @@ class CurvesPlot(QWidget):
             scene.chosen,
             scene.message,
         ):
-            self._still.forget()
+            self.draw_anew()
         self.setAccessibleDescription("\n".join(scene.said) or scene.message)
-        self.update()
-
-    def show_axis(self, axis: TimeAxis) -> None:
-        """Show the frames the timeline's lanes show."""
-        self._shown = axis
-        self._still.forget()
-        self.update()
+        self.show_playhead(scene.frame)
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Three low plots."""
@@ -105,46 +87,30 @@ class CurvesPlot(QWidget):
         return QSize(200, 11 * self.fontMetrics().height())
 
     @property
-    def _axis(self) -> TimeAxis:
-        metrics = QFontMetricsF(scaled_font(self.font(), _SMALL))
-        left = metrics.horizontalAdvance(_WIDEST_NUMBER) + 16
-        return self._shown.resized(left, self.width() - left - 12)
+    def has_curves(self) -> bool:
+        """Whether somebody's curves are shown."""
+        return bool(self._scene.curves)
 
-    # drawing
+    def names_width(self, metrics: QFontMetricsF) -> float:
+        """Of the widest number on a scale."""
+        return metrics.horizontalAdvance(_WIDEST_NUMBER)
 
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
-        """The curves from their picture, then the playhead."""
-        theme, painter = current_theme(), QPainter(self)
-        self._still.paint(painter, theme.surface, lambda still: self._draw_still(still, theme))
-        axis = self._axis
-        x = axis.x_of(self._scene.frame + 0.5)
-        if self._scene.curves and axis.left <= x <= axis.left + axis.width:
-            painter.setPen(QPen(theme.accent, 1.6))
-            painter.drawLine(QLineF(x, 0, x, self.height()))
-        painter.end()
-
-    def _draw_still(self, painter: QPainter, theme: Theme) -> None:
-        painter.setFont(scaled_font(self.font(), _SMALL))
+    def draw_still(self, painter: QPainter, theme: Theme) -> None:
+        """All strips below each other, or why there are none."""
         if self._scene.message:
             draw_message(painter, QRectF(self.rect()), self._scene.message, theme)
         else:
             self._draw_strips(painter, theme)
 
     def _draw_strips(self, painter: QPainter, theme: Theme) -> None:
-        metrics, axis = QFontMetricsF(painter.font()), self._axis
-        foot = metrics.height() + 4
+        axis, foot = self.axis, QFontMetricsF(painter.font()).height() + 4
         room = self.height() - foot - _GAP_PX * (len(self._strips) - 1)
         top = 2.0
         for strip in self._strips:
             place = QRectF(axis.left, top, axis.width, strip.share * room)
             self._draw_strip(painter, strip, place, theme)
             top = place.bottom() + _GAP_PX
-        painter.setPen(theme.text_muted)
-        least = _TICK_LETTERS * metrics.averageCharWidth()
-        for frame, text in ticks(axis, self._scene.fps, least):
-            at = QRectF(axis.x_of(frame) - least / 2, self.height() - foot, least, foot)
-            if at.left() >= axis.left and at.right() <= self.width():
-                painter.drawText(at, Qt.AlignmentFlag.AlignCenter, text)
+        self.draw_times(painter, foot, self._scene.fps, theme)
 
     def _draw_strip(self, painter: QPainter, strip: _Strip, place: QRectF, theme: Theme) -> None:
         painter.fillRect(place, theme.sunken)
@@ -159,9 +125,7 @@ class CurvesPlot(QWidget):
             self._draw_threshold(painter, strip.threshold, inner, span, theme)
         chosen = self._scene.chosen
         for part in sorted(range(len(values)), key=lambda one: one == chosen):
-            path = curve_path(
-                self._scene.curves[part].frames, values[part], self._axis, inner, span
-            )
+            path = curve_path(self._scene.curves[part].frames, values[part], self.axis, inner, span)
             colour = theme.track(PART_COLOURS[part])
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(colour, 2.4 if part == chosen else 1.3))
@@ -177,7 +141,7 @@ class CurvesPlot(QWidget):
         theme: Theme,
     ) -> None:
         """A dashed line above which a part has failed; shaded where the chosen part has."""
-        curve, axis = self._scene.curves[self._scene.chosen], self._axis
+        curve, axis = self._scene.curves[self._scene.chosen], self.axis
         columns = max(1, int(axis.width * painter.device().devicePixelRatioF()))
         ranges = stretches(curve.frames[curve.failed])
         shares = covered(ranges, axis.edges(columns))
@@ -231,28 +195,6 @@ class CurvesPlot(QWidget):
             left = place.right() - painter.fontMetrics().horizontalAdvance(said) - 6
             at = QPointF(left, min(max(top, place.top()), place.bottom() - line))
             _draw_words(painter, said, at, theme.text_muted)
-
-    # gestures
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:  # noqa: N802 - Qt's name
-        """Go to the frame under the mouse."""
-        self._seek(event.position())
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802
-        """Go on with the button held."""
-        if event.buttons() & Qt.MouseButton.LeftButton:
-            self._seek(event.position())
-
-    def _seek(self, at: QPointF) -> None:
-        if self._scene.curves and at.x() >= self._axis.left:
-            self.frame_sought.emit(self._axis.frame_at(at.x()))
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802
-        """Follow theme and font."""
-        super().changeEvent(event)
-        if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.FontChange):
-            self._still.forget()
-            self.update()
 
 
 def _number(value: float) -> str:

@@ -164,7 +164,7 @@ def test_the_plots_say_the_figures_at_the_playhead_and_a_click_goes_to_its_frame
     said = panel._said[0].text()
     assert f"{rows['score'][head][0]:+.2f}" in said
     assert f"{rows['particles'][head][0]} particles" in said
-    axis = panel.plot._axis
+    axis = panel.plot.axis
     place = QPointF(axis.x_of(CROWDED + 4.5), panel.plot.height() / 3)
     hands.click(panel.plot, place)
     assert hands.desk.playback.clock.frame == CROWDED + 4
