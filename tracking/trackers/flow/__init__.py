@@ -2,7 +2,20 @@
 
 from tracking.trackers.flow.building import build_flow
 from tracking.trackers.flow.finishing import finished
-from tracking.trackers.flow.kernels import KernelTable, kernel_sizes, kernel_table
+from tracking.trackers.flow.kernels import (
+    KernelTable,
+    kernel_rectangles,
+    kernel_sizes,
+    kernel_table,
+)
 from tracking.trackers.flow.settings import FlowSettings
 
-__all__ = ["FlowSettings", "KernelTable", "build_flow", "finished", "kernel_sizes", "kernel_table"]
+__all__ = [
+    "FlowSettings",
+    "KernelTable",
+    "build_flow",
+    "finished",
+    "kernel_rectangles",
+    "kernel_sizes",
+    "kernel_table",
+]
