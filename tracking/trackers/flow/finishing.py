@@ -20,11 +20,11 @@ Rows = NDArray[np.intp]
 
 _LED_S = 2.0
 """How long people are thought to have walked on before they were found and after they were lost."""
-_LEAST_LED_S = 0.5
+_LEAST_LED_S = 1.0
 _LEAST_M_S, _LEAST_WAY_M = 0.5, 0.8
 """Who was followed for less, or is slower, or has come less far, leads nowhere."""
-_MEMORY_S = 0.5
-"""People of a flow walk straight for about as long."""
+_MEMORY_S = 0.25
+"""Places seen err for longer than those of two eyes do: more of them make a path."""
 _CHEST_M = 1.2
 
 

@@ -102,7 +102,7 @@ class FlowSettings:
         0.4, "s", (0.05, 60.0), "the same for a person at the picture's edge or outside it"
     )
     closest_m: float = setting(
-        0.3,
+        0.2,
         "m",
         (0.0, 2.0),
         "people who walk nearer together than this are one; counts with hold only",
