@@ -80,7 +80,7 @@ class FlowSettings:
         "frame, as in the paper",
     )
     birth_s: float = setting(
-        0.35, "s", (0.0, 10.0), "time a cluster must have moved before it becomes a track"
+        0.2, "s", (0.0, 10.0), "time a cluster must have moved before it becomes a track"
     )
     walked_m: float = setting(
         0.3, "m", (0.0, 10.0), "a track is told only once it has gone so far from where it began"
