@@ -59,7 +59,7 @@ def read_table(path: Path, table: TruthTable) -> tuple[Rows, Floats]:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
     except (UnicodeDecodeError, csv.Error) as error:
         raise FormatError(
-            f"{path} is no table of {table.what} ({error}); render the recording again"
+            f"{path} is no table of truth: it is not text; render the recording again"
         ) from error
     line, keys = whole[:, 0], whole[:, 1 : table.keys + 1]
     order = np.lexsort((line, *keys.T[::-1]))

@@ -157,7 +157,7 @@ def test_without_visibility_everybody_is_seen(
         (TRUE_PARTS, "0,1,head\n", "line 1: the columns are not frame,id,part"),
         (TRUE_PARTS, "{head}0,1,nose,1,1,2,2,3\n", "line 2: '0,1,nose,1,1,2,2,3' is no true part"),
         (TRUE_PARTS, "{head}999999,1,head,1,1,2,2,3\n", "frame 999999; the recording has 0 to"),
-        (TRUE_PARTS, "\x00\xff", "is no table of true parts"),
+        (TRUE_PARTS, "\x00\xff", "is no table of truth"),
         ("visibility.csv", "frame,id\n", "line 1: the columns are not frame,id,visibility"),
         ("visibility.csv", "frame,id,visibility\n0,1,2.5\n", "'0,1,2.5' is no visibility"),
         ("visibility.csv", "frame,id,visibility\n0,1\n", "'0,1' is no visibility"),

@@ -188,9 +188,9 @@ def test_moving_a_suggested_rectangle_labels_it_where_it_was_put(hands, suggeste
     layer = hands.desk.labelling._parts
     mark = next(one for one in layer._marks if one.part == part)
     rect = layer.canvas.viewport.rect(QRectF(*mark.box))
+    scale = layer.canvas.viewport.scale  # the next suggestion is shown at its own
     hands.drag(layer, rect.center(), rect.center() + QPointF(25, 4))
     label = labels()[frame, track, part]
-    scale = layer.canvas.viewport.scale
     assert label.box[0] == pytest.approx(mark.box[0] + 25 / scale, abs=1.5 / scale)
     assert (label.source, label.on_part) == ("person", True)
     assert "unsure" in label.reason
