@@ -27,7 +27,6 @@ from tracking.trackers import (
     detector_of,
     require,
     settings_values,
-    smoothed,
     tracker_named,
 )
 from tracking.tracks.columns import (
@@ -214,7 +213,7 @@ def run_of_steps(
     """The steps of a tracker, in order from frame `start` on, as one immutable run.
 
     `settings` are plain values by their dotted names. With `smooth` among them, the tracks take
-    into account what came later (see `trackers.smoothed`); the steps stay as they were.
+    into account what came later (see `TrackerSpec.finish`); the steps stay as they were.
     `resume`: what the tracker went on from, if it did; the smoothed tracks begin there.
     """
     offsets = partial(_offsets, [step.frame for step in steps], recording.frame_count)
@@ -243,7 +242,7 @@ def run_of_steps(
     if not settings.get("smooth") or recording.view is None:
         return run
     given = resume.last(_TIED_S) if resume is not None else None
-    return smoothed(run, recording.view, recording.fps, given)
+    return tracker_named(tracker).finish(run, recording.view, recording.fps, given)
 
 
 def _learn(perception: Perception, recording: Recording) -> None:

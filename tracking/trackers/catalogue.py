@@ -8,11 +8,14 @@ from types import MappingProxyType
 from typing import Any
 
 from tracking.errors import CalibrationError, RecordingError, SettingsError
+from tracking.geometry import View
 from tracking.recording import Recording
 from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.flow import FlowSettings, build_flow
+from tracking.trackers.flow import finished as flow_finished
 from tracking.trackers.protocol import Perception, Tracker
 from tracking.trackers.settings import settings_from_text, settings_values
+from tracking.trackers.smoothing import smoothed
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
 from tracking.trackers.three_part import (
     ThreePartSettings,
@@ -22,6 +25,8 @@ from tracking.trackers.three_part import (
     build_whole_body,
     detector_fingerprint,
 )
+from tracking.tracks.columns import Columns
+from tracking.tracks.run import Run
 
 
 def _no_detector(settings: Mapping[str, Any]) -> str:  # noqa: ARG001 - of trackers that use one
@@ -41,6 +46,8 @@ class TrackerSpec:
         build: (recording, settings, seed) -> perception and tracker, both at their start.
         detector: (settings by their dotted names) -> fingerprint of the failure detector they
             name; "" for none.
+        finish: (run, camera, frames a second, rows that stand fast) -> the run looked over from
+            both ends, where its settings say `smooth`; see `smoothed`.
     """
 
     name: str
@@ -51,6 +58,7 @@ class TrackerSpec:
     settings_type: type
     build: Callable[[Recording, Any, int], tuple[Perception, Tracker]]
     detector: Callable[[Mapping[str, Any]], str] = _no_detector
+    finish: Callable[[Run, View, float, Columns | None], Run] = smoothed
 
 
 _BUILT = (
@@ -118,6 +126,7 @@ _BUILT = (
         needs_calibration=True,
         settings_type=FlowSettings,
         build=build_flow,
+        finish=flow_finished,
     ),
 )
 

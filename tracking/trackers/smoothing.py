@@ -72,7 +72,14 @@ class _Paths:
         return np.where(self.measured, shown, 0.0)
 
 
-def smoothed(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
+def smoothed(
+    run: Run,
+    view: View,
+    fps: float,
+    given: Columns | None = None,
+    *,
+    memory_s: float = _PATH_MEMORY_S,
+) -> Run:
     """The run with what was seen later taken into account; particles and matches stay.
 
     The sources estimate each frame from what came before. Footage that is recorded knows what
@@ -92,12 +99,13 @@ def smoothed(run: Run, view: View, fps: float, given: Columns | None = None) -> 
         view: the camera the boxes were seen by. fps: frames a second.
         given: rows of frames before the run's that stand fast, as corrected by people: its paths
             and outlines begin there, without a jump.
+        memory_s: how long a path on the floor is led by what was seen.
     """
     tracks, first = _joined(given, run.tracks)
     paths = _paths(tracks)
     if not paths.measured.any():
         return run
-    position, velocity = _walked(paths, run.detections, fps)
+    position, velocity = _walked(paths, run.detections, fps, memory_s)
     box = _drawn(paths, position, view, fps)
     new = np.concatenate((position, velocity, box), axis=1)
     changed = paths.enclosed
@@ -153,13 +161,14 @@ def _ends_of_measured(track: NDArray[np.int32], measured: Flags) -> tuple[Rows, 
     return first[number], last[number]
 
 
-def _walked(paths: _Paths, detections: Columns, fps: float) -> tuple[Floats, Floats]:
+def _walked(
+    paths: _Paths, detections: Columns, fps: float, memory_s: float
+) -> tuple[Floats, Floats]:
     """Where people were, (n, 2) m, and their velocity, (n, 2) m/s."""
     measured = _measured_places(paths, detections)
     error_m = _NEAR_M + _FAR_M * (measured**2).sum(axis=1)
     weight = paths.weight * (_NEAR_M / error_m) ** 2
-    memory = _PATH_MEMORY_S * fps
-    path = robust_paths(measured, weight, paths.chains, memory, _PATH_OUTLIER * error_m)
+    path = robust_paths(measured, weight, paths.chains, memory_s * fps, _PATH_OUTLIER * error_m)
     velocity = slopes(path, paths.chains) * fps
     before = np.stack((paths.columns["vx"], paths.columns["vy"]), axis=1)
     return path, np.where(np.isfinite(velocity), velocity, before)

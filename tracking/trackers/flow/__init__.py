@@ -1,6 +1,7 @@
 """People followed by bundles of tracklets, gathered by mean shift [Yoneji2013]."""
 
 from tracking.trackers.flow.building import build_flow
+from tracking.trackers.flow.finishing import finished
 from tracking.trackers.flow.kernels import (
     KernelTable,
     kernel_rectangles,
@@ -13,6 +14,7 @@ __all__ = [
     "FlowSettings",
     "KernelTable",
     "build_flow",
+    "finished",
     "kernel_rectangles",
     "kernel_sizes",
     "kernel_table",

@@ -37,9 +37,8 @@ _FILL, _SEEN, _OWN = 0.5, 0.2, 0.3
 """Least score, seen and own (see `Fit`) of a cluster that is somebody new."""
 _SIGHTED = (0.5, 0.15, 0.4)
 """The same where nothing but foreground says that somebody is there."""
-_EMPTY, _FULL = 0.35, 0.6
-"""Score below which nothing is where somebody should be; above which they are seen without
-tracklets."""
+_EMPTY = 0.35
+"""Score below which nothing is where somebody should be."""
 _FEWEST = 2
 """Tracklets by which somebody counts as seen."""
 _APART_M = 0.4
@@ -121,7 +120,7 @@ class HeldPeople:
         holds = released(holds, told.misfit, seen.elapsed_s)
         if self._settings.silhouettes:
             walkers, holds, score = self._drawn(walkers, holds, seen)
-            found = np.isfinite(score) & (found | (score > _FULL))
+            found &= np.isfinite(score)  # foreground alone may be somebody else's
         missed_s = np.where(found, 0.0, walkers.missed_s)
         walkers = replace(walkers, count=told.count, missed_s=missed_s)
         return walkers, adapted(walkers, holds, seen.slope, self._floor, seen.elapsed_s)

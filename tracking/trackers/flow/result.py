@@ -25,7 +25,7 @@ from tracking.tracks.columns import (
 
 Floats = NDArray[np.float64]
 
-_BODY_WIDTH_M = 0.55
+BODY_WIDTH_M = 0.55
 _CHEST_M = 1.1
 _PLENTY = 8
 """Tracklets with which somebody is as sure as can be."""
@@ -47,7 +47,7 @@ def step_result(
         owner: (n,) the track each tracklet belongs to; 0: none.
     """
     seen = walkers.missed_s == 0.0
-    box = view.box_of_person(walkers.place, USUAL_HEIGHT_M, _BODY_WIDTH_M)
+    box = view.box_of_person(walkers.place, USUAL_HEIGHT_M, BODY_WIDTH_M)
     return StepResult(
         frame=frame,
         tracks=_tracks(frame, walkers, seen, box, view),

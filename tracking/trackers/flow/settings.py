@@ -80,7 +80,7 @@ class FlowSettings:
         "frame, as in the paper",
     )
     birth_s: float = setting(
-        0.35, "s", (0.0, 10.0), "time a cluster must have moved before it becomes a track"
+        0.2, "s", (0.0, 10.0), "time a cluster must have moved before it becomes a track"
     )
     walked_m: float = setting(
         0.3, "m", (0.0, 10.0), "a track is told only once it has gone so far from where it began"
@@ -102,7 +102,7 @@ class FlowSettings:
         0.4, "s", (0.05, 60.0), "the same for a person at the picture's edge or outside it"
     )
     closest_m: float = setting(
-        0.3,
+        0.2,
         "m",
         (0.0, 2.0),
         "people who walk nearer together than this are one; counts with hold only",
