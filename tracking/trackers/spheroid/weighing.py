@@ -48,13 +48,10 @@ def judged_and_weighed(
     """
     seen = standing_ellipses(flat.projection, *places_of(people), settings.radius_m)
     own = silhouettes(people, flat, settings)
-    region = _regions(people, flat, settings)
-    windows = windows_of(evidence, _joined(seen, region), own, 0 if settings.paper else LINES)
     if settings.paper:
-        # Weights are the scores themselves.
-        with np.errstate(divide="ignore"):
-            log_weight = np.log(judged(windows, seen, region).scores())
+        log_weight, windows = _scored(people, evidence, seen, own, flat, settings)
     else:
+        windows = windows_of(evidence, seen, own, LINES)
         log_weight = _gains(windows, seen, own, _headless(people, flat))
     if alike is not None:
         log_weight += alike
@@ -62,15 +59,23 @@ def judged_and_weighed(
     return weighed(people, log_weight), windows
 
 
-def _regions(people: Followed, flat: FlatView, settings: SpheroidSettings) -> Ellipses:
-    """The regions of evaluation: of each hypothesis as published, else (people, 1).
+def _scored(
+    people: Followed,
+    evidence: Evidence,
+    seen: Ellipses,
+    own: Ellipses,
+    flat: FlatView,
+    settings: SpheroidSettings,
+) -> tuple[Floats, list[Window]]:
+    """(people, N) logarithms of the plain scores, as published, and the windows they are of.
 
-    With a region that moves, hypotheses are compared on different pixels.
+    Each hypothesis has its own region of evaluation.
     """
     scale = settings.region_scale
-    if not settings.paper:
-        return silhouettes(people, flat, settings, scale)[:, None]
-    return standing_ellipses(flat.projection, *places_of(people), settings.radius_m, scale)
+    region = standing_ellipses(flat.projection, *places_of(people), settings.radius_m, scale)
+    windows = windows_of(evidence, _joined(seen, region), own, 0)
+    with np.errstate(divide="ignore"):
+        return np.log(judged(windows, seen, region).scores()), windows
 
 
 def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, headless: Flags) -> Floats:
