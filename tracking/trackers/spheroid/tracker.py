@@ -177,7 +177,8 @@ class SpheroidTracker:
         if seen.time_s < self._next_look_s:
             return people
         self._next_look_s = seen.time_s + settings.birth_every_s - 1e-3
-        explained = silhouettes(people, self._flat, settings, births.EXPLAINED)
+        modest = people.replace(height=np.minimum(people.height, self._usual_m + births.TALLER_M))
+        explained = silhouettes(modest, self._flat, settings, births.EXPLAINED)
         free = self._counted & (covered(seen.ramp.shape, explained) == 0)
         places = births.unexplained(seen.ramp, free, self._cells, people.xy)
         self._candidates = births.waited_for(self._candidates, places, seen.time_s)
@@ -219,11 +220,10 @@ class SpheroidTracker:
 
     def _learnt(self, people: Followed, look: ColourLook, elapsed_s: float) -> Followed:
         """The people with body heights and colours of those seen well."""
-        whole = seen_whole(people)
-        if not self._settings.paper:
-            people = heights_learnt(people, whole, elapsed_s)
         apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
         np.fill_diagonal(apart, np.inf)
-        alone = whole & (apart.min(axis=1, initial=np.inf) > _ALONE_M)
+        alone = seen_whole(people) & (apart.min(axis=1, initial=np.inf) > _ALONE_M)
+        if not self._settings.paper:
+            people = heights_learnt(people, alone, elapsed_s)
         colours, known = look.at(people.xy, people.height)
         return colours_learnt(people, colours, known, alone)

@@ -17,6 +17,8 @@ Flags = NDArray[np.bool_]
 _BALANCE, _CUT_BALANCE = 0.45, 0.3
 """B from which on a pixel speaks for a hypothesis, below against; and of people whose heads are out
 of the picture: legs fill but half of a spheroid's width."""
+_HEIGHT_SD_M = 0.15
+"""Of the body heights of people: how unlikely it is that one is far from the usual."""
 _SHARPNESS = 40.0
 """Logarithm of the weight of a hypothesis that explains everything, over one of nothing."""
 
@@ -53,6 +55,7 @@ def judged_and_weighed(
     else:
         windows = windows_of(evidence, seen, own, LINES)
         log_weight = _gains(windows, seen, own, _headless(people, flat))
+        log_weight -= 0.5 * ((people.tall - settings.usual_height_m) / _HEIGHT_SD_M) ** 2
     if alike is not None:
         log_weight += alike
     log_weight[taken(people, settings) | ~np.isfinite(seen.u)] = -np.inf
