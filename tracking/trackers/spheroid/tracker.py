@@ -36,6 +36,8 @@ _HEIGHT_SD_M = 0.12
 _PAPER_HEIGHT_M = 1.8
 _ALONE_M = 0.9
 """Colours are learnt while nobody is closer than this."""
+_COLOURS_WITHIN_M = 1.5
+"""Colours tell who is who while somebody is so close; where somebody stands silhouettes say."""
 _GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
 """How often those who stand are looked at, and how long they must have stood."""
 _GHOST_SCALE = 1.3
@@ -152,6 +154,7 @@ class SpheroidTracker:
         if settings.colour_weight > 0.0 and not settings.paper:
             colours, known = look.at(*places_of(people))
             alike = likeness(people, colours, known, settings.colour_weight)
+            alike[_apart(people) > _COLOURS_WITHIN_M] = 0.0
         evidence = self._evidence(people, seen)
         people, windows = judged_and_weighed(people, evidence, flat, settings, alike)
         return supported(people, windows, flat, settings, elapsed_s)
@@ -220,10 +223,15 @@ class SpheroidTracker:
 
     def _learnt(self, people: Followed, look: ColourLook, elapsed_s: float) -> Followed:
         """The people with body heights and colours of those seen well."""
-        apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
-        np.fill_diagonal(apart, np.inf)
-        alone = seen_whole(people) & (apart.min(axis=1, initial=np.inf) > _ALONE_M)
+        alone = seen_whole(people) & (_apart(people) > _ALONE_M)
         if not self._settings.paper:
             people = heights_learnt(people, alone, elapsed_s)
         colours, known = look.at(people.xy, people.height)
         return colours_learnt(people, colours, known, alone)
+
+
+def _apart(people: Followed) -> NDArray[np.float64]:
+    """(people,) m to the next other person, infinite for who is alone."""
+    apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
+    np.fill_diagonal(apart, np.inf)
+    return np.asarray(apart.min(axis=1, initial=np.inf))

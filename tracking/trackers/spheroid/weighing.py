@@ -14,7 +14,7 @@ from tracking.trackers.spheroid.sums import Window, sums_inside
 
 Flags = NDArray[np.bool_]
 
-_BALANCE, _CUT_BALANCE = 0.45, 0.3
+_BALANCE, _CUT_BALANCE = 0.45, 0.27
 """B from which on a pixel speaks for a hypothesis, below against; and of people whose heads are out
 of the picture: legs fill but half of a spheroid's width."""
 _HEIGHT_SD_M = 0.15
