@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tracking.people import Observation
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.resuming import Resume
-from tracking.trackers.spheroid import births
+from tracking.trackers.spheroid import births, swallowed
 from tracking.trackers.spheroid.appearance import ColourLook, colours_learnt, likeness
 from tracking.trackers.spheroid.boxes import drawn
 from tracking.trackers.spheroid.floor_cells import FloorCells
@@ -184,6 +184,8 @@ class SpheroidTracker:
         explained = silhouettes(modest, self._flat, settings, births.EXPLAINED)
         free = self._counted & (covered(seen.ramp.shape, explained) == 0)
         places = births.unexplained(seen.ramp, free, self._cells, people.xy)
+        if not settings.paper:
+            places = np.concatenate((places, self._swallowed(people, seen)))
         self._candidates = births.waited_for(self._candidates, places, seen.time_s)
         ready = self._candidates.looks >= settings.birth_looks
         if not ready.any():
@@ -194,6 +196,22 @@ class SpheroidTracker:
         outlines = silhouettes(new, self._flat, settings, _GHOST_SCALE)
         new = new.select(~are_ghosts(self._flat, outlines, seen.ramp, seen.working))
         return self._named(people, new, look, seen.time_s)
+
+    def _swallowed(self, people: Followed, seen: FlatObservation) -> NDArray[np.float64]:
+        """(n, 2) m where people stand who are followed together with somebody close by."""
+        cover = self._evidence(people, seen).cover
+        own = silhouettes(people, self._flat, self._settings)
+        found = []
+        for row in swallowed.suspected(people, self._usual_m):
+            alone = cover - covered(cover.shape, own[row : row + 1])
+            free = self._counted & (alone == 0)
+            height_m = min(float(people.height[row]), self._usual_m + births.TALLER_M)
+            place = swallowed.second_place(
+                seen.ramp, free, self._flat, people.xy[row], height_m, self._settings.radius_m
+            )
+            if place is not None:
+                found.append(place)
+        return np.array(found).reshape(-1, 2)
 
     def _begun(self, mean: NDArray[np.float64]) -> Followed:
         """People without ids at these states (n, 4)."""
