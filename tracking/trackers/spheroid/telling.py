@@ -17,7 +17,7 @@ _SURE = 0.5
 _UPPER = (0.64, 0.36)
 """Middle and half height of the body above the shins, in body heights: shadows lie below."""
 _SLIM = 0.8
-_SHADE = (0.5, 0.5, 0.02)
+_SHADE = (1.0, 1.0, 0.02)
 """Semi-axes in m of the floor about somebody's feet: seen from above, a body lies before its own
 shadow there, and what is which cannot be told."""
 _KEPT, _BESIDE = 1.2, 2.2
