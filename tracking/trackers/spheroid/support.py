@@ -14,7 +14,7 @@ from tracking.trackers.spheroid.weighing import silhouettes
 
 _SEEN = 0.35
 """Share of what can be seen of a silhouette that must be foreground."""
-_ENOUGH = 0.25
+_ENOUGH = 0.15
 """Share of a silhouette that must be in sight to tell anything."""
 _WHOLE = 0.85
 _LEFT = 0.2

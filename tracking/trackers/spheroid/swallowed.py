@@ -7,7 +7,9 @@ from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView, standing_ellipses
 from tracking.trackers.spheroid.followed import Followed
-from tracking.trackers.spheroid.judging import bounds
+from tracking.trackers.spheroid.judging import Evidence, bounds, covered
+from tracking.trackers.spheroid.settings import SpheroidSettings
+from tracking.trackers.spheroid.weighing import silhouettes
 
 Floats = NDArray[np.float64]
 
@@ -21,20 +23,45 @@ _GAIN = 0.04
 """What two explain more than one, less what speaks against them, over a silhouette's size."""
 _SLIM = 0.72
 """Slimmer than spheroids usually are: two slim bodies explain what is between two people worst."""
-_YOUNG_S = 2.0
-_GROWN_M = 0.03
-"""Who is younger, or so much taller than usual, may be two."""
 _ACROSS = 40
 """Samples of the picture along the longer side about somebody."""
 
 
-def suspected(people: Followed, usual_m: float) -> NDArray[np.intp]:
-    """Rows of those who may be two: newcomers, and spheroids that grew to cover both."""
-    grown = people.height > usual_m + _GROWN_M
-    return np.flatnonzero((people.age_s < _YOUNG_S) | grown)
+def parted(
+    people: Followed,
+    rows: NDArray[np.intp],
+    evidence: Evidence,
+    flat: FlatView,
+    tallest_m: float,
+    settings: SpheroidSettings,
+) -> tuple[Followed, Floats]:
+    """The people, each at one place if there are two in his, and states (n, 4) of the others.
+
+    Args:
+        rows: of those who are looked at. evidence: with everybody's silhouettes as cover.
+        tallest_m: heights beyond are not trusted, they may be those of two.
+    """
+    own = silhouettes(people, flat, settings)
+    mean, state, found = people.mean.copy(), people.state.copy(), []
+    for row in rows:
+        others = evidence.cover - covered(evidence.cover.shape, own[row : row + 1])
+        free = evidence.counted & (others == 0)
+        height_m = min(float(people.height[row]), tallest_m)
+        xy = people.xy[row]
+        both = two_places(evidence.ramp, free, flat, xy, height_m, settings.radius_m)
+        if both is None or _is_near(both[1], np.delete(people.xy, row, axis=0)):
+            continue
+        state[row, :, :2] += (both[0] - xy).astype(np.float32)
+        mean[row, :2] = both[0]
+        found.append(np.concatenate((both[1], mean[row, 2:])))
+    return people.replace(mean=mean, state=state), np.array(found).reshape(-1, 4)
 
 
-def second_place(
+def _is_near(place: Floats, xy: Floats) -> bool:
+    return bool((np.hypot(*(xy - place).T) < _APART_M).any())
+
+
+def two_places(
     ramp: NDArray[np.uint8],
     free: NDArray[np.bool_],
     flat: FlatView,
@@ -42,10 +69,10 @@ def second_place(
     height_m: float,
     radius_m: float,
 ) -> Floats | None:
-    """Where a second person stands, m, if two explain much more than one; else None.
+    """(2, 2) m where two people stand if they explain much more than one, the nearer first.
 
     A spheroid between two people explains so much of both that neither is missed: all pairs of
-    places about it are tried.
+    places about it are tried. None if one person explains it all.
 
     Args:
         ramp: (height, width) uint8, B times 255. free: (height, width) pixels that prove anything:
@@ -61,8 +88,8 @@ def second_place(
     one, other = np.unravel_index(int(pairs.argmax()), pairs.shape)
     if not pairs[one, other] - alone > _GAIN:
         return None
-    away = np.hypot(*(places[[one, other]] - xy).T)
-    return np.asarray(places[(one, other)[int(away.argmax())]])
+    both = places[[one, other]]
+    return np.asarray(both[np.argsort(np.hypot(*(both - xy).T))])
 
 
 def pair_gains(

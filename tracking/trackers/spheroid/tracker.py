@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tracking.people import Observation
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.resuming import Resume
-from tracking.trackers.spheroid import births, swallowed
+from tracking.trackers.spheroid import births
 from tracking.trackers.spheroid.appearance import ColourLook, colours_learnt, likeness
 from tracking.trackers.spheroid.boxes import drawn
 from tracking.trackers.spheroid.floor_cells import FloorCells
@@ -24,6 +24,7 @@ from tracking.trackers.spheroid.result import clothes_of, step_result
 from tracking.trackers.spheroid.resuming import resumed
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.support import seen_whole, still_there, supported
+from tracking.trackers.spheroid.swallowed import parted
 from tracking.trackers.spheroid.telling import bodies_told
 from tracking.trackers.spheroid.weighing import judged_and_weighed, places_of, silhouettes
 
@@ -41,6 +42,8 @@ _COLOURS_WITHIN_M = 1.5
 _GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
 """How often those who stand are looked at, and how long they must have stood."""
 _GHOST_SCALE = 1.3
+_PARTED_LOOKS = 3
+"""In every so manieth look for newcomers somebody is looked at who may be two."""
 
 
 class SpheroidTracker:
@@ -184,34 +187,27 @@ class SpheroidTracker:
         explained = silhouettes(modest, self._flat, settings, births.EXPLAINED)
         free = self._counted & (covered(seen.ramp.shape, explained) == 0)
         places = births.unexplained(seen.ramp, free, self._cells, people.xy)
-        if not settings.paper:
-            places = np.concatenate((places, self._swallowed(people, seen)))
         self._candidates = births.waited_for(self._candidates, places, seen.time_s)
         ready = self._candidates.looks >= settings.birth_looks
-        if not ready.any():
+        states = np.concatenate((self._candidates.xy, self._candidates.velocity), axis=1)
+        people, others = self._parted(people, seen)
+        new = together([self._begun(states[ready]), others])
+        if len(new) == 0:
             return people
-        new = self._begun(
-            np.concatenate((self._candidates.xy[ready], self._candidates.velocity[ready]), axis=1)
-        )
         outlines = silhouettes(new, self._flat, settings, _GHOST_SCALE)
         new = new.select(~are_ghosts(self._flat, outlines, seen.ramp, seen.working))
         return self._named(people, new, look, seen.time_s)
 
-    def _swallowed(self, people: Followed, seen: FlatObservation) -> NDArray[np.float64]:
-        """(n, 2) m where people stand who are followed together with somebody close by."""
-        cover = self._evidence(people, seen).cover
-        own = silhouettes(people, self._flat, self._settings)
-        found = []
-        for row in swallowed.suspected(people, self._usual_m):
-            alone = cover - covered(cover.shape, own[row : row + 1])
-            free = self._counted & (alone == 0)
-            height_m = min(float(people.height[row]), self._usual_m + births.TALLER_M)
-            place = swallowed.second_place(
-                seen.ramp, free, self._flat, people.xy[row], height_m, self._settings.radius_m
-            )
-            if place is not None:
-                found.append(place)
-        return np.array(found).reshape(-1, 2)
+    def _parted(self, people: Followed, seen: FlatObservation) -> tuple[Followed, Followed]:
+        """The people, and those who were followed as one with somebody close by."""
+        if self._settings.paper:
+            return people, self._begun(np.zeros((0, 4)))
+        look = round(seen.time_s / self._settings.birth_every_s)
+        rows = np.flatnonzero((people.track + look) % _PARTED_LOOKS == 0)
+        evidence = self._evidence(people, seen)
+        tallest_m = self._usual_m + births.TALLER_M
+        people, states = parted(people, rows, evidence, self._flat, tallest_m, self._settings)
+        return people, self._begun(states)
 
     def _begun(self, mean: NDArray[np.float64]) -> Followed:
         """People without ids at these states (n, 4)."""
