@@ -14,8 +14,8 @@ from tracking.trackers.spheroid.weighing import silhouettes
 
 _SEEN = 0.35
 """Share of what can be seen of a silhouette that must be foreground."""
-_ENOUGH = 0.15
-"""Share of a silhouette that must be in sight to tell anything."""
+_ENOUGH, _ENOUGH_STEEPLY = 0.25, 0.15
+"""Share of a silhouette that must be in sight to tell anything; seen steeply, heads are large."""
 _WHOLE = 0.85
 _LEFT = 0.2
 """Share of a silhouette in the picture below which the person has left it."""
@@ -44,7 +44,8 @@ def supported(
     whole = np.maximum(np.nan_to_num(outlines.areas()), 1.0)
     shown = np.clip(area / whole, 0.0, 1.0)
     coverage = seen / np.maximum(area, 1.0)
-    found = (coverage > _SEEN) & (shown > _ENOUGH)
+    enough = np.where(seen_steeply(people, flat), _ENOUGH_STEEPLY, _ENOUGH)
+    found = (coverage > _SEEN) & (shown > enough)
     pace = np.hypot(people.mean[:, 2], people.mean[:, 3])
     return people.replace(
         coverage=coverage,
@@ -68,6 +69,12 @@ def _inside(people: Followed, flat: FlatView, settings: SpheroidSettings) -> Flo
 def seen_whole(people: Followed) -> NDArray[np.bool_]:
     """(people,) who is in sight from head to foot."""
     return np.asarray((people.missed_s == 0.0) & (people.shown > _WHOLE))
+
+
+def seen_steeply(people: Followed, flat: FlatView) -> NDArray[np.bool_]:
+    """(people,) whom the camera looks down on by more than 45 degrees."""
+    eye = np.asarray(flat.eye)
+    return np.asarray(np.hypot(*(people.xy - eye[:2]).T) < eye[2])
 
 
 def still_there(people: Followed, settings: SpheroidSettings) -> NDArray[np.bool_]:

@@ -23,7 +23,7 @@ from tracking.trackers.spheroid.remembering import Lost, found_again
 from tracking.trackers.spheroid.result import clothes_of, step_result
 from tracking.trackers.spheroid.resuming import resumed
 from tracking.trackers.spheroid.settings import SpheroidSettings
-from tracking.trackers.spheroid.support import seen_whole, still_there, supported
+from tracking.trackers.spheroid.support import seen_steeply, seen_whole, still_there, supported
 from tracking.trackers.spheroid.swallowed import parted
 from tracking.trackers.spheroid.telling import bodies_told
 from tracking.trackers.spheroid.weighing import judged_and_weighed, places_of, silhouettes
@@ -38,7 +38,8 @@ _PAPER_HEIGHT_M = 1.8
 _ALONE_M = 0.9
 """Colours are learnt while nobody is closer than this."""
 _COLOURS_WITHIN_M = 1.5
-"""Colours tell who is who while somebody is so close; where somebody stands silhouettes say."""
+"""Seen steeply, colours tell who is who while somebody is so close, but not where he stands: those
+learnt at a place a little off would hold him there."""
 _GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
 """How often those who stand are looked at, and how long they must have stood."""
 _GHOST_SCALE = 1.3
@@ -157,7 +158,8 @@ class SpheroidTracker:
         if settings.colour_weight > 0.0 and not settings.paper:
             colours, known = look.at(*places_of(people))
             alike = likeness(people, colours, known, settings.colour_weight)
-            alike[_apart(people) > _COLOURS_WITHIN_M] = 0.0
+            alone = _apart(people) > _COLOURS_WITHIN_M
+            alike[alone & seen_steeply(people, flat)] = 0.0
         evidence = self._evidence(people, seen)
         people, windows = judged_and_weighed(people, evidence, flat, settings, alike)
         return supported(people, windows, flat, settings, elapsed_s)
@@ -203,7 +205,8 @@ class SpheroidTracker:
         if self._settings.paper:
             return people, self._begun(np.zeros((0, 4)))
         look = round(seen.time_s / self._settings.birth_every_s)
-        rows = np.flatnonzero((people.track + look) % _PARTED_LOOKS == 0)
+        due = (people.track + look) % _PARTED_LOOKS == 0
+        rows = np.flatnonzero(due & seen_steeply(people, self._flat))
         evidence = self._evidence(people, seen)
         tallest_m = self._usual_m + births.TALLER_M
         people, states = parted(people, rows, evidence, self._flat, tallest_m, self._settings)
@@ -237,9 +240,11 @@ class SpheroidTracker:
 
     def _learnt(self, people: Followed, look: ColourLook, elapsed_s: float) -> Followed:
         """The people with body heights and colours of those seen well."""
-        alone = seen_whole(people) & (_apart(people) > _ALONE_M)
+        whole = seen_whole(people)
+        alone = whole & (_apart(people) > _ALONE_M)
         if not self._settings.paper:
-            people = heights_learnt(people, alone, elapsed_s)
+            sure = np.where(seen_steeply(people, self._flat), alone, whole)
+            people = heights_learnt(people, sure, elapsed_s)
         colours, known = look.at(people.xy, people.height)
         return colours_learnt(people, colours, known, alone)
 
