@@ -9,14 +9,13 @@ from typing import Any
 
 import typer
 
-from app.cli.destination import check_file
+from app.cli.destination import check_file, check_no_session
 from app.cli.drawn import line_of, refuse_repeated, region_of
 from app.cli.option_groups import InPicture, OnFloor
 from app.cli.output import print_json, say
-from app.cli.tracks import is_session
 from app.presenters.files.exporting import exported_tracks
 from tracking.counting import Counts, How, LineCount, Occupancy, count, write_counts
-from tracking.errors import CountingError, OutputError
+from tracking.errors import CountingError
 from tracking.session import Session
 from tracking.tracks import CountingLine, Region
 
@@ -81,8 +80,7 @@ def counts_as_json(counts: Counts) -> dict[str, Any]:
 
 def _check_csv(csv: Path) -> None:
     check_file(csv)
-    if csv.exists() and is_session(csv):
-        raise OutputError(f"{csv} is a session and would be lost; choose another name with --csv")
+    check_no_session(csv, "--csv")
 
 
 def _places(session: Session, named: Places) -> Places:

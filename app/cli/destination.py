@@ -9,7 +9,6 @@ from pathlib import Path
 from tracking.errors import OutputError
 
 _RESERVE = 8 << 20
-_HDF5 = b"\x89HDF\r\n\x1a\n"
 
 
 def check_file(path: Path, needed_bytes: int = 0) -> None:
@@ -59,17 +58,45 @@ def check_replaced(path: Path, replaceable: str) -> None:
     """
     if path.exists() and (held := _held_at(path)) not in (None, replaceable):
         what = held.rpartition("-")[2] or "HDF5 file"
-        raise OutputError(f"{path} is a {what} and would be lost; choose another name with -o")
+        raise OutputError(_would_be_lost(path, what, "-o"))
+
+
+def check_no_session(path: Path, option: str = "-o") -> None:
+    """Refuse to lose a session to a table.
+
+    Args:
+        option: with which the table is named.
+
+    Raises:
+        OutputError: what stands there is a session; FormatError where it cannot be read.
+    """
+    if path.exists() and is_session(path):
+        raise OutputError(_would_be_lost(path, "session", option))
+
+
+def _would_be_lost(path: Path, what: str, option: str) -> str:
+    return f"{path} is a {what} and would be lost; choose another name with {option}"
+
+
+def is_session(path: Path) -> bool:
+    """Whether the file is meant to be a session: HDF5 inside, or an ending that says so.
+
+    Raises FormatError where it cannot be read.
+    """
+    from tracking.formats import is_hdf5  # brings h5py, too
+
+    return is_hdf5(path)
 
 
 def _held_at(path: Path) -> str | None:
     """What an HDF5 file says it is, "" where it says nothing; None for any other file."""
     import h5py  # takes longer to import than most commands take
 
+    from tracking.formats import begins_as_hdf5
+
     try:
-        with path.open("rb") as stream:
-            if stream.read(len(_HDF5)) != _HDF5:
-                return None
+        if not begins_as_hdf5(path):
+            return None
         with h5py.File(path, "r", locking=False) as file:
             return str(file.attrs.get("format", ""))
     except (OSError, RuntimeError, ValueError):

@@ -5,9 +5,8 @@ from __future__ import annotations
 from contextlib import closing
 from pathlib import Path
 
-from app.cli.destination import check_file, check_replaced
+from app.cli.destination import check_file, check_no_session, check_replaced
 from app.cli.output import print_json
-from app.cli.tracks import is_session
 from app.presenters.files.exporting import exported_tracks
 from tracking.errors import OutputError
 from tracking.formats import format_named, write_part_labels, write_samples
@@ -28,8 +27,7 @@ def run_export(path: Path, out: Path, name: str, run: int | None, *, as_json: bo
         return
     wanted = format_named(name)
     check_file(out)
-    if out.exists() and is_session(out):
-        raise OutputError(f"{out} is a session and would be lost; choose another name with -o")
+    check_no_session(out)
     with closing(Session.open(path)) as session:
         columns = exported_tracks(session, run)
     wanted.write(out, columns)

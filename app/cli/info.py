@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from app.cli.destination import is_session
 from app.cli.option_groups import Bare
 from app.cli.output import print_json, print_table
 from app.cli.recordings import opened
-from app.cli.tracks import is_session
 from tracking.formats import read_mot
 from tracking.recording import Recording
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from app.cli.destination import check_file
+from app.cli.destination import check_file, check_no_session
 from app.cli.output import print_json, progress
-from app.cli.tracks import is_session
 from tracking.editing import Entry, History
-from tracking.errors import OutputError
 from tracking.session import log_as_json, read_history, write_log_csv
 
 
@@ -26,8 +24,7 @@ def run_log(path: Path, csv: Path | None, *, as_json: bool) -> None:
         sys.stdout.writelines(lines)
         return
     check_file(csv)
-    if csv.exists() and is_session(csv):
-        raise OutputError(f"{csv} is a session and would be lost; choose another name with --csv")
+    check_no_session(csv, "--csv")
     history = read_history(path)
     with progress("writing the log") as told:
         write_log_csv(history, csv, told)

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import re
 import time
 from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
 from typing import Any
 
-from app.cli.destination import check_file
+from app.cli.destination import check_file, is_session
 from app.cli.option_groups import Bare, Order
 from app.cli.output import print_json, progress, say
 from app.cli.part_options import settings_texts
+from app.cli.ranges import typed_range
 from app.cli.recordings import opened
-from app.cli.tracks import is_session
 from app.presenters.files.opening import remember_place
 from tracking.errors import OutputError, SessionError, SettingsError
 from tracking.pipeline import Tracking, track
@@ -60,7 +59,7 @@ def tracked(recording: Recording, order: Order) -> Run:
     """
     spec = tracker_named(order.tracker or best_tracker(recording))
     settings = parsed_settings(spec, settings_texts(spec, order))
-    frames = _range(order.frames, recording.frame_count)
+    frames = typed_range(order.frames, recording.frame_count)
     with track(recording, spec.name, settings, order.seed, frames) as work:
         return run_of(work, recording, f"tracking with {spec.name}")
 
@@ -80,9 +79,18 @@ def run_of(work: Tracking, recording: Recording, what: str) -> Run:
 
 
 def save_session(recording: Recording, run: Run, out: Path) -> None:
-    """A new session of one run, in place of what stood there; it will find its recording."""
+    """A new session of one run, in place of what stood there; it will find its recording.
+
+    Whoever has not tracked it here has to allow a recording outside of the session's folder.
+    """
     with closing(Session.create(recording, [run], out)) as session:
         remember_place(session, recording)
+        if not session.recording.is_inside:
+            say(
+                f"note: the recording is outside the folder of {out.name} and only you on this "
+                "computer open it unasked; elsewhere name its place: "
+                f"trackwright open {out.name} --recording PATH"
+            )
 
 
 def refuse_to_lose(out: Path, *, force: bool) -> None:
@@ -132,14 +140,3 @@ def _pairs(texts: Sequence[str]) -> dict[str, str]:
             raise SettingsError(f"setting {text!r} is not KEY=VALUE, e.g. --set particles=700")
         pairs[name.strip()] = value
     return pairs
-
-
-def _range(text: str | None, count: int) -> tuple[int, int] | None:
-    """A:B as numbers; either may be left out."""
-    if text is None:
-        return None
-    found = re.fullmatch(r"\s*(\d{0,9})\s*:\s*(\d{0,9})\s*", text)
-    if found is None:
-        raise SettingsError(f"frames {text!r} are not A:B, e.g. --frames 100:400")
-    start, stop = found.groups()
-    return int(start or 0), int(stop or count)

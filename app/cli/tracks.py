@@ -6,12 +6,12 @@ from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
+from app.cli.destination import is_session
 from tracking.errors import FormatError
 from tracking.failure import TRUE_PARTS
 from tracking.formats import read_mot
 from tracking.tracks import Columns
 
-_HDF5 = b"\x89HDF\r\n\x1a\n"
 _TRUTH = "truth.txt"
 
 
@@ -24,12 +24,14 @@ class Tracks:
         frames: length of the recording; 0 where the file does not say.
         is_text: from MOT text, whose `conf` 0 marks don't-cares in truth.
         parts: of the people's bodies, where the tracks are a session's whose tracker followed them.
+        tracked: half-open range of frames a session's tracker went over; None where nobody knows.
     """
 
     columns: Columns
     frames: int
     is_text: bool
     parts: FollowedParts | None = None
+    tracked: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,25 +74,15 @@ def truth_at(path: Path) -> Tracks:
     return Tracks(read_mot(path / _TRUTH), 0, is_text=True)
 
 
-def is_session(path: Path) -> bool:
-    """Whether the file is meant to be a session: HDF5 inside, or an ending that says so."""
-    if path.suffix.lower() in (".h5", ".hdf5"):
-        return True
-    try:
-        with path.open("rb") as stream:
-            return stream.read(len(_HDF5)) == _HDF5
-    except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
-
-
 def _of_session(path: Path) -> Tracks:
     from tracking.session import Session, corrected_parts
 
     with closing(Session.open(path)) as session:
         footage, parts = session.recording, corrected_parts(session)
         followed = FollowedParts(parts, footage.size, footage.fps) if len(parts["frame"]) else None
-        columns = session.tracks.columns()
-        return Tracks(columns, footage.frame_count, is_text=False, parts=followed)
+        run, columns = session.corrected_run, session.tracks.columns()
+        tracked = None if run is None else run.frames
+        return Tracks(columns, footage.frame_count, is_text=False, parts=followed, tracked=tracked)
 
 
 def part_truth_beside(path: Path) -> Path | None:

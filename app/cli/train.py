@@ -15,7 +15,6 @@ from tracking.errors import OutputError, TrainingError
 from tracking.failure import (
     Trained,
     TrainingPlan,
-    joined,
     save_detector,
     train,
     write_report,
@@ -51,7 +50,7 @@ def run_train(wish: Wish, *, as_json: bool) -> None:
     """
     _check(wish)
     taught = all_taught(wish.sources, wish.how)
-    samples = joined(one.samples for one in taught)
+    samples = taught.samples
     if not len(samples):
         names = ", ".join(map(str, wish.sources))
         raise TrainingError(f"{names}: no label of a tracked body part; label some parts first")
@@ -61,7 +60,7 @@ def run_train(wish: Wish, *, as_json: bool) -> None:
     save_detector(wish.out, made.detector)
     page = None
     if wish.report is not None:
-        pictures = pictures_of(made.report, taught, wish.how)
+        pictures = pictures_of(made, taught, allow_outside=wish.how.allow_outside)
         page = write_report(wish.report, made.report, pictures)[0]
     _print(made, wish, page, as_json=as_json)
 

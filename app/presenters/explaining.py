@@ -6,6 +6,7 @@ import logging
 
 from app.presenters.words import tr
 from tracking.errors import TrackwrightError
+from tracking.session import RecordingMissing
 
 _log = logging.getLogger(__name__)
 
@@ -17,6 +18,8 @@ def explain(error: BaseException) -> str:
     the program: it is logged with where it came from, and the user is told that the edits are
     safe.
     """
+    if isinstance(error, RecordingMissing):
+        return error.reason
     if isinstance(error, TrackwrightError):
         return str(error)
     _log.error("unexpected error", exc_info=error)

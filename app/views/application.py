@@ -26,6 +26,7 @@ from app.views.look.icons import application_icon
 from app.views.look.theme import Look, apply_look
 from app.views.widgets.remembered import Remembered
 from app.views.window.ending import EndBySignal
+from app.views.window.look_choice import look_of
 from app.views.window.main_window import MainWindow
 from tracking.errors import OutputError, RecordingError
 from tracking.recording import OpenOptions
@@ -75,7 +76,7 @@ def start_application(remembered: Remembered) -> QApplication:
     application.setDesktopFileName("trackwright")
     application.setWindowIcon(application_icon())
     words.use_translator(lambda text: QCoreApplication.translate("presenters", text))
-    apply_look(application, Look(remembered.text("look", Look.SYSTEM.value)))
+    apply_look(application, look_of(remembered))
     return application
 
 

@@ -21,6 +21,7 @@ from tracking.session import Session
 from tracking.synthesis import render_recording
 from tracking.tracks import Run
 
+_SOON_S = 10.0
 TINY_FPS = 8.0
 _ONLY_SAID_WITHOUT_A_SCREEN = "This plugin does not support"
 
@@ -71,9 +72,12 @@ def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def no_threads_left() -> Iterator[None]:
-    """Fails where a thread outlives the test."""
+    """Fails where a thread outlives the test; counting nobody waits for ends by itself, soon."""
     before = set(threading.enumerate())
     yield
+    for thread in threading.enumerate():
+        if thread not in before and thread.name == "job counting":
+            thread.join(_SOON_S)
     assert [thread for thread in threading.enumerate() if thread not in before] == []
 
 

@@ -14,9 +14,10 @@ from tracking.counting import (
     Paths,
     Region,
     area,
+    lengths,
     occupancy,
     passages,
-    speeds,
+    velocities,
 )
 
 pytest.importorskip(
@@ -109,7 +110,7 @@ def single_sided(columns: dict[str, Any], frame_step: int) -> Any:
 def test_speeds_are_the_same_at_every_place(seed: int, frame_step: int) -> None:
     columns = crowd(seed)
     theirs = single_sided(columns, frame_step).sort_values(["id", "frame"])
-    ours = speeds(Paths.on_floor(columns), FPS, frame_step)
+    ours = lengths(velocities(Paths.on_floor(columns), FPS, frame_step))
     assert ours == pytest.approx(theirs["speed"].to_numpy(), abs=1e-9)
 
 

@@ -17,8 +17,9 @@ from tracking.counting import (
     area,
     count,
     inside,
+    lengths,
     occupancy,
-    speeds,
+    velocities,
 )
 from tracking.errors import CountingError
 
@@ -99,23 +100,27 @@ def test_neighbouring_regions_share_nobody_and_miss_nobody(places: np.ndarray) -
 
 def test_a_speed_is_taken_over_half_a_second() -> None:
     way = [(0.01 * k * k, 0.0) for k in range(21)]
-    found = speeds(Paths.on_floor(walk(way)), 20.0)
+    found = lengths(velocities(Paths.on_floor(walk(way)), 20.0))
     assert found[10] == pytest.approx((way[15][0] - way[5][0]) / 0.5)
     assert found[0] == pytest.approx((way[5][0] - way[0][0]) / 0.25)
     assert found[20] == pytest.approx((way[20][0] - way[15][0]) / 0.25)
 
 
 def test_a_speed_in_a_short_track_is_from_its_first_place_to_its_last() -> None:
-    found = speeds(Paths.on_floor(walk([(0, 0), (0.1, 0), (0.4, 0)])), 10.0, frame_step=5)
+    found = lengths(
+        velocities(Paths.on_floor(walk([(0, 0), (0.1, 0), (0.4, 0)])), 10.0, frame_step=5)
+    )
     assert found == pytest.approx([2.0, 2.0, 2.0])
 
 
 def test_one_place_has_no_speed() -> None:
-    assert np.isnan(speeds(Paths.on_floor(walk([(0, 0)])), 10.0)).all()
+    assert np.isnan(lengths(velocities(Paths.on_floor(walk([(0, 0)])), 10.0))).all()
 
 
 def test_a_speed_at_a_gap_is_that_of_the_straight_way() -> None:
-    found = speeds(Paths.on_floor(walk_at([(0, (0, 0)), (20, (2, 0)), (21, (2.1, 0))])), 10.0)
+    found = lengths(
+        velocities(Paths.on_floor(walk_at([(0, (0, 0)), (20, (2, 0)), (21, (2.1, 0))])), 10.0)
+    )
     assert found == pytest.approx([1.0, 1.0, 1.0])
 
 

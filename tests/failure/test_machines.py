@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -63,21 +61,3 @@ def test_a_number_that_is_none_gives_none(gamma: float) -> None:
     asked[1, 5] = np.nan
     decided = machines.decide(asked)[:, 0]
     assert np.isnan(decided).tolist() == [False, True]
-
-
-def test_fifteen_rows_are_decided_quicker_than_by_the_library() -> None:
-    # The benchmark says by how much; here only that nobody made it slower than what it replaces.
-    random = np.random.default_rng(4)
-    each = [_fit(random, 300, 36, Candidate(10, 1)) for _ in range(4)]
-    machines, asked = Machines(tuple(machine for _, machine in each)), random.normal(size=(15, 36))
-
-    def best(work) -> float:
-        times = []
-        for _ in range(20):
-            start = time.perf_counter()
-            work()
-            times.append(time.perf_counter() - start)
-        return min(times)
-
-    ours = best(lambda: machines.decide(asked))
-    assert ours < best(lambda: [library.decision_function(asked) for library, _ in each])

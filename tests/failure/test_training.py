@@ -123,8 +123,11 @@ def test_progress_reaches_its_end(samples: Samples) -> None:
 
 
 def test_training_stops_when_asked(samples: Samples) -> None:
+    def stop(*_: int) -> None:
+        raise CancelledError("stopped by the user")
+
     with pytest.raises(CancelledError):
-        train(samples, QUICK, random=np.random.default_rng(7), cancelled=lambda: True)
+        train(samples, QUICK, random=np.random.default_rng(7), progress=stop)
 
 
 def of_one(samples: Samples) -> np.ndarray:
@@ -157,6 +160,18 @@ def test_all_that_is_short_is_told_at_once(samples: Samples) -> None:
     assert "head: 0 samples off the part, of 0 people; torso: 0 samples off" in str(told.value)
     assert "and 0 samples on the part" in str(told.value)
     assert "hip-leg" not in str(told.value)
+    assert "adjust=false" in str(told.value)
+
+
+def test_one_sample_is_told_as_one_and_lost_parts_are_not_missed_where_there_are_enough(
+    samples: Samples,
+) -> None:
+    part, label = samples.columns["part"], samples.columns["label"]
+    kept = (part != 0) | (label == 0)
+    kept[np.flatnonzero(~kept)[0]] = True
+    with pytest.raises(TrainingError, match="head: 1 sample on the part, of 1 person") as told:
+        train(samples[kept], QUICK, random=np.random.default_rng(7))
+    assert "adjust=false" not in str(told.value)
 
 
 def test_without_instants_of_several_two_failed_parts_are_several(samples: Samples) -> None:

@@ -136,7 +136,7 @@ def test_a_part_that_stands_there_twice_is_named_by_both_lines(tmp_path: Path) -
 
 def test_a_table_larger_than_any_is_not_read(tmp_path: Path, people, monkeypatch) -> None:
     path = write_truth(tmp_path / "t.csv", people)
-    monkeypatch.setattr("tracking.failure.true_parts._MOST_BYTES", 1000)
+    monkeypatch.setattr("tracking.failure.truth_table.MOST_BYTES", 1000)
     with pytest.raises(FormatError, match="give a shorter recording"):
         read_true_parts(path)
 

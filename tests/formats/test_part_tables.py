@@ -187,7 +187,12 @@ def test_a_label_that_cannot_be_meant_is_named_by_its_line(
 
 @pytest.mark.parametrize(
     ("box", "why"),
-    [("1,2,3,", "no four numbers"), ("1,2,inf,4", "no four numbers"), ("1,2,0,4", "positive")],
+    [
+        ("1,2,3,", "not four numbers"),
+        ("1,2,inf,4", "not four finite numbers"),
+        ("1,2,0,4", "positive"),
+        ("1,2,1e308,4", "within a billion"),
+    ],
 )
 def test_half_a_box_is_refused(tmp_path: Path, box: str, why: str) -> None:
     path = tmp_path / "l.csv"
@@ -201,6 +206,7 @@ def test_half_a_box_is_refused(tmp_path: Path, box: str, why: str) -> None:
     ("header", "why"),
     [
         ("frame,track,part", "no column 'on'"),
+        ("frame;track;part;on", "separated by semicolons"),
         ("frame,track,part,on,colour", "'colour' is none of ours"),
         ("frame,track,part,on,on", "'on' stands there twice"),
     ],

@@ -35,8 +35,6 @@ def test_world_points_are_projected_as_the_view_does(
     points = np.random.default_rng(2).uniform((-1, 2, 0), (1, 5, 1.8), (50, 3))
     by_flat = flat.recorded_from_flat(flat.flat_from_world(points))
     assert np.allclose(by_flat, view.pixel_from_world(points), atol=1e-6)
-    on_floor = points * (1, 1, 0)
-    assert np.allclose(flat.floor_from_flat(flat.flat_from_world(on_floor)), points[:, :2])
 
 
 def test_a_straight_edge_of_the_world_is_straight_in_the_flat_picture() -> None:

@@ -108,5 +108,3 @@ def test_the_area_is_that_of_the_lines_added_up() -> None:
     lines = np.arange(-200.0, 900.0, 0.05)[None]
     start, stop = found.ends(lines)
     assert np.isclose(np.nansum(stop - start) * 0.05, found.areas()[0], rtol=1e-3)
-    inside = found.holds(np.array([[found.u[0], -50.0]]), np.array([[found.v[0], -50.0]]))
-    assert inside.tolist() == [[True, False]]

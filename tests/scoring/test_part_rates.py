@@ -185,12 +185,12 @@ def test_who_never_had_a_track_is_told_and_counts_in_every_rate() -> None:
 def test_the_table_has_rates_of_the_papers_frame_once_somebody_is_in_view_so_long() -> None:
     short = rates_of(judge(_truth(), _tracked({3: _exact()}), 20.0))
     assert short.as_text().splitlines()[1].split()[-1] == "1"
-    assert "105 frames on" not in short.as_text()
+    assert "105 frames" not in short.as_text()
     steady = [
         replace(one, parts=np.ones((106, 3), bool), person_right=np.ones(106, bool))
         for one in judge(_truth(), _tracked({3: _exact()}), 20.0)
     ]
-    assert "right 105 frames on       100.0 %" in rates_of(steady).as_text()
+    assert "right after 105 frames    100.0 %" in rates_of(steady).as_text()
 
 
 def test_curves_of_the_document_end_with_the_last_person_in_view() -> None:

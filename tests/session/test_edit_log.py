@@ -55,7 +55,7 @@ def test_csv_has_a_line_an_edit(edited: Session, tmp_path: Path) -> None:
     assert rows[0]["tracks"] == "1 2"
     assert rows[0]["before"] == "track 1 within frames 10 to 39; track 2 within frames 10 to 39"
     assert rows[0]["after"] == "track 2 within frames 10 to 39; track 1 within frames 10 to 39"
-    assert [row["frames"] for row in rows] == ["10:", "", "", "", "0:20"]
+    assert [row["frames"] for row in rows] == ["10:", "", "", "10:", "0:20"]
 
 
 def test_csv_says_what_was_and_what_is_so_that_people_can_read_it(

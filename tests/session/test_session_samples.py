@@ -14,7 +14,7 @@ from made_up_sessions import make_recording, make_run
 from tracking.editing import plan_label_part, plan_swap
 from tracking.errors import SessionError
 from tracking.failure import FEATURE_NAMES, Samples, samples_of
-from tracking.session import Session, session_samples
+from tracking.session import Session, places_of, samples_with_boxes, session_samples
 from tracking.tracks import PART_COLUMNS, PartLabel
 
 
@@ -145,3 +145,20 @@ def test_a_file_with_half_a_table_of_samples_is_refused(session: Session) -> Non
         del file["samples/head_x"]
     with pytest.raises(SessionError, match="no column head_x in samples"):
         Session.open(path)
+
+
+def test_a_part_put_right_teaches_with_the_rectangle_of_either_side(session: Session) -> None:
+    frame = frames_of_both(session)[20]
+    judged, wrong = label(session, frame, 1, 0, True), label(session, frame, 1, 1, True)
+    right = replace(wrong, box=(300.0, 200.0, 20.0, 30.0), source="person")
+    session.apply(plan_label_part(session.labels, [judged, right]))
+    run, footage = session.corrected_run, session.recording
+    samples, boxes = samples_with_boxes(
+        session.labels, session.tracks, run, footage.fps, footage.name
+    )
+    told = dict(zip(places_of(samples), boxes.tolist(), strict=True))
+    assert told == {
+        ((frame, 1, 0), True): pytest.approx(judged.box),
+        ((frame, 1, 1), True): pytest.approx(right.box),
+        ((frame, 1, 1), False): pytest.approx(wrong.box),
+    }

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tracking.editing import plan_delete, plan_swap
+from tracking.errors import SessionError
 from tracking.session import Session, describe
 from tracking.session.saving import companions
 
@@ -35,3 +38,34 @@ def test_a_damaged_journal_counts_for_nothing_in_what_is_told(session: Session) 
     (companions(path) / "journal.sqlite").write_bytes(b"no journal at all" * 400)
     told = describe(path)
     assert (told["edits"], told["edits_waiting_in_journal"]) == (0, 0)
+
+
+def test_a_session_that_is_looked_into_has_the_waiting_edits_and_stays_free(
+    session: Session,
+) -> None:
+    path = session.save()
+    edit(session, swaps=3)
+    kept = {file.name for file in companions(path).iterdir()}
+    looked = Session.look_into(path)
+    assert len(looked.history) == len(session.history) == 3
+    assert looked.read_only
+    with pytest.raises(SessionError, match="reading only"):
+        edit(looked)
+    assert {file.name for file in companions(path).iterdir()} == kept
+    edit(session)
+    session.close()
+    other = Session.open(path)
+    assert not other.read_only
+    looked.close()
+    edit(other)
+    other.close()
+
+
+def test_looking_into_a_session_changes_nothing_beside_it(
+    session: Session,
+) -> None:
+    path = session.save()
+    session.close()
+    kept = sorted(companions(path).iterdir())
+    Session.look_into(path).close()
+    assert sorted(companions(path).iterdir()) == kept

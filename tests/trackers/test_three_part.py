@@ -20,9 +20,9 @@ from people_of_three_blocks import (
 from tracking.errors import SettingsError
 from tracking.failure import Judgement
 from tracking.trackers import Observation, StepResult, occluders_as_setting
+from tracking.trackers.occluders import occluders_from
 from tracking.trackers.three_part import ThreePartSettings, WholeBodySettings
 from tracking.trackers.three_part.followed import Layout
-from tracking.trackers.three_part.occlusion import occluders_from
 from tracking.trackers.three_part.tracker import Camera, PartTracker
 from tracking.tracks import Occluder
 

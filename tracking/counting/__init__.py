@@ -7,7 +7,7 @@ from tracking.counting.occupancy import Occupancy, density_of, occupancy
 from tracking.counting.passages import Passages, passages, passages_of_line
 from tracking.counting.paths import Paths
 from tracking.counting.polygons import area, inside
-from tracking.counting.speeds import WINDOW_S, half_window, speeds, velocities
+from tracking.counting.speeds import WINDOW_S, half_window, lengths, velocities
 from tracking.counting.steps import PAPER_STEP_S, Steps
 from tracking.counting.table import HEADINGS, number_as_text, rows_of, write_counts
 from tracking.tracks.labels import CountingLine, Region
@@ -37,12 +37,12 @@ __all__ = [
     "flow_map",
     "half_window",
     "inside",
+    "lengths",
     "number_as_text",
     "occupancy",
     "passages",
     "passages_of_line",
     "rows_of",
-    "speeds",
     "velocities",
     "write_counts",
 ]

@@ -15,7 +15,8 @@ from tracking.errors import CountingError
 
 CELL_M = 0.5
 _MOST_CELLS = 400
-"""A side; a floor that is wider in places nobody would call near gets larger cells."""
+"""Along a side. One wrong place kilometres away would ask for millions of cells: cells then grow,
+so that the map stays small, if coarse."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

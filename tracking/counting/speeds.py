@@ -17,11 +17,6 @@ def half_window(fps: float, window_s: float = WINDOW_S) -> int:
     return max(1, math.floor(window_s * fps / 2 + 0.5))
 
 
-def speeds(paths: Paths, fps: float, frame_step: int | None = None) -> Floats:
-    """(n,) the speed at each place: the length of `velocities`."""
-    return lengths(velocities(paths, fps, frame_step))
-
-
 def velocities(paths: Paths, fps: float, frame_step: int | None = None) -> Floats:
     """(n, 2) how fast and where to at each place: metres a second of paths on the floor.
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+from collections.abc import Container
 from dataclasses import dataclass
+from itertools import islice, zip_longest
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,8 +17,8 @@ from tracking.tracks import Columns, PartKey
 
 MOST = 200
 _APART_S = 0.5
-"""Between two suggestions of one person: in frames that follow each other a person says the same
-thing twice."""
+"""Between two suggestions of one part of one person: in frames that follow each other a person
+says the same thing twice."""
 _TAKING_TURNS = 0.1
 """What each suggestion of a person adds to how unsure their next one must be, in spreads."""
 _BLOCK = 4096
@@ -29,13 +30,12 @@ class Suggestion:
 
     Attributes:
         frame, track, part: whose, as in the parts that were given.
-        reason: why, for the label. score: the detector's, as in `Judgement`.
+        score: the detector's, as in `Judgement`.
     """
 
     frame: int
     track: int
     part: int
-    reason: str
     score: float
 
     @property
@@ -50,8 +50,9 @@ def suggest(
     """Rectangles to label, the one the detector is least sure of first.
 
     Least sure is the smallest distance to the operating point, measured in the spread of the
-    part's scores. No two of one person are less than half a second apart, people take turns, and
-    what is labelled or was occluded is left out.
+    part's scores. Head, torso and hip-leg take turns, as training needs labels of each and scores
+    of two parts do not compare. No two of one part of a person are less than half a second apart,
+    people take turns, and what is labelled or was occluded is left out.
 
     Args:
         parts: `PART_COLUMNS` of a run, tracks under the ids of the labels. fps: of the recording.
@@ -62,11 +63,15 @@ def suggest(
     scores = scores_of(seen, fps, detector)
     scores[hidden_rows(seen, parts)] = np.nan
     unsure = np.abs(scores) / _spreads(detector)
-    lists = [
-        _of_person(rows, unsure, scores, seen, fps, labelled, most)
-        for rows in np.split(np.arange(len(seen.track)), np.flatnonzero(np.diff(seen.track)) + 1)
+    people = np.split(np.arange(len(seen.track)), np.flatnonzero(np.diff(seen.track)) + 1)
+    by_part = [
+        _people_in_turns(
+            [_of_person(rows, part, unsure, scores, seen, fps, labelled, most) for rows in people]
+        )
+        for part in range(PARTS)
     ]
-    return _in_turns([list(of_one) for of_one in lists], most)
+    turns = (one for turn in zip_longest(*by_part) for one in turn if one is not None)
+    return list(islice(turns, most))
 
 
 def scores_of(seen: PartStates, fps: float, detector: Detector) -> Floats:
@@ -99,35 +104,34 @@ def _spreads(detector: Detector) -> Floats:
 
 def _of_person(
     rows: NDArray[np.int64],
+    part: int,
     unsure: Floats,
     scores: Floats,
     seen: PartStates,
     fps: float,
     labelled: Container[PartKey],
     most: int,
-) -> Iterator[tuple[float, Suggestion]]:
-    """Those of one person, least sure first, with how unsure."""
+) -> list[tuple[float, Suggestion]]:
+    """Those of one part of one person, least sure first, with how unsure."""
+    found: list[tuple[float, Suggestion]] = []
     apart = _APART_S * fps
-    taken: list[int] = []
-    flat = unsure[rows].reshape(-1)
-    for place in np.argsort(flat, kind="stable").tolist():
-        row, part = int(rows[place // PARTS]), place % PARTS
+    for row in rows[np.argsort(unsure[rows, part], kind="stable")].tolist():
         frame, track = int(seen.frame[row]), int(seen.track[row])
-        if len(taken) == most or np.isnan(flat[place]):
-            return
-        if (frame, track, part) in labelled or any(abs(frame - one) < apart for one in taken):
+        if len(found) == most or np.isnan(unsure[row, part]):
+            break
+        near = any(abs(frame - one.frame) < apart for _, one in found)
+        if near or (frame, track, part) in labelled:
             continue
-        taken.append(frame)
         score = float(scores[row, part])
-        reason = f"the detector is unsure: score {score:+.2f}"
-        yield float(flat[place]), Suggestion(frame, track, part, reason, score)
+        found.append((float(unsure[row, part]), Suggestion(frame, track, part, score)))
+    return found
 
 
-def _in_turns(lists: list[list[tuple[float, Suggestion]]], most: int) -> list[Suggestion]:
-    """All of them, by how unsure and how many of the same person come before."""
+def _people_in_turns(lists: list[list[tuple[float, Suggestion]]]) -> list[Suggestion]:
+    """All of one part, by how unsure and how many of the same person come before."""
     ranked = [
         (unsure + _TAKING_TURNS * turn, one.frame, one.track, one)
         for of_one in lists
         for turn, (unsure, one) in enumerate(of_one)
     ]
-    return [one for *_, one in sorted(ranked, key=lambda each: each[:3])[:most]]
+    return [one for *_, one in sorted(ranked, key=lambda each: each[:3])]

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.failure.features import PARTS, Floats
-from tracking.failure.true_parts import Rows, TrueParts
+from tracking.failure.true_parts import TrueParts
+from tracking.failure.truth_table import Rows
 from tracking.tracks import LARGEST_NUMBER, Columns, PartLabel
 
 EVERY_S = 0.15

@@ -10,6 +10,8 @@ from tracking.errors import FormatError
 
 _MOST_BYTES = 1 << 30
 _LONGEST_LINE = 1 << 16
+_SEPARATORS = {";": "semicolons", "\t": "tabs"}
+"""Of other kinds of tables, as messages call them."""
 
 
 def numbered_rows(
@@ -71,6 +73,11 @@ def _check_header(
 ) -> None:
     missing = [name for name in needed if name not in header]
     if missing:
+        if len(header) == 1 and (other := next((s for s in _SEPARATORS if s in header[0]), "")):
+            raise FormatError(
+                f"{path}, line 1: the columns are separated by {_SEPARATORS[other]}; "
+                "separate them by commas"
+            )
         raise FormatError(f"{path}, line 1: there is no column {missing[0]!r}; name the columns")
     unknown = [name for name in header if name not in (*needed, *also)]
     if unknown or len(set(header)) < len(header):

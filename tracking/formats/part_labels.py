@@ -135,7 +135,7 @@ def _box_of(values: Mapping[str, str]) -> Box | None:
     try:
         left, top, width, height = map(float, texts)
     except ValueError:
-        raise ValueError(f"the box {','.join(texts)[:60]!r} is no four numbers") from None
+        raise ValueError(f"the box {','.join(texts)[:60]!r} is not four numbers") from None
     if not all(map(math.isfinite, (left, top, width, height))):
-        raise ValueError(f"the box {','.join(texts)[:60]!r} is no four numbers")
+        raise ValueError(f"the box {','.join(texts)[:60]!r} is not four finite numbers")
     return left, top, width, height

@@ -39,7 +39,7 @@ def read_samples(path: Path) -> Samples:
             f"{path}: LIBSVM text does not say whose samples they are, so nobody could be held "
             "out; export them as .csv or .h5"
         )
-    samples = samples_in_hdf5(path) if _is_hdf5(path) else _read_csv(path)
+    samples = samples_in_hdf5(path) if is_hdf5(path) else _read_csv(path)
     if samples is None:
         raise FormatError(f"{path} holds no samples; export some (--format samples)")
     return samples
@@ -50,7 +50,7 @@ def samples_at(path: Path) -> Samples | None:
 
     Raises as `read_samples`.
     """
-    return samples_in_hdf5(path) if _is_hdf5(path) else read_samples(path)
+    return samples_in_hdf5(path) if is_hdf5(path) else read_samples(path)
 
 
 def samples_in_hdf5(path: Path) -> Samples | None:
@@ -72,14 +72,23 @@ def samples_in_hdf5(path: Path) -> Samples | None:
         raise FormatError(f"{path}: the samples are damaged; export them again") from why
 
 
-def _is_hdf5(path: Path) -> bool:
+def is_hdf5(path: Path) -> bool:
+    """Whether a file is meant to be HDF5, by its ending or by how it begins.
+
+    Raises FormatError where it cannot be read.
+    """
     if path.suffix.lower() in _ENDINGS:
         return True
     try:
-        with path.open("rb") as stream:
-            return stream.read(len(_HDF5)) == _HDF5
+        return begins_as_hdf5(path)
     except OSError as error:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+
+
+def begins_as_hdf5(path: Path) -> bool:
+    """Whether a file begins as HDF5 does. Raises OSError where it cannot be read."""
+    with path.open("rb") as stream:
+        return stream.read(len(_HDF5)) == _HDF5
 
 
 def _columns_of(file: h5py.File) -> dict[str, NDArray[Any]]:

@@ -142,10 +142,6 @@ class FlatView:
         depth = np.where(seen[:, 2:] > 1e-9, seen[:, 2:], np.nan)
         return np.asarray(seen[:, :2] / depth)
 
-    def floor_from_flat(self, points: Floats, z_m: float | Floats = 0.0) -> Floats:
-        """World x, y (n, 2) in metres of flat pixels (n, 2) on the plane z = z_m; NaN above it."""
-        return self.view.floor_from_pixel(self.recorded_from_flat(points), z_m)
-
     def _reach(self, matrix: Floats) -> tuple[Floats, tuple[int, int]]:
         """The first flat pixel and the size of a picture that holds what was recorded."""
         width, height = self._recorded

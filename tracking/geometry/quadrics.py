@@ -77,13 +77,6 @@ class Ellipses:
         u = self.u[..., None] + lean * np.sin(angle) + wide * np.cos(angle)
         return np.stack((u, self.v[..., None] + along * np.sin(angle)), axis=-1)
 
-    def holds(self, u: Floats, v: Floats) -> NDArray[np.bool_]:
-        """(..., k) whether points (..., k) lie in each outline."""
-        right, down = u - self.u[..., None], v - self.v[..., None]
-        uu, uv, vv = (part[..., None] for part in (self.uu, self.uv, self.vv))
-        measure = vv * right**2 - 2 * uv * right * down + uu * down**2
-        return np.asarray(measure <= uu * vv - uv**2)
-
 
 def ellipses_of(projection: Floats, centre: Floats, axes: Floats) -> Ellipses:
     """The outlines of ellipsoids whose axes lie along the world's.

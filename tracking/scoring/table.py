@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,6 +71,11 @@ class ScoringTable:
             self.position[kept],
             self.counted[kept],
         )
+
+    def within(self, start: int, stop: int) -> ScoringTable:
+        """The table of the frames start to stop - 1, counted from start on."""
+        part = self.rows((self.frame >= start) & (self.frame < stop))
+        return replace(part, frame=part.frame - start)
 
     def _refuse_repeated(self) -> None:
         order = np.lexsort((self.track, self.frame))

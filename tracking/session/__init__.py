@@ -11,7 +11,7 @@ from tracking.session.older import Generation, check_generation, list_generation
 from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import Runs
-from tracking.session.samples import samples_from
+from tracking.session.samples import boxes_of, places_of, samples_from, samples_with_boxes
 from tracking.session.saving import generations
 from tracking.session.stamping import author_named
 from tracking.session.waiting import read_history
@@ -26,6 +26,7 @@ __all__ = [
     "Session",
     "SourceFingerprint",
     "author_named",
+    "boxes_of",
     "check_generation",
     "corrected_parts",
     "describe",
@@ -35,8 +36,10 @@ __all__ = [
     "list_generations",
     "log_as_json",
     "parts_by_now",
+    "places_of",
     "read_history",
     "samples_from",
+    "samples_with_boxes",
     "session_samples",
     "write_log_csv",
     "write_log_json",

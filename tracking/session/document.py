@@ -21,7 +21,7 @@ from tracking.session.reference import Footage, refer_to
 from tracking.session.saving import UNLIMITED, file_state, generations, real_path
 from tracking.session.stamping import author_named, made_up, now, software
 from tracking.session.store import Store
-from tracking.session.waiting import edits_wait
+from tracking.session.waiting import edits_wait, read_with_waiting
 from tracking.tracks import Run, TrackTable
 
 if TYPE_CHECKING:
@@ -89,6 +89,21 @@ class Session(Held):
             session._begin_journal()
         except (SessionError, OutputError) as why:
             session._give_up_writing(str(why))
+        return session
+
+    @classmethod
+    def look_into(cls, path: Path) -> Session:
+        """A session file to be read only, with the edits that wait in its journal.
+
+        Nothing beside it is claimed or written: whoever has it open, or opens it meanwhile, may
+        write it. Raises SessionError as `open`.
+        """
+        path = real_path(path)
+        waiting = read_with_waiting(path)
+        session = cls(read_session(path), path, author_named(None))
+        if waiting is not None:
+            session._edited, session._recovered = waiting
+        session._why_read_only = "it was opened to be read only"
         return session
 
     def close(self, *, discard: bool = False) -> None:

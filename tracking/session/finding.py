@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from tracking.errors import RecordingError, TrackwrightError
-from tracking.session.errors import RecordingMissing
+from tracking.session.errors import NAME_ITS_PLACE, RecordingMissing
 from tracking.session.reference import RecordingReference, stays_inside
 
 if TYPE_CHECKING:
@@ -204,7 +204,7 @@ def _missing(reference: RecordingReference, problems: Sequence[str]) -> str:
     else:
         was = f"is at {reference.path}, outside the session's folder, and is not opened unasked"
         problem = f"; {problems[0]}" if problems else ""
-    return f'recording "{reference.name}" {was}{problem}; name its place (--recording PATH)'
+    return f'recording "{reference.name}" {was}{problem}{NAME_ITS_PLACE}'
 
 
 def _name(reference: RecordingReference) -> str:

@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 
-from tracking.failure import Samples, no_samples, samples_of
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.failure import Samples, no_samples, part_states, samples_of
 from tracking.session.belonging import parts_by_now
-from tracking.tracks import Labels, Run, TrackTable
+from tracking.tracks import Columns, Labels, PartKey, PartLabel, Run, TrackTable
 from tracking.tracks.part_labels import PartLabels
 
 _log = logging.getLogger(__name__)
+
+Boxes = NDArray[np.float64]
+
+
+Place = tuple[PartKey, bool]
+"""What a sample judges: a part, and whether it is said to be on it."""
 
 
 def samples_from(
@@ -20,11 +29,68 @@ def samples_from(
 
     No samples without labels, or where the run followed no parts.
     """
+    parts = _parts_labelled(labels, tracks, run)
+    return (
+        no_samples() if parts is None else samples_of(labels.parts.values(), parts, fps, recording)
+    )
+
+
+def samples_with_boxes(
+    labels: Labels, tracks: TrackTable, run: Run | None, fps: float, recording: str
+) -> tuple[Samples, Boxes]:
+    """The same, and the rectangle that each of them judges, see `boxes_of`."""
+    parts = _parts_labelled(labels, tracks, run)
+    if parts is None:
+        return no_samples(), np.zeros((0, 4))
+    samples = samples_of(labels.parts.values(), parts, fps, recording)
+    return samples, boxes_of(places_of(samples), labels.parts, parts)
+
+
+def places_of(samples: Samples) -> list[Place]:
+    """What each sample judges."""
+    columns = (samples.columns[name].tolist() for name in ("frame", "track", "part", "label"))
+    return [
+        ((frame, track, part), bool(on)) for frame, track, part, on in zip(*columns, strict=True)
+    ]
+
+
+def boxes_of(places: Sequence[Place], labels: Mapping[PartKey, PartLabel], parts: Columns) -> Boxes:
+    """The rectangle of a label, or the tracker's where samples say the opposite of the label.
+
+    They do where somebody put a part right: it is theirs that lies on the part.
+
+    Args:
+        labels: that the samples were made of. parts: `PART_COLUMNS` of the run they are of, under
+            the ids of the labels.
+
+    Returns:
+        (n, 4) left, top, width, height px; NaN where neither is known any more.
+    """
+    boxes = np.full((len(places), 4), np.nan)
+    tracked = []
+    for row, (key, on) in enumerate(places):
+        label = labels.get(key)
+        if label is not None and label.on_part == on:
+            boxes[row] = label.box
+        else:
+            tracked.append(row)
+    if not tracked:
+        return boxes
+    frame, track, part = np.array([places[row][0] for row in tracked], np.int64).T
+    seen = part_states(parts, 1.0)
+    at = seen.rows_of(track, frame)
+    known = at >= 0
+    states = seen.states[at[known], part[known]]
+    corners = states[:, :2] - states[:, 2:4] / 2
+    boxes[np.array(tracked)[known]] = np.concatenate((corners, states[:, 2:4]), axis=1)
+    return boxes
+
+
+def _parts_labelled(labels: Labels, tracks: TrackTable, run: Run | None) -> Columns | None:
+    """The parts of everybody labelled, under the ids of now; None where there are none."""
     if run is None or not len(labels.parts) or not len(run.parts["frame"]):
-        return no_samples()
-    people = {label.track for label in labels.parts.values()}
-    parts = parts_by_now(tracks, run, people)
-    return samples_of(labels.parts.values(), parts, fps, recording)
+        return None
+    return parts_by_now(tracks, run, {label.track for label in labels.parts.values()})
 
 
 class KeptSamples:

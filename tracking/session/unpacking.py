@@ -116,7 +116,7 @@ def _unpack(piece: bytes, into: NDArray[Any], rows: int) -> None:
     try:
         plain = inflater.decompress(piece, size + 1)
     except zlib.error as why:
-        raise ValueError(f"a piece cannot be unpacked: {why}") from why
+        raise ValueError("a piece cannot be unpacked: its bytes are damaged") from why
     if len(plain) != size:
         raise ValueError(f"a piece unpacks to {len(plain)} bytes, not {size}")
     by_byte = np.frombuffer(plain, np.uint8).reshape(width, rows)[:, : len(into)]

@@ -11,11 +11,11 @@ from tracking.trackers.catalogue import (
     require,
     tracker_named,
 )
+from tracking.trackers.occluders import occluders_as_setting
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
 from tracking.trackers.resuming import Resume
 from tracking.trackers.settings import SettingField, settings_fields, settings_from, settings_values
 from tracking.trackers.smoothing import smoothed
-from tracking.trackers.three_part import occluders_as_setting
 
 __all__ = [
     "ASSOCIATION_COLUMNS",

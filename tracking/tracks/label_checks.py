@@ -37,7 +37,9 @@ def check_part_label(label: PartLabel) -> None:
     if not 0 <= label.part < len(PART_NAMES):
         raise EditError(f"{what}: part {label.part} is none; 0 head, 1 torso, 2 hip-leg")
     left, top, width, height = label.box
-    if not (_is_near(left, top, width, height) and width > 0 and height > 0):
+    if not _is_near(left, top, width, height):
+        raise EditError(f"{what}: box {label.box} is no place; numbers within a billion are needed")
+    if not (width > 0 and height > 0):
         raise EditError(f"{what}: box {label.box} is none; a positive width and height are needed")
     if label.source not in PART_SOURCES:
         raise EditError(f"{what}: source {label.source!r}; it is {', '.join(PART_SOURCES)}")

@@ -23,13 +23,17 @@ def score(
     radius: Annotated[
         float, typer.Option(help="Greatest distance on the floor, m; with --match floor.")
     ] = 0.5,
+    frames: Annotated[
+        str | None,
+        typer.Option(help="A:B, from 0, B not included: measure these.", show_default="all"),
+    ] = None,
     report: Annotated[Path | None, typer.Option(help="A folder for a report.")] = None,
     json: options.Json = False,
 ) -> None:
     """Measure a result against truth."""
-    from app.cli.score import run_score
+    from app.cli.score import How, run_score
 
-    run_score(result, truth, match, radius, report, as_json=json)
+    run_score(result, truth, How(match, radius, frames), report, as_json=json)
 
 
 @program.command()

@@ -54,11 +54,11 @@ def command_items(now: Situation, checked: frozenset[str]) -> tuple[CommandItem,
 
 
 def _item(command: Command, now: Situation, checked: frozenset[str]) -> CommandItem:
-    why_not = command.check(now)
+    why_not, in_brackets = command.check(now), command.now(now)
     return CommandItem(
         command=command.name,
         menu=_standing(command),
-        title=tr(command.title),
+        title=f"{tr(command.title)} ({in_brackets})" if in_brackets else tr(command.title),
         keys=command.keys,
         enabled=not why_not,
         why_not=why_not,

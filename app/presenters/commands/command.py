@@ -21,7 +21,8 @@ class Situation:
         comparing: two versions of the tracks are compared. unkept: what a tracker found is in
             memory alone.
         parts: body parts were tracked. part_truth: where they really are is known.
-        trained: a detector was trained here.
+        trained: a detector was trained here. detector: the name of the one in use; "" for the
+            built-in one.
         stereo, truth: the recording has a right eye, a truth file.
         can_track: a tracker exists for the recording; else `why_no_tracking` says why.
         read_only: the session cannot be saved under its name, e.g. as another window has it open.
@@ -49,6 +50,7 @@ class Situation:
     parts: bool = False
     part_truth: bool = False
     trained: bool = False
+    detector: str = ""
     stereo: bool = False
     truth: bool = False
     calibrated: bool = False
@@ -76,6 +78,7 @@ class Command:
         checkable: it is on or off.
         separated: a line stands above it, or above the submenu that begins with it.
         icon: of the drawings that ship with the program; "" for none.
+        now: what stands in brackets behind the title, e.g. a file in use; "" for nothing.
     """
 
     name: str
@@ -87,3 +90,4 @@ class Command:
     separated: bool = False
     icon: str = ""
     submenu: str = ""
+    now: Callable[[Situation], str] = lambda _: ""

@@ -31,6 +31,11 @@ def _trained(now: Situation) -> str:
     return "" if now.trained else tr("train a detector first")
 
 
+def _in_use(now: Situation) -> str:
+    """Which detector people are tracked with, where it is not the built-in one."""
+    return now.detector
+
+
 COMMANDS: Final = (
     Command("detector.next", "Detector", "Next part failure", ("F3",), _parts),
     Command("detector.previous", "Detector", "Previous part failure", ("Shift+F3",), _parts),
@@ -60,7 +65,9 @@ COMMANDS: Final = (
         "Use a detector from a file...",
         (),
         recording,
+        checkable=True,
         separated=True,
+        now=_in_use,
     ),
     Command(
         "detector.built_in",

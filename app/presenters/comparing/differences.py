@@ -32,7 +32,7 @@ from tracking.editing.tracking_again.counterparts import Places, counterparts
 from tracking.errors import EditError
 from tracking.progress import Progress
 from tracking.session import Session
-from tracking.tracks import Columns, TrackTable
+from tracking.tracks import Columns, Run, TrackTable
 
 PointsOf = Callable[[Columns], NDArray[np.float64]]
 _KINDS: Final = {
@@ -100,6 +100,11 @@ class Comparison:
     def solid(self) -> SessionTracks | None:
         """The version that is drawn solid; None where these are the corrected tracks."""
         return self._solid
+
+    @property
+    def base_run(self) -> Run | None:
+        """The run whose measurements are those of the solid version; None: no run's."""
+        return None if self.base is None else self._session.runs[self.base]
 
     @property
     def dashed(self) -> TrackTable | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -19,9 +19,10 @@ from app.presenters.counting.subject import SHOWN, Counted, Subject, version_of
 from app.presenters.counting.tallies import Tallies, people_inside
 from app.presenters.document.document import Document
 from app.presenters.document.setting import Instant
+from app.presenters.explaining import explain
 from app.presenters.labelling.labelling_scene import LINE_COLOUR, REGION_COLOUR, Tool
 from app.presenters.words import tr
-from tracking.counting import How, density_of
+from tracking.counting import PAPER_STEP_S, How, Occupancy, density_of
 from tracking.tracks import Columns, CountingLine, Labels, Region, between
 
 
@@ -44,9 +45,10 @@ class CountingPresenter:
 
     def __init__(self, document: Document) -> None:
         self._document = document
-        self.choice = CountingChoice()
+        shortest_s = least_step_s(document.recording.fps)
+        self.choice = CountingChoice(how=How(step_s=max(PAPER_STEP_S, shortest_s)))
         self.counted: Counted | None = None
-        self.refused = ""
+        self._refused: tuple[Subject, str] | None = None
         self._tallies: Tallies | None = None
         self._plots: tuple[tuple[object, int], tuple[CountPlot, ...]] = ((None, -1), ())
         self._flow: tuple[object, FlowScene | None] = (None, None)
@@ -62,29 +64,43 @@ class CountingPresenter:
     def wanted(self, *, mapped: bool) -> Subject:
         """What is to be counted now."""
         labels, choice = self.labels, self.choice
-        session = self._document.session
-        if session is None or choice.whose >= len(session.runs):
-            choice.whose = SHOWN
         mapped = mapped and self._document.recording.view is not None
-        version = version_of(self._document, choice.whose)
-        return Subject(choice.whose, version, labels.lines, labels.regions, choice.how, mapped)
+        whose = self.whose
+        version = version_of(self._document, whose)
+        return Subject(whose, version, labels.lines, labels.regions, choice.how, mapped)
+
+    @property
+    def whose(self) -> int:
+        """`SHOWN` or the number of the run that is counted; a run that is gone is none."""
+        session, whose = self._document.session, self.choice.whose
+        return SHOWN if session is None or whose >= len(session.runs) else whose
 
     @property
     def frames(self) -> tuple[int, int]:
         """The frames that the tracks go over."""
-        session, whose = self._document.session, self.choice.whose
+        session, whose = self._document.session, self.whose
         if whose != SHOWN and session is not None:
             return session.runs[whose].frames
         return self._document.tracks.frames
 
     def take(self, counted: Counted) -> None:
         """Show what was counted."""
-        self.counted, self.refused = counted, ""
+        self.counted, self._refused = counted, None
         self._tallies = Tallies(counted.counts)
 
-    def refuse(self, error: Exception) -> None:
-        """Nothing can be counted, and why."""
-        self.counted, self._tallies, self.refused = None, None, str(error)
+    def refuse(self, subject: Subject, error: Exception) -> None:
+        """This cannot be counted, and why."""
+        self.counted, self._tallies = None, None
+        self._refused = (subject, explain(error))
+
+    @property
+    def refused(self) -> str:
+        """Why what is wanted cannot be counted; "" where nothing says so."""
+        if self._refused is None:
+            return ""
+        subject, why = self._refused
+        wanted = self.wanted(mapped=subject.mapped)
+        return why if replace(wanted, version=subject.version) == subject else ""
 
     # what the views show
 
@@ -109,28 +125,34 @@ class CountingPresenter:
             rows=rows,
             picked=picked,
             tracks=self._whose(),
-            whose=choice.whose + 1,
+            whose=self.whose + 1,
             step_s=choice.how.step_s,
+            least_step_s=least_step_s(document.recording.fps),
             jitter_m=choice.how.jitter_m,
-            plots=self._plots_of(picked),
-            counts=self.counted.counts if self.counted is not None else None,
+            jitter_px=choice.how.jitter_px,
+            jitters=self._jitters,
+            plots=self._plots_of(rows, picked),
+            counts=self._shown.counts if self._shown is not None else None,
             frame=instant.frame,
             frame_count=document.recording.frame_count,
             fps=document.recording.fps,
             doing=doing,
-            message=self._message(rows),
+            message=self._message(rows, picked),
         )
 
     def flow(self) -> FlowScene | None:
         """The flow map; None while there is none. The very same while it stays."""
-        found = self.counted.flow if self.counted is not None else None
+        counted = self.counted
+        found = counted.flow if counted is not None and self._is_theirs(counted) else None
         if self._flow[0] is not found:
             self._flow = (found, flow_scene(found) if found is not None else None)
         return self._flow[1]
 
-    def _message(self, rows: tuple[TallyRow, ...]) -> str:
-        if self.refused:
+    def _message(self, rows: tuple[TallyRow, ...], picked: int) -> str:
+        if rows and self.refused:
             return self.refused
+        if rows and self._shown is not None:
+            return self._shown.why_not(rows[picked].is_line, rows[picked].name)
         if not rows:
             return tr(
                 "Draw a counting line (Alt+3) or a region (Alt+4): who passes it and who is inside "
@@ -158,9 +180,11 @@ class CountingPresenter:
 
     def _line_row(self, number: int, line: CountingLine, frame: int) -> TallyRow:
         so_far, counted = self._so_far(number, frame), self.counted
-        if so_far is None or counted is None:
-            return TallyRow(line.name, True, LINE_COLOUR, ("", "", "", "", ""), "")
-        whole = counted.counts.lines[number].totals
+        place = counted.place_of(line) if counted is not None else None
+        if so_far is None or counted is None or place is None:
+            why = counted.why_not(True, line.name) if counted is not None else ""
+            return TallyRow(line.name, True, LINE_COLOUR, ("", "", "", "", ""), why)
+        whole = counted.counts.lines[place].totals
         cells = [f"{now} / {most}" for now, most in zip(so_far, whole, strict=True)]
         hint = tr(
             "{name}: {ahead} of {all_ahead} have passed forward so far, {back} of {all_back} back",
@@ -197,29 +221,54 @@ class CountingPresenter:
         return f"{inside}, {density:.2f}/m²" if math.isfinite(density) else inside
 
     def _so_far(self, number: int, frame: int) -> tuple[int, int] | None:
-        """None while these lines are not counted yet."""
-        counted = self.counted
-        if counted is None or self._tallies is None or counted.subject.lines != self.labels.lines:
+        """None while the line is not counted yet, or cannot be."""
+        counted, lines = self.counted, self.labels.lines
+        if counted is None or self._tallies is None or not self._is_theirs(counted):
             return None
-        return self._tallies.so_far(number, frame)
+        place = counted.place_of(lines[number]) if number < len(lines) else None
+        return self._tallies.so_far(place, frame) if place is not None else None
 
     def _speed(self, number: int, frame: int) -> float:
-        counted = self.counted
-        if counted is None or counted.subject.regions != self.labels.regions:
+        counted, within = self.counted, self._occupancy(number)
+        if counted is None or within is None:
             return math.nan
-        counts = counted.counts
-        time_s = np.array([frame / counts.steps.fps])
-        return float(counts.regions[number].mean_speed[counts.steps.of_time(time_s)[0]])
+        steps = counted.counts.steps
+        time_s = np.array([frame / steps.fps])
+        return float(within.mean_speed[steps.of_time(time_s)[0]])
 
     def _person_steps(self, number: int) -> int | None:
+        within = self._occupancy(number)
+        return within.person_steps if within is not None else None
+
+    def _occupancy(self, number: int) -> Occupancy | None:
+        """None while the region is not counted yet, or cannot be."""
         counted = self.counted
-        if counted is None or counted.subject.regions != self.labels.regions:
+        if counted is None or not self._is_theirs(counted):
             return None
-        return counted.counts.regions[number].person_steps
+        return counted.occupancy_of(self.labels.regions[number])
+
+    def _is_theirs(self, counted: Counted) -> bool:
+        """Whether it is of those who are wanted: the same, or a moment before."""
+        return counted.subject.whose == self.whose
+
+    @property
+    def _shown(self) -> Counted | None:
+        """What was counted, where it is over what is drawn now."""
+        counted, labels = self.counted, self.labels
+        if counted is None or not self._is_theirs(counted):
+            return None
+        drawn = (labels.lines, labels.regions)
+        return counted if (counted.subject.lines, counted.subject.regions) == drawn else None
+
+    @property
+    def _jitters(self) -> tuple[bool, bool]:
+        """Whether there are lines on the floor, or none at all; and whether some in the picture."""
+        pictured = [line.in_picture for line in self.labels.lines]
+        return not all(pictured) or not pictured, any(pictured)
 
     def _rows(self, instant: Instant) -> Columns:
         """The rows of the frame of those who are counted."""
-        session, whose = self._document.session, self.choice.whose
+        session, whose = self._document.session, self.whose
         if whose == SHOWN or session is None:
             return instant.tracks.of_frame(instant.frame)
         tracks = session.runs[whose].tracks
@@ -238,17 +287,23 @@ class CountingPresenter:
         """Plot another line or region."""
         self.choice.picked = (is_line, name)
 
-    def _plots_of(self, picked: int) -> tuple[CountPlot, ...]:
-        counted, labels = self.counted, self.labels
-        if counted is None or (counted.subject.lines, counted.subject.regions) != (
-            labels.lines,
-            labels.regions,
-        ):
+    def _plots_of(self, rows: tuple[TallyRow, ...], picked: int) -> tuple[CountPlot, ...]:
+        counted = self._shown
+        if counted is None or picked < 0:
             return ()
         if self._plots[0] != (counted, picked):
+            counts, row = counted.counts, rows[picked]
+            names = [(True, one.line.name) for one in counts.lines]
+            names += [(False, one.region.name) for one in counts.regions]
+            place = names.index((row.is_line, row.name)) if (row.is_line, row.name) in names else -1
             frame_count = self._document.recording.frame_count
-            self._plots = ((counted, picked), plots_of(counted.counts, picked, frame_count))
+            self._plots = ((counted, picked), plots_of(counts, place, frame_count))
         return self._plots[1]
+
+
+def least_step_s(fps: float) -> float:
+    """The shortest step that can be chosen: a frame, rounded up to hundredths of a second."""
+    return math.ceil(100 / fps - 1e-6) / 100
 
 
 def _text(number: float, form: str) -> str:

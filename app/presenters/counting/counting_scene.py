@@ -73,7 +73,9 @@ class CountingScene:
     Attributes:
         rows: lines, then regions. picked: the number of the one that is plotted; -1: none.
         tracks: whose tracks can be counted; whose: the number of those that are.
-        step_s, jitter_m: how it is counted. plots: of the one that is picked.
+        step_s, jitter_m, jitter_px: how it is counted. least_step_s: the shortest step there is.
+        jitters: which of the two distances matter, on the floor and in the picture.
+        plots: of the one that is picked.
         counts: all steps, for the table; None while there are none.
         frame, frame_count, fps: of the instant and the recording.
         doing: said while it counts. message: what to do where there is nothing to count.
@@ -84,7 +86,10 @@ class CountingScene:
     tracks: tuple[str, ...] = ()
     whose: int = 0
     step_s: float = 0.5
+    least_step_s: float = 0.01
     jitter_m: float = 0.0
+    jitter_px: float = 0.0
+    jitters: tuple[bool, bool] = (True, False)
     plots: tuple[CountPlot, ...] = ()
     counts: Counts | None = None
     frame: int = 0

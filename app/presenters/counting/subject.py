@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from app.presenters.document.document import Document
 from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
-from app.presenters.document.shown import ShownTracks
-from tracking.counting import CountingLine, Counts, FlowMap, How, Region, count, flow_map
+from tracking.counting import (
+    CountingLine,
+    Counts,
+    FlowMap,
+    How,
+    Occupancy,
+    Region,
+    check_countable,
+    count,
+    flow_map,
+)
+from tracking.errors import CountingError
+from tracking.progress import Progress
 from tracking.tracks import Columns, TrackTable
 
 SHOWN = -1
@@ -47,15 +58,33 @@ class Counted:
     """What came of a subject.
 
     Attributes:
-        subject: it. counts: over its lines and in its regions.
+        subject: it. counts: over those of its lines and in those of its regions that can be
+            counted, in their order.
         flow: the flow map; None where it was not asked for.
+        left_out: the lines and regions that cannot be counted, each with why.
     """
 
     subject: Subject
     counts: Counts
     flow: FlowMap | None = None
+    left_out: tuple[tuple[Drawn, str], ...] = ()
+
+    def place_of(self, line: CountingLine) -> int | None:
+        """Which of the counted lines it is; None: it was not counted."""
+        return next((n for n, one in enumerate(self.counts.lines) if one.line == line), None)
+
+    def occupancy_of(self, region: Region) -> Occupancy | None:
+        """What was counted in a region; None: nothing was."""
+        return next((one for one in self.counts.regions if one.region == region), None)
+
+    def why_not(self, is_line: bool, name: str) -> str:
+        """Why the line or the region of this name is left out; "" where it is not."""
+        sort = CountingLine if is_line else Region
+        found = (why for one, why in self.left_out if isinstance(one, sort) and one.name == name)
+        return next(found, "")
 
 
+Drawn = CountingLine | Region
 Load = Callable[[], Columns]
 """Gives the rows of a moment; may be called on any thread."""
 
@@ -79,11 +108,7 @@ def loader(document: Document, whose: int) -> Load:
     if whose != SHOWN and session is not None:
         run = session.runs[whose]
         return lambda: run.tracks
-    tracks: ShownTracks = document.tracks
-    if isinstance(tracks, LiveTracks | ContinuedTracks):
-        return tracks.held()
-    table = session.tracks.snapshot() if session is not None else TrackTable()
-    return lambda: table.by_track(_COLUMNS)
+    return document.tracks.held(_COLUMNS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,13 +124,45 @@ class Length:
     frames: tuple[int, int]
 
 
-def worked_out(subject: Subject, load: Load, length: Length, bounds: Bounds) -> Counted:
-    """Count. Raises CountingError for what cannot be counted.
+def worked_out(
+    subject: Subject, load: Load, length: Length, bounds: Bounds, report: Progress
+) -> Counted:
+    """Count what can be counted; a line of which nothing is known leaves the others alone.
 
     Args:
         bounds: left, bottom, right and top of the floor that is worth mapping, m.
+        report: told how far it is; may raise CancelledError.
+
+    Raises:
+        CountingError: nothing can be counted so, e.g. in steps shorter than a frame.
     """
     columns, fps = load(), length.fps
-    counts = count(columns, fps, length.frame_count, subject.lines, subject.regions, subject.how)
+    report(1, 3)
+    left_out = tuple(_left_out(subject, columns))
+    without = {one for one, _ in left_out}
+    lines = [line for line in subject.lines if line not in without]
+    regions = [region for region in subject.regions if region not in without]
+    counts = count(columns, fps, length.frame_count, lines, regions, subject.how)
+    report(2, 3)
     flow = flow_map(columns, fps, length.frames, bounds=bounds) if subject.mapped else None
-    return Counted(subject, counts, flow)
+    return Counted(subject, counts, flow, left_out)
+
+
+def _left_out(subject: Subject, columns: Columns) -> Iterator[tuple[Drawn, str]]:
+    """What lies where these tracks have no places, each with why."""
+    for line in subject.lines:
+        if why := _why_not(columns, lines=(line,)):
+            yield line, why
+    for region in subject.regions:
+        if why := _why_not(columns, regions=(region,)):
+            yield region, why
+
+
+def _why_not(
+    columns: Columns, lines: tuple[CountingLine, ...] = (), regions: tuple[Region, ...] = ()
+) -> str:
+    try:
+        check_countable(columns, lines, regions)
+    except CountingError as error:
+        return str(error)
+    return ""

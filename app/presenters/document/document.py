@@ -12,7 +12,7 @@ from app.presenters.document.instants import Instants
 from app.presenters.document.selection import Selection
 from app.presenters.document.setting import Instant
 from app.presenters.document.showing import Showing
-from app.presenters.document.shown import ShownTracks
+from app.presenters.document.shown import WholeTracks
 from app.presenters.panels import EditMarks, HistoryList, track_card
 from app.presenters.parts.detector_choice import DetectorChoice, PartsAsked
 from app.presenters.parts.part_curve import LaneScore
@@ -62,7 +62,7 @@ class Document:
         return self._showing.session
 
     @property
-    def tracks(self) -> ShownTracks:
+    def tracks(self) -> WholeTracks:
         """The tracks that are shown."""
         return self._showing.tracks
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.shown import ShownTracks, Spans, joined
+from app.presenters.document.shown import ShownTracks, Spans, WholeTracks, joined
 from tracking.trackers import StepResult
 from tracking.tracks import (
     DETECTION_COLUMNS,
@@ -143,10 +143,10 @@ class LiveTracks:
         people[self._first : self._first + len(self._people)] = self._people
         return people
 
-    def held(self) -> Callable[[], Columns]:
-        """Takes hold of all rows so far; what it gives reads them, on any thread."""
+    def held(self, names: Sequence[str]) -> Callable[[], Columns]:
+        """Takes hold of all rows so far; they are read frame by frame."""
         steps = tuple(self._steps)
-        return lambda: joined([step.tracks for step in steps])
+        return lambda: joined([step.tracks for step in steps], names)
 
     def _rows(self, start: int, stop: int) -> Columns:
         low, high = (min(max(0, n - self._first), len(self._steps)) for n in (start, stop))
@@ -172,7 +172,7 @@ class ContinuedTracks:
     frame is made once, however often the tracker's part grows.
     """
 
-    def __init__(self, before: ShownTracks, frame: int, live: LiveTracks) -> None:
+    def __init__(self, before: WholeTracks, frame: int, live: LiveTracks) -> None:
         self._before, self._frame, self._live = before, frame, live
         early = {track: _until(spans, frame) for track, spans in before.spans().items()}
         self._early: dict[int, Spans] = {track: part for track, part in early.items() if len(part)}
@@ -260,15 +260,14 @@ class ContinuedTracks:
         people[: self._frame] = self._before.activity(frame_count)[: self._frame]
         return people
 
-    def held(self) -> Callable[[], Columns]:
-        """Takes hold of all rows of now; what it gives reads them, on any thread."""
-        early = [self._before.of_track(track) for track in self._early]
-        late, frame = self._live.held(), self._frame
+    def held(self, names: Sequence[str]) -> Callable[[], Columns]:
+        """Takes hold of all rows of now; they are read from the frame's both sides."""
+        early, late, frame = self._before.held(names), self._live.held(names), self._frame
 
         def read() -> Columns:
-            before = joined(early)
+            before = early()
             kept = before["frame"] < frame
-            return joined([{name: before[name][kept] for name in before}, late()])
+            return joined([{name: before[name][kept] for name in names}, late()], names)
 
         return read
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -168,6 +168,11 @@ class SessionTracks:
     def activity(self, frame_count: int) -> NDArray[np.uint16]:
         """People per frame."""
         return self._table.activity(frame_count)
+
+    def held(self, names: Sequence[str]) -> Callable[[], Columns]:
+        """Takes hold of all rows; they are read by track, then frame."""
+        table = self._table.snapshot()
+        return lambda: table.by_track(names)
 
 
 def spans_of(

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from app.presenters.correcting import Footing, Ground
 from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.document.shown import ShownTracks
+from app.presenters.document.shown import WholeTracks
 from tracking.session import Session
 from tracking.trackers import StepResult
 from tracking.tracks import Labels, TrackLabel, TrackTable
@@ -27,7 +27,7 @@ class Showing:
         self.is_live = session is None
         self._live = LiveTracks()
         self._continues_at: int | None = None
-        self.tracks: ShownTracks = self._chosen()
+        self.tracks: WholeTracks = self._chosen()
 
     @property
     def tracked_until(self) -> int:
@@ -74,7 +74,7 @@ class Showing:
         self._live, self.is_live = LiveTracks(), False
         self.tracks = self._chosen()
 
-    def _chosen(self) -> ShownTracks:
+    def _chosen(self) -> WholeTracks:
         if self.session is None:
             return self._live
         if not self.is_live:

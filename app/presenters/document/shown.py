@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Protocol
 
 import numpy as np
@@ -68,8 +68,17 @@ class ShownTracks(Protocol):
         """(frame_count,) people per frame."""
 
 
-def joined(parts: Sequence[Columns]) -> Columns:
-    """`TRACK_COLUMNS` of several tables one behind the other."""
-    if not parts:
-        return empty(TRACK_COLUMNS)
-    return {name: np.concatenate([part[name] for part in parts]) for name in TRACK_COLUMNS}
+class WholeTracks(ShownTracks, Protocol):
+    """Tracks all rows of which can be read at once, off the GUI thread too."""
+
+    def held(self, names: Sequence[str]) -> Callable[[], Columns]:
+        """Takes hold of all rows as they are now, quickly; gives what reads them on any thread.
+
+        Only the named columns are read, "frame" among them; the rows stand in no certain order.
+        """
+
+
+def joined(parts: Sequence[Columns], names: Iterable[str] = TRACK_COLUMNS) -> Columns:
+    """`TRACK_COLUMNS`, or some of them, of several tables one behind the other."""
+    none = empty(TRACK_COLUMNS)
+    return {name: np.concatenate([none[name], *(part[name] for part in parts)]) for name in names}

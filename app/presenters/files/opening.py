@@ -17,7 +17,7 @@ from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.scoring import ScoringTable, score
 from tracking.session import KnownRecordings, PendingSave, Session, generations
 from tracking.session.saving import companions
-from tracking.tracks import Run
+from tracking.tracks import Run, TrackTable
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +82,7 @@ def open_path(
     try:
         search = [recording] if recording is not None else []
         allowed = options is not None and options.allow_outside
-        found = session.open_recording(search, _known(), allow_outside=allowed)
+        found = session.open_recording(search, known_recordings(), allow_outside=allowed)
         return Opened(path, Document(found, session))
     except BaseException:
         session.close()
@@ -123,7 +123,7 @@ def _unsaved_path(recording: Recording) -> Path:
 
 def remember_place(session: Session, recording: Recording) -> None:
     """Note where the recording stands, so that the session finds it again unasked."""
-    _known().remember(session.recording, recording.folder)
+    known_recordings().remember(session.recording, recording.folder)
 
 
 def finish_save(session: Session, pending: PendingSave) -> None:
@@ -173,8 +173,10 @@ def is_unsaved_place(path: Path | None) -> bool:
     return path is None or path.parent == unsaved_folder()
 
 
-def score_against_truth(session: Session, recording: Recording, report: Progress) -> dict[str, Any]:
-    """The figures of the corrected tracks against the recording's truth.
+def score_against_truth(
+    tracks: TrackTable, recording: Recording, report: Progress
+) -> dict[str, Any]:
+    """The figures of tracks, which nobody changes meanwhile, against the recording's truth.
 
     Raises:
         FormatError: the truth cannot be read.
@@ -184,14 +186,15 @@ def score_against_truth(session: Session, recording: Recording, report: Progress
     report(0, 3)
     truth = ScoringTable.from_columns(read_mot(recording.truth_path), dont_cares=True)
     report(1, 3)
-    result = ScoringTable.from_columns(session.tracks.columns())
+    result = ScoringTable.from_columns(tracks.columns())
     report(2, 3)
     figures = score(truth, result, frames=recording.frame_count).as_json()
     report(3, 3)
     return figures
 
 
-def _known() -> KnownRecordings:
+def known_recordings() -> KnownRecordings:
+    """Where this user's recordings stood when they were opened last."""
     return KnownRecordings(own_folder())
 
 

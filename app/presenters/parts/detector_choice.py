@@ -11,8 +11,7 @@ from typing import Any
 
 from app.presenters.words import tr
 from tracking.failure import Detector, built_in_detector, load_detector
-from tracking.trackers import settings_fields, settings_from
-from tracking.trackers.three_part import occluders_as_setting
+from tracking.trackers import occluders_as_setting, settings_fields, settings_from
 from tracking.tracks import Occluder
 
 KEPT = re.compile(r"trained-[0-9a-f]+\.h5")

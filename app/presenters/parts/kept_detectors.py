@@ -14,6 +14,11 @@ def kept(detector: Detector) -> DetectorChoice:
     """
     folder = opening.own_folder() / "detectors"
     folder.mkdir(parents=True, exist_ok=True)
-    path = folder / f"trained-{detector.fingerprint}.h5"
+    path = folder / kept_name(detector)
     save_detector(path, detector)
     return DetectorChoice(str(path))
+
+
+def kept_name(detector: Detector) -> str:
+    """Its file name there."""
+    return f"trained-{detector.fingerprint}.h5"

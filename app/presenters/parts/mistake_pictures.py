@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.document import Document
-from app.presenters.files.opening import open_path
-from app.presenters.labelling.parts import parts_of
-from app.presenters.parts.training import Source
+from app.presenters.parts.taught import Source, known_box
 from app.presenters.parts.training_result import MistakeItem
-from tracking.errors import TrackwrightError
+from tracking.errors import CancelledError, TrackwrightError
 from tracking.progress import Progress
-from tracking.tracks import Box
+from tracking.recording import Recording
+from tracking.session import KnownRecordings, Session, boxes_of, parts_by_now
+from tracking.tracks import Box, Labels, Run, TrackTable
 
 Cut = tuple[NDArray[np.uint8], Box]
 """A piece of a picture, (h, w, 3) BGR, and the part's rectangle in it: left, top, width, height."""
@@ -25,76 +26,128 @@ _AROUND = 1.2
 _LEAST_PX = 48
 
 
-def cut_outs(document: Document | None, items: Sequence[MistakeItem], report: Progress) -> Cuts:
+@dataclass(frozen=True, slots=True, eq=False)
+class Here:
+    """What is open in the window, as it was when pictures were asked for.
+
+    Attributes:
+        path: of its session; None where it has none. labels, tracks, run: of it; they are asked
+            for the rectangles of tables, which have none.
+    """
+
+    recording: Recording
+    path: Path | None
+    labels: Labels
+    tracks: TrackTable
+    run: Run | None
+
+    @classmethod
+    def of(cls, recording: Recording, session: Session) -> Here:
+        """The state of now; later edits change nothing of it."""
+        tracks = session.tracks.snapshot()
+        return cls(recording, session.path, session.labels, tracks, session.corrected_run)
+
+    def box_of(self, item: MistakeItem) -> Box | None:
+        """The rectangle that a mistake is about; None where the person is gone."""
+        one = item.mistake
+        parts = parts_by_now(self.tracks, self.run, [one.track], (one.frame, one.frame + 1))
+        # The detector is wrong: what it calls failed was labelled on its part.
+        place = ((one.frame, one.track, one.part), one.failed)
+        return known_box(boxes_of([place], self.labels.parts, parts)[0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Search:
+    """How recordings that are not open are found.
+
+    Attributes:
+        known: remembers where they stand. allow_outside: outside of their session's folder, too.
+        missed: told why there are no pictures of a source.
+    """
+
+    known: KnownRecordings | None = None
+    allow_outside: bool = False
+    missed: Callable[[Source, TrackwrightError], None] = lambda *_: None
+
+
+def cut_outs(
+    here: Here | None, search: Search, items: Sequence[MistakeItem], report: Progress
+) -> Cuts:
     """The surroundings of parts; None where a recording is not found, or the person is gone.
 
     Args:
-        document: the open one; others are opened for as long as their pictures are read.
+        here: what is open; other recordings are opened for as long as their pictures are read,
+            and their sessions stay free for others.
         report: told how many are done; raises where they are not wanted any more.
     """
-    found: Cuts = {}
+    found: Cuts = dict.fromkeys(items)
+    done = 0
     for source in {id(one.source): one.source for one in items}.values():
-        own = [one for one in items if one.source is source]
-        with _opened(document, source, own[0].recording) as there:
-            for one in own:
-                report(len(found), len(items))
-                found[one] = None if there is None else cut_out(there, one)
+        own = sorted((one for one in items if one.source is source), key=lambda one: one.frame)
+        try:
+            with _footage(here, search, own[0]) as recording:
+                for number, one in enumerate(own):
+                    report(done + number, len(items))
+                    found[one] = None if recording is None else _cut_out(recording, here, one)
+        except CancelledError:
+            raise
+        except TrackwrightError as error:
+            search.missed(source, error)
+        done += len(own)
     return found
 
 
 @contextmanager
-def _opened(document: Document | None, source: Source, recording: str) -> Iterator[Document | None]:
-    """The document a source's labels are of; None where it, or its recording, is not found."""
-    if document is not None and is_of(document, source, recording):
-        yield document
-        return
-    if source.path is None or not source.fps:
+def _footage(here: Here | None, search: Search, item: MistakeItem) -> Iterator[Recording | None]:
+    """The recording of a mistake; None for a table whose recording is not open.
+
+    Raises SessionError or FormatError where the session or the recording cannot be read.
+    """
+    path = item.source.path
+    if here is not None and is_of(here.recording, here.path, item):
+        yield here.recording
+    elif path is None or not item.source.fps:
         yield None
-        return
-    try:
-        opened = open_path(source.path)
-    except TrackwrightError:
-        yield None
-        return
-    try:
-        yield opened.document
-    finally:
-        opened.close()
+    else:
+        with (
+            closing(Session.look_into(path)) as session,
+            session.open_recording(
+                known=search.known, allow_outside=search.allow_outside
+            ) as recording,
+        ):
+            yield recording
 
 
-def is_of(document: Document, source: Source, recording: str) -> bool:
-    """Whether a source's labels are of a document.
+def is_of(recording: Recording, path: Path | None, item: MistakeItem) -> bool:
+    """Whether a mistake is of a recording whose session has a path.
 
     A table names its recording; the session that was open while it was trained has no file.
     """
-    session = document.session
+    source = item.source
     if source.path is None or not source.fps:
-        return document.recording.name == recording
-    return session is not None and session.path == source.path
+        return recording.name == item.recording
+    return path == source.path
 
 
-def cut_out(document: Document, item: MistakeItem) -> Cut | None:
-    """The surroundings of a part of a document, and the part's rectangle in them."""
-    session, recording = document.session, document.recording
-    if session is None or not 0 <= item.frame < recording.frame_count:
+def _cut_out(recording: Recording, here: Here | None, item: MistakeItem) -> Cut | None:
+    """The surroundings of the rectangle that a mistake is about."""
+    box = item.box
+    if box is None and here is not None:
+        box = here.box_of(item)
+    if box is None or not 0 <= item.frame < recording.frame_count:
         return None
-    run = session.corrected_run
-    there = parts_of(session.labels, session.tracks, run, item.track, item.frame)
-    if item.part not in there:
-        return None
-    picture = recording.read(item.frame).left
-    return cut_around(picture, there[item.part][0].box)
+    return cut_around(recording.read(item.frame).left, box)
 
 
-def cut_around(picture: NDArray[np.uint8], box: Box) -> Cut | None:
-    """A square of the picture around a box, cut off at its edges; None far beside it."""
+def cut_around(picture: NDArray[np.uint8], box: Box) -> Cut:
+    """A square of the picture around a box, moved so that it lies in the picture."""
     left, top, width, height = box
-    side = max((1 + 2 * _AROUND) * max(width, height), _LEAST_PX)
-    across, down = left + width / 2 - side / 2, top + height / 2 - side / 2
     rows, columns = picture.shape[:2]
-    first, last = max(0, round(across)), min(columns, round(across + side))
-    upper, lower = max(0, round(down)), min(rows, round(down + side))
-    if last <= first or lower <= upper:
-        return None
-    piece = np.ascontiguousarray(picture[upper:lower, first:last])
+    around = round((1 + 2 * _AROUND) * max(width, height))
+    side = min(max(around, _LEAST_PX), rows, columns)
+    first, upper = (
+        min(max(round(middle - side / 2), 0), length - side)
+        for middle, length in ((left + width / 2, columns), (top + height / 2, rows))
+    )
+    piece = np.ascontiguousarray(picture[upper : upper + side, first : first + side])
     return piece, (left - first, top - upper, width, height)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
+
 from app.presenters.document.document import Document
 from app.presenters.document.setting import Instant, Pictured
 from app.presenters.labelling.labelling_scene import PictureLabels, Suggested
@@ -24,7 +26,7 @@ from app.presenters.parts.picturing import (
 )
 from app.presenters.parts.truth_labels import truth_path
 from tracking.session import ids_by_now
-from tracking.tracks import Columns, Run
+from tracking.tracks import Box, Columns, Run
 
 _NO_CURVES: tuple[PartCurve, ...] = ()
 _NO_LABELS = PictureLabels()
@@ -114,7 +116,10 @@ class PartsPresenter:
         return self._curves[1]
 
     def next_failure(self, frame: int, step: int) -> Failure | None:
-        """The next (1) or previous (-1) failure of the selected person, or of anybody."""
+        """The next (1) or previous (-1) failure of the selected person, or of anybody.
+
+        Where the selected person has no further one, it is somebody else's.
+        """
         run, session = self.run, self._document.session
         if run is None or session is None:
             return None
@@ -126,5 +131,19 @@ class PartsPresenter:
 
         track = self._document.selection.track
         found = self._failures.walk(frame, step, ids, track, self._last)
+        if found is None and track:
+            found = self._failures.walk(frame, step, ids, last=self._last)
         self._last = found or self._last
         return found
+
+    def person_box(self, frame: int, track: int) -> Box | None:
+        """Around all parts of a person, pixels as recorded; None where they have none there."""
+        rows = self._document.tracks.parts(frame)
+        mine = rows["track"] == track
+        u, v, width, height = (rows[name][mine] for name in ("cx", "cy", "width", "height"))
+        known = np.isfinite(u + v + width + height)
+        if not known.any():
+            return None
+        left, top = float((u - width / 2)[known].min()), float((v - height / 2)[known].min())
+        right, bottom = float((u + width / 2)[known].max()), float((v + height / 2)[known].max())
+        return left, top, right - left, bottom - top

@@ -59,11 +59,10 @@ def verdict_text(part: int, failed: bool, occluded: bool, score: float) -> str:
     name = part_name(part)
     if occluded:
         return tr("{part}: hidden", part=name)
-    if not math.isfinite(score):
-        judged = tr("{part}: off") if failed else tr("{part}: not judged")
-        return judged.format(part=name)
     if by_rule(failed, score):
         return tr("{part}: off, by rule", part=name)
+    if not math.isfinite(score):
+        return tr("{part}: not judged", part=name)
     said = tr("{part}: off, {score:+.2f}") if failed else tr("{part}: on, {score:+.2f}")
     return said.format(part=name, score=score)
 
@@ -127,11 +126,11 @@ def _said(name: str, curve: PartCurve, frame: int) -> str:
     at = int(np.searchsorted(curve.frames, frame))
     if at >= len(curve.frames) or curve.frames[at] != frame:
         return tr("{part}: not tracked here", part=name)
-    figures = []
-    if math.isfinite(curve.score[at]):
-        figures.append(tr("score {score:+.2f} in the run", score=curve.score[at]))
-        if by_rule(bool(curve.failed[at]), float(curve.score[at])):
-            figures.append(tr("off by rule"))
+    figures, score, failed = [], float(curve.score[at]), bool(curve.failed[at])
+    if math.isfinite(score):
+        figures.append(tr("score {score:+.2f} in the run", score=score))
+    if by_rule(failed, score):
+        figures.append(tr("off by rule"))
     if math.isfinite(curve.entropy[at]):
         figures.append(tr("entropy {entropy:.2f}", entropy=curve.entropy[at]))
     figures.append(tr("{n:.0f} particles", n=curve.particles[at]))

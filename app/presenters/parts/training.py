@@ -2,27 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from contextlib import closing
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 
 from app.presenters.parts.picturing import part_name
-from app.presenters.words import counted, tr
+from app.presenters.words import tr
 from tracking.failure import (
     FALSE_ALARMS,
     Samples,
     Trained,
     TrainingPlan,
-    joined,
-    told_apart,
     train,
 )
 from tracking.failure.training.questions import LEAST_PEOPLE, LEAST_SAMPLES
-from tracking.formats import samples_at
-from tracking.session import Session, session_samples
 from tracking.setting import setting
 from tracking.tracks import PART_NAMES
 
@@ -64,61 +58,6 @@ class SettingsOfTraining:
     """What a form is made from."""
 
     settings_type: type = TrainingSettings
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Source:
-    """Where labels come from: a session, or a table of samples.
-
-    Attributes:
-        title: for people. path: of the file; None for the open session. samples: its labels.
-        footage: tells recordings of one name apart; "" for a table.
-        recording: its name; "" for a table, which names its own. fps: 0: not known.
-    """
-
-    title: str
-    path: Path | None
-    samples: Samples
-    footage: str
-    recording: str = ""
-    fps: float = 0.0
-
-    @property
-    def said(self) -> str:
-        """The source in words."""
-        words = counted(len(self.samples), "{n} sample", "{n} samples")
-        return f"{self.title}: {words}"
-
-
-def source_at(path: Path) -> Source:
-    """The labels of a session file, or samples that were exported from one (CSV or HDF5).
-
-    Raises SessionError or FormatError where it is neither or cannot be read.
-    """
-    exported = samples_at(path)
-    if exported is not None:
-        return Source(path.name, path, exported, "")
-    with closing(Session.open(path)) as session:
-        seen = session.recording
-        title = f"{seen.name} ({path.name})"
-        return Source(title, path, session_samples(session), seen.footage, seen.name, seen.fps)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Taught:
-    """What a detector learns from.
-
-    Attributes:
-        samples: of all `sources`, one source's after the other's.
-    """
-
-    samples: Samples
-    sources: tuple[Source, ...]
-
-    def source_of(self, sample: int) -> Source:
-        """Where a row of the samples comes from."""
-        ends = np.cumsum([len(one.samples) for one in self.sources])
-        return self.sources[int(np.searchsorted(ends, sample, "right"))]
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,12 +104,6 @@ def _missing(on: int, off: int, people_on: int, people_off: int) -> str:
         who = tr(" and ").join(few)
         said.append(tr("{who}: of {n} people or more", who=who, n=LEAST_PEOPLE))
     return "; ".join(said)
-
-
-def taught_by(sources: Sequence[Source]) -> Taught:
-    """The samples of several sources, different recordings under different names."""
-    apart = told_apart((one.samples, one.footage, one.title) for one in sources)
-    return Taught(joined(apart), tuple(sources))
 
 
 def trained_from(samples: Samples, settings: TrainingSettings, report: Report) -> Trained:

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.parts.picturing import part_name
-from app.presenters.parts.training import Source, Taught
+from app.presenters.parts.taught import Source, Taught
 from app.presenters.words import time_text, tr
 from tracking.failure import Curve, Detector, Trained
 from tracking.failure.training import Mistake
-from tracking.tracks import PART_NAMES
+from tracking.tracks import PART_NAMES, Box
 
 Floats = NDArray[np.float64]
 
@@ -68,19 +68,34 @@ class MistakeItem:
     """Something the detector is wrong about, worth a look.
 
     Attributes:
-        source: where the label comes from. recording: its name. frame, track, part: where to look.
+        source: where the label comes from. recording: its name. mistake: what is wrong and where.
+        box: the rectangle that was judged; None where the source does not say.
         title: e.g. "head of 3". said: what is wrong, in words. when: e.g. "00:01.70"; "" where
             it is not known how fast the recording is.
     """
 
     source: Source
     recording: str
-    frame: int
-    track: int
-    part: int
+    mistake: Mistake
+    box: Box | None
     title: str
     said: str
     when: str
+
+    @property
+    def frame(self) -> int:
+        """Where to look."""
+        return self.mistake.frame
+
+    @property
+    def track(self) -> int:
+        """Whose part it is."""
+        return self.mistake.track
+
+    @property
+    def part(self) -> int:
+        """Which part it is."""
+        return self.mistake.part
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -245,4 +260,5 @@ class TrainingResult:
         source = self.taught.source_of(one.sample)
         when = time_text(one.frame / source.fps) if source.fps else ""
         recording = source.recording or one.recording
-        return MistakeItem(source, recording, one.frame, one.track, one.part, title, said, when)
+        box = self.taught.box_of(one.sample)
+        return MistakeItem(source, recording, one, box, title, said, when)

@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 
 from app.presenters.document.setting import Instant, Pictured
 from app.presenters.palette import colours_of_tracks
+from app.presenters.pictures.of_run import settings_of
 from app.presenters.pictures.overhead import relative_weights
 from app.presenters.scenes import Colour
 from app.presenters.words import tr
 from tracking.geometry import View
-from tracking.trackers.flow import kernel_sizes
-from tracking.trackers.flow.settings import ClusterSettings
+from tracking.trackers.flow import FlowSettings, kernel_rectangles
 from tracking.trackers.spheroid import SpheroidSettings, outlines, region_of_evaluation
-from tracking.tracks import Columns
+from tracking.tracks import Columns, Run
 
 Rgba = NDArray[np.uint8]
 Floats = NDArray[np.float64]
@@ -32,12 +32,12 @@ _SUBPIXEL = 3
 """Bits of a pixel's fraction that OpenCV takes."""
 _FARTHEST_PX = 20_000
 _REGION_COLOUR: Colour = (240, 228, 66)
-_CLUSTERS = ClusterSettings()
-_USUAL_M = SpheroidSettings().usual_height_m
 
 
 class BodyPainter:
     """Paints outlines of hypotheses, a region of evaluation, tracklets and a kernel.
+
+    All are drawn as the run had them that is shown.
 
     Args:
         view: the camera over its floor; None: nothing but tracklets can be painted.
@@ -61,13 +61,13 @@ class BodyPainter:
 
     def _paint(self, instant: Instant, pictured: Pictured, below: Rgba) -> None:
         """Paint what is asked for; colours are multiplied by their opacity, see `_ink`."""
-        if self._view is not None and pictured.evaluation and instant.selected:
+        if self._view is not None and pictured.evaluation and _has_regions(instant.run):
             self._paint_region(self._view, instant, below)
         if self._view is not None and pictured.outlines:
             self._paint_outlines(self._view, instant, below)
         if pictured.tracklets:
             _paint_tracklets(instant, below)
-            if self._view is not None and instant.selected:
+            if self._view is not None and _has_kernels(instant):
                 self._paint_kernel(self._view, instant, below)
 
     def _paint_outlines(self, view: View, instant: Instant, below: Rgba) -> None:
@@ -79,15 +79,18 @@ class BodyPainter:
             rows = rows[particles["track"] == instant.selected]
         if len(rows) > _MOST_OUTLINES:
             rows = rows[np.argsort(weights[rows], kind="stable")[-_MOST_OUTLINES:]]
-        heights = _heights(instant)
+        settings = settings_of(instant.run, "spheroid", SpheroidSettings)
         tracks = particles["track"][rows]
-        tall = np.array([heights.get(track, _USUAL_M) for track in tracks.tolist()])
+        tall = _heights(instant, tracks, settings)
         xy = np.column_stack((particles["x"][rows], particles["y"][rows])).astype(np.float64)
-        drawn = outlines(view, xy, tall, points=_POINTS)
+        drawn = outlines(view, xy, tall, settings.radius_m, _POINTS)
         _stroke(below, drawn, colours_of_tracks(tracks), weights[rows])
 
     def _paint_region(self, view: View, instant: Instant, below: Rgba) -> None:
-        """Where the selected person's hypotheses are judged; what the others cover is left out."""
+        """Where a hypothesis at the selected person's place is judged, less what others cover.
+
+        As published ([Waechter2013] eq. 2): only runs with the setting `paper` have one.
+        """
         rows = instant.tracks.of_frame(instant.frame)
         xy = np.column_stack((rows["x"], rows["y"])).astype(np.float64)
         known = np.isfinite(xy).all(axis=1)
@@ -95,10 +98,16 @@ class BodyPainter:
         others = known & ~own
         if not own.any():
             return
-        heights = _heights(instant)
-        tall = np.array([heights.get(track, _USUAL_M) for track in rows["track"].tolist()])
+        settings = settings_of(instant.run, "spheroid", SpheroidSettings)
+        tall = _heights(instant, rows["track"], settings)
         region = region_of_evaluation(
-            view, xy[own][0], float(tall[own][0]), xy[others], tall[others]
+            view,
+            xy[own][0],
+            float(tall[own][0]),
+            xy[others],
+            tall[others],
+            settings.radius_m,
+            scale=settings.region_scale,
         )
         inside = np.zeros(below.shape[:2], np.uint8)
         cv2.fillPoly(inside, _fixed(region.outline[None]), 255, cv2.LINE_8, _SUBPIXEL)
@@ -109,20 +118,23 @@ class BodyPainter:
         cv2.polylines(below, _fixed(region.outline[None]), True, edge, 2, cv2.LINE_AA, _SUBPIXEL)
 
     def _paint_kernel(self, view: View, instant: Instant, below: Rgba) -> None:
-        """The rectangle that mean shift gathers the selected person's tracklets with."""
+        """The rectangle in which mean shift gathers tracklets round the selected person's middle.
+
+        A run that holds tracklets gathers so only those that are nobody's yet.
+        """
+        clusters = settings_of(instant.run, "flow", FlowSettings).clusters
         rows = instant.tracks.of_frame(instant.frame)
         own = rows["track"] == instant.selected
         if not own.any():
             return
-        middle = np.array([[rows["x"][own][0], rows["y"][own][0], _CLUSTERS.centre_m]])
+        middle = np.array([[rows["x"][own][0], rows["y"][own][0], clusters.centre_m]])
         pixel = view.pixel_from_world(middle)
-        size = kernel_sizes(view, pixel)
-        if not np.isfinite((*pixel[0], *size[0])).all():
+        corners = kernel_rectangles(view, pixel, clusters)
+        if not np.isfinite(corners).all():
             return
-        corners = pixel + np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * size / 2
         white = _ink((255, 255, 255), _STRONGEST)
         for shade, width in ((_ink((0, 0, 0), _EDGE_ALPHA), 4), (white, 2)):
-            cv2.polylines(below, _fixed(corners[None]), True, shade, width, cv2.LINE_AA, _SUBPIXEL)
+            cv2.polylines(below, _fixed(corners), True, shade, width, cv2.LINE_AA, _SUBPIXEL)
 
 
 def why_nothing(instant: Instant, name: str) -> str:
@@ -132,17 +144,35 @@ def why_nothing(instant: Instant, name: str) -> str:
         return tr("No points are followed here: track with flow (Ctrl+T) to see tracklets")
     if name == "outlines" and not len(tracks.particles(frame)["track"]):
         return tr("No hypotheses here: track with spheroid, or two eyes (Ctrl+T), to see them")
+    if name == "evaluation" and not _has_regions(instant.run):
+        return tr("No regions here: only spheroid with its setting paper judges in them (Ctrl+T)")
     if name == "evaluation" and not instant.selected:
         return tr("Click a person to see where their hypotheses are judged")
     return ""
 
 
-def _heights(instant: Instant) -> dict[int, float]:
-    """The body heights that the tracker has estimated of the frame's people, m."""
+def _has_regions(run: Run | None) -> bool:
+    """Whether a run's hypotheses were judged in regions of evaluation: as published."""
+    if run is None or run.tracker != "spheroid":
+        return False
+    return settings_of(run, "spheroid", SpheroidSettings).paper
+
+
+def _has_kernels(instant: Instant) -> bool:
+    """Whether tracklets are gathered by mean shift here."""
+    if instant.run is None:
+        return bool(len(instant.tracks.tracklets(instant.frame)["track"]))
+    return instant.run.tracker == "flow"
+
+
+def _heights(instant: Instant, tracks: NDArray[np.int32], settings: SpheroidSettings) -> Floats:
+    """(n,) m of the bodies of tracks (n,): as estimated, else as newcomers'."""
     rows = instant.tracks.signals(instant.frame)
     known = np.isfinite(rows["height_m"])
-    tracks, heights = rows["track"][known].tolist(), rows["height_m"][known].tolist()
-    return dict(zip(tracks, heights, strict=True))
+    estimated = dict(
+        zip(rows["track"][known].tolist(), rows["height_m"][known].tolist(), strict=True)
+    )
+    return np.array([estimated.get(track, settings.newcomer_m) for track in tracks.tolist()])
 
 
 def _paint_tracklets(instant: Instant, below: Rgba) -> None:

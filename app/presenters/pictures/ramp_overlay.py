@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.pictures.colour_scales import INFERNO
+from app.presenters.pictures.of_run import settings_of
 from app.presenters.pictures.overlays import Kinds
 from app.presenters.scenes import LegendEntry
 from app.presenters.words import tr
-from tracking.errors import CalibrationError, SettingsError
+from tracking.errors import CalibrationError
 from tracking.pipeline import background_samples
 from tracking.recording import Recording, StereoFrame
-from tracking.trackers import settings_from
 from tracking.trackers.spheroid import SpheroidPerception, SpheroidSettings, ramp_picture
 from tracking.tracks import Run
 
@@ -40,7 +40,7 @@ class RampPainter:
                 f"{recording.name}: the ramp image needs a calibrated camera and the floor; add "
                 "[calibration] and [ground] to recording.toml"
             )
-        settings = _settings(run)
+        settings = settings_of(run, "spheroid", SpheroidSettings)
         self._recording = recording
         self._perception = SpheroidPerception(
             recording.fps, recording.view, settings.foreground, settings.ramp
@@ -68,15 +68,3 @@ class RampPainter:
         """What the colours mean."""
         said = ((1.0, tr("foreground")), (0.5, tr("doubtful")), (0.0, tr("background")))
         return tuple(LegendEntry(INFERNO.colour(share), text) for share, text in said)
-
-
-def _settings(run: Run | None) -> SpheroidSettings:
-    """Those of a run of spheroids; else the usual ones."""
-    if run is None or run.tracker != "spheroid":
-        return SpheroidSettings()
-    try:
-        found = settings_from(SpheroidSettings, run.settings)
-    except SettingsError:
-        return SpheroidSettings()  # made by another version, whose settings were others
-    assert isinstance(found, SpheroidSettings)
-    return found

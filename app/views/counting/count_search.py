@@ -8,19 +8,21 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.background import Job
 from app.presenters.counting.subject import Counted, Subject
+from tracking.progress import Progress
 
-Work = Callable[[], Counted]
+Work = Callable[[Progress], Counted]
 _QUIET_MS = 80
 
 
 class CountSearch(QObject):
     """Works one subject out at a time; asked for another meanwhile, it goes on with the newest.
 
-    Signals: `counted(Counted)`; `failed(error)`; `changed()`, it is busy or at rest by now.
+    Signals: `counted(Counted)`; `failed(subject, error)`; `changed()`, it is busy or at rest
+    by now.
     """
 
     counted = Signal(object)
-    failed = Signal(object)
+    failed = Signal(object, object)
     changed = Signal()
 
     def __init__(self, prepare: Callable[[Subject], Work], parent: QObject) -> None:
@@ -48,13 +50,13 @@ class CountSearch(QObject):
             self.changed.emit()
 
     def stop(self) -> None:
-        """Count no further."""
+        """Count no further; what is in work ends by itself, and nobody is told."""
         self._waiting.stop()
         self._asked = None
         if self._job is not None:
             job, self._job = self._job, None
             job.blockSignals(True)
-            job.wait()
+            job.cancel()
             job.deleteLater()
 
     def _begin(self) -> None:
@@ -63,9 +65,9 @@ class CountSearch(QObject):
             return
         self._begun = subject
         work = self._prepare(subject)
-        self._job = job = Job("counting", lambda _: work(), self)
+        self._job = job = Job("counting", work, self)
         job.done.connect(lambda result: self._end(lambda: self.counted.emit(result)))
-        job.failed.connect(lambda error: self._end(lambda: self.failed.emit(error)))
+        job.failed.connect(lambda error: self._end(lambda: self.failed.emit(subject, error)))
         job.start()
 
     def _end(self, tell: Callable[[], None]) -> None:

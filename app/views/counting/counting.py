@@ -38,13 +38,14 @@ class Counting(QObject):
         self._search.counted.connect(self._take)
         self._search.failed.connect(self._refuse)
         self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
-        counting, panel = self, workspace.counting
+        panel = workspace.counting
         panel.frame_sought.connect(playback.go)
-        panel.picked.connect(counting._pick)
-        panel.whose_chosen.connect(counting._choose_whose)
-        panel.step_chosen.connect(counting._choose_step)
-        panel.jitter_chosen.connect(counting._choose_jitter)
-        panel.copied.connect(counting._tell_copied)
+        panel.picked.connect(self._pick)
+        panel.whose_chosen.connect(self._choose_whose)
+        panel.step_chosen.connect(self._choose_step)
+        panel.jitter_chosen.connect(self._choose_jitter)
+        panel.jitter_px_chosen.connect(self._choose_jitter_px)
+        panel.copied.connect(self._tell_copied)
 
     def close(self) -> None:
         """End the thread; leave nothing on the views, which outlive the document."""
@@ -58,8 +59,13 @@ class Counting(QObject):
         counted = self.presenter.counted
         return counted.counts if counted is not None else None
 
-    def draw(self, instant: Instant, pictured: Pictured) -> Told:
-        """Show an instant, what is missing for it is counted; gives what to write at what lies."""
+    def work(self) -> Work | None:
+        """Counts the tracks of now anew, on any thread; None where nothing is drawn."""
+        subject = self.presenter.wanted(mapped=False)
+        return None if subject.is_empty else self._prepare(subject)
+
+    def draw(self, instant: Instant, pictured: Pictured) -> None:
+        """Show an instant; what is missing for it is counted."""
         subject = self.presenter.wanted(mapped=pictured.flow_map)
         if pictured.counts or pictured.counting or pictured.flow_map:
             self._ask(subject)
@@ -67,6 +73,9 @@ class Counting(QObject):
         doing = tr("Counting...") if self._search.busy else ""
         panel = self.presenter.scene(instant, doing) if pictured.counting else None
         self._workspace.counting.show_scene(panel)
+
+    def texts_at(self, instant: Instant, pictured: Pictured) -> Told:
+        """Gives what to write at lines and regions in an instant."""
         if not pictured.counts:
             return lambda *_: ""
         return cache(partial(self.presenter.said_of, instant))
@@ -81,13 +90,13 @@ class Counting(QObject):
         load, recording = loader(document, subject.whose), document.recording
         length = Length(recording.fps, recording.frame_count, self.presenter.frames)
         bounds = document.overhead.bounds
-        return lambda: worked_out(subject, load, length, bounds)
+        return lambda report: worked_out(subject, load, length, bounds, report)
 
     def _take(self, found: Counted) -> None:
         self.presenter.take(found)
 
-    def _refuse(self, error: Exception) -> None:
-        self.presenter.refuse(error)
+    def _refuse(self, subject: Subject, error: Exception) -> None:
+        self.presenter.refuse(subject, error)
 
     # choices
 
@@ -105,6 +114,10 @@ class Counting(QObject):
 
     def _choose_jitter(self, jitter_m: float) -> None:
         self.presenter.choice.how = replace(self.presenter.choice.how, jitter_m=jitter_m)
+        self.changed.emit()
+
+    def _choose_jitter_px(self, jitter_px: float) -> None:
+        self.presenter.choice.how = replace(self.presenter.choice.how, jitter_px=jitter_px)
         self.changed.emit()
 
     def _tell_copied(self, steps: int) -> None:

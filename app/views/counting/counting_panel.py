@@ -21,7 +21,7 @@ from app.views.counting.tally_list import TallyList
 from app.views.look.icons import IconButton
 from app.views.widgets.parts import Panel, quiet
 
-_LONGEST_STEP_S, _WIDEST_JITTER_M = 3600.0, 5.0
+_LONGEST_STEP_S, _WIDEST_JITTER_M, _WIDEST_JITTER_PX = 3600.0, 5.0, 500.0
 
 
 class CountingPanel(Panel):
@@ -30,7 +30,7 @@ class CountingPanel(Panel):
     Signals:
         frame_sought(int): a click into a plot or on a step. closed(): the button at the right.
         picked(bool, str): what is to be plotted. whose_chosen(int): the number of the tracks.
-        step_chosen(float), jitter_chosen(float): seconds, metres.
+        step_chosen(float), jitter_chosen(float), jitter_px_chosen(float): seconds, metres, pixels.
         copied(int): so many steps are on the clipboard. save_asked(): as CSV.
     """
 
@@ -40,6 +40,7 @@ class CountingPanel(Panel):
     whose_chosen = Signal(int)
     step_chosen = Signal(float)
     jitter_chosen = Signal(float)
+    jitter_px_chosen = Signal(float)
     copied = Signal(int)
     save_asked = Signal()
 
@@ -84,9 +85,19 @@ class CountingPanel(Panel):
             _WIDEST_JITTER_M,
             " m",
         )
-        for spin in (self._step, self._jitter):
-            line.addWidget(quiet(spin.accessibleName(), self))
-            line.addWidget(spin)
+        self._jitter_px = self._number(
+            self.tr("Jitter in the picture"),
+            self.tr("Passing to and fro within this distance of a line in the picture is none"),
+            _WIDEST_JITTER_PX,
+            " px",
+        )
+        self._jitter_px.setDecimals(1)
+        self._jitter_px.setSingleStep(1.0)
+        line.addWidget(quiet(self.tr("Step"), self))
+        line.addWidget(self._step)
+        line.addWidget(quiet(self.tr("Jitter"), self))
+        line.addWidget(self._jitter)
+        line.addWidget(self._jitter_px)
         return line
 
     def _add_buttons(self) -> None:
@@ -125,6 +136,7 @@ class CountingPanel(Panel):
         self._whose.activated.connect(self.whose_chosen)
         self._step.valueChanged.connect(self.step_chosen)
         self._jitter.valueChanged.connect(self.jitter_chosen)
+        self._jitter_px.valueChanged.connect(self.jitter_px_chosen)
         self._as_table.toggled.connect(self._turn)
         self._copy.clicked.connect(lambda: self.copied.emit(self.table.copy()))
         self._save.clicked.connect(self.save_asked)
@@ -152,14 +164,15 @@ class CountingPanel(Panel):
             self._whose.clear()
             self._whose.addItems(list(scene.tracks))
         self._whose.setCurrentIndex(scene.whose)
-        self._step.blockSignals(True)
-        self._jitter.blockSignals(True)
-        self._step.setMinimum(1 / scene.fps)
-        if not self._step.hasFocus():
-            self._step.setValue(scene.step_s)
-        if not self._jitter.hasFocus():
-            self._jitter.setValue(scene.jitter_m)
-        self._step.blockSignals(False)
-        self._jitter.blockSignals(False)
+        for spin, shown in zip((self._jitter, self._jitter_px), scene.jitters, strict=True):
+            spin.setVisible(shown)
+        values = (scene.step_s, scene.jitter_m, scene.jitter_px)
+        for spin, value in zip((self._step, self._jitter, self._jitter_px), values, strict=True):
+            blocked = spin.blockSignals(True)
+            if spin is self._step:
+                spin.setMinimum(scene.least_step_s)
+            if not spin.hasFocus():
+                spin.setValue(value)
+            spin.blockSignals(blocked)
         for button in (self._copy, self._save):
             button.setEnabled(scene.counts is not None and bool(scene.rows))

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from app.presenters.counting.counting_scene import CountCurve, CountingScene, CountPlot
 from app.views.look.theme import Theme
 from app.views.pictures.name_plates import draw_message
-from app.views.timeline.curves import curve_path, span_of
+from app.views.timeline.curves import curve_path, whole_span
 from app.views.timeline.frame_plot import FramePlot
 
 _GAP_PX = 8.0
@@ -67,7 +67,7 @@ class CountsPlot(FramePlot):
 
     def _draw_plot(self, painter: QPainter, plot: CountPlot, place: QRectF, theme: Theme) -> None:
         painter.fillRect(place, theme.sunken)
-        high = max(span_of([curve.values for curve in plot.curves], (0.0, plot.high))[1], plot.high)
+        _, high = whole_span([curve.values for curve in plot.curves], (0.0, plot.high))
         self._name_plot(painter, plot, place, high, theme)
         painter.save()
         painter.setClipRect(place.adjusted(0, -1, 0, 1))

@@ -206,7 +206,8 @@ class Desk(QObject):
         if self.eyes == "both":
             view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
         view.overhead.show_scene(document.overhead.scene(instant))
-        counted = self.counting.draw(instant, self.pictured)
+        self.counting.draw(instant, self.pictured)
+        counted = self.counting.texts_at(instant, self.pictured)
         self.labelling.draw(self.eyes == "both", self.pictured.labels, counted)
         self.parts.draw(instant, self.pictured)
         self.drawn.emit()

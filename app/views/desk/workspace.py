@@ -177,10 +177,13 @@ class Workspace(QWidget):
     def focus_next_pane(self) -> None:
         """Give the keyboard to the next part that is shown, and lay a ring around it.
 
-        Picture, floor, queue, card, history, timeline; a list among them can be walked then.
+        Pictures, floor, curves, counting, labelling, compared, queue, card, history, timeline; a
+        list among them can be walked then.
         """
-        lists = (self.review, self.card, self.history)
-        every = (self.left, self.overhead, *lists, self.differences, self.timeline)
+        lists = (self.counting, self.review, self.card, self.history)
+        views = (self.left, self.right, self.overhead, self.curves, self.counting)
+        above, side = (self.labelling, self.compare), (self.review, self.card, self.history)
+        every = (*views, *above, *side, self.differences, self.timeline)
         panes = [pane for pane in every if pane.isVisible()]
         now = QApplication.focusWidget()
         inside = [now is not None and (now is pane or pane.isAncestorOf(now)) for pane in panes]

@@ -9,16 +9,17 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from app.presenters.counting.subject import Counted
 from app.presenters.document.document import Document
 from app.presenters.files import opening
-from app.presenters.files.exporting import exported_tracks
 from app.presenters.words import tr
 from app.views.runs.score_dialog import ScoreDialog
 from app.views.widgets.questions import choose_new_file
 from app.views.widgets.work import Work
-from tracking.counting import Counts, write_counts
+from tracking.counting import write_counts
 from tracking.editing import History
-from tracking.formats import write_mot
+from tracking.errors import CountingError
+from tracking.formats import as_truth, write_mot
 from tracking.progress import Progress
 from tracking.session import Session, write_log_csv, write_log_json
 
@@ -55,8 +56,10 @@ class Exporting(QObject):
         if session is None:
             return
 
+        tracks = session.tracks.snapshot()  # what is edited meanwhile is not in it
+
         def work(report: Progress) -> None:
-            rows = exported_tracks(session)
+            rows = as_truth(tracks.columns())
             report(1, 2)  # the last moment to cancel: what is written is whole
             write_mot(path, rows)
 
@@ -77,16 +80,17 @@ class Exporting(QObject):
     def ask_counts(self) -> None:
         """Ask for a place and write what is counted, step by step; told where nothing is."""
         desk = self._window.desk
-        counts = desk.counting.counts if desk is not None else None
-        if counts is None or not (counts.lines or counts.regions):
+        if desk is None or desk.counting.work() is None:
             self.said.emit(tr("Nothing is counted: draw a line (Alt+3) or a region (Alt+4) first"))
             return
-        write = partial(self.counts_to, counts)
-        self._ask(tr("Export counts"), "counts.csv", "CSV (*.csv)", write)
+        self._ask(tr("Export counts"), "counts.csv", "CSV (*.csv)", self.counts_to)
 
-    def counts_to(self, counts: Counts, path: Path) -> None:
-        """Write counts as CSV."""
-        self._write(path, lambda report: _written(counts, path, report))
+    def counts_to(self, path: Path) -> None:
+        """Count the tracks of now and write that as CSV."""
+        desk = self._window.desk
+        counting = desk.counting.work() if desk is not None else None
+        if counting is not None:
+            self._write(path, lambda report: _written(counting(report), path))
 
     def score(self) -> None:
         """Compare with the truth beside the recording and show the figures."""
@@ -96,7 +100,7 @@ class Exporting(QObject):
         recording = desk.document.recording
         self._work.run(
             tr("Scoring"),
-            partial(opening.score_against_truth, session, recording),
+            partial(opening.score_against_truth, session.tracks.snapshot(), recording),
             lambda figures: ScoreDialog(figures, recording.name, self._window).open(),
         )
 
@@ -108,12 +112,20 @@ class Exporting(QObject):
 
     def _write(self, path: Path, work: Callable[[Progress], object]) -> None:
         title, told = tr("Exporting {name}", name=path.name), tr("Exported: {path}", path=path)
-        self._work.run(title, work, lambda _: self.said.emit(told))
+        done = lambda left: self.said.emit(f"{told}. {left}" if left else told)  # noqa: E731
+        self._work.run(title, work, done)
 
 
-def _written(counts: Counts, path: Path, report: Progress) -> None:
-    report(1, 2)  # the last moment to cancel: what is written is whole
+def _written(counted: Counted, path: Path) -> str:
+    """Write what could be counted; gives what was left out and why.
+
+    Raises CountingError where nothing could be counted.
+    """
+    counts, left_out = counted.counts, " ".join(why for _, why in counted.left_out)
+    if not (counts.lines or counts.regions):
+        raise CountingError(left_out)
     write_counts(path, counts)
+    return left_out
 
 
 def beside(document: Document, name: str) -> Path:

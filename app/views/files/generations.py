@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Job
+from app.presenters.explaining import explain
 from app.presenters.files.generations import older_states, what_differs
 from app.presenters.words import tr
 from app.views.files.generations_dialog import GenerationsDialog
@@ -87,7 +88,7 @@ class OlderStates(QObject):
         path, now, entries = session.path, session.tracks.snapshot(), session.history.entries
         job = Job("older state", partial(what_differs, path, number, now, entries), self)
         job.done.connect(lambda lines: dialog.show_differences(number, lines))
-        job.failed.connect(lambda error: dialog.show_differences(number, (str(error),)))
+        job.failed.connect(lambda error: dialog.show_differences(number, (explain(error),)))
         self._looking = job
         job.start()
 

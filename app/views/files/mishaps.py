@@ -44,7 +44,7 @@ class Mishaps(QObject):
         session = self._opening
         if isinstance(error, RecordingMissing) and session is not None:
             find = partial(self._find, session)
-            self._window.notice.say(str(error), tr("Find it..."), find, is_error=True)
+            self._window.notice.say(error.reason, tr("Find it..."), find, is_error=True)
         elif isinstance(error, SessionError) and session is not None and generations(session):
             take = tr("Open the copy saved before")
             older = partial(self._open_older, session)

@@ -38,20 +38,32 @@ class PartsLayer(Layer):
         self._marks: tuple[PartMark, ...] = ()
         self._chosen = 0
         self._held: tuple[int, Sides, QRectF] | None = None  # part, sides, box before
-        self._pressed = QPointF()
+        self._pressed, self._viewport = QPointF(), canvas.viewport  # since when the view is still
+        self._from = QRectF()  # where the box was then
         self._box = QRectF()
 
     def show_parts(self, marks: Sequence[PartMark], chosen: int) -> None:
         """The rectangles there are, in the left eye; a click beside them draws the chosen one."""
         self._marks, self._chosen = tuple(marks), chosen
+        if self._held is not None and not self._still_there():
+            self._held = None
         self.update()
+
+    def _still_there(self) -> bool:
+        """Whether what is held is as it was: another frame or person has its parts elsewhere.
+
+        Dropped there, it would be put far from the part.
+        """
+        assert self._held is not None
+        part, _, before = self._held
+        now = (QRectF(*mark.box) for mark in self._marks if mark.part == part)
+        return before.isEmpty() or before in now
 
     def mousePressEvent(self, event: QMouseEvent) -> None:  # noqa: N802 - Qt's name
         """Take hold of a rectangle or one of its sides, else begin a new one."""
         if event.button() is not Qt.MouseButton.LeftButton:
             event.ignore()
             return
-        self._pressed = event.position()
         hit = self._hit(event.position())
         if hit is None:
             corner = QPointF(*self.place(event.position()))
@@ -60,6 +72,7 @@ class PartsLayer(Layer):
             mark, sides = hit
             self._held = (mark.part, sides, QRectF(*mark.box))
         self._box = QRectF(self._held[2])
+        self._regrip(event.position())
         self.update()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802
@@ -71,11 +84,16 @@ class PartsLayer(Layer):
             hit = self._hit(event.position())
             self.setCursor(_cursor(None if hit is None else hit[1]))
             return
-        _, sides, before = self._held
+        _, sides, _ = self._held
+        if self.canvas.viewport != self._viewport:
+            self._regrip(event.position())
         moved = event.position() - self._pressed
-        scale = self.canvas.viewport.scale
-        self._box = _stretched(before, sides, moved / scale)
+        self._box = _stretched(self._from, sides, moved / self._viewport.scale)
         self.update()
+
+    def _regrip(self, at: QPointF) -> None:
+        """Go on from where the box is, also where the view shifted under the pointer."""
+        self._viewport, self._pressed, self._from = self.canvas.viewport, at, QRectF(self._box)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:  # noqa: N802
         """Take what was drawn; what did not move was a click."""

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.background import Job, Progress
 from app.presenters.document.document import Document
+from app.presenters.explaining import explain
 from app.presenters.labelling.labelling_scene import LabellingScene, Suggested, Tool
 from app.presenters.labelling.suggesting import SuggestionQueue
 from app.presenters.parts.suggestions import suggestions_for
@@ -90,7 +91,7 @@ class Suggesting(QObject):
 
     def _tell(self, error: Exception) -> None:
         self._drop()
-        self._problem = str(error)
+        self._problem = explain(error)
         self.changed.emit()
 
     def _drop(self) -> None:

@@ -109,7 +109,9 @@ class SuggestionsList(QWidget):
         if found is None:
             return
         left = self.tr("{0} left  (N, P)").format(len(found)) if found else ""
-        self._title.setText(self.tr("Least sure first") + (f"   {left}" if left else ""))
+        self._title.setText(
+            self.tr("Least sure first, parts in turn") + (f"   {left}" if left else "")
+        )
         self._told.setText(scene.doing)
         self._told.setVisible(bool(scene.doing))
         self._model.take(found)

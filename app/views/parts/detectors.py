@@ -10,15 +10,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document.document import Document
+from app.presenters.files.opening import known_recordings
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
-from app.presenters.parts.kept_detectors import kept
-from app.presenters.parts.mistake_pictures import cut_outs, is_of
-from app.presenters.parts.training import (
-    Source,
-    Taught,
-    TrainingSettings,
-    trained_from,
-)
+from app.presenters.parts.kept_detectors import kept, kept_name
+from app.presenters.parts.mistake_pictures import Here, Search, cut_outs, is_of
+from app.presenters.parts.taught import Source, Taught, with_labels
+from app.presenters.parts.training import TrainingSettings, trained_from
 from app.presenters.parts.training_result import MistakeItem, TrainingResult
 from app.presenters.parts.truth_labels import plan_truth_labels
 from app.presenters.words import tr
@@ -31,10 +28,9 @@ from app.views.widgets.remembered import Remembered
 from app.views.widgets.work import Work
 from tracking.editing import Change
 from tracking.errors import TrackwrightError
-from tracking.failure import Trained, load_detector, save_detector
+from tracking.failure import Trained, load_detector, no_samples, save_detector
 from tracking.recording import Recording
 from tracking.session import Session
-from tracking.session.samples import samples_from
 
 if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow
@@ -60,6 +56,8 @@ class Detectors(QObject):
         self._window, self._work, self._remembered = window, work, remembered
         self.choice = known_choice(remembered.text(_REMEMBERED))
         self.result: TrainingResult | None = None
+        self._saved: tuple[str, DetectorChoice] = ("", DetectorChoice())  # fingerprint, where
+        self._learnt: tuple[Path, ...] = ()
         self._dialog: ResultDialog | None = None
 
     def begin(self, desk: Desk) -> None:
@@ -84,7 +82,9 @@ class Detectors(QObject):
         here = None
         if document is not None and session is not None:
             here = _labels_here(session, document.recording)
-        dialog = TrainDialog(here, self._window)
+        own = session.path if session is not None else None
+        before = [path for path in self._learnt if path != own and path.is_file()]
+        dialog = TrainDialog(here, before, self._window)
         dialog.accepted.connect(lambda: self._begin(dialog))
         dialog.open()
 
@@ -97,7 +97,11 @@ class Detectors(QObject):
         self.train(taught, settings)
 
     def train(self, taught: Taught, settings: TrainingSettings) -> None:
-        """Train in the background, then show what came of it."""
+        """Train in the background, then show what came of it.
+
+        What is learnt from is proposed again the next time, also where training is cancelled.
+        """
+        self._learnt = tuple(one.path for one in taught.sources if one.path is not None)
         work = partial(trained_from, taught.samples, settings)
         self._work.run(tr("Training the detector"), work, partial(self._take, taught))
 
@@ -111,7 +115,7 @@ class Detectors(QObject):
         if self.result is None:
             return
         self.close()
-        cut = partial(cut_outs, self._document)
+        cut = partial(cut_outs, self._here(), Search(known_recordings()))
         dialog = ResultDialog(self.result, cut, self._window)
         dialog.use_asked.connect(self.use_trained)
         dialog.save_asked.connect(self.ask_save)
@@ -119,6 +123,12 @@ class Detectors(QObject):
         dialog.finished.connect(lambda _: self._forget(dialog))
         self._dialog = dialog
         dialog.show()
+
+    def _here(self) -> Here | None:
+        document = self._document
+        if document is None or document.session is None:
+            return None
+        return Here.of(document.recording, document.session)
 
     def _forget(self, dialog: ResultDialog) -> None:
         if self._dialog is dialog:
@@ -128,7 +138,9 @@ class Detectors(QObject):
     def _go_to(self, item: MistakeItem) -> None:
         """Look at a mistake, where it is of what is open: elsewhere the id is another person's."""
         desk = self._window.desk
-        if desk is None or not is_of(desk.document, item.source, item.recording):
+        session = None if desk is None else desk.document.session
+        path = None if session is None else session.path
+        if desk is None or not is_of(desk.document.recording, path, item):
             where = item.source.path or item.recording
             self._tell(tr("That is in {where}: open it first", where=where))
             return
@@ -145,7 +157,9 @@ class Detectors(QObject):
         if self.result is None:
             return
         try:
-            self._use(kept(self.result.detector))
+            fingerprint, saved = self._saved
+            same = fingerprint == self.result.detector.fingerprint
+            self._use(saved if same and Path(saved.path).is_file() else kept(self.result.detector))
         except (TrackwrightError, OSError) as error:
             self.failed.emit(error)
 
@@ -192,6 +206,10 @@ class Detectors(QObject):
         except TrackwrightError as error:
             self.failed.emit(error)
             return
+        fingerprint, saved = self.result.detector.fingerprint, DetectorChoice(str(path.resolve()))
+        self._saved = (fingerprint, saved)
+        if Path(self.choice.path).name == kept_name(self.result.detector):
+            self._use(saved)  # the same one, which the user has given a name
         self._tell(tr("Saved: {path}", path=path))
 
     def _tell(self, text: str) -> None:
@@ -224,11 +242,6 @@ class Detectors(QObject):
 def _labels_here(session: Session, recording: Recording) -> Callable[[], Source]:
     """Reads the labels as they are now, off the GUI thread: later edits are left out."""
     run, table, labels = session.corrected_run, session.tracks.snapshot(), session.labels
-    footage = session.recording.footage
-
-    def read() -> Source:
-        samples = samples_from(labels, table, run, recording.fps, recording.name)
-        title = tr("This session")
-        return Source(title, None, samples, footage, recording.name, recording.fps)
-
-    return read
+    footage, name, fps = session.recording.footage, recording.name, recording.fps
+    source = Source(tr("This session"), None, no_samples(), footage, name, fps)
+    return lambda: with_labels(source, labels, table, run)

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QRectF, Signal
 
 from app.presenters.document.document import Document
 from app.presenters.document.setting import Instant, Pictured
 from app.presenters.parts.parts import PartsPresenter
-from app.presenters.parts.parts_scene import PicturedParts
+from app.presenters.parts.parts_scene import Failure, PicturedParts
 from app.presenters.parts.picturing import part_name
 from app.presenters.words import tr
 from app.views.desk.workspace import Workspace
 from app.views.labelling.labelling import Labelling
 from app.views.playing.playback import Playback
+
+_SMALL = 0.25
+"""Of the height of the view: parts of somebody smaller are hard to tell apart."""
 
 
 class Parts(QObject):
@@ -52,18 +55,38 @@ class Parts(QObject):
         curves = presenter.curves(instant) if pictured.curves else None
         self._workspace.curves.show_scene(curves)
 
-    def jump(self, step: int) -> None:
-        """Go to the next (1) or previous (-1) failure of the selected person, or of anybody."""
-        frame = self._playback.clock.frame
+    def jump(self, step: int) -> bool:
+        """Go to the next (1) or previous (-1) failure of the selected person, then of others.
+
+        Whether there was one to go to.
+        """
+        frame, track = self._playback.clock.frame, self._document.selection.track
         failure = self.presenter.next_failure(frame, step)
         if failure is None:
             self.said.emit(self._no_failure(step))
-            return
+            return False
         self._playback.pause()
         self._document.correcting.leave()
         self._document.selection.choose(failure.track)
         self._labelling.choose_part(failure.part)
         self._playback.go(failure.frame)
+        self._come_near(failure)
+        done = self._done_with(track, step) if track not in (0, failure.track) else ""
+        self.said.emit(done + self._told(failure))
+        self.changed.emit()
+        return True
+
+    def _come_near(self, failure: Failure) -> None:
+        """Small people are seen large; of the others all stays as it is, where they are in view."""
+        box, view = self.presenter.person_box(failure.frame, failure.track), self._workspace.left
+        if box is None:
+            return
+        place = view.viewport.rect(QRectF(*box))
+        small = place.height() < _SMALL * view.height()
+        if small or not QRectF(view.rect()).contains(place.center()):
+            view.show_close(QRectF(*box))
+
+    def _told(self, failure: Failure) -> str:
         who = self._document.label(failure.track).name
         said = tr("The {part} of {track} begins to fail in frame {frame}")
         if failure.by_rule:
@@ -71,14 +94,13 @@ class Parts(QObject):
                 "The {part} of {track} begins to fail in frame {frame}, by a rule of the tracker: "
                 "its detector had not told so"
             )
-        self.said.emit(
-            said.format(
-                part=part_name(failure.part),
-                track=f"{failure.track} {who}".rstrip(),
-                frame=failure.frame,
-            )
-        )
-        self.changed.emit()
+        track = f"{failure.track} {who}".rstrip()
+        return said.format(part=part_name(failure.part), track=track, frame=failure.frame)
+
+    def _done_with(self, track: int, step: int) -> str:
+        if step > 0:
+            return tr("No further failure of {track}, on to others. ", track=track)
+        return tr("No earlier failure of {track}, back to others. ", track=track)
 
     def tell_what_is_missing(self, *, whose: bool) -> None:
         """Say why nothing is seen: no parts, or nobody selected for what is one person's."""
@@ -91,8 +113,6 @@ class Parts(QObject):
     def _no_failure(self, step: int) -> str:
         if not self.presenter.any_tracked:
             return tr("No parts were tracked: track with three-part (Ctrl+T) first")
-        track = self._document.selection.track
-        whose = tr("of {track}", track=track) if track else tr("of anybody")
         if step > 0:
-            return tr("No part {whose} fails after this frame", whose=whose)
-        return tr("No part {whose} fails before this frame", whose=whose)
+            return tr("No part of anybody fails after this frame")
+        return tr("No part of anybody fails before this frame")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -22,15 +23,12 @@ from PySide6.QtWidgets import (
 
 from app.background import Job, Progress
 from app.presenters.explaining import explain
+from app.presenters.parts.taught import Source, Taught, source_at, taught_by
 from app.presenters.parts.training import (
     PartCount,
     SettingsOfTraining,
-    Source,
-    Taught,
     TrainingSettings,
     counts_of,
-    source_at,
-    taught_by,
 )
 from app.presenters.words import tr
 from app.views.runs.settings_form import SettingsForm
@@ -47,12 +45,23 @@ class TrainDialog(QDialog):
     Reading a session goes on in the background; the dialog waits for it when it is closed.
     """
 
-    def __init__(self, here: Callable[[], Source] | None, parent: QWidget | None = None) -> None:
-        """`here` gives the labels of the open session; None where none is open."""
+    def __init__(
+        self,
+        here: Callable[[], Source] | None,
+        before: Sequence[Path] = (),
+        parent: QWidget | None = None,
+    ) -> None:
+        """A dialog with what is learnt from so far.
+
+        Args:
+            here: gives the labels of the open session; None where none is open.
+            before: sessions and samples that were learnt from the last time.
+        """
         super().__init__(parent)
         self.setWindowTitle(self.tr("Train the detector"))
         self._sources: list[Source] = []
         self._job: Job | None = None
+        self._waiting = [partial(source_at, path) for path in before]
         self._list = QListWidget(self)
         self._list.setAccessibleName(self.tr("Sessions whose labels are learnt from"))
         self._list.setMaximumHeight(_ROWS * (self.fontMetrics().height() + 12))
@@ -67,8 +76,7 @@ class TrainDialog(QDialog):
         if here is not None:
             self._read(here)
         else:
-            self._tell(self.tr("No session is open: add sessions or samples with labels"))
-            self._show_counts()
+            self._end(self.tr("No session is open: add sessions or samples with labels"))
 
     # what it looks like
 
@@ -184,6 +192,8 @@ class TrainDialog(QDialog):
             self._job.deleteLater()
             self._job = None
         self._tell(told)
+        if self._waiting:
+            self._read(self._waiting.pop(0))
         self._show_counts()
 
     def _tell(self, text: str) -> None:

@@ -25,7 +25,7 @@ class LookChoice(QObject):
     @property
     def look(self) -> Look:
         """What the user chose."""
-        return Look(self._remembered.text("look", Look.SYSTEM.value))
+        return look_of(self._remembered)
 
     def choose(self, look: Look) -> None:
         """Give the program another look and remember it."""
@@ -45,3 +45,9 @@ class LookChoice(QObject):
     def _follow_system(self) -> None:
         if self.look is Look.SYSTEM:
             self._apply()
+
+
+def look_of(remembered: Remembered) -> Look:
+    """The look that was chosen; the system's where it was none or is no choice any more."""
+    named = remembered.text("look")
+    return Look(named) if named in {look.value for look in Look} else Look.SYSTEM

@@ -187,14 +187,15 @@ class MainWindow(QMainWindow):
 
     def _situation(self) -> Situation:
         situation = Situation() if self.desk is None else self.desk.situation
-        trained = self.files.detectors.result is not None
-        situation = replace(situation, unkept=self.files.keeping.holds, trained=trained)
+        detectors, unkept = self.files.detectors, self.files.keeping.holds
+        in_use = detectors.choice.name if detectors.choice.path else ""
+        trained = detectors.result is not None
+        situation = replace(situation, unkept=unkept, trained=trained, detector=in_use)
         return situation.while_busy() if self.work.busy else situation
 
     def _checked(self) -> frozenset[str]:
         on = {f"view.look_{self.look_choice.look.value}"}
-        if not self.files.detectors.choice.path:
-            on.add("detector.built_in")
+        on.add("detector.open" if self.files.detectors.choice.path else "detector.built_in")
         if self.desk is not None:
             pictured = self.desk.pictured
             on.add(f"view.{self.desk.eyes}")

@@ -64,6 +64,7 @@ class Menus(QObject):
         self._filling = True
         for item in items:
             action = self.actions[item.command]
+            action.setText(item.title.replace("&", "&&"))
             action.setEnabled(item.enabled)
             action.setStatusTip(item.why_not)
             action.setToolTip(_tip(item))

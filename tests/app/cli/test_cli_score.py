@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from command_line import Trackwright
 
 from app.__main__ import run
+from tracking.recording import open_recording
+from tracking.session import Session
+from tracking.tracks import SIGNAL_COLUMNS, Run
+from tracking.tracks.columns import empty
 
 TRUTH = "".join(f"{n},1,{10 + n},20,30,60,1,{n / 10},5,0\n" for n in range(1, 21))
 RESULT = "".join(f"{n},4,{10 + n},22,30,60,1,{n / 10 + 0.1},5,0\n" for n in range(1, 21))
@@ -105,3 +111,63 @@ def test_a_folder_without_truth_is_told(
     (tmp_path / "empty").mkdir()
     assert run(["score", pair[0], "--truth", str(tmp_path / "empty")]) == 1
     assert "has no truth.txt" in capsys.readouterr().err
+
+
+def test_some_frames_are_measured_as_if_there_were_no_others(
+    pair: tuple[str, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    truth = Path(pair[1])
+    late = "".join(f"{n},2,300,20,30,60,1,3,9,0\n" for n in range(11, 21))
+    truth.write_text(TRUTH + late)
+    found = {}
+    for frames in ("0:20", ":", "5:10", ":10", "15:"):
+        words = ["score", pair[0], "--truth", pair[1], "--frames", frames, "--json"]
+        assert run(words) == 0
+        numbers = json.loads(capsys.readouterr().out)
+        found[frames] = (numbers["frames"], numbers["truth_people"], numbers["misses"])
+    assert found["0:20"] == found[":"] == (20, 2, 10)
+    assert (found["5:10"], found[":10"], found["15:"]) == ((5, 1, 0), (10, 1, 0), (5, 2, 5))
+
+
+@pytest.mark.parametrize(
+    ("frames", "reason"),
+    [
+        ("all", "frames 'all' are not A:B"),
+        ("5:5", "choose a range within 0:20"),
+        ("9:3", "choose a range within 0:20"),
+        ("15:21", "choose a range within 0:20"),
+    ],
+)
+def test_frames_that_are_not_there_are_told(
+    pair: tuple[str, str], capsys: pytest.CaptureFixture[str], frames: str, reason: str
+) -> None:
+    assert run(["score", pair[0], "--truth", pair[1], "--frames", frames]) == 1
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    assert reason in err
+
+
+def test_a_session_tracked_in_part_is_scored_in_whole_with_a_note(
+    trackwright: Trackwright, recording: Path, tiny_run: Run, tmp_path: Path
+) -> None:
+    tracks = tiny_run.tracks
+    early = {name: column[tracks["frame"] < 30] for name, column in tracks.items()}
+    part = replace(tiny_run, frames=(0, 30), tracks=early, signals=empty(SIGNAL_COLUMNS))
+    with open_recording(recording) as footage:
+        Session.create(footage, [part], tmp_path / "part.h5").close()
+    words = ("score", tmp_path / "part.h5", "--truth", recording, "--json")
+    _, whole, note = trackwright(*words)
+    _, judged, silence = trackwright(*words, "--frames", "0:30")
+    assert note.count("\n") == 1
+    assert "frames 0:30 of 80 were tracked" in note
+    assert "--frames 0:30" in note
+    assert silence == ""
+    assert json.loads(whole)["frames"] == 80
+    assert json.loads(judged)["frames"] == 30
+    assert json.loads(judged)["misses"] < json.loads(whole)["misses"]
+
+
+def test_a_session_tracked_in_whole_is_scored_without_a_note(
+    trackwright: Trackwright, session: Path, recording: Path
+) -> None:
+    assert trackwright("score", session, "--truth", recording, "--json")[2] == ""

@@ -109,6 +109,21 @@ def test_what_people_put_right_counts_and_the_deleted_is_gone(
     assert (rates.overall[0] - rates.overall[TORSO]) * frames == pytest.approx(2)
 
 
+def test_parts_are_judged_in_the_frames_that_are_asked_for(
+    trackwright: Trackwright, followed: Path, recording: Path
+) -> None:
+    tracks = tracks_at(followed)
+    assert tracks.parts is not None
+    true = read_part_truth(recording, tracks.frames, tracks.parts.size_px)
+    first = judge(true, tracked_parts(tracks.parts.columns), tracks.parts.fps)[0].first_frame
+    words = ("score", followed, "--truth", recording, "--json")
+    status, out, _ = trackwright(*words, "--frames", f"{first}:{first + 8}")
+    parts = json.loads(out)["parts"]
+    assert status == 0
+    assert 0 < len(parts["people_from_start"]) <= 8
+    assert parts["head"]["right"] == 1.0
+
+
 def test_nothing_is_said_of_parts_that_nobody_followed(
     trackwright: Trackwright, session: Path, recording: Path
 ) -> None:

@@ -36,6 +36,20 @@ def test_track_makes_a_session(trackwright: Trackwright, footage: Path, tmp_path
     assert facts["duration"] == 10
 
 
+def test_track_notes_where_the_recording_is_outside_the_sessions_folder(
+    trackwright: Trackwright, recording: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "apart").mkdir()
+    notes = []
+    for out in (tmp_path / "apart" / "s.h5", tmp_path / "s.h5"):
+        status, _, err = trackwright("track", recording, "-o", out, "--frames", "0:2")
+        assert status == 0
+        notes.append([line for line in err.splitlines() if "outside the folder" in line])
+    assert len(notes[0]) == 1
+    assert "trackwright open s.h5 --recording PATH" in notes[0][0]
+    assert notes[1] == []
+
+
 def test_the_same_seed_tracks_the_same(
     trackwright: Trackwright, footage: Path, made: Path, tmp_path: Path
 ) -> None:

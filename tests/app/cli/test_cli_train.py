@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from command_line import Trackwright
 
-from app.cli.taught import How, taught_by
+from app.presenters.parts.taught import source_at
 from tracking.editing import plan_label_part
 from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS, TRUE_PARTS, load_detector, training
 from tracking.failure.training import Candidate
@@ -230,10 +230,10 @@ def test_a_label_that_does_not_fit_the_session_is_named_by_its_line(
 
 
 def test_truth_beside_the_recording_labels_by_itself(labelled: Path) -> None:
-    samples = taught_by(labelled, How(from_truth=True, allow_outside=True)).samples
+    samples = source_at(labelled, from_truth=True, allow_outside=True).samples
     assert set(samples.columns["source"].tolist()) == {"truth"}
     assert set(samples.columns["label"].tolist()) == {0, 1}
-    by_hand = taught_by(labelled, How()).samples
+    by_hand = source_at(labelled).samples
     assert set(by_hand.columns["source"].tolist()) == {"label"}
 
 

@@ -12,16 +12,20 @@ from hypothesis import strategies as st
 
 from app.presenters.document.setting import Instant, Pictured
 from app.presenters.palette import colour_of_track
-from app.presenters.pictures.bodies import BodyPainter, _laid_over
+from app.presenters.pictures.bodies import BodyPainter, _laid_over, why_nothing
 from tracking.geometry import Camera, Ground, View
-from tracking.trackers.flow import kernel_sizes
+from tracking.trackers.flow import FlowSettings, kernel_table
+from tracking.trackers.flow.clustering import inside
 from tracking.trackers.spheroid import outlines
 from tracking.tracks import (
+    DETECTION_COLUMNS,
     PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
     TRACKLET_COLUMNS,
     Columns,
+    Particles,
+    Run,
     empty,
 )
 
@@ -73,8 +77,24 @@ def view() -> View:
     return View(camera, Ground(height_m=2.6, tilt_deg=25.0))
 
 
-def painted(view: View | None, tracks: OneFrame, selected: int = 0, **asked: bool) -> np.ndarray:
-    instant = Instant(0, tracks, selected=selected)
+def run_of(tracker: str, **settings: Any) -> Run:
+    """A run of a tracker with some settings; points of nested ones are written as underscores."""
+    named = {name.replace("__", "."): value for name, value in settings.items()}
+    none = Particles.none(PARTICLE_COLUMNS)
+    return Run(tracker, named, 0, (0, 1), empty(TRACK_COLUMNS), empty(DETECTION_COLUMNS), none)
+
+
+PUBLISHED = run_of("spheroid", paper=True)
+
+
+def painted(
+    view: View | None,
+    tracks: OneFrame,
+    selected: int = 0,
+    run: Run | None = None,
+    **asked: bool,
+) -> np.ndarray:
+    instant = Instant(0, tracks, selected=selected, run=run)
     shape = (SIZE[1], SIZE[0], 3)
     return BodyPainter(view).over(instant, replace(NOTHING, **asked), None, shape)
 
@@ -119,7 +139,7 @@ def test_outlines_are_as_tall_as_the_tracker_thinks(view: View) -> None:
 
 def test_the_region_of_evaluation_leaves_out_what_others_cover(view: View) -> None:
     near = rows_of(TRACK_COLUMNS, track=[1, 2], x=[0.0, 0.4], y=[4.0, 4.2])
-    picture = painted(view, OneFrame(near), selected=1, evaluation=True)
+    picture = painted(view, OneFrame(near), 1, PUBLISHED, evaluation=True)
     (other,) = outlines(view, np.array([(0.4, 4.2)]), 1.72)
     middle = np.rint(other.mean(axis=0)).astype(int)
     assert picture[middle[1], middle[0], 3] == 0
@@ -129,7 +149,7 @@ def test_the_region_of_evaluation_leaves_out_what_others_cover(view: View) -> No
 
 
 def test_nobody_selected_has_no_region(view: View) -> None:
-    assert not painted(view, OneFrame(PEOPLE), evaluation=True).any()
+    assert not painted(view, OneFrame(PEOPLE), run=PUBLISHED, evaluation=True).any()
 
 
 def test_tracklets_are_strokes_in_the_colour_of_their_cluster() -> None:
@@ -160,21 +180,65 @@ def test_a_tracklet_of_one_position_is_a_dot() -> None:
     assert np.abs(drawn - (50, 100)).max() <= 3
 
 
-def test_the_kernel_stands_round_the_middle_of_who_is_selected(view: View) -> None:
-    picture = painted(view, OneFrame(PEOPLE), selected=1, tracklets=True)
-    middle = view.pixel_from_world(np.array([[-0.8, 4.0, 0.8]]))
-    width, height = kernel_sizes(view, middle)[0]
+@pytest.mark.parametrize("reach", [0.4, 0.8])
+def test_the_kernel_drawn_is_what_mean_shift_holds_round_who_is_selected(
+    view: View, reach: float
+) -> None:
+    chosen = {"clusters__width_m": 0.5, "clusters__height_m": 1.2, "clusters__reach": reach}
+    flow = run_of("flow", **chosen)
+    picture = painted(view, OneFrame(PEOPLE), 1, flow, tracklets=True)
     v, u = np.argwhere(picture[..., :3].sum(axis=-1) > 200).T  # not its dark edge
-    assert (u.min() + u.max()) / 2 == pytest.approx(middle[0, 0], abs=1.0)
-    stroke = 3  # px beyond its middle, both edges together
-    assert u.max() - u.min() == pytest.approx(width + stroke, abs=1.5)
-    assert v.max() - v.min() == pytest.approx(height + stroke, abs=1.5)
+    middle = view.pixel_from_world(np.array([[-0.8, 4.0, 0.8]]))
+    table = kernel_table(view, width_m=0.5, height_m=1.2).scaled(2 * reach)
+    for axis, drawn in ((0, u), (1, v)):
+        tried = np.repeat(middle, 3201, axis=0)
+        tried[:, axis] += np.arange(-160, 160.01, 0.1)
+        held = tried[inside(middle[:, None], table.at(middle)[:, None], tried[:, None])[0], axis]
+        stroke = 1.5  # px beyond its middle
+        assert drawn.min() + stroke == pytest.approx(held.min(), abs=1.5)
+        assert drawn.max() - stroke == pytest.approx(held.max(), abs=1.5)
+
+
+def test_there_is_no_kernel_in_runs_that_gather_no_tracklets(view: View) -> None:
+    assert FlowSettings().hold
+    assert painted(view, OneFrame(PEOPLE), 1, run_of("flow"), tracklets=True).any()
+    assert not painted(view, OneFrame(PEOPLE), 1, run_of("spheroid"), tracklets=True).any()
+
+
+def test_outlines_are_as_wide_as_the_run_had_them(view: View) -> None:
+    broad = run_of("spheroid", radius_m=0.5)
+    picture = painted(view, OneFrame(PEOPLE, PARTICLES), run=broad, outlines=True)
+    (outline,) = outlines(view, np.array([(0.9, 4.2)]), 1.72, radius_m=0.5)
+    assert (on_outline(picture, outline)[:, 3] > 0).mean() > 0.9
+
+
+def test_as_published_everybody_is_as_tall_as_in_the_paper(view: View) -> None:
+    picture = painted(view, OneFrame(PEOPLE, PARTICLES), run=PUBLISHED, outlines=True)
+    (outline,) = outlines(view, np.array([(0.9, 4.2)]), 1.8)
+    assert (on_outline(picture, outline)[:, 3] > 0).mean() > 0.9
+
+
+def test_the_region_of_evaluation_is_as_large_as_the_run_had_it(view: View) -> None:
+    one = OneFrame(rows_of(TRACK_COLUMNS, track=[1], x=[0.0], y=[4.0]))
+    small, large = (
+        painted(view, one, 1, run_of("spheroid", paper=True, region_scale=scale), evaluation=True)
+        for scale in (1.2, 1.6)
+    )
+    covered = [np.count_nonzero(picture[..., 3]) for picture in (small, large)]
+    assert covered[1] == pytest.approx(covered[0] * (1.6 / 1.2) ** 2, rel=0.15)
+
+
+@pytest.mark.parametrize("run", [None, run_of("spheroid"), run_of("flow"), run_of("three-part")])
+def test_runs_that_judge_in_no_region_show_none_and_say_why(view: View, run: Run | None) -> None:
+    assert not painted(view, OneFrame(PEOPLE), 1, run, evaluation=True).any()
+    said = why_nothing(Instant(0, OneFrame(PEOPLE), selected=1, run=run), "evaluation")
+    assert "setting paper" in said
 
 
 def test_without_a_floor_nothing_but_tracklets_is_drawn() -> None:
     tracks = OneFrame(PEOPLE, PARTICLES)
     asked = {"outlines": True, "evaluation": True, "tracklets": True}
-    assert not painted(None, tracks, selected=1, **asked).any()
+    assert not painted(None, tracks, 1, PUBLISHED, **asked).any()
 
 
 def test_people_behind_the_camera_are_not_drawn(view: View) -> None:

@@ -6,6 +6,8 @@ from two_people import FRAMES, steps, table
 
 from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
+from tracking.editing import apply_change, plan_delete
+from tracking.tracks import Labels
 
 AT = 40
 
@@ -47,6 +49,32 @@ def test_everybody_is_counted_once_a_frame(shown, live):
     live.extend(steps()[AT:])
     people = shown.activity(FRAMES)
     assert people.tolist() == [1] * 10 + [2] * (FRAMES - 10)
+
+
+def test_rows_taken_hold_of_are_those_of_that_moment_from_both_sides(shown, live):
+    live.extend(steps()[AT:60])
+    read = shown.held(("frame", "track", "x"))
+    live.extend(steps()[60:])
+    rows = read()
+    assert sorted(rows) == ["frame", "track", "x"]
+    assert sorted(rows["frame"][rows["track"] == 4].tolist()) == list(range(60))
+    assert np.count_nonzero(rows["track"] == 7) == 50
+
+
+def test_what_is_edited_meanwhile_is_not_among_the_rows_taken_hold_of():
+    corrected = table()
+    read = SessionTracks(corrected, None).held(("frame", "track"))
+    apply_change(corrected, Labels(), plan_delete(corrected, 7))
+    assert set(read()["track"].tolist()) == {4, 7}
+
+
+def test_taking_hold_of_rows_reads_no_track(live, monkeypatch):
+    before = SessionTracks(table(), None)
+    shown = ContinuedTracks(before, AT, live)
+    asked = []
+    monkeypatch.setattr(before, "of_track", asked.append)
+    shown.held(("frame", "track"))()
+    assert asked == []
 
 
 def test_lanes_of_whoever_did_not_change_stay_the_same(shown, live):

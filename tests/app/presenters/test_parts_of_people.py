@@ -37,7 +37,7 @@ def _same(ids):
         (False, False, -0.5, "torso: on, -0.50"),
         (True, False, 1.25, "torso: off, +1.25"),
         (True, False, -3.43, "torso: off, by rule"),
-        (True, False, float("nan"), "torso: off"),
+        (True, False, float("nan"), "torso: off, by rule"),
         (False, False, float("nan"), "torso: not judged"),
         (False, True, float("nan"), "torso: hidden"),
     ],
@@ -158,13 +158,17 @@ def test_a_failure_the_detector_had_not_told_is_one_by_rule(run, tracks):
     assert not PartFailures(parts).walk(-1, 1, _same(tracks.ids)).by_rule
 
 
-def test_the_figures_say_that_a_rule_called_a_part_failed(run):
+@pytest.mark.parametrize(
+    ("score", "said"),
+    [(-3.43, ": score -3.43 in the run, off by rule"), (float("nan"), ": off by rule")],
+)
+def test_the_figures_say_that_a_rule_called_a_part_failed(run, score, said):
     parts = {name: column.copy() for name, column in run.parts.items()}
-    parts["score"][:] = -3.43
+    parts["score"][:] = score
     tracks = SessionTracks(two_people.table(), replace(run, parts=parts))
     track = tracks.ids[0]
     curves = curves_of(tracks.parts_of_track(track))
     part = next(number for number, curve in enumerate(curves) if curve.failed.any())
     frame = int(curves[part].frames[curves[part].failed][0])
     scene = curves_scene(Instant(frame, tracks, selected=track), curves, part, 200, 20.0)
-    assert "score -3.43 in the run, off by rule" in scene.said[part]
+    assert said in scene.said[part]

@@ -1,17 +1,13 @@
 """What is learnt from, counted before the training, and the operating point of its result."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from app.presenters.parts.training import (
-    Source,
-    TrainingSettings,
-    counts_of,
-    taught_by,
-    trained_from,
-)
+from app.presenters.parts.taught import Source, taught_by
+from app.presenters.parts.training import TrainingSettings, counts_of, trained_from
 from app.presenters.parts.training_result import TrainingResult
 from app.presenters.words import time_text
 from tracking.errors import CancelledError
@@ -95,6 +91,35 @@ def test_each_sample_is_known_to_be_of_its_source():
     first = len(both.sources[0].samples)
     of = [both.source_of(row).title for row in (0, first - 1, first, len(both.samples) - 1)]
     assert of == ["session 0", "session 0", "session 1", "session 1"]
+
+
+def test_each_sample_has_the_rectangle_that_its_own_source_says_was_judged():
+    made = samples(people=2)
+    boxes = np.arange(4.0 * len(made)).reshape(-1, 4)
+    boxes[0] = np.nan
+    one = Source("a", Path("a.h5"), made, "x", "lobby", FPS, boxes)
+    other = replace(one, path=Path("b.h5"), boxes=boxes + 1000)
+    table = Source("c.csv", Path("c.csv"), made, "")
+    taught, count = taught_by([one, other, table]), len(made)
+    assert taught.box_of(0) is None
+    assert taught.box_of(1) == (4.0, 5.0, 6.0, 7.0)
+    assert taught.box_of(count + 1) == (1004.0, 1005.0, 1006.0, 1007.0)
+    assert taught.box_of(2 * count + 1) is None
+
+
+def test_mistakes_of_two_sessions_of_one_recording_are_seen_where_each_was_labelled(trained):
+    half = len(samples()) // 2
+    parts = [samples()[:half], samples()[half:]]
+    sources = [
+        Source(name, Path(f"{name}.h5"), own, "x", "lobby", FPS, np.full((len(own), 4), number))
+        for number, (name, own) in enumerate(zip("ab", parts, strict=True))
+    ]
+    result = TrainingResult(trained, taught_by(sources))
+    seen = {
+        (one.mistake.sample >= half, one.source.title, one.box[0])
+        for one in result.scene().mistakes
+    }
+    assert seen == {(False, "a", 0.0), (True, "b", 1.0)}
 
 
 def test_several_lost_at_once_are_a_row_of_their_own_where_they_were_learnt(trained):

@@ -219,7 +219,7 @@ def test_a_click_on_a_step_goes_there(window, counted, qtbot):
 def test_counts_are_exported_as_csv(window, counted, qtbot, tmp_path):
     desk = counted()
     out = tmp_path / "counts.csv"
-    window.files.exporting.counts_to(desk.counting.counts, out)
+    window.files.exporting.counts_to(out)
     qtbot.waitUntil(lambda: out.exists() and not window.work.busy)
     with out.open(newline="") as stream:
         rows = list(csv.DictReader(stream))
@@ -228,6 +228,41 @@ def test_counts_are_exported_as_csv(window, counted, qtbot, tmp_path):
     (hall,) = occupancy(columns, fps, [HALL], frames)
     people = [int(row["people"]) for row in rows if row["name"] == "hall"]
     assert people == hall.people.tolist()
+
+
+def test_what_is_exported_is_of_the_tracks_of_now(window, counted, qtbot, tmp_path):
+    desk = counted(lines=(GATE,), regions=())
+    window.run_command("view.counts")  # nobody asks for counts from now on
+    document, out = desk.document, tmp_path / "counts.csv"
+    gone = list(document.session.tracks.track_ids)
+    document.apply(plan_delete_tracks(document.session.tracks, gone))
+    desk.draw()
+    window.files.exporting.counts_to(out)
+    qtbot.waitUntil(lambda: out.exists() and not window.work.busy)
+    with out.open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert {row["forward"] for row in rows} == {row["backward"] for row in rows} == {"0"}
+
+
+def test_f6_reaches_the_counting(window, counted):
+    counted()
+    window.run_command("view.counting")
+    reached = []
+    for _ in range(10):
+        window.run_command("view.next_pane")
+        reached.append(window.workspace._ring.pane)
+    assert window.workspace.counting in reached
+    assert window.workspace.timeline in reached
+
+
+def test_who_trembles_at_a_line_in_the_picture_is_left_out_by_choice(window, counted, qtbot):
+    desk = counted(lines=(SCREEN,), regions=())
+    window.run_command("view.counting")
+    panel = window.workspace.counting
+    assert panel._jitter_px.isVisible()
+    assert not panel._jitter.isVisible()
+    panel._jitter_px.setValue(12.0)
+    qtbot.waitUntil(lambda: desk.counting.counts.how.jitter_px == 12.0)
 
 
 def test_exporting_nothing_is_told(window, desk, qtbot):

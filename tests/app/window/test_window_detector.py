@@ -10,16 +10,17 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
+from app.presenters.files.opening import known_recordings
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
-from app.presenters.parts.mistake_pictures import cut_outs
-from app.presenters.parts.training import source_at, taught_by
+from app.presenters.parts.mistake_pictures import Here, Search, cut_outs
+from app.presenters.parts.taught import source_at, taught_by
 from app.presenters.parts.training_result import MistakeItem
 from app.views.parts.detectors import _labels_here
 from app.views.parts.result_dialog import ResultDialog
 from app.views.parts.train_dialog import TrainDialog
 from app.views.runs.track_dialog import TrackDialog
 from tracking.editing import plan_label_part, plan_occluders
-from tracking.failure import built_in_detector, load_detector, save_detector
+from tracking.failure import Mistake, built_in_detector, load_detector, save_detector
 from tracking.tracks import Occluder, PartLabel
 
 Key = Qt.Key
@@ -220,15 +221,22 @@ def test_a_mistake_of_another_session_is_a_picture_of_its_recording(
     taught = taught_by([source_at(parted_session)])
     number = int(np.flatnonzero(taught.samples.columns["frame"] == CROWDED)[0])
     row = {name: column[number] for name, column in taught.samples.columns.items()}
-    where = (int(row["frame"]), int(row["track"]), int(row["part"]))
-    item = MistakeItem(taught.sources[0], taught.sources[0].recording, *where, "", "", "")
-    from_closed = cut_outs(None, [item], lambda *_: None)[item]
-    from_open = cut_outs(labelled.desk.document, [item], lambda *_: None)[item]
+    where = (int(row["track"]), int(row["frame"]))
+    wrong = Mistake(number, int(row["part"]), "", *where, bool(row["label"]), 1.0)
+    source = taught.sources[0]
+    item = MistakeItem(source, source.recording, wrong, taught.box_of(number), "", "", "")
+    document, search = labelled.desk.document, Search(known_recordings())
+    here = Here.of(document.recording, document.session)
+    from_closed = cut_outs(None, search, [item], lambda *_: None)[item]
+    from_open = cut_outs(here, search, [item], lambda *_: None)[item]
+    table = replace(source, path=source.path.with_suffix(".csv"), fps=0.0, boxes=None)
+    untold = replace(item, source=table, box=None)
+    of_table = cut_outs(here, search, [untold], lambda *_: None)[untold]
     assert np.array_equal(from_closed[0], from_open[0])
-    assert from_closed[1] == from_open[1]
+    assert from_closed[1] == from_open[1] == pytest.approx(of_table[1], abs=1e-3)
     gone = replace(taught.sources[0], path=parted_session.with_name("gone.h5"))
     missing = replace(item, source=gone)
-    assert cut_outs(None, [missing], lambda *_: None) == {missing: None}
+    assert cut_outs(None, search, [missing], lambda *_: None) == {missing: None}
 
 
 @pytest.mark.parametrize("warning", ["", "No better than chance: head."])
@@ -251,6 +259,63 @@ def test_training_is_cancelled_and_nothing_is_kept(labelled, window, qtbot):
     assert window.files.detectors.result is None
     assert "Stopped" in window.statusBar().currentMessage()
     assert not window.findChildren(ResultDialog)
+
+
+def test_after_a_cancelled_training_the_same_sessions_are_proposed_again(
+    labelled, window, qtbot, parted_session, tmp_path
+):
+    window.files.saving.save_to(parted_session)
+    qtbot.waitUntil(lambda: not window.work.busy)
+    other = tmp_path / "other.h5"
+    other.write_bytes(parted_session.read_bytes())
+    dialog = _train_dialog(window, qtbot)
+    dialog.add(other)
+    qtbot.waitUntil(lambda: dialog._job is None)
+    counted = dialog._cells[1][1].text()
+    dialog._train.click()
+    window.progress.cancelled.emit()
+    qtbot.waitUntil(lambda: not window.work.busy, timeout=60_000)
+    window.files.detectors.ask_train()
+    again = window.findChildren(TrainDialog)[-1]
+    assert again is not dialog
+    qtbot.waitUntil(lambda: again._job is None)
+    assert again._list.count() == 2
+    assert again._cells[1][1].text() == counted
+    assert again._train.isEnabled()
+    again.reject()
+
+
+def test_a_trained_detector_in_use_goes_by_the_name_it_is_saved_under(
+    result, window, qtbot, tmp_path
+):
+    detectors, path = window.files.detectors, tmp_path / "mine.h5"
+    detectors.use_trained()
+    assert detectors.choice.name.startswith("detector trained")
+    detectors.save_to(path)
+    assert detectors.choice == DetectorChoice(str(path))
+    assert "Saved" in window.statusBar().currentMessage()
+    detectors.use_built_in()
+    detectors.use_trained()
+    assert detectors.choice == DetectorChoice(str(path))
+
+
+def test_the_menu_shows_which_detector_is_in_use(hands, window, qtbot, tmp_path):
+    from_file = window.menus.actions["detector.open"]
+    built_in = window.menus.actions["detector.built_in"]
+    window.bring_up_to_date()
+    assert built_in.isChecked()
+    assert not from_file.isChecked()
+    path = tmp_path / "mine & yours.h5"
+    save_detector(path, built_in_detector())
+    window.files.detectors.use_file(path)
+    qtbot.waitUntil(lambda: hands.desk.document.detector.path == str(path))
+    window.bring_up_to_date()
+    assert not built_in.isChecked()
+    assert from_file.isChecked()
+    assert from_file.text() == "Use a detector from a file... (mine && yours.h5)"
+    window.run_command("detector.built_in")
+    window.bring_up_to_date()
+    assert from_file.text() == "Use a detector from a file..."
 
 
 def test_a_file_that_is_no_detector_is_refused_and_the_one_in_use_stays(

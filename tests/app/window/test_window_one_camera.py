@@ -29,6 +29,9 @@ def overlay(window) -> np.ndarray | None:
 
 @pytest.mark.parametrize("key", [Key.Key_E, Key.Key_R])
 def test_a_key_lays_them_over_the_left_eye_and_takes_them_off(window, desk, press, key):
+    run = desk.document.session.corrected_run
+    object.__setattr__(run, "tracker", "spheroid")
+    object.__setattr__(run, "settings", {"paper": True})
     desk.editing.pick(int(desk.document.tracks.of_frame(desk.playback.number)["track"][0]))
     press(key, SHIFT)
     assert np.count_nonzero(overlay(window)[..., 3]) > 50
@@ -38,7 +41,8 @@ def test_a_key_lays_them_over_the_left_eye_and_takes_them_off(window, desk, pres
 
 
 @pytest.mark.parametrize(
-    ("command", "said"), [("tracklets", "track with flow"), ("evaluation", "Click a person")]
+    ("command", "said"),
+    [("tracklets", "track with flow"), ("evaluation", "only spheroid with its setting paper")],
 )
 def test_what_is_not_there_is_told_with_what_to_do(window, desk, command, said):
     window.run_command(f"view.{command}")

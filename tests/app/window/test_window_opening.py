@@ -56,6 +56,8 @@ def test_a_session_whose_recording_moved_offers_to_find_it(
     window.files.open_path(tiny_session)
     qtbot.waitUntil(lambda: bool(window.notice.text))
     assert window.notice.action_text == "Find it..."
+    assert "outside the session's folder" in window.notice.text
+    assert "--" not in window.notice.text
     window.files.open_path(tiny_session, tiny_recording)
     qtbot.waitUntil(lambda: _is_open(window))
     assert window.desk.document.session is not None

@@ -1,8 +1,9 @@
 """Parts labelled by keys where the detector is least sure, and over a range."""
 
 import pytest
-from correcting_desk import CROWDED, CTRL, Hands, opened_desk
+from correcting_desk import CROWDED, CTRL, LEFT, NO_KEY, Hands, opened_desk
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtTest import QTest
 
 from app.presenters.parts.detector_choice import DetectorChoice
 from tracking.failure import built_in_detector, suggest
@@ -257,3 +258,34 @@ def test_a_suggestion_is_clicked(hands, suggested, window, qtbot):
     hands.click(shown._list.viewport(), QPointF(rect.center() + QPoint(1, 1)))
     assert suggested().current == third
     assert hands.desk.playback.clock.frame == third.key[0]
+
+
+def _grip(hands, suggested):
+    """The suggested rectangle, held in its middle and dragged along by (10, 4)."""
+    layer = hands.desk.labelling._parts
+    mark = next(one for one in layer._marks if one.part == suggested().current.key[2])
+    middle = layer.canvas.viewport.rect(QRectF(*mark.box)).center()
+    QTest.mousePress(layer, LEFT, NO_KEY, middle.toPoint())
+    QTest.mouseMove(layer, middle.toPoint() + QPoint(10, 4))
+    return layer, mark, middle.toPoint() + QPoint(10, 4)
+
+
+def test_a_rectangle_that_is_held_does_not_jump_when_the_view_shifts(hands, suggested):
+    layer, _, at = _grip(hands, suggested)
+    before = QRectF(layer._box)
+    layer.canvas.fit()
+    QTest.mouseMove(layer, at + QPoint(1, 0))
+    assert layer._box == before
+    QTest.mouseMove(layer, at + QPoint(3, 0))
+    assert layer._box.x() == pytest.approx(before.x() + 2 / layer.canvas.viewport.scale)
+    QTest.mouseRelease(layer, LEFT, NO_KEY, at + QPoint(3, 0))
+
+
+def test_a_rectangle_that_is_held_is_not_put_into_another_frame(hands, suggested, labels):
+    layer, mark, at = _grip(hands, suggested)
+    frame = hands.desk.playback.number
+    there = hands.desk.labelling._presenter.parts.parts
+    other = next(n for n in (frame + 3, frame - 3) if mark.part in there(n))
+    hands.go(other)
+    QTest.mouseRelease(layer, LEFT, NO_KEY, at)
+    assert len(labels()) == 0

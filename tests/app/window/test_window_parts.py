@@ -85,13 +85,49 @@ def test_f3_goes_from_failure_to_failure_of_the_selected_person_and_back(hands, 
     assert "begins to fail" in window.statusBar().currentMessage()
 
 
-def test_after_the_last_failure_f3_says_so_and_stays(hands, window):
+def test_after_the_last_failure_of_anybody_f3_says_so_and_stays(hands, window):
     track = _pick(hands)
-    last = _failures(hands, track)[-1][0]
+    last = max(_failures(hands, one)[-1][0] for one in _failing(hands))
     hands.go(last)
     hands.press(Key.Key_F3)
     assert hands.desk.playback.clock.frame == last
-    assert "No part" in window.statusBar().currentMessage()
+    assert hands.desk.document.selection.track == track
+    assert "No part of anybody fails after" in window.statusBar().currentMessage()
+
+
+def test_f3_goes_on_to_others_once_the_selected_person_has_no_further_failure(hands, window):
+    early = min(_failing(hands), key=lambda one: _failures(hands, one)[-1])
+    last = _failures(hands, early)[-1][0]
+    hands.go(last)
+    hands.desk.editing.pick(early)
+    hands.press(Key.Key_F3)
+    now = hands.desk.document.selection.track
+    assert now not in (0, early)
+    at = (hands.desk.playback.clock.frame, hands.desk.labelling.part)
+    assert at in _failures(hands, now)
+    assert at[0] > last
+    said = window.statusBar().currentMessage()
+    assert f"No further failure of {early}" in said
+    assert f"of {now} begins to fail" in said
+
+
+def test_f3_brings_parts_back_that_were_switched_off(hands, picture):
+    hands.press(Key.Key_Q)
+    assert picture._parts.boxes == ()
+    hands.press(Key.Key_F3)
+    hands.qtbot.waitUntil(lambda: hands.desk.playback.number == hands.desk.playback.clock.frame)
+    track = hands.desk.document.selection.track
+    assert any(box.track == track and box.failed for box in picture._parts.boxes)
+    assert hands.desk.pictured.parts
+
+
+def test_f3_comes_near_to_somebody_who_is_small_or_out_of_view(hands, picture):
+    picture.show_close(QRectF(0.0, 0.0, 8.0, 8.0))
+    hands.press(Key.Key_F3)
+    frame, track = hands.desk.playback.clock.frame, hands.desk.document.selection.track
+    place = picture.viewport.rect(QRectF(*hands.desk.parts.presenter.person_box(frame, track)))
+    assert QRectF(picture.rect()).contains(place)
+    assert place.height() > picture.height() / 4
 
 
 def test_the_lane_of_the_selected_person_shows_the_score_of_the_part(hands, window):
@@ -170,6 +206,11 @@ def test_where_no_parts_were_tracked_the_plots_and_f3_say_how_to_get_them(
 def _lane(window, track):
     lanes = window.workspace.timeline.area._scene.lanes
     return next(lane for lane in lanes if lane.track == track)
+
+
+def _failing(hands):
+    """Everybody of whom a part fails somewhere."""
+    return [one for one in hands.desk.document.tracks.ids if _failures(hands, one)]
 
 
 def _failures(hands, track):

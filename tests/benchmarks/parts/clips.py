@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import hashlib
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from platformdirs import user_cache_path
 
+from tests.benchmarks.parts import scenes
+from tests.benchmarks.parts.kept import LIBRARIES, sources_of
 from tests.benchmarks.parts.scenes import ELSEWHERE
 from tracking.synthesis import SCENES, SceneSpec, render_recording
 from tracking.synthesis.cast import Cast
 from tracking.synthesis.rig import Rig
 
 FPS = 20.0
+_RENDERING = ("geometry/**/*.py", "synthesis/**/*.py")
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,13 +81,22 @@ TUNED_CROUCHING = _clips("crouching", range(4151, 4153))
 def folder_of(clip: Clip, kept: Path | None = None) -> Path:
     """The clip's recording of the left eye, rendered if it is not there yet.
 
+    Clips stand apart by what they were rendered with: none is left over from another rendering.
+
     Args:
         clip: which.
         kept: where clips are kept; a folder of the user's cache if None.
     """
     above = kept or user_cache_path("trackwright", appauthor=False) / "parts"
-    folder = above / f"{clip.scene}-{clip.seed}"
+    folder = above / rendering() / f"{clip.scene}-{clip.seed}"
     if not (folder / "truth_parts.csv").is_file():
         print(f"rendering {folder}", file=sys.stderr)
         render_recording(folder, clip.spec, seed=clip.seed, fps=FPS, eyes=1)
     return folder
+
+
+@cache
+def rendering() -> str:
+    """A short hash over whatever clips are rendered with: sources, scenes and libraries."""
+    said = f"{sources_of(_RENDERING)}\0{LIBRARIES}\0{FPS}\0".encode()
+    return hashlib.sha256(said + Path(scenes.__file__).read_bytes()).hexdigest()[:8]

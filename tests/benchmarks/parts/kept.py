@@ -1,8 +1,8 @@
 """Runs over clips, kept beside them for as long as nothing they were made with has changed.
 
-A run is found again by the sources of every room it goes through, the tracker with its settings
-and, where it acts on one, the failure detector: so no figure on a page is of an older state than
-the others, and none is measured twice.
+A run is found again by what its recording holds, the sources of every room it goes through, the
+libraries, the tracker with its settings and, where it acts on one, the failure detector: so no
+figure on a page is of an older state than the others, and none is measured twice.
 """
 
 from __future__ import annotations
@@ -10,12 +10,13 @@ from __future__ import annotations
 import hashlib
 import io
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+import cv2
 import numpy as np
 
 import tracking
@@ -27,6 +28,9 @@ _ROOMS = (
     *("people/**/*.py", "pipeline.py", "recording/**/*.py", "setting.py"),
     *("trackers/*.py", "trackers/three_part/**/*.py", "tracks/**/*.py"),
 )
+
+LIBRARIES = f"numpy {np.__version__}, OpenCV {cv2.__version__}"
+"""Whose arithmetic is in every clip and every run."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,7 +47,8 @@ def kept_run(folder: Path, chosen: tuple[Any, ...], judged: bool, make: Callable
     Args:
         chosen: the tracker and its settings. judged: whether it acts on the built-in detector.
     """
-    said = [sources(), repr(chosen), built_in_detector().fingerprint if judged else ""]
+    detector = built_in_detector().fingerprint if judged else ""
+    said = [contents(folder), sources(), LIBRARIES, repr(chosen), detector]
     name = hashlib.sha256("\0".join(said).encode()).hexdigest()[:16]
     path = folder.parent / "runs" / f"{folder.name}-{name}.npz"
     if path.is_file():
@@ -57,10 +62,25 @@ def kept_run(folder: Path, chosen: tuple[Any, ...], judged: bool, make: Callable
 @cache
 def sources() -> str:
     """A hash over the sources of all rooms that a run goes through."""
+    return sources_of(_ROOMS)
+
+
+def sources_of(rooms: Iterable[str]) -> str:
+    """A hash over sources, by patterns of their paths."""
     root = Path(next(iter(tracking.__path__)))
+    return _hash_of(root, {path for room in rooms for path in root.glob(room)})
+
+
+def contents(folder: Path) -> str:
+    """A hash over the files of a recording's folder."""
+    return _hash_of(folder, (path for path in folder.rglob("*") if path.is_file()))
+
+
+def _hash_of(root: Path, files: Iterable[Path]) -> str:
     said = hashlib.sha256()
-    for path in sorted({path for room in _ROOMS for path in root.glob(room)}):
-        said.update(f"{path.relative_to(root)}\0".encode() + path.read_bytes())
+    for path in sorted(files):
+        own = hashlib.sha256(path.read_bytes()).hexdigest()
+        said.update(f"{path.relative_to(root).as_posix()}\0{own}\0".encode())
     return said.hexdigest()
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -95,10 +94,3 @@ def judged_clip(clip: Clip, variant: Variant, kept: Path | None = None) -> list[
     with open_recording(folder) as recording:
         truth = read_part_truth(folder, recording.frame_count, recording.size)
     return judge(truth, tracked_by(run, variant), FPS)
-
-
-def judged_clips(
-    clips: Sequence[Clip], variant: Variant, kept: Path | None = None
-) -> list[list[Judged]]:
-    """The same of several clips, a list for each."""
-    return [judged_clip(clip, variant, kept) for clip in clips]

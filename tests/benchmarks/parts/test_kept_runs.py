@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.benchmarks.parts import kept
+from tests.benchmarks.parts import clips, kept
 from tests.benchmarks.parts.kept import Seen, kept_run
 from tests.benchmarks.parts.real import RECORDINGS, folders_in
 
@@ -47,6 +47,37 @@ def test_other_settings_and_other_sources_are_tracked_anew(
     assert tracker.runs == 2
     monkeypatch.setattr(kept, "sources", lambda: "edited")
     assert kept_run(folder, ("three-part",), False, tracker).parts["part"].tolist() == [3]
+
+
+def test_another_clip_under_the_same_name_and_other_libraries_are_tracked_anew(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tracker = Tracker()
+    for picture in (b"one", b"other", b"one"):
+        (folder / "left.mkv").write_bytes(picture)
+        kept_run(folder, ("three-part",), False, tracker)
+    assert tracker.runs == 2
+    monkeypatch.setattr(kept, "LIBRARIES", "numpy of tomorrow")
+    assert kept_run(folder, ("three-part",), False, tracker).parts["part"].tolist() == [3]
+
+
+def test_a_clip_is_rendered_anew_where_rendering_has_changed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rendered = []
+
+    def render(folder: Path, *_: object, **__: object) -> None:
+        rendered.append(folder)
+        folder.mkdir(parents=True)
+        (folder / "truth_parts.csv").touch()
+
+    monkeypatch.setattr(clips, "render_recording", render)
+    first, again = (clips.folder_of(clips.TUNED[0], tmp_path) for _ in range(2))
+    monkeypatch.setattr(clips, "rendering", lambda: "edited")
+    other = clips.folder_of(clips.TUNED[0], tmp_path)
+    assert first == again != other
+    assert first.name == other.name
+    assert rendered == [first, other]
 
 
 def test_another_detector_counts_for_those_who_act_on_it(

@@ -21,9 +21,10 @@ and [flow](results/flow.md).
 HOW_RATES = """
 ## Parts and people over time
 
-{clips} clips of the scene `walkway` (`trackwright synth --scene walkway`), 720 x 480 at 20 frames a
-second, camera at 3 m under 30 degrees, 100 people, up to five at once who meet, cross and hide
-each other, cast shadows, a wall behind.
+{clips} clips of the scene `walkway` (`trackwright synth --scene walkway`; the seeds of all clips
+stand in `tests/benchmarks/parts/clips.py`), 720 x 480 at 20 frames a second, camera at 3 m under 30
+degrees, 100 people, up to five at once who meet, cross and hide each other, cast shadows, a wall
+behind.
 
 The paper's measure: a part is right while less than half of its rectangle holds something else.
 With exact truth we take it strictly: whatever lies outside of the box of that part of that person
@@ -36,16 +37,19 @@ rectangle is the box round the three parts.
 
 "At frame i" is the share of the people still in view whose part is right i frames after their
 start, as in the paper, whose curves rise where a part is found again. Behind ± is half of Wilson's
-95 % interval.
+95 % interval: two trackers, or two sets of clips, that differ by less may differ by chance.
 """
 
 SHORT = """
-"With adjustment" is the tracker as it comes. "The paper's adjustment" puts back only what the
+"With adjustment" is the tracker as it comes. "The paper's adjustment" (`--set
+follow_silhouettes=false --set body_rules=false --set find_again=false`) puts back only what the
 failure detector finds, as the paper does; ours draws parts of people seen alone to their
 silhouettes, too, puts parts back that stand where no part of a body can, and looks for people it
-lost. "Without" is colours alone. Births, ends and who is occluded are the same in all of them, and
-that alone keeps more parts than the paper's tracker had without adjustment: the torso, large and
-of one cloth, is seldom lost by colours, so the gain cannot be what it was there.
+lost. "Without" (`--set adjust=false`) is colours alone. "Joint" is `three-part-joint`: as good by
+this measure, and better where a part shall never be lost for a moment. Births, ends and who is
+occluded are the same in all of them, and that alone keeps more parts than the paper's tracker had
+without adjustment: the torso, large and of one cloth, is seldom lost by colours, so the gain cannot
+be what it was there.
 
 What is lost is lost among people who hide each other. In these scenes every second person's way is
 planned to cross another's, up to five within a few metres, and some walk in as one bunch.
@@ -94,7 +98,9 @@ where both answers are right equally often; its false alarms are single losses t
 
 It was set to two false alarms in a hundred among people held out; on other clips there may be a
 few more. Most of what is missed are parts that slid a little and still stand as parts of a body do.
-Few torsos are ever lost, so that machine has least to learn from.
+Few torsos are ever lost, so that machine has least to learn from. Its scores are scikit-learn's to
+1e-10, many times faster (`python -m tests.benchmarks.parts.detector_speed`); what is in its file
+is told in [detector-file.md](detector-file.md).
 """
 
 REAL = """
@@ -108,12 +114,17 @@ last frame in view where a person leaves earlier; "throughout": in nine of ten f
 The footage is not ours to show; where it is at hand, pictures of it with parts drawn are made by
 
     python -m tests.benchmarks.parts --data FOLDER --pictures SOMEWHERE
+
+What fails there: far people are joined to near ones, dark trousers on dark ground are taken for
+shadow, and strides as wide as the body is high are cut off at the hip. Most who leave before 100
+frames do so because the footage ends or they walk out.
 """
 
 SPEED = """
 ## Speed
 
-{fps:.1f} frames a second of processor time on one core, 720 x 480, from the video file to parts and
+`trackwright bench --only parts`: {fps:.1f} frames a second of processor time on one core of a
+shared machine with two and without an accelerator, 720 x 480, from the video file to parts and
 particles, over {frames} frames in which five people are tracked. Filters, failures, births and
 boxes are steps within the tracker, whose rest are colours and columns.
 """

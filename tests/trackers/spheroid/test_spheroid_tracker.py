@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from people_of_one_colour import (
@@ -162,9 +164,12 @@ def test_a_camera_that_moves_is_told_and_one_that_does_not_is_not() -> None:
     for shifts, told in ((None, False), (turning, True)):
         perception, tracker = built(seen_by)
         for frame in frames_of(seen_by, [body], shifts=shifts):
-            tracker.step(perception.observe(frame))
+            tracker.step(perception.observe(replace(frame, number=frame.number + 500)))
         assert bool(tracker.notes) == told
-    assert "the camera moved at about frame" in tracker.notes[0]
+    (note,) = tracker.notes
+    moved_at = int(note.split("the camera moved at about frame ")[1].split(":")[0])
+    assert 520 < moved_at < 500 + frames
+    assert f"--frames 500:{moved_at}" in note
 
 
 def test_light_that_is_dimmed_makes_nobody() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -66,9 +67,19 @@ def questions_of(samples: Samples) -> list[Question]:
     if short:
         raise TrainingError(
             f"{'; '.join(short)}: add labels or sessions until each has at least "
-            f"{LEAST_SAMPLES} of {LEAST_PEOPLE} people or more"
+            f"{LEAST_SAMPLES} of {LEAST_PEOPLE} people or more{_where_losses_are(asked)}"
         )
     return asked if shortage(several) else [*asked, several]
+
+
+def _where_losses_are(asked: Sequence[Question]) -> str:
+    """How to come by parts that are lost, where there are too few; "" where there are enough."""
+    if not any(int(question.yes.sum()) < LEAST_SAMPLES for question in asked):
+        return ""
+    return (
+        "; a tracker that adjusts its parts seldom loses one: track several minutes of crowded "
+        "footage with adjust=false"
+    )
 
 
 def all_questions(samples: Samples) -> list[Question]:
@@ -123,5 +134,6 @@ def shortage(question: Question) -> str:
         samples, people = int(chosen.sum()), len(np.unique(question.people[chosen]))
         if samples < LEAST_SAMPLES or people < LEAST_PEOPLE:
             who = "person" if people == 1 else "people"
-            short.append(f"{samples} samples {side} the part, of {people} {who}")
+            what = "sample" if samples == 1 else "samples"
+            short.append(f"{samples} {what} {side} the part, of {people} {who}")
     return f"{question.name}: {' and '.join(short)}" if short else ""

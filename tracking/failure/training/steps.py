@@ -2,28 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-from tracking.errors import CancelledError
 from tracking.progress import Progress
 
 
 class Steps:
     """Counts steps of work of known length."""
 
-    def __init__(
-        self,
-        total: int,
-        progress: Progress | None = None,
-        cancelled: Callable[[], bool] | None = None,
-    ) -> None:
-        self._done, self._total = 0, total
-        self._progress, self._cancelled = progress, cancelled
+    def __init__(self, total: int, progress: Progress | None = None) -> None:
+        self._done, self._total, self._progress = 0, total, progress
 
     def take(self) -> None:
-        """One step is done. Raises CancelledError where somebody asked to stop."""
+        """One step is done. Raises CancelledError where that is what `progress` does."""
         self._done += 1
         if self._progress is not None:
             self._progress(self._done, self._total)
-        if self._cancelled is not None and self._cancelled():
-            raise CancelledError("training was stopped; the detector is as it was before")

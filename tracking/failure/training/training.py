@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 
@@ -59,7 +59,6 @@ def train(
     *,
     random: np.random.Generator,
     progress: Progress | None = None,
-    cancelled: Callable[[], bool] | None = None,
 ) -> Trained:
     """Train a detector; the same samples and random numbers give the same one.
 
@@ -69,7 +68,7 @@ def train(
 
     Raises:
         TrainingError: a part has too few samples, or of too few people.
-        CancelledError: `cancelled` said so.
+        CancelledError: by `progress`.
     """
     plan = plan or TrainingPlan()
     questions = questions_of(samples)
@@ -80,7 +79,7 @@ def train(
         for most in (plan.searched, plan.learnt)
     )
     total = len(questions) * (count * (2 * len(plan.grid) + 1) + 1)
-    steps = Steps(total, progress, cancelled)
+    steps = Steps(total, progress)
     preparations = _preparations(samples, folds[samples.people()], count)
     wide = max(0.1, 2 * plan.false_alarms)
     choice, tried = search(few, folds, preparations, plan.grid, wide, steps)

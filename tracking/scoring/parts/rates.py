@@ -70,9 +70,11 @@ class Rates:
         for frame in TOLD_FRAMES:
             if frame < len(self.people) and self.people[frame]:
                 count = str(self.people[frame])
-                lines.append(_line(f"right {frame} frames on", _percent(self.right[frame]), count))
                 lines.append(
-                    _line(f"always, {frame} frames on", _percent(self.unbroken[frame]), count)
+                    _line(f"right after {frame} frames", _percent(self.right[frame]), count)
+                )
+                lines.append(
+                    _line(f"right for all {frame} frames", _percent(self.unbroken[frame]), count)
                 )
         lines.append(_line("holding something else", [*_percent(self.foreign), ""], ""))
         if self.untracked:

@@ -33,6 +33,12 @@ class PartTruth:
     visibility: Floats
     size_px: tuple[int, int]
 
+    def within(self, start: int, stop: int) -> PartTruth:
+        """The rows of the frames start to stop - 1."""
+        rows = _rows_within(self.frame, start, stop)
+        columns = (self.frame[rows], self.person[rows], self.parts[rows], self.visibility[rows])
+        return PartTruth(*columns, self.size_px)
+
     @property
     def people(self) -> Floats:
         """(n, 4) left, top, right, bottom of whole people."""
@@ -61,6 +67,11 @@ class TrackedParts:
     track: Whole
     parts: Floats
     person: Floats
+
+    def within(self, start: int, stop: int) -> TrackedParts:
+        """The rows of the frames start to stop - 1."""
+        rows = _rows_within(self.frame, start, stop)
+        return TrackedParts(self.frame[rows], self.track[rows], self.parts[rows], self.person[rows])
 
 
 def tracked_parts(columns: Mapping[str, NDArray[Any]]) -> TrackedParts:
@@ -94,6 +105,12 @@ def by_person(
 def keys(frame: NDArray[Any] | Iterable[int], track: NDArray[Any] | Iterable[int]) -> Whole:
     """(n,) one number for each frame and person, sorted as they are."""
     return np.asarray(frame, np.int64) << 32 | np.asarray(track, np.int64)
+
+
+def _rows_within(frame: Whole, start: int, stop: int) -> slice:
+    """Where the rows of some frames stand; frame is sorted."""
+    first, end = np.searchsorted(frame, (start, stop)).tolist()
+    return slice(first, end)
 
 
 def _two(columns: Mapping[str, NDArray[Any]], one: str, other: str) -> Floats:

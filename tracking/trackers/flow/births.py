@@ -20,6 +20,7 @@ _USUAL_CENTRE_M, _CENTRE_ERROR_M = 1.15, 0.3
 _USUAL_PACE_M_S, _PACE_ERROR_M_S = 1.2, 0.6
 _HIGHEST_M = 1.8
 _PRIOR = 0.03
+"""What an oddity of one error, squared, costs of the score."""
 
 
 @dataclass(frozen=True, slots=True)

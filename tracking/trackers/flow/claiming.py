@@ -13,12 +13,16 @@ from tracking.trackers.flow.walkers import Walkers
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-_HALF_WIDTH_M, _USUAL_OFF_M = 0.24, 0.12
-_HIGHEST_M = 1.8
+_HALF_WIDTH_M, _HIGHEST_M = 0.24, 1.8
+"""What lies farther from the upright axis, or higher, is off the body."""
+_USUAL_OFF_M = 0.12
+"""As far from the axis costs 1."""
 _BODY_M, _HEAD_M = 0.2, 1.6
 """A body within this of its axis, and up to this height, hides what is behind."""
 _PACE_M_S, _LEGS_M_S, _LEGS_BELOW_M = 0.35, 0.8, 0.65
+"""As much faster or slower than the person costs 1: of a body, and of legs, which lie lower."""
 _FARTHEST = 9.0
+"""The cost from which on a tracklet is not theirs."""
 _HIDDEN = 4.0
 """Of the squared distance: what belonging to somebody behind another body costs."""
 

@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from tracking.trackers.flow.clustering import Clusters, Vectors, cold, warm
+from tracking.trackers.flow.clustering import Clusters
 from tracking.trackers.flow.floor import Floor
+from tracking.trackers.flow.gathering import Gathering
 from tracking.trackers.flow.kernels import KernelTable
-from tracking.trackers.flow.people import in_picture
+from tracking.trackers.flow.lasting import lasting
 from tracking.trackers.flow.seen import POSITIONS, Seen, speeds
 from tracking.trackers.flow.settings import FlowSettings
 from tracking.trackers.flow.walkers import Walkers, begun, measured, nobody, predicted, proven
@@ -36,7 +37,7 @@ class ClusteredPeople:
         self._settings = settings
         self._table = table
         self._floor = floor
-        self._modes: Vectors | None = None
+        self._gathering = Gathering(settings.clusters, table)
         self._ids = np.zeros(0, np.int64)
         self.owner = np.zeros(0, np.int32)
         self.walkers = nobody()
@@ -44,13 +45,12 @@ class ClusteredPeople:
 
     def step(self, seen: Seen) -> None:
         """Take one frame further."""
-        settings = self._settings
-        speed = speeds(seen.tracklets, POSITIONS, seen.fps, self._floor)
-        rows = np.flatnonzero(seen.known & (speed > settings.points.still_m_s))
-        clusters = self._clustered(seen.vectors(rows))
+        rows = self._moving(seen)
+        clusters = self._gathering.of(seen.vectors(rows))
         label = np.full(len(seen.tracklets), -1)
         label[rows] = clusters.label
-        walkers = self._kept(predicted(self.walkers, seen.elapsed_s))
+        walkers = predicted(self.walkers, seen.elapsed_s)
+        walkers = walkers.select(lasting(walkers, self._settings, self._floor))
         before = self._owner_before(seen)
         who = _matched(label, before, walkers, len(clusters))
         place = self._places(clusters)
@@ -64,9 +64,8 @@ class ClusteredPeople:
         """Go on with these people; clusters nearest to them are theirs."""
         self.walkers, self.last_id = walkers, last_id
         self._ids = seen.tracklets.id
-        speed = speeds(seen.tracklets, POSITIONS, seen.fps, self._floor)
-        rows = np.flatnonzero(seen.known & (speed > self._settings.points.still_m_s))
-        clusters = self._clustered(seen.vectors(rows))
+        rows = self._moving(seen)
+        clusters = self._gathering.of(seen.vectors(rows))
         self.owner = np.zeros(len(seen.tracklets), np.int32)
         if len(clusters) and len(walkers):
             away = self._places(clusters)[:, None] - walkers.place
@@ -74,27 +73,10 @@ class ClusteredPeople:
             track = np.append(walkers.track[nearest], np.int32(0))
             self.owner[rows] = track[clusters.label]
 
-    def _clustered(self, tracklets: Vectors) -> Clusters:
-        settings = self._settings.clusters
-        rule = {"occlusion": settings.occlusion}
-        if self._modes is None or not settings.warm:
-            found = cold(tracklets, self._table, settings.fewest, settings.join, **rule)
-        else:
-            found = warm(
-                self._modes, tracklets, self._table, settings.fewest, settings.join, **rule
-            )
-        self._modes = found.mode
-        return found
-
-    def _kept(self, walkers: Walkers) -> Walkers:
-        limit_s = np.where(
-            in_picture(walkers, self._floor),
-            self._settings.lost_after_s,
-            self._settings.lost_at_edge_s,
-        )
-        kept = walkers.missed_s <= limit_s
-        kept &= walkers.walked | (walkers.age_s < self._settings.unproven_s)
-        return walkers.select(kept)
+    def _moving(self, seen: Seen) -> Indices:
+        """The rows of tracklets that do not stand still."""
+        speed = speeds(seen.tracklets, POSITIONS, seen.fps, self._floor)
+        return np.flatnonzero(seen.known & (speed > self._settings.points.still_m_s))
 
     def _owner_before(self, seen: Seen) -> NDArray[np.int32]:
         """(n,) whose each tracklet was in the frame before; 0: nobody's."""
@@ -110,8 +92,7 @@ class ClusteredPeople:
         middle = clusters.mode[:, 0].copy()
         whole = self._table.at(middle)[:, 1]
         settings = self._settings.clusters
-        body = 2.0 * settings.reach  # as many bodies high is a kernel
-        middle[:, 1] += np.maximum(whole - clusters.size[:, 1], 0.0) / 2 / body
+        middle[:, 1] += np.maximum(whole - clusters.size[:, 1], 0.0) / 2 / settings.bodies
         height_m = settings.centre_m
         return self._floor.places(self._floor.slopes(middle), np.full(len(middle), height_m))
 

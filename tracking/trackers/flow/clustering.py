@@ -42,11 +42,6 @@ class Clusters:
         return len(self.mode)
 
 
-def kernel_at(table: KernelTable, modes: Vectors) -> Vectors:
-    """(m, t, 2) px: the sizes of the kernels round modes at each of their positions."""
-    return table.at(modes)
-
-
 def inside(modes: Vectors, size: Vectors, tracklets: Vectors) -> Flags:
     """(m, n) whether a tracklet lies in a mode's kernel at every instant [Yoneji2013] eq. 7.
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
+from tracking.trackers.flow.settings import ClusterSettings
 
 Floats = NDArray[np.float64]
 
@@ -16,6 +17,7 @@ _STEP_PX = 4
 """Between the pixels that are worked out; those between are interpolated."""
 _DISC_POINTS = 16
 _FARTHEST_M = 60.0
+_CORNERS = np.array([[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,6 +98,18 @@ def kernel_sizes(
     body = np.concatenate((body, _disc(floor, width_m, centre_m)), axis=1)
     seen = view.pixel_from_world(body.reshape(-1, 3)).reshape(len(pixels), -1, 2)
     return np.asarray(seen.max(axis=1) - seen.min(axis=1))
+
+
+def kernel_rectangles(view: View, pixels: Floats, settings: ClusterSettings) -> Floats:
+    """(n, 4, 2) px: the corners of what kernels round pixels (n, 2) hold; NaN: there is none."""
+    size = settings.bodies * kernel_sizes(
+        view,
+        pixels,
+        width_m=settings.width_m,
+        height_m=settings.height_m,
+        centre_m=settings.centre_m,
+    )
+    return np.asarray(pixels[:, None] + _CORNERS * size[:, None])
 
 
 def _card(

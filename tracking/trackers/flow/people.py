@@ -9,12 +9,13 @@ from numpy.typing import NDArray
 
 from tracking.trackers.flow.births import Newcomer, newcomer
 from tracking.trackers.flow.claiming import claims
-from tracking.trackers.flow.clustering import Clusters, Vectors, cold, warm
 from tracking.trackers.flow.floor import Floor, sight_axes
+from tracking.trackers.flow.gathering import Gathering
 from tracking.trackers.flow.holding import Holds, adapted, moved, released, said
 from tracking.trackers.flow.kernels import KernelTable
+from tracking.trackers.flow.lasting import lasting
 from tracking.trackers.flow.seen import POSITIONS, Seen, speeds
-from tracking.trackers.flow.settings import ClusterSettings, FlowSettings
+from tracking.trackers.flow.settings import FlowSettings
 from tracking.trackers.flow.sightings import FloorGrid, Sightings
 from tracking.trackers.flow.silhouettes import cover_of, drawn
 from tracking.trackers.flow.walkers import (
@@ -33,17 +34,28 @@ Indices = NDArray[np.intp]
 _NEW_M_S = 0.3
 """Slower clusters are nobody new."""
 _FILL, _SEEN, _OWN = 0.5, 0.2, 0.3
-_EMPTY, _FULL = 0.35, 0.6
-_FEWEST = 2
-_APART_M = 0.4
+"""Least score, seen and own (see `Fit`) of a cluster that is somebody new."""
 _SIGHTED = (0.5, 0.15, 0.4)
+"""The same where nothing but foreground says that somebody is there."""
+_EMPTY, _FULL = 0.35, 0.6
+"""Score below which nothing is where somebody should be; above which they are seen without
+tracklets."""
+_FEWEST = 2
+"""Tracklets by which somebody counts as seen."""
+_APART_M = 0.4
+"""So near to somebody there is nobody new."""
 _WALKED_M = 0.12
+"""So far must go who is sighted before they are followed."""
 _LOOK_S = 0.15
 """People who are not followed yet are looked for about so often."""
-_LOST_S, _STRAY_M, _STRAY_M_S, _FARTHEST_STRAY_M = 0.15, 0.4, 0.4, 1.2
+_LOST_S = 0.15
+"""Who is missed for longer is out of sight."""
+_STRAY_M, _STRAY_M_S, _FARTHEST_STRAY_M = 0.4, 0.4, 1.2
 _OTHER_PACE_M_S = 1.2
-"""Who is out of sight may turn up so far from where they are thought to be, and so much faster."""
+"""They may turn up so far from where they are thought to be: at once, more for each second, at
+most; and so much faster or slower."""
 _WEAKER = 0.3
+"""Of two at one place the one with a smaller share of the other's tracklets is not the person."""
 _LONGER = 1.6
 """How much farther apart along the line of sight two may be found and be one."""
 
@@ -63,10 +75,9 @@ class HeldPeople:
     def __init__(self, settings: FlowSettings, table: KernelTable, floor: Floor) -> None:
         """Nobody is followed yet."""
         self._settings = settings
-        self._table = table
         self._floor = floor
         self._holds = Holds.none()
-        self._modes: Vectors | None = None
+        self._gathering = Gathering(settings.clusters, table)
         self._grid = FloorGrid(floor)
         self._sightings = Sightings.none()
         self._unlooked_s = 0.0
@@ -130,7 +141,7 @@ class HeldPeople:
         free = np.flatnonzero((holds.owner == 0) & seen.known)
         moving = speeds(seen.tracklets.select(free), POSITIONS, seen.fps, self._floor) > _NEW_M_S
         free = free[moving]
-        clusters = self._clustered(seen.vectors(free), settings.clusters)
+        clusters = self._gathering.of(seen.vectors(free))
         cover = cover_of(walkers.place, self._floor)
         for number in range(len(clusters)):
             rows = free[clusters.label == number]
@@ -180,27 +191,10 @@ class HeldPeople:
         one = begun(np.array([self.last_id], np.int32), place[None], pace[None])
         return walkers.and_also(one), len(walkers)
 
-    def _clustered(self, tracklets: Vectors, settings: ClusterSettings) -> Clusters:
-        """Clusters of tracklets that nobody has, from the modes of the frame before."""
-        rule = {"occlusion": settings.occlusion}
-        if self._modes is None or not settings.warm:
-            found = cold(tracklets, self._table, settings.fewest, settings.join, **rule)
-        else:
-            found = warm(
-                self._modes, tracklets, self._table, settings.fewest, settings.join, **rule
-            )
-        self._modes = found.mode
-        return found
-
     def _ended(self, walkers: Walkers, holds: Holds) -> tuple[Walkers, Holds]:
         """Without those who are gone; of two at one place the surer one has the tracklets."""
-        limit_s = np.where(
-            in_picture(walkers, self._floor),
-            self._settings.lost_after_s,
-            self._settings.lost_at_edge_s,
-        )
-        kept = (walkers.missed_s <= limit_s) & (walkers.empty_s < self._settings.empty_s)
-        kept &= walkers.walked | (walkers.age_s < self._settings.unproven_s)
+        kept = lasting(walkers, self._settings, self._floor)
+        kept &= walkers.empty_s < self._settings.empty_s
         heir = _heirs(walkers, kept, self._settings.closest_m)
         row = holds.rows_of(walkers)
         owner = np.where(row >= 0, np.append(walkers.track, 0)[np.append(heir, -1)[row]], 0)
@@ -208,12 +202,6 @@ class HeldPeople:
         holds = replace(holds, owner=owner.astype(np.int32))
         gone = ~np.isin(holds.owner, walkers.track[kept])
         return walkers.select(kept), holds.freed(gone)
-
-
-def in_picture(walkers: Walkers, floor: Floor) -> NDArray[np.bool_]:
-    """(m,) whose chest lies in the picture."""
-    chest = floor.pixels(walkers.place, np.array(1.2))
-    return np.asarray(((chest > 0) & (chest < np.array(floor.view.camera.size))).all(axis=1))
 
 
 def _convincing(new: Newcomer) -> bool:

@@ -39,6 +39,9 @@ def step_result(
 ) -> StepResult:
     """The frame's result.
 
+    Nobody is detected apart from being followed: detections are the people themselves, where
+    something is seen of them.
+
     Args:
         owner: (n,) the track each tracklet belongs to; 0: none.
     """

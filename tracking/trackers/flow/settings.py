@@ -59,6 +59,14 @@ class ClusterSettings:
         True, "", None, "shrink the kernel where the lower part of a body has no tracklets"
     )
 
+    @property
+    def bodies(self) -> float:
+        """How many bodies wide and high a kernel is.
+
+        It reaches `reach` bodies from its middle to each side ([Yoneji2013] eq. 4).
+        """
+        return 2.0 * self.reach
+
 
 @dataclass(frozen=True, slots=True)
 class FlowSettings:
@@ -85,7 +93,7 @@ class FlowSettings:
         "s",
         (0.05, 60.0),
         "time with nothing seen where somebody should be in sight, after which a track ends; "
-        "longer where pillars hide people",
+        "longer where pillars hide people; counts with hold only",
     )
     lost_after_s: float = setting(
         2.5, "s", (0.05, 60.0), "time out of sight after which a track ends"
@@ -94,10 +102,13 @@ class FlowSettings:
         0.4, "s", (0.05, 60.0), "the same for a person at the picture's edge or outside it"
     )
     closest_m: float = setting(
-        0.3, "m", (0.0, 2.0), "people who walk nearer together than this are one"
+        0.3,
+        "m",
+        (0.0, 2.0),
+        "people who walk nearer together than this are one; counts with hold only",
     )
     silhouettes: bool = setting(
-        True, "", None, "draw people to where their bodies fill the foreground"
+        True, "", None, "with hold: draw people to where their bodies fill the foreground"
     )
     smooth: bool = setting(
         True, "", None, "look a finished run over from both ends: smoother paths and boxes"

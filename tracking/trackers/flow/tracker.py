@@ -53,7 +53,7 @@ class FlowTracker:
         self._follower = PointFollower(points, self._history, spacing)
         kind = HeldPeople if settings.hold else ClusteredPeople
         self._people: HeldPeople | ClusteredPeople = kind(
-            settings, table.scaled(2.0 * box.reach), self._floor
+            settings, table.scaled(box.bodies), self._floor
         )
         self._watch = CameraWatch(fps)
         self._moved: int | None = None

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from tracking.errors import CalibrationError
 from tracking.geometry import FlatView
 from tracking.recording import Recording
+from tracking.trackers.occluders import Polygons, occluders_from
 from tracking.trackers.spheroid.perception import SpheroidPerception
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.tracker import SpheroidTracker
-from tracking.trackers.three_part.occlusion import Polygons, occluders_from
 
 
 def build_spheroid(

@@ -66,17 +66,19 @@ def region_of_evaluation(
     others_height_m: Floats,
     radius_m: float = USUAL_RADIUS_M,
     points: int = 64,
+    scale: float = REGION_SCALE,
 ) -> RegionOfEvaluation:
-    """The region one person's hypotheses are judged in, with the other people masked out.
+    """The region a hypothesis at a person's place is judged in as published, the others masked.
 
     Args:
         view: the camera over its floor.
         xy: (2,) m where the person is. height_m: of the person.
         others_xy: (others, 2) m where the others are. others_height_m: (others,).
         radius_m: minor semi-axes of everybody. points: along each outline.
+        scale: of the region, in sizes of the person's spheroid.
     """
     own = np.asarray(xy, float).reshape(1, 2)
-    outline = outlines(view, own, np.array([height_m]), radius_m, points, REGION_SCALE)[0]
+    outline = outlines(view, own, np.array([height_m]), radius_m, points, scale)[0]
     masked = outlines(view, others_xy, others_height_m, radius_m, points)
     return RegionOfEvaluation(outline, masked)
 

@@ -34,7 +34,6 @@ _START_SPREADS = (0.2, 0.5)
 """m and m/s, of a newcomer's hypotheses."""
 _HEIGHT_SD_M = 0.12
 """Of people, children among them."""
-_PAPER_HEIGHT_M = 1.8
 _ALONE_M = 0.9
 """Colours are learnt while nobody is closer than this."""
 _COLOURS_WITHIN_M = 1.5
@@ -87,14 +86,14 @@ class SpheroidTracker:
         self._settings = settings
         self._counted = counted
         self._random = np.random.default_rng(seed)
-        usual_m = _PAPER_HEIGHT_M if settings.paper else settings.usual_height_m
-        self._usual_m = usual_m
+        usual_m = self._usual_m = settings.newcomer_m
         self._cells = FloorCells(self._flat, usual_m, settings.radius_m)
         self._people = nobody(settings.particles)
         self._lost = Lost(self._people, np.zeros(0))
         self._candidates = births.Candidates.none()
         self._last_id = 0
         self._time_s: float | None = None
+        self._first: int | None = None  # frame of the run
         self._next_look_s = self._next_ghosts_s = -np.inf
 
     @property
@@ -108,9 +107,11 @@ class SpheroidTracker:
         moved_at = self._perception.steadiness.moved_at
         if moved_at is None:
             return ()
+        first = moved_at if self._first is None else self._first
+        before = f"; track the frames before with --frames {first}:{moved_at}"
         return (
             f"the camera moved at about frame {moved_at}: spheroid needs a fixed one, do not rely "
-            f"on what it says from there; track the frames before with --frames 0:{moved_at}",
+            f"on what it says from there{before if first < moved_at else ''}",
         )
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
@@ -124,6 +125,8 @@ class SpheroidTracker:
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""
         assert isinstance(observation, FlatObservation), "spheroids step on flat observations"
+        if self._first is None:
+            self._first = observation.frame
         time_s = observation.time_s
         elapsed_s = 0.0 if self._time_s is None else time_s - self._time_s
         self._time_s = time_s

@@ -6,7 +6,6 @@ from tracking.trackers.three_part.building import (
     build_whole_body,
 )
 from tracking.trackers.three_part.detectors import detector_fingerprint
-from tracking.trackers.three_part.occlusion import occluders_as_setting
 from tracking.trackers.three_part.settings import ThreePartSettings, WholeBodySettings
 
 __all__ = [
@@ -16,5 +15,4 @@ __all__ = [
     "build_three_part_joint",
     "build_whole_body",
     "detector_fingerprint",
-    "occluders_as_setting",
 ]

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from tracking.people import SingleCameraPerception
 from tracking.recording import Recording
+from tracking.trackers.occluders import occluders_from
 from tracking.trackers.three_part.detectors import chosen_detector
 from tracking.trackers.three_part.followed import Layout
-from tracking.trackers.three_part.occlusion import occluders_from
 from tracking.trackers.three_part.settings import ThreePartSettings, WholeBodySettings
 from tracking.trackers.three_part.tracker import Camera, PartTracker
 

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterable
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.errors import SettingsError
+from tracking.trackers.occluders import Polygons
 from tracking.trackers.three_part.followed import Flags, Floats
-from tracking.tracks.labels import Occluder
 
 _TOUCH = 1.25
 """Parts touch where their inner rectangles, larger by this, overlap."""
@@ -24,41 +20,6 @@ _COVERED = 0.5
 """Share of a rectangle that a drawn outline must hold for it to hide the part."""
 _SEEN = 0.4
 """Share of foreground in a covered rectangle from which on the person walks in front."""
-_MOST_CORNERS = 100_000
-
-Polygons = tuple[NDArray[np.float64], ...]
-
-
-def occluders_from(text: str) -> Polygons:
-    """The outlines of the setting `occluders`: each (corners, 2) px as recorded.
-
-    Raises `SettingsError` for what is no list of polygons.
-    """
-    if not text.strip():
-        return ()
-    try:
-        said = json.loads(text)
-        polygons = [np.array(corners, np.float64) for corners in said]
-        good = isinstance(said, list) and all(
-            outline.ndim == 2
-            and outline.shape[1] == 2
-            and 3 <= len(outline) <= _MOST_CORNERS
-            and bool(np.isfinite(outline).all())
-            for outline in polygons
-        )
-    except (ValueError, TypeError, RecursionError):
-        good = False
-    if not good:
-        raise SettingsError(
-            "setting occluders: must be outlines of three corners or more, "
-            "like [[[100, 40], [130, 40], [130, 300]]]"
-        )
-    return tuple(polygons)
-
-
-def occluders_as_setting(occluders: Iterable[Occluder]) -> str:
-    """What people drew, as the setting `occluders` has it."""
-    return json.dumps([[list(corner) for corner in one.polygon] for one in occluders])
 
 
 def covered_mask(polygons: Polygons, shape: tuple[int, int]) -> NDArray[np.uint8]:

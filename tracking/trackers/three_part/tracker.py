@@ -12,6 +12,7 @@ from tracking.failure import Detector
 from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.people.parts import ycbcr
+from tracking.trackers.occluders import Polygons
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.resuming import Resume
 from tracking.trackers.three_part import births
@@ -39,7 +40,6 @@ from tracking.trackers.three_part.followed import Flags, Followed, Indices, Layo
 from tracking.trackers.three_part.learning import colours_learnt, places_learnt, poses_learnt
 from tracking.trackers.three_part.moving import carried, moved, weighed
 from tracking.trackers.three_part.occlusion import (
-    Polygons,
     behind_others,
     behind_what_is_drawn,
     covered_mask,

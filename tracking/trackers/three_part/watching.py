@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.failure import Detector, Judgement, PastStates, part_features
-from tracking.trackers.three_part.followed import Flags, Floats, Followed
+from tracking.trackers.three_part.followed import Flags, Followed
 
 
 class Watch:
@@ -37,7 +37,3 @@ class Watch:
     def remember(self, time_s: float, people: Followed) -> None:
         """Keep where the parts are, after any adjustment."""
         self._past.remember(time_s, people.track, people.state)
-
-    def known(self, time_s: float, people: Followed, state: Floats) -> None:
-        """Keep where parts were before tracking began; see `remember`."""
-        self._past.remember(time_s, people.track, state)

@@ -2,10 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from app.views.desk.desk import Desk
 from app.views.window.runnable.on_desk import OnDesk
 
+
+def _jump(step: int) -> OnDesk:
+    """From failure to failure; parts that were switched off come back, to be seen."""
+
+    def jump(desk: Desk) -> None:
+        if desk.parts.jump(step) and not desk.pictured.parts:
+            desk.set_pictured(replace(desk.pictured, parts=True))
+
+    return jump
+
+
 DETECTING: dict[str, OnDesk] = {
-    "detector.next": lambda desk: desk.parts.jump(1),
-    "detector.previous": lambda desk: desk.parts.jump(-1),
+    "detector.next": _jump(1),
+    "detector.previous": _jump(-1),
     "detector.suggest": lambda desk: desk.labelling.suggest(),
 }

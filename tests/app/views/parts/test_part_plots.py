@@ -7,11 +7,12 @@ import pytest
 
 from app.presenters.parts.part_curve import PartCurve
 from app.presenters.parts.parts_scene import CurvesScene
-from app.presenters.parts.training import Source
+from app.presenters.parts.taught import Source
 from app.presenters.parts.training_result import MistakeItem
 from app.views.parts.curves_plot import CurvesPlot
 from app.views.parts.mistakes import MistakesList
 from app.views.timeline.axis import TimeAxis
+from tracking.failure import Mistake
 from tracking.failure.samples import samples_from_rows
 
 SOURCE = Source("lobby", None, samples_from_rows([], np.zeros((0, 36))), "")
@@ -24,7 +25,8 @@ def _curve(count: int = 100) -> PartCurve:
 
 
 def _mistake(frame: int) -> MistakeItem:
-    return MistakeItem(SOURCE, "lobby", frame, 1, 0, "head of 1", "missed", "00:00.00")
+    wrong = Mistake(frame, 0, "lobby", 1, frame, False, -1.0)
+    return MistakeItem(SOURCE, "lobby", wrong, None, "head of 1", "missed", "00:00.00")
 
 
 @pytest.fixture

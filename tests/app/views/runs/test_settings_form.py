@@ -15,9 +15,9 @@ def form(request, qtbot):
 
 
 def _own_number(form):
-    """The first whole number among the tracker's own settings."""
+    """The first number with a range among the tracker's own settings."""
     fields = settings_fields(form.spec.settings_type)
-    return next(f for f in fields if f.type is int and f.range and "." not in f.name)
+    return next(f for f in fields if f.type in (int, float) and f.range and "." not in f.name)
 
 
 def test_a_form_left_alone_gives_the_defaults(form):
@@ -26,11 +26,12 @@ def test_a_form_left_alone_gives_the_defaults(form):
 
 
 def test_a_changed_value_is_the_only_one_that_differs(form, qtbot):
-    name = _own_number(form).name
+    field = _own_number(form)
+    other = next(edge for edge in field.range if edge != field.default)
     with qtbot.waitSignal(form.edited):
-        form.put(name, 321)
-    assert form.values() == {name: 321}
-    assert getattr(form.settings(), name) == 321
+        form.put(field.name, field.type(other))
+    assert form.values() == {field.name: other}
+    assert getattr(form.settings(), field.name) == other
     form.reset()
     assert form.values() == {}
 
@@ -38,10 +39,10 @@ def test_a_changed_value_is_the_only_one_that_differs(form, qtbot):
 def test_values_stay_within_their_range(form):
     field = _own_number(form)
     low, high = field.range
-    form.put(field.name, int(high) + 1000)
-    assert form.values() == {field.name: int(high)}
-    form.put(field.name, int(low) - 1000)
-    assert form.values() == {field.name: int(low)}
+    form.put(field.name, field.type(high) + 1000)
+    assert form.values() == {field.name: field.type(high)}
+    form.put(field.name, field.type(low) - 1000)
+    assert form.values() == {field.name: field.type(low)}
 
 
 def test_every_control_has_a_name_and_a_description(form):
@@ -60,7 +61,7 @@ def test_the_trackers_own_settings_stand_open_and_earlier_stages_are_folded(form
     stages = [f.name.partition(".") for f in settings_fields(form.spec.settings_type)]
     assert names == list(dict.fromkeys(stage.capitalize() for stage, dot, _ in stages if dot))
     assert "Foreground" in names
-    form.findChildren(FoldButton)[0].click()
+    next(f for f in form.findChildren(FoldButton) if f.text() == "Foreground").click()
     assert folded.isVisible()
 
 

@@ -1,0 +1,25 @@
+"""Ranges of frames as they are typed: A:B, from 0, B not included."""
+
+from __future__ import annotations
+
+import re
+
+from tracking.errors import SettingsError
+
+
+def typed_range(text: str | None, count: int) -> tuple[int, int] | None:
+    """A:B as numbers; either may be left out. None where nothing was typed.
+
+    Args:
+        count: of the frames there are; stands for B where that is left out.
+
+    Raises:
+        SettingsError: it is no such text.
+    """
+    if text is None:
+        return None
+    found = re.fullmatch(r"\s*(\d{0,9})\s*:\s*(\d{0,9})\s*", text)
+    if found is None:
+        raise SettingsError(f"frames {text!r} are not A:B, e.g. --frames 100:400")
+    start, stop = found.groups()
+    return int(start or 0), int(stop or count)

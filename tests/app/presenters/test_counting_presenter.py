@@ -1,0 +1,112 @@
+"""What the counting panel says, of a document without a window."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from two_people import FRAMES, columns
+
+from app.presenters.counting.counting import CountingPresenter, least_step_s
+from app.presenters.counting.subject import Length, worked_out
+from app.presenters.document.document import Document
+from tracking.counting import CountingLine, Steps, count
+from tracking.errors import CancelledError, CountingError
+from tracking.recording import open_recording
+from tracking.tracks import Labels
+
+FLOOR = CountingLine("door", (0.0, 0.0), (0.0, 9.0))
+SCREEN = CountingLine("screen", (300.0, 0.0), (300.0, 400.0), in_picture=True)
+BOUNDS = (-5.0, 0.0, 5.0, 9.0)
+
+
+def _unplaced() -> dict[str, np.ndarray]:
+    rows = columns()
+    return {**rows, "x": np.full_like(rows["x"], np.nan), "y": np.full_like(rows["y"], np.nan)}
+
+
+@pytest.fixture
+def document(tiny_recording):
+    with open_recording(tiny_recording) as recording:
+        yield Document(recording, None)
+
+
+@pytest.fixture
+def drawn(document):
+    """A presenter of lines that somebody drew, and what changes them."""
+
+    class Drawn(CountingPresenter):
+        labels = Labels(lines=(FLOOR, SCREEN))
+
+    presenter = Drawn(document)
+
+    def draw(*lines: CountingLine) -> None:
+        Drawn.labels = Labels(lines=lines)
+
+    return SimpleNamespace(presenter=presenter, draw=draw)
+
+
+def _counted(presenter, rows):
+    subject = presenter.wanted(mapped=False)
+    length = Length(20.0, FRAMES, (0, FRAMES))
+    return worked_out(subject, lambda: rows, length, BOUNDS, lambda *_: None)
+
+
+def test_a_line_on_a_floor_nobody_knows_leaves_the_others_their_counts(drawn, document):
+    presenter = drawn.presenter
+    presenter.take(_counted(presenter, _unplaced()))
+    scene = presenter.scene(document.instant(0), "")
+    door, screen = scene.rows
+    alone = count(_unplaced(), 20.0, FRAMES, [SCREEN]).lines[0].totals
+    assert screen.cells[:2] == tuple(f"0 / {most}" for most in alone)
+    assert door.cells[0] == ""
+    assert door.hint == scene.message
+    assert "'door' lies on the floor" in scene.message
+    presenter.pick(True, "screen")
+    assert presenter.scene(document.instant(0), "").message == ""
+    assert presenter.scene(document.instant(0), "").plots
+
+
+def test_where_people_have_places_both_lines_are_counted(drawn):
+    counted = _counted(drawn.presenter, columns())
+    assert counted.left_out == ()
+    assert [one.line for one in counted.counts.lines] == [FLOOR, SCREEN]
+
+
+def test_a_refusal_goes_with_what_was_refused(drawn, document):
+    presenter = drawn.presenter
+    presenter.refuse(presenter.wanted(mapped=False), CountingError("no such step"))
+    assert presenter.scene(document.instant(0), "").message == "no such step"
+    drawn.draw()
+    assert "Draw a counting line" in presenter.scene(document.instant(0), "").message
+
+
+def test_a_bug_is_told_as_one(drawn):
+    presenter = drawn.presenter
+    presenter.refuse(presenter.wanted(mapped=False), KeyError("frame"))
+    assert presenter.refused.startswith("A bug in trackwright: KeyError")
+
+
+def test_the_table_shows_no_steps_of_lines_that_are_gone(drawn, document):
+    presenter = drawn.presenter
+    presenter.take(_counted(presenter, columns()))
+    assert presenter.scene(document.instant(0), "").counts is not None
+    drawn.draw()
+    assert presenter.scene(document.instant(0), "").counts is None
+
+
+def test_counting_stops_where_it_is_asked_to(drawn):
+    def stop(*_: int) -> None:
+        raise CancelledError("stopped")
+
+    length = Length(20.0, FRAMES, (0, FRAMES))
+    subject = drawn.presenter.wanted(mapped=False)
+    with pytest.raises(CancelledError):
+        worked_out(subject, columns, length, BOUNDS, stop)
+
+
+@pytest.mark.parametrize("fps", [1.0, 7.5, 24.0, 25.0, 29.97, 30.0, 59.94, 100.0, 120.0, 300.0])
+def test_the_shortest_step_that_can_be_chosen_is_one(fps):
+    shortest_s = least_step_s(fps)
+    assert round(shortest_s, 2) == shortest_s
+    assert len(Steps.of(FRAMES, fps, shortest_s)) >= 1  # a shorter one is refused
+    assert shortest_s - 0.01 < 1 / fps

@@ -1,0 +1,27 @@
+"""The look that is remembered from one start to the next."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QSettings
+
+from app.views.look.theme import Look
+from app.views.widgets.remembered import Remembered
+from app.views.window.look_choice import look_of
+
+
+@pytest.fixture
+def remembered(tmp_path: Path) -> Remembered:
+    return Remembered(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+
+
+@pytest.mark.parametrize("look", Look)
+def test_the_look_that_was_chosen_is_had_again(remembered, look):
+    remembered.set_text("look", look.value)
+    assert look_of(remembered) is look
+
+
+@pytest.mark.parametrize("word", ["", "sepia", "DARK"])
+def test_a_word_that_is_no_look_is_that_of_the_system(remembered, word):
+    remembered.set_text("look", word)
+    assert look_of(remembered) is Look.SYSTEM

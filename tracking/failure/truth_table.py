@@ -1,0 +1,101 @@
+"""Tables of truth beside a rendered recording, as text: read row by row into plain numbers."""
+
+from __future__ import annotations
+
+import csv
+from array import array
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.failure.features import Floats
+
+MOST_BYTES = 256 << 20
+"""Three hours of twenty people at 20 frames a second are as large; read, it takes twice that."""
+
+Rows = NDArray[np.int64]
+Row = tuple[tuple[int, ...], tuple[float, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class TruthTable:
+    """What a table of truth holds.
+
+    Attributes:
+        header: its columns. what: a row of it in words.
+        once: what no two rows have in common, in words. keys: how many of a row's whole numbers,
+            from the first on, say so.
+        row: whole and other numbers of a line; raises ValueError, KeyError or OverflowError
+            where it is none.
+    """
+
+    header: tuple[str, ...]
+    what: str
+    once: str
+    keys: int
+    row: Callable[[list[str]], Row]
+
+
+def read_table(path: Path, table: TruthTable) -> tuple[Rows, Floats]:
+    """Whole numbers (n, k) and others (n, m) of a table, sorted by its keys.
+
+    Raises FormatError where the file is missing, far too large or no such table, or has rows with
+    the same keys; names the line.
+    """
+    try:
+        size = path.stat().st_size
+        if size > MOST_BYTES:
+            raise FormatError(
+                f"{path} has {size >> 20} MB, tables of truth are read up to {MOST_BYTES >> 20}; "
+                "give a shorter recording"
+            )
+        with path.open(encoding="utf-8-sig", newline="") as stream:
+            whole, others = _numbers(path, stream, table)
+    except OSError as error:
+        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise FormatError(
+            f"{path} is no table of {table.what} ({error}); render the recording again"
+        ) from error
+    line, keys = whole[:, 0], whole[:, 1 : table.keys + 1]
+    order = np.lexsort((line, *keys.T[::-1]))
+    _check_once(path, table, line[order], keys[order])
+    return whole[order, 1:], others[order]
+
+
+def _check_once(path: Path, table: TruthTable, line: Rows, keys: Rows) -> None:
+    """Refuse sorted rows whose keys (n, k) stand there already."""
+    again = np.flatnonzero((np.diff(keys, axis=0) == 0).all(axis=1))
+    if len(again):
+        first = again[np.argmin(line[again + 1])]
+        raise FormatError(
+            f"{path}, line {line[first + 1]}: line {line[first]} gives {table.once}; "
+            "take one of them out"
+        )
+
+
+def _numbers(path: Path, stream: Iterable[str], table: TruthTable) -> tuple[Rows, Floats]:
+    """Line and whole numbers of each row, and its other numbers."""
+    lines = csv.reader(stream)
+    if tuple(next(lines, ())) != table.header:
+        raise FormatError(f"{path}, line 1: the columns are not {','.join(table.header)}")
+    whole, others, rows = array("q"), array("d"), 0
+    for line in lines:
+        try:
+            if len(line) != len(table.header):
+                raise ValueError(f"{len(line)} values where the header names {len(table.header)}")
+            numbers, more = table.row(line)
+            whole.extend((lines.line_num, *numbers))
+        except (ValueError, KeyError, OverflowError) as error:
+            said = ",".join(line)[:60]
+            raise FormatError(
+                f"{path}, line {lines.line_num}: {said!r} is no {table.what} ({error})"
+            ) from error
+        others.extend(more)
+        rows += 1
+    shape = (rows, -1) if rows else (0, len(table.header) + 1)
+    return np.array(whole, np.int64).reshape(shape), np.array(others, float).reshape(shape)

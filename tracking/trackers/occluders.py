@@ -1,0 +1,48 @@
+"""What is drawn in the picture and hides people: the setting `occluders` of trackers."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import SettingsError
+from tracking.tracks.labels import Occluder
+
+_MOST_CORNERS = 100_000
+
+Polygons = tuple[NDArray[np.float64], ...]
+
+
+def occluders_from(text: str) -> Polygons:
+    """The outlines of the setting `occluders`: each (corners, 2) px as recorded.
+
+    Raises `SettingsError` for what is no list of polygons.
+    """
+    if not text.strip():
+        return ()
+    try:
+        said = json.loads(text)
+        polygons = [np.array(corners, np.float64) for corners in said]
+        good = isinstance(said, list) and all(
+            outline.ndim == 2
+            and outline.shape[1] == 2
+            and 3 <= len(outline) <= _MOST_CORNERS
+            and bool(np.isfinite(outline).all())
+            for outline in polygons
+        )
+    except (ValueError, TypeError, RecursionError):
+        good = False
+    if not good:
+        raise SettingsError(
+            "setting occluders: must be outlines of three corners or more, "
+            "like [[[100, 40], [130, 40], [130, 300]]]"
+        )
+    return tuple(polygons)
+
+
+def occluders_as_setting(occluders: Iterable[Occluder]) -> str:
+    """What people drew, as the setting `occluders` has it."""
+    return json.dumps([[list(corner) for corner in one.polygon] for one in occluders])
