@@ -36,9 +36,8 @@ _HEIGHT_SD_M = 0.12
 """Of people, children among them."""
 _ALONE_M = 0.9
 """Colours are learnt while nobody is closer than this."""
-_COLOURS_WITHIN_M = 1.5
-"""Seen steeply, colours tell who is who while somebody is so close, but not where he stands: those
-learnt at a place a little off would hold him there."""
+_STEEP_COLOURS = 0.15
+"""Weight of colours of who is seen steeply: those learnt a little off would hold him there."""
 _GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
 """How often those who stand are looked at, and how long they must have stood."""
 _GHOST_SCALE = 1.3
@@ -161,8 +160,7 @@ class SpheroidTracker:
         if settings.colour_weight > 0.0 and not settings.paper:
             colours, known = look.at(*places_of(people))
             alike = likeness(people, colours, known, settings.colour_weight)
-            alone = _apart(people) > _COLOURS_WITHIN_M
-            alike[alone & seen_steeply(people, flat)] = 0.0
+            alike[seen_steeply(people, flat)] *= _STEEP_COLOURS
         evidence = self._evidence(people, seen)
         people, windows = judged_and_weighed(people, evidence, flat, settings, alike)
         return supported(people, windows, flat, settings, elapsed_s)
