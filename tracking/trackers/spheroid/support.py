@@ -10,7 +10,7 @@ from tracking.trackers.spheroid.followed import Floats, Followed
 from tracking.trackers.spheroid.judging import bounds
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.sums import Window, sums_inside
-from tracking.trackers.spheroid.weighing import silhouettes
+from tracking.trackers.spheroid.weighing import seen_steeply, silhouettes
 
 _SEEN = 0.35
 """Share of what can be seen of a silhouette that must be foreground."""
@@ -69,12 +69,6 @@ def _inside(people: Followed, flat: FlatView, settings: SpheroidSettings) -> Flo
 def seen_whole(people: Followed) -> NDArray[np.bool_]:
     """(people,) who is in sight from head to foot."""
     return np.asarray((people.missed_s == 0.0) & (people.shown > _WHOLE))
-
-
-def seen_steeply(people: Followed, flat: FlatView) -> NDArray[np.bool_]:
-    """(people,) whom the camera looks down on by more than 45 degrees."""
-    eye = np.asarray(flat.eye)
-    return np.asarray(np.hypot(*(people.xy - eye[:2]).T) < eye[2])
 
 
 def still_there(people: Followed, settings: SpheroidSettings) -> NDArray[np.bool_]:

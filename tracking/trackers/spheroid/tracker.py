@@ -23,10 +23,15 @@ from tracking.trackers.spheroid.remembering import Lost, found_again
 from tracking.trackers.spheroid.result import clothes_of, step_result
 from tracking.trackers.spheroid.resuming import resumed
 from tracking.trackers.spheroid.settings import SpheroidSettings
-from tracking.trackers.spheroid.support import seen_steeply, seen_whole, still_there, supported
+from tracking.trackers.spheroid.support import seen_whole, still_there, supported
 from tracking.trackers.spheroid.swallowed import parted
 from tracking.trackers.spheroid.telling import bodies_told
-from tracking.trackers.spheroid.weighing import judged_and_weighed, places_of, silhouettes
+from tracking.trackers.spheroid.weighing import (
+    judged_and_weighed,
+    places_of,
+    seen_steeply,
+    silhouettes,
+)
 
 Flags = NDArray[np.bool_]
 
