@@ -62,10 +62,11 @@ class SpheroidTracker:
         - other people are masked out where they are expected now, not where they were;
         - body heights are estimated: a fixed one errs by a share of the distance;
         - colours of the body, looked up at a few places, weigh hypotheses too, so that people who
-          meet keep their identities;
+          meet keep their identities; little of those who are seen steeply;
         - shadows are weighed down by what was learnt of them beside people (`foreground`);
         - newcomers are places on the floor whose silhouettes the blobs fill, taken one by one, so
-          that a group that comes in together is taken apart;
+          that a group that comes in together is taken apart; who is followed between two people is
+          put to one of them (see `swallowed`);
         - who has left the picture or is not where he would be seen is let go before hypotheses
           spread, and who is found again near by, in the same colours, keeps the track;
         - boxes are drawn from the foreground round the silhouettes, not from spheroids.
