@@ -32,6 +32,9 @@ _LEAST_SEEN = 0.35
 """Share of a silhouette that must count: what peeps out between people is theirs."""
 EXPLAINED = 1.15
 """Silhouettes of people explain what lies in them when they are so much larger: arms and feet."""
+TALLER_M = 0.05
+"""Nor do they explain more than somebody so much taller than usual would: a spheroid that grew over
+two people leaves the second one to be found."""
 _MOST_NEW = 8
 _NEAR_M = 0.45
 """Nobody starts closer than this to somebody followed."""

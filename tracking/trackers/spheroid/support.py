@@ -10,12 +10,12 @@ from tracking.trackers.spheroid.followed import Floats, Followed
 from tracking.trackers.spheroid.judging import bounds
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.sums import Window, sums_inside
-from tracking.trackers.spheroid.weighing import silhouettes
+from tracking.trackers.spheroid.weighing import seen_steeply, silhouettes
 
 _SEEN = 0.35
 """Share of what can be seen of a silhouette that must be foreground."""
-_ENOUGH = 0.25
-"""Share of a silhouette that must be in sight to tell anything."""
+_ENOUGH, _ENOUGH_STEEPLY = 0.25, 0.15
+"""Share of a silhouette that must be in sight to tell anything; seen steeply, heads are large."""
 _WHOLE = 0.85
 _LEFT = 0.2
 """Share of a silhouette in the picture below which the person has left it."""
@@ -44,7 +44,8 @@ def supported(
     whole = np.maximum(np.nan_to_num(outlines.areas()), 1.0)
     shown = np.clip(area / whole, 0.0, 1.0)
     coverage = seen / np.maximum(area, 1.0)
-    found = (coverage > _SEEN) & (shown > _ENOUGH)
+    enough = np.where(seen_steeply(people, flat), _ENOUGH_STEEPLY, _ENOUGH)
+    found = (coverage > _SEEN) & (shown > enough)
     pace = np.hypot(people.mean[:, 2], people.mean[:, 3])
     return people.replace(
         coverage=coverage,

@@ -17,6 +17,9 @@ _SURE = 0.5
 _UPPER = (0.64, 0.36)
 """Middle and half height of the body above the shins, in body heights: shadows lie below."""
 _SLIM = 0.8
+_SHADE = (1.0, 1.0, 0.02)
+"""Semi-axes in m of the floor about somebody's feet: seen from above, a body lies before its own
+shadow there, and what is which cannot be told."""
 _KEPT, _BESIDE = 1.2, 2.2
 """Sizes of silhouettes that hold people generously, and that hold their shadows, too."""
 
@@ -34,4 +37,8 @@ def bodies_told(people: Followed, flat: FlatView, settings: SpheroidSettings) ->
     wide = np.full(len(sure), _SLIM * settings.radius_m)
     centre = np.column_stack((sure.xy, middle))
     upper = ellipses_of(flat.projection, centre, np.column_stack((wide, wide, half)))
-    return Bodies(covered(shape, upper), beside, kept)
+    on = covered(shape, upper)
+    feet = np.column_stack((sure.xy, np.zeros(len(sure))))
+    shade = ellipses_of(flat.projection, feet, np.broadcast_to(_SHADE, feet.shape))
+    on[covered(shape, shade) > 0] = 0
+    return Bodies(on, beside, kept)

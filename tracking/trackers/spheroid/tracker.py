@@ -24,8 +24,14 @@ from tracking.trackers.spheroid.result import clothes_of, step_result
 from tracking.trackers.spheroid.resuming import resumed
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.support import seen_whole, still_there, supported
+from tracking.trackers.spheroid.swallowed import parted
 from tracking.trackers.spheroid.telling import bodies_told
-from tracking.trackers.spheroid.weighing import judged_and_weighed, places_of, silhouettes
+from tracking.trackers.spheroid.weighing import (
+    judged_and_weighed,
+    places_of,
+    seen_steeply,
+    silhouettes,
+)
 
 Flags = NDArray[np.bool_]
 
@@ -35,9 +41,13 @@ _HEIGHT_SD_M = 0.12
 """Of people, children among them."""
 _ALONE_M = 0.9
 """Colours are learnt while nobody is closer than this."""
+_STEEP_COLOURS = 0.15
+"""Weight of colours of who is seen steeply: those learnt a little off would hold him there."""
 _GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
 """How often those who stand are looked at, and how long they must have stood."""
 _GHOST_SCALE = 1.3
+_PARTED_LOOKS = 3
+"""In every so manieth look for newcomers somebody is looked at who may be two."""
 
 
 class SpheroidTracker:
@@ -52,10 +62,11 @@ class SpheroidTracker:
         - other people are masked out where they are expected now, not where they were;
         - body heights are estimated: a fixed one errs by a share of the distance;
         - colours of the body, looked up at a few places, weigh hypotheses too, so that people who
-          meet keep their identities;
+          meet keep their identities; little of those who are seen steeply;
         - shadows are weighed down by what was learnt of them beside people (`foreground`);
         - newcomers are places on the floor whose silhouettes the blobs fill, taken one by one, so
-          that a group that comes in together is taken apart;
+          that a group that comes in together is taken apart; who is followed between two people is
+          put to one of them (see `swallowed`);
         - who has left the picture or is not where he would be seen is let go before hypotheses
           spread, and who is found again near by, in the same colours, keeps the track;
         - boxes are drawn from the foreground round the silhouettes, not from spheroids.
@@ -155,6 +166,7 @@ class SpheroidTracker:
         if settings.colour_weight > 0.0 and not settings.paper:
             colours, known = look.at(*places_of(people))
             alike = likeness(people, colours, known, settings.colour_weight)
+            alike[seen_steeply(people, flat)] *= _STEEP_COLOURS
         evidence = self._evidence(people, seen)
         people, windows = judged_and_weighed(people, evidence, flat, settings, alike)
         return supported(people, windows, flat, settings, elapsed_s)
@@ -180,19 +192,32 @@ class SpheroidTracker:
         if seen.time_s < self._next_look_s:
             return people
         self._next_look_s = seen.time_s + settings.birth_every_s - 1e-3
-        explained = silhouettes(people, self._flat, settings, births.EXPLAINED)
+        modest = people.replace(height=np.minimum(people.height, self._usual_m + births.TALLER_M))
+        explained = silhouettes(modest, self._flat, settings, births.EXPLAINED)
         free = self._counted & (covered(seen.ramp.shape, explained) == 0)
         places = births.unexplained(seen.ramp, free, self._cells, people.xy)
         self._candidates = births.waited_for(self._candidates, places, seen.time_s)
         ready = self._candidates.looks >= settings.birth_looks
-        if not ready.any():
+        states = np.concatenate((self._candidates.xy, self._candidates.velocity), axis=1)
+        people, others = self._parted(people, seen)
+        new = together([self._begun(states[ready]), others])
+        if len(new) == 0:
             return people
-        new = self._begun(
-            np.concatenate((self._candidates.xy[ready], self._candidates.velocity[ready]), axis=1)
-        )
         outlines = silhouettes(new, self._flat, settings, _GHOST_SCALE)
         new = new.select(~are_ghosts(self._flat, outlines, seen.ramp, seen.working))
         return self._named(people, new, look, seen.time_s)
+
+    def _parted(self, people: Followed, seen: FlatObservation) -> tuple[Followed, Followed]:
+        """The people, and those who were followed as one with somebody close by."""
+        if self._settings.paper:
+            return people, self._begun(np.zeros((0, 4)))
+        look = round(seen.time_s / self._settings.birth_every_s)
+        due = (people.track + look) % _PARTED_LOOKS == 0
+        rows = np.flatnonzero(due & seen_steeply(people, self._flat))
+        evidence = self._evidence(people, seen)
+        tallest_m = self._usual_m + births.TALLER_M
+        people, states = parted(people, rows, evidence, self._flat, tallest_m, self._settings)
+        return people, self._begun(states)
 
     def _begun(self, mean: NDArray[np.float64]) -> Followed:
         """People without ids at these states (n, 4)."""
@@ -223,10 +248,16 @@ class SpheroidTracker:
     def _learnt(self, people: Followed, look: ColourLook, elapsed_s: float) -> Followed:
         """The people with body heights and colours of those seen well."""
         whole = seen_whole(people)
+        alone = whole & (_apart(people) > _ALONE_M)
         if not self._settings.paper:
-            people = heights_learnt(people, whole, elapsed_s)
-        apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
-        np.fill_diagonal(apart, np.inf)
-        alone = whole & (apart.min(axis=1, initial=np.inf) > _ALONE_M)
+            sure = np.where(seen_steeply(people, self._flat), alone, whole)
+            people = heights_learnt(people, sure, elapsed_s)
         colours, known = look.at(people.xy, people.height)
         return colours_learnt(people, colours, known, alone)
+
+
+def _apart(people: Followed) -> NDArray[np.float64]:
+    """(people,) m to the next other person, infinite for who is alone."""
+    apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
+    np.fill_diagonal(apart, np.inf)
+    return np.asarray(apart.min(axis=1, initial=np.inf))

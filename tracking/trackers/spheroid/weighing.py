@@ -14,9 +14,11 @@ from tracking.trackers.spheroid.sums import Window, sums_inside
 
 Flags = NDArray[np.bool_]
 
-_BALANCE, _CUT_BALANCE = 0.45, 0.3
+_BALANCE, _CUT_BALANCE, _STEEP_CUT_BALANCE = 0.45, 0.3, 0.23
 """B from which on a pixel speaks for a hypothesis, below against; and of people whose heads are out
-of the picture: legs fill but half of a spheroid's width."""
+of the picture: legs fill but half of a spheroid's width, and less seen from above."""
+_HEIGHT_SD_M = 0.15
+"""Of the body heights of people: how unlikely it is that one is far from the usual."""
 _SHARPNESS = 40.0
 """Logarithm of the weight of a hypothesis that explains everything, over one of nothing."""
 
@@ -46,34 +48,45 @@ def judged_and_weighed(
         evidence: with the silhouettes of everybody's expected places as cover.
         alike: (people, N) logarithms of weights by colour; None: colours say nothing.
     """
-    seen = standing_ellipses(flat.projection, *places_of(people), settings.radius_m)
+    headless = _headless(people, flat) & seen_steeply(people, flat)
+    xy, tall = places_of(people)
+    if not settings.paper:
+        # Short and far out looks like tall and near as long as no head is seen.
+        tall = np.where(headless[:, None], people.height[:, None], tall)
+    seen = standing_ellipses(flat.projection, xy, tall, settings.radius_m)
     own = silhouettes(people, flat, settings)
-    region = _regions(people, flat, settings)
-    windows = windows_of(evidence, _joined(seen, region), own, 0 if settings.paper else LINES)
     if settings.paper:
-        # Weights are the scores themselves.
-        with np.errstate(divide="ignore"):
-            log_weight = np.log(judged(windows, seen, region).scores())
+        log_weight, windows = _scored(people, evidence, seen, own, flat, settings)
     else:
-        log_weight = _gains(windows, seen, own, _headless(people, flat))
+        windows = windows_of(evidence, seen, own, LINES)
+        log_weight = _gains(windows, seen, own, _balance(people, flat))
+        log_weight -= 0.5 * ((tall - settings.usual_height_m) / _HEIGHT_SD_M) ** 2
     if alike is not None:
         log_weight += alike
     log_weight[taken(people, settings) | ~np.isfinite(seen.u)] = -np.inf
     return weighed(people, log_weight), windows
 
 
-def _regions(people: Followed, flat: FlatView, settings: SpheroidSettings) -> Ellipses:
-    """The regions of evaluation: of each hypothesis as published, else (people, 1).
+def _scored(
+    people: Followed,
+    evidence: Evidence,
+    seen: Ellipses,
+    own: Ellipses,
+    flat: FlatView,
+    settings: SpheroidSettings,
+) -> tuple[Floats, list[Window]]:
+    """(people, N) logarithms of the plain scores, as published, and the windows they are of.
 
-    With a region that moves, hypotheses are compared on different pixels.
+    Each hypothesis has its own region of evaluation.
     """
     scale = settings.region_scale
-    if not settings.paper:
-        return silhouettes(people, flat, settings, scale)[:, None]
-    return standing_ellipses(flat.projection, *places_of(people), settings.radius_m, scale)
+    region = standing_ellipses(flat.projection, *places_of(people), settings.radius_m, scale)
+    windows = windows_of(evidence, _joined(seen, region), own, 0)
+    with np.errstate(divide="ignore"):
+        return np.log(judged(windows, seen, region).scores()), windows
 
 
-def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, headless: Flags) -> Floats:
+def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, balance: Floats) -> Floats:
     """(people, N) logarithms of weights: what speaks for hypotheses less what speaks against.
 
     Where we differ from [Waechter2013] eq. 2: C hardly tells near hypotheses apart, and foreground
@@ -83,8 +96,19 @@ def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, headless: Flags
     """
     inside = sums_inside(windows, seen)
     area = np.maximum(np.nan_to_num(own.areas(), nan=1.0), 1.0)
-    balance = np.where(headless, _CUT_BALANCE, _BALANCE)[:, None]
-    return _SHARPNESS * (inside.ramp - balance * inside.area) / area[:, None]
+    return _SHARPNESS * (inside.ramp - balance[:, None] * inside.area) / area[:, None]
+
+
+def _balance(people: Followed, flat: FlatView) -> Floats:
+    """(people,) B from which on a pixel speaks for them."""
+    cut = np.where(seen_steeply(people, flat), _STEEP_CUT_BALANCE, _CUT_BALANCE)
+    return np.where(_headless(people, flat), cut, _BALANCE)
+
+
+def seen_steeply(people: Followed, flat: FlatView) -> NDArray[np.bool_]:
+    """(people,) whom the camera looks down on by more than 45 degrees."""
+    eye = np.asarray(flat.eye)
+    return np.asarray(np.hypot(*(people.xy - eye[:2]).T) < eye[2])
 
 
 def _headless(people: Followed, flat: FlatView) -> Flags:
