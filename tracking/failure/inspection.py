@@ -5,27 +5,24 @@ See `tracking.untrusted.program` for why this is a program of its own, and what 
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
-from types import ModuleType
 
 import h5py
 
-if __name__ == "__main__":
-    # This program needs a few names of the package: loading all of it would take longer.
-    bare = ModuleType("tracking.failure")
-    bare.__path__ = [str(Path(__file__).parent)]
-    sys.modules[bare.__name__] = bare
-
-from tracking.failure.detector_layout import FORMAT, MACHINES, MOST_BYTES, PARTS, VERSION
 from tracking.untrusted import (
     Kind,
     Refused,
     Walk,
+    bare_packages,
     check_signature,
     say_verdicts,
     version_of,
 )
+
+if __name__ == "__main__":
+    bare_packages("failure")
+
+from tracking.failure.detector_layout import FORMAT, MACHINES, MOST_BYTES, PARTS, VERSION
 
 _KIND = Kind("detector", FORMAT, VERSION, MOST_BYTES, dimensions=2)
 

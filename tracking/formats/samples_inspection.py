@@ -5,19 +5,23 @@ See `tracking.untrusted.program` for why this is a program of its own, and what 
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from pathlib import Path
-from types import ModuleType
 
 import h5py
 
+from tracking.untrusted import (
+    Kind,
+    Refused,
+    Walk,
+    bare_packages,
+    check_signature,
+    say_verdicts,
+    version_of,
+)
+
 if __name__ == "__main__":
-    # This program needs a few names of two packages: loading all of them would take longer.
-    for name in ("formats", "failure"):
-        bare = ModuleType(f"tracking.{name}")
-        bare.__path__ = [str(Path(__file__).parents[1] / name)]
-        sys.modules[bare.__name__] = bare
+    bare_packages("formats", "failure")
 
 from tracking.formats.samples_layout import (
     HDF5_FORMAT,
@@ -28,14 +32,6 @@ from tracking.formats.samples_layout import (
     SHARED,
     TEXTS,
     VERSION,
-)
-from tracking.untrusted import (
-    Kind,
-    Refused,
-    Walk,
-    check_signature,
-    say_verdicts,
-    version_of,
 )
 
 _KIND = Kind("samples export", HDF5_FORMAT, VERSION, MOST_BYTES, dimensions=2)

@@ -8,21 +8,26 @@ prints one line of JSON a file: {"version": [major, minor]} or {"refused": why}.
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Mapping
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import h5py
 import numpy as np
 
+from tracking.untrusted import (
+    Kind,
+    Refused,
+    Walk,
+    bare_packages,
+    check_signature,
+    say_verdicts,
+    verdict_by,
+    version_of,
+)
+
 if __name__ == "__main__":
-    # This program needs a few names of three packages: loading all of them would take seconds.
-    for name in ("session", "editing", "failure"):
-        bare = ModuleType(f"tracking.{name}")
-        bare.__path__ = [str(Path(__file__).parents[1] / name)]
-        sys.modules[bare.__name__] = bare
+    bare_packages("session", "editing", "failure")
 
 from tracking.session.layout import (
     FORMAT,
@@ -37,15 +42,6 @@ from tracking.session.layout import (
     TEXT,
     TRAJECTORY_TYPE,
     VERSION,
-)
-from tracking.untrusted import (
-    Kind,
-    Refused,
-    Walk,
-    check_signature,
-    say_verdicts,
-    verdict_by,
-    version_of,
 )
 
 _MOST_BYTES = 16 << 30

@@ -1,6 +1,6 @@
 """Files from elsewhere are checked before they are read."""
 
-from tracking.untrusted.program import limit, say_verdicts, verdict_by, verdicts_of
+from tracking.untrusted.program import bare_packages, limit, say_verdicts, verdict_by, verdicts_of
 from tracking.untrusted.walk import (
     Kind,
     Refused,
@@ -14,6 +14,7 @@ __all__ = [
     "Kind",
     "Refused",
     "Walk",
+    "bare_packages",
     "check_attributes",
     "check_signature",
     "limit",
