@@ -10,8 +10,8 @@ import numpy as np
 from tests.benchmarks.flow import words
 from tests.benchmarks.flow.counting import STRETCH_S
 from tests.benchmarks.pages import Figures, met, table
-from tests.benchmarks.parts.drawing import Panel, svg
 from tracking.counting import PAPER_STEP_S
+from tracking.pages import Panel, svg
 
 PAPER = {"lane": (963, 1057), "two-way": (865, 801)}
 """True and counted sums of [Yoneji2013] table 2."""

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from tests.benchmarks.parts.drawing import Panel, svg
 from tests.benchmarks.parts.running import ADJUSTED, PLAIN, WHOLE
 from tests.benchmarks.parts.words import (
     CROUCHING,
@@ -21,6 +20,7 @@ from tests.benchmarks.parts.words import (
     SHORT,
     SPEED,
 )
+from tracking.pages import Panel, svg
 from tracking.scoring.parts import SUBJECTS, margin
 
 Figures = Mapping[str, Any]

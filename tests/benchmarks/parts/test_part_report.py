@@ -20,10 +20,10 @@ from tests.benchmarks.parts.clips import (
     Clip,
 )
 from tests.benchmarks.parts.detector import resized
-from tests.benchmarks.parts.drawing import Panel, svg
 from tests.benchmarks.parts.real import kept_parts, truth_of_boxes
 from tests.benchmarks.parts.stooping import stoops_in
 from tracking.failure import SAMPLE_COLUMNS, Samples
+from tracking.pages import Panel, svg
 from tracking.scoring.parts import Judged
 
 NAMESPACE = "{http://www.w3.org/2000/svg}"
