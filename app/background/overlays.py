@@ -73,6 +73,14 @@ class OverlayMaker(QObject):
             self._wanted = _Request(frame, kinds, ahead, lead)
             self._changed.notify()
 
+    def leave(self) -> None:
+        """Let the thread end after what it is at; nothing more is told. `close` waits for it."""
+        for told in (self.ready, self.failed):
+            told.disconnect()
+        with self._changed:
+            self._closed = True
+            self._changed.notify()
+
     def close(self) -> None:
         """End the thread and wait for it."""
         with self._changed:

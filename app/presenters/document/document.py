@@ -16,6 +16,7 @@ from app.presenters.document.shown import WholeTracks
 from app.presenters.panels import EditMarks, HistoryList, track_card
 from app.presenters.parts.detector_choice import DetectorChoice, PartsAsked
 from app.presenters.parts.part_curve import LaneScore
+from app.presenters.pictures.of_run import AtWork, MadeBy
 from app.presenters.pictures.overhead import OverheadPresenter
 from app.presenters.pictures.pictures import PicturePresenter
 from app.presenters.scenes import HistoryItem, TimelineMark, TimelineScene, TrackCard
@@ -71,6 +72,10 @@ class Document:
         """Whether the tracks of a tracker at work are shown, not those of the session."""
         return self._showing.is_live
 
+    def made_by(self, frame: int) -> MadeBy | None:
+        """What made the tracks that are shown in a frame."""
+        return self._showing.made_by(frame)
+
     @property
     def tracked_until(self) -> int:
         """One past the last frame a tracker at work has been through."""
@@ -89,15 +94,15 @@ class Document:
         occluders = self.session.labels.occluders if self.session is not None else ()
         return PartsAsked(self.detector, occluders)
 
-    def begin_live(self, continues_at: int | None = None) -> None:
+    def begin_live(self, continues_at: int | None = None, at_work: AtWork | None = None) -> None:
         """A tracker starts; what it finds is shown until it has come to its end.
 
         The corrected tracks of a session stay as they are; where the tracker goes on from them at
-        a frame, they are shown before it.
+        a frame, they are shown before it. `at_work` is the tracker with its settings.
         """
         self.correcting.leave()
         self.selection.choose(0)
-        self._showing.begin_live(continues_at)
+        self._showing.begin_live(continues_at, at_work)
         self._retake()
 
     def take_live(self, results: Iterable[StepResult]) -> None:

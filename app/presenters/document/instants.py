@@ -13,7 +13,6 @@ from app.presenters.document.showing import Showing
 from app.presenters.pictures.pictures import PicturePresenter
 from app.presenters.pictures.trails import floor_points
 from tracking.editing import Change
-from tracking.tracks import Run
 
 
 class Instants:
@@ -43,7 +42,7 @@ class Instants:
             selected=self._selection.track,
             other=flow.other if flow is not None else 0,
             also=self._emphasised(change),
-            run=self._run,
+            run=self._showing.made_by(frame),
             preview=preview_trails(planned, floor_points) if planned and shown else (),
             picture_preview=preview_trails(planned, in_picture) if planned and shown else (),
             replaced=replaced_rows(planned, frame),
@@ -73,11 +72,6 @@ class Instants:
             preview=comparison.trails(frame, floor_points),
             picture_preview=comparison.trails(frame, self._pictures.left_foot_points),
         )
-
-    @property
-    def _run(self) -> Run | None:
-        session = self._showing.session
-        return None if session is None or self._showing.is_live else session.corrected_run
 
     def _emphasised(self, change: Change | None) -> tuple[int, ...]:
         """Who is drawn like the selected person: others selected too, and who is being drawn."""

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.document.shown import ShownTracks
+from app.presenters.pictures.of_run import MadeBy
 from app.presenters.pictures.overlays import Kinds
 from app.presenters.scenes import LegendEntry, PreviewTrail
-from tracking.tracks import Columns, Run
+from tracking.tracks import Columns
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,8 +72,8 @@ class Instant:
         frame: number. tracks: where people come from. names: of tracks that have one.
         selected: track id, 0 for nobody. other: the second person of an edit, 0 for nobody.
         also: others who are drawn with emphasis, as they are selected too.
-        run: what its measurements and particles were made by; None: nothing is known of that, or a
-            tracker is still at work.
+        run: what its measurements and particles were made by, be it at work still; None: nothing is
+            known of that.
         preview: trails on the floor (m) of an edit that waits.
         picture_preview: the same in pixels of the left eye.
         replaced: the frame's rows that this edit moves elsewhere or takes out; None: none.
@@ -85,7 +86,7 @@ class Instant:
     selected: int = 0
     other: int = 0
     also: tuple[int, ...] = ()
-    run: Run | None = None
+    run: MadeBy | None = None
     preview: tuple[PreviewTrail, ...] = ()
     picture_preview: tuple[PreviewTrail, ...] = ()
     replaced: Columns | None = None

@@ -8,6 +8,7 @@ from app.presenters.correcting import Footing, Ground
 from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.document.shown import WholeTracks
+from app.presenters.pictures.of_run import AtWork, MadeBy
 from tracking.session import Session
 from tracking.trackers import StepResult
 from tracking.tracks import Labels, TrackLabel, TrackTable
@@ -27,6 +28,7 @@ class Showing:
         self.is_live = session is None
         self._live = LiveTracks()
         self._continues_at: int | None = None
+        self._at_work: AtWork | None = None
         self.tracks: WholeTracks = self._chosen()
 
     @property
@@ -58,9 +60,16 @@ class Showing:
         signals = run.signals if run is not None else None
         return Ground(session.tracks, session.labels, footing, signals)
 
-    def begin_live(self, continues_at: int | None) -> None:
+    def made_by(self, frame: int) -> MadeBy | None:
+        """What made the tracks that are shown in a frame; None: nothing is known of that."""
+        if self.is_live and frame >= (self._continues_at or 0):
+            return self._at_work
+        return None if self.session is None else self.session.corrected_run
+
+    def begin_live(self, continues_at: int | None, at_work: AtWork | None = None) -> None:
         """Show what a tracker finds from now on; before `continues_at`, if any, the session."""
         self._live, self.is_live = LiveTracks(), True
+        self._at_work = at_work
         self._continues_at = continues_at
         self.tracks = self._chosen()
 

@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 
 from app.presenters.document.setting import Instant, Pictured
 from app.presenters.palette import colours_of_tracks
-from app.presenters.pictures.of_run import settings_of
+from app.presenters.pictures.of_run import MadeBy, settings_of
 from app.presenters.pictures.overhead import relative_weights
 from app.presenters.scenes import Colour
 from app.presenters.words import tr
 from tracking.geometry import View
 from tracking.trackers.flow import FlowSettings, kernel_rectangles
 from tracking.trackers.spheroid import SpheroidSettings, outlines, region_of_evaluation
-from tracking.tracks import Columns, Run
+from tracking.tracks import Columns
 
 Rgba = NDArray[np.uint8]
 Floats = NDArray[np.float64]
@@ -151,7 +151,7 @@ def why_nothing(instant: Instant, name: str) -> str:
     return ""
 
 
-def _has_regions(run: Run | None) -> bool:
+def _has_regions(run: MadeBy | None) -> bool:
     """Whether a run's hypotheses were judged in regions of evaluation: as published."""
     if run is None or run.tracker != "spheroid":
         return False

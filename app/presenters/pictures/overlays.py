@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.pictures.colour_scales import VIRIDIS
+from app.presenters.pictures.of_run import MadeBy
 from app.presenters.scenes import Colour, LegendEntry
 from app.presenters.words import tr
 from tracking.errors import CalibrationError, SettingsError
@@ -18,7 +19,6 @@ from tracking.people import Overlays, StereoPerception
 from tracking.pipeline import background_samples
 from tracking.recording import Recording, StereoFrame
 from tracking.trackers import TRACKERS, settings_from
-from tracking.tracks import Run
 
 Rgba = NDArray[np.uint8]
 Floats = NDArray[np.float64]
@@ -56,7 +56,7 @@ class OverlayPainter:
         CalibrationError: the recording has no second eye, no calibration or no floor.
     """
 
-    def __init__(self, recording: Recording, run: Run | None = None) -> None:
+    def __init__(self, recording: Recording, run: MadeBy | None = None) -> None:
         rectification, ground = recording.rectification, recording.ground
         if rectification is None or ground is None or recording.view is None:
             raise CalibrationError(
@@ -153,7 +153,7 @@ def disparity_scale(recording: Recording, rectification: Rectification) -> tuple
     return (float(usable.min()), float(usable.max())) if len(usable) else (0.0, 64.0)
 
 
-def _settings(run: Run | None) -> Any:
+def _settings(run: MadeBy | None) -> Any:
     """The settings of a run, where they are those of a stereo tracker; else the usual ones."""
     usual = TRACKERS["stereo-direction"].settings_type
     if run is None or run.tracker not in TRACKERS:

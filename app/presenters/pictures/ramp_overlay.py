@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.pictures.colour_scales import INFERNO
-from app.presenters.pictures.of_run import settings_of
+from app.presenters.pictures.of_run import MadeBy, settings_of
 from app.presenters.pictures.overlays import Kinds
 from app.presenters.scenes import LegendEntry
 from app.presenters.words import tr
@@ -14,7 +14,6 @@ from tracking.errors import CalibrationError
 from tracking.pipeline import background_samples
 from tracking.recording import Recording, StereoFrame
 from tracking.trackers.spheroid import SpheroidPerception, SpheroidSettings, ramp_picture
-from tracking.tracks import Run
 
 Rgba = NDArray[np.uint8]
 
@@ -34,7 +33,7 @@ class RampPainter:
         CalibrationError: the recording has no calibration or no floor.
     """
 
-    def __init__(self, recording: Recording, run: Run | None = None) -> None:
+    def __init__(self, recording: Recording, run: MadeBy | None = None) -> None:
         if recording.view is None:
             raise CalibrationError(
                 f"{recording.name}: the ramp image needs a calibrated camera and the floor; add "

@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document.document import Document
+from app.presenters.pictures.of_run import AtWork
 from app.presenters.runs.tracker_state import TrackerState, TrackerWords, kept_beside
 from app.views.comparing.comparing import Comparing
 from app.views.playing.playback import Playback
@@ -88,7 +89,8 @@ class TrackerAtWork(QObject):
         self._again = False
         if settings is None:
             settings = self._document.parts_asked.filled(tracker_named(tracker).settings_type)
-        self._document.begin_live(resume.frame if resume is not None else None)
+        at_work = AtWork.of(tracker, settings)
+        self._document.begin_live(resume.frame if resume is not None else None, at_work)
         self.live.start(tracker, settings, seed, frames, resume)
         if frames is not None and not frames[0] <= self._playback.clock.frame < frames[1]:
             self._playback.go(frames[0])

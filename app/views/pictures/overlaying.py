@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Qt, Signal
 
 from app.background import OverlayMaker
 from app.presenters.document.document import Document
 from app.presenters.document.setting import NOTHING_LAID, Laid
+from app.presenters.pictures.of_run import MadeBy
 from app.presenters.pictures.overlays import Kinds, OverlayPainter
 from app.presenters.pictures.ramp_overlay import RampPainter
 from app.presenters.words import tr
@@ -19,6 +21,15 @@ _Painter = OverlayPainter | RampPainter
 _CAPACITY_BYTES = 128 * 2**20
 _AHEAD = 12
 _LATE, _MOST_LEAD = 4, 8
+
+
+@dataclass(frozen=True, slots=True)
+class _AtWork:
+    """A painter, what made the tracks whose settings it has, and what runs it."""
+
+    run: MadeBy | None
+    painter: _Painter
+    maker: OverlayMaker
 
 
 class Overlaying(QObject):
@@ -34,16 +45,17 @@ class Overlaying(QObject):
         super().__init__(parent)
         self._document = document
         self._playback = playback
-        self._at_work: dict[bool, tuple[_Painter, OverlayMaker]] = {}  # by whether it is the ramp
+        self._at_work: dict[bool, _AtWork] = {}  # by whether it is the ramp
+        self._left: list[OverlayMaker] = []  # whose settings are no longer those shown
         self._last = (-1, Kinds())
 
     def laid(self, kinds: Kinds) -> Laid:
         """What lies over the frame shown; it is asked for where it is not there yet."""
         frame = self._playback.frame
-        at_work = self._begin(kinds.ramp) if kinds and frame is not None else None
+        at_work = self._at_work_on(kinds.ramp, frame.number) if kinds and frame else None
         if at_work is None or frame is None:
             return NOTHING_LAID
-        painter, maker = at_work
+        painter, maker = at_work.painter, at_work.maker
         maker.request(frame, kinds, *self._ahead(maker))
         image = maker.made(frame.number, kinds)
         if image is not None:
@@ -60,15 +72,25 @@ class Overlaying(QObject):
 
     def close(self) -> None:
         """End the threads."""
-        for _, maker in self._at_work.values():
+        for maker in (*self._left, *(each.maker for each in self._at_work.values())):
             maker.close()
 
-    def _begin(self, ramp: bool) -> tuple[_Painter, OverlayMaker] | None:
-        """Start a painter at its first use; None where it cannot paint this recording."""
-        if ramp in self._at_work:
-            return self._at_work[ramp]
-        recording, session = self._document.recording, self._document.session
-        run = session.corrected_run if session is not None else None
+    def _at_work_on(self, ramp: bool, frame: int) -> _AtWork | None:
+        """A painter with the settings of what is shown in a frame; None where it cannot paint."""
+        run = self._document.made_by(frame)
+        known = self._at_work.get(ramp)
+        if known is not None and _alike(known.run, run):
+            return known
+        begun = self._begin(ramp, run)
+        if known is not None and begun is not None:
+            known.maker.leave()
+            self._left.append(known.maker)
+            self._last = (-1, Kinds())
+        return begun
+
+    def _begin(self, ramp: bool, run: MadeBy | None) -> _AtWork | None:
+        """Start a painter; None where none can paint this recording."""
+        recording = self._document.recording
         try:
             painter = RampPainter(recording, run) if ramp else OverlayPainter(recording, run)
         except CalibrationError as error:
@@ -77,8 +99,8 @@ class Overlaying(QObject):
         maker = OverlayMaker(painter.paint, self._playback.at_hand, _CAPACITY_BYTES, self)
         maker.ready.connect(self._announce, Qt.ConnectionType.QueuedConnection)
         maker.failed.connect(self.failed, Qt.ConnectionType.QueuedConnection)
-        self._at_work[ramp] = (painter, maker)
-        return painter, maker
+        self._at_work[ramp] = _AtWork(run, painter, maker)
+        return self._at_work[ramp]
 
     def _announce(self, frame: int) -> None:
         if frame == self._playback.number:
@@ -96,3 +118,10 @@ class Overlaying(QObject):
         """While it plays, an overlay some frames late is better than one that flickers."""
         number, of = self._last
         return self._playback.clock.playing and of == kinds and abs(frame - number) <= _LATE
+
+
+def _alike(one: MadeBy | None, other: MadeBy | None) -> bool:
+    """Whether two were made by the same tracker with the same settings."""
+    if one is None or other is None:
+        return one is other
+    return (one.tracker, dict(one.settings)) == (other.tracker, dict(other.settings))

@@ -13,10 +13,11 @@ from hypothesis import strategies as st
 from app.presenters.document.setting import Instant, Pictured
 from app.presenters.palette import colour_of_track
 from app.presenters.pictures.bodies import BodyPainter, _laid_over, why_nothing
+from app.presenters.pictures.of_run import AtWork
 from tracking.geometry import Camera, Ground, View
 from tracking.trackers.flow import FlowSettings, kernel_table
 from tracking.trackers.flow.clustering import inside
-from tracking.trackers.spheroid import outlines
+from tracking.trackers.spheroid import SpheroidSettings, outlines
 from tracking.tracks import (
     DETECTION_COLUMNS,
     PARTICLE_COLUMNS,
@@ -135,6 +136,16 @@ def test_outlines_are_as_tall_as_the_tracker_thinks(view: View) -> None:
     top = np.rint(tall[tall[:, 1].argmin()]).astype(int)
     assert picture[top[1], top[0], 3] == 0
     assert (on_outline(picture, small)[:, 3] > 0).mean() > 0.9
+
+
+def test_what_a_tracker_at_work_thinks_is_drawn_with_its_own_settings(view: View) -> None:
+    at_work = AtWork.of("spheroid", SpheroidSettings(radius_m=0.4, paper=True))
+    instant = Instant(0, OneFrame(PEOPLE, PARTICLES), selected=1, run=at_work)
+    asked = replace(NOTHING, outlines=True, evaluation=True)
+    picture = BodyPainter(view).over(instant, asked, None, (SIZE[1], SIZE[0], 3))
+    (stout,) = outlines(view, np.array([(-0.8, 4.0)]), 1.72, 0.4)
+    assert (on_outline(picture, stout)[:, 3] > 0).mean() > 0.9
+    assert why_nothing(instant, "evaluation") == ""
 
 
 def test_the_region_of_evaluation_leaves_out_what_others_cover(view: View) -> None:

@@ -9,10 +9,13 @@ import pytest
 from correcting_desk import opened_desk
 from PySide6.QtCore import Qt
 
+from app.presenters.pictures.of_run import AtWork
 from app.presenters.pictures.overlays import Kinds
 from app.presenters.pictures.ramp_overlay import RampPainter
 from tracking.errors import CalibrationError
 from tracking.recording import open_recording
+from tracking.trackers import settings_from
+from tracking.trackers.spheroid import SpheroidSettings
 from tracking.tracks import TRACKLET_COLUMNS, Particles
 
 Key, SHIFT = Qt.Key, Qt.KeyboardModifier.ShiftModifier
@@ -71,6 +74,27 @@ def test_the_ramp_image_covers_the_picture_with_its_legend(window, desk, press, 
     assert (overlay(window)[..., 3] > 0).all()
     texts = [entry.text for entry in window.workspace.left._scene.legend]
     assert texts == ["foreground", "doubtful", "background"]
+
+
+def test_the_ramp_image_is_made_anew_with_the_settings_of_a_tracker_at_work(
+    window, desk, press, qtbot
+):
+    press(Key.Key_B, SHIFT)
+    qtbot.waitUntil(lambda: overlay(window) is not None, timeout=20_000)
+    dark = int(overlay(window)[..., :3].astype(int).sum())
+    settings = settings_from(SpheroidSettings, {"ramp.low": 0.1, "ramp.high": 0.5})
+    desk.document.begin_live(0, AtWork.of("spheroid", settings))
+    desk.draw_instant()
+    qtbot.waitUntil(lambda: overlay(window) is not None, timeout=20_000)
+    assert int(overlay(window)[..., :3].astype(int).sum()) > 1.2 * dark
+    desk.document.end_live()
+
+
+def test_before_the_frame_a_tracker_goes_on_from_the_run_made_what_is_shown(desk):
+    desk.document.begin_live(40, AtWork.of("flow"))
+    assert desk.document.made_by(39) is desk.document.session.corrected_run
+    assert desk.document.made_by(40).tracker == "flow"
+    desk.document.end_live()
 
 
 def test_people_are_brighter_in_the_ramp_image_than_what_lies_around(
