@@ -6,9 +6,9 @@ from contextlib import closing
 from pathlib import Path
 
 from app.cli.destination import check_file, check_no_session, check_replaced
-from app.cli.output import print_json
-from app.presenters.files.exporting import exported_tracks
-from tracking.errors import OutputError
+from app.cli.output import print_json, progress
+from app.presenters.files.exporting import exported
+from tracking.errors import FormatError, OutputError
 from tracking.formats import format_named, write_part_labels, write_samples
 from tracking.formats.samples_layout import HDF5_FORMAT
 from tracking.session import Session, session_samples
@@ -26,15 +26,19 @@ def run_export(path: Path, out: Path, name: str, run: int | None, *, as_json: bo
         _export_parts(path, out, name, run, as_json=as_json)
         return
     wanted = format_named(name)
+    if wanted.write is None:
+        raise FormatError(f"{wanted.title} is only read; export in another format")
     check_file(out)
     check_no_session(out)
     with closing(Session.open(path)) as session:
-        columns = exported_tracks(session, run)
-    wanted.write(out, columns)
+        tracks = exported(session, run)
+    with progress(f"Writing {out.name}") as report:
+        made = wanted.write(out, tracks, report)
     if as_json:
-        print_json({"written": str(out), "format": wanted.name, "rows": len(columns["frame"])})
+        told = {"written": str(out), "files": list(map(str, made)), "format": wanted.name}
+        print_json({**told, "rows": len(tracks)})
     else:
-        print(out)
+        print(*made, sep="\n")
 
 
 def _what_first(session: Session) -> str:

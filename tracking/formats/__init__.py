@@ -1,20 +1,30 @@
 """Files of other tools."""
 
-from tracking.formats.catalogue import FORMATS, TrackFormat, format_named
-from tracking.formats.mot import as_truth, read_mot, write_mot
+from tracking.formats.catalogue import FORMATS, format_named, format_of
+from tracking.formats.mot import read_mot
+from tracking.formats.mot_writing import write_mot
 from tracking.formats.part_labels import GivenLabel, read_part_labels, write_part_labels
+from tracking.formats.reading import BadRow, Filmed, Imported
 from tracking.formats.samples import write_samples
 from tracking.formats.samples_reading import begins_as_hdf5, is_hdf5, read_samples, samples_at
+from tracking.formats.track_format import TrackFormat
+from tracking.formats.writing import Exported, as_truth, no_progress
 from tracking.replacing import replacing
 
 __all__ = [
     "FORMATS",
+    "BadRow",
+    "Exported",
+    "Filmed",
     "GivenLabel",
+    "Imported",
     "TrackFormat",
     "as_truth",
     "begins_as_hdf5",
     "format_named",
+    "format_of",
     "is_hdf5",
+    "no_progress",
     "read_mot",
     "read_part_labels",
     "read_samples",

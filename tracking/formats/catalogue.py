@@ -2,39 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
-
-from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.mot import read_mot, write_mot
-from tracking.tracks.columns import Columns
+from tracking.formats.mot import import_mot, looks_like_mot
+from tracking.formats.mot_writing import export_mot
+from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 
+_ALL = (TrackFormat("mot", "MOTChallenge text", (".txt",), looks_like_mot, import_mot, export_mot),)
 
-@dataclass(frozen=True, slots=True)
-class TrackFormat:
-    """A format of another tool.
-
-    Attributes:
-        name: as `--format` takes it.
-        title: what people call it.
-        read: columns of a file. Raises FormatError.
-        write: makes a file of columns. Raises OutputError.
-    """
-
-    name: str
-    title: str
-    read: Callable[[Path], dict[str, NDArray[Any]]]
-    write: Callable[[Path, Columns], None]
-
-
-FORMATS: Mapping[str, TrackFormat] = MappingProxyType(
-    {"mot": TrackFormat("mot", "MOTChallenge text, ten columns", read_mot, write_mot)}
-)
+FORMATS: Mapping[str, TrackFormat] = MappingProxyType({each.name: each for each in _ALL})
+"""In the order in which a file's content is asked about."""
 
 
 def format_named(name: str) -> TrackFormat:
@@ -47,3 +27,23 @@ def format_named(name: str) -> TrackFormat:
         known = ", ".join(FORMATS)
         raise FormatError(f"format {name!r} is not built yet or unknown; choose one of: {known}")
     return FORMATS[name]
+
+
+def format_of(path: Path) -> TrackFormat:
+    """The format of a file, told by its content.
+
+    Raises:
+        FormatError: it cannot be read, or is of none that is read here.
+    """
+    if path.is_dir():
+        raise FormatError(f"{path} is a folder; name the file with the tracks")
+    try:
+        with path.open("rb") as stream:
+            head = stream.read(HEAD_BYTES)
+    except OSError as error:
+        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    for each in FORMATS.values():
+        if each.read is not None and each.recognises(path, head):
+            return each
+    known = ", ".join(name for name, each in FORMATS.items() if each.read is not None)
+    raise FormatError(f"{path} is of no format known here; name one with --format: {known}")

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from tracking.errors import SessionError
-from tracking.formats import as_truth
+from tracking.formats import Exported, as_truth
 from tracking.session import Session
-from tracking.tracks import Columns
+from tracking.tracks import Columns, Run, TrackTable
 
 
 def exported_tracks(session: Session, run: int | None = None) -> Columns:
@@ -18,8 +18,30 @@ def exported_tracks(session: Session, run: int | None = None) -> Columns:
     """
     if run is None:
         return as_truth(session.tracks.columns())
-    if run >= len(session.runs):
+    return _run(session, run).tracks
+
+
+def exported(session: Session, run: int | None = None) -> Exported:
+    """The same rows with what is known of their footage; what is edited later is not in it.
+
+    Raises SessionError as `exported_tracks`.
+    """
+    corrected, footage = run is None, session.recording
+    table = session.tracks.snapshot() if run is None else TrackTable(_run(session, run).tracks)
+    return Exported.of_table(
+        table,
+        frames=footage.frame_count,
+        fps=footage.fps,
+        size_px=footage.size,
+        name=footage.name,
+        labels=dict(session.labels.tracks) if corrected else {},
+        counts_in_full=corrected,
+    )
+
+
+def _run(session: Session, number: int) -> Run:
+    if number >= len(session.runs):
         raise SessionError(
-            f"{session.path} has {len(session.runs)} runs, counted from 0; no run {run}"
+            f"{session.path} has {len(session.runs)} runs, counted from 0; no run {number}"
         )
-    return session.runs[run].tracks
+    return session.runs[number]

@@ -1,0 +1,208 @@
+"""COCO for video as TAO has it, read; see `coco` for the layout."""
+
+from __future__ import annotations
+
+import re
+from array import array
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.formats.json_stream import elements_of
+from tracking.formats.label_text import label_of
+from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.row_rules import BOX, MAX_FRAME
+from tracking.tracks import LARGEST_NUMBER, TrackLabel
+
+_MEMBERS = ("info", "videos", "images", "tracks", "categories", "annotations")
+_START = re.compile(
+    rb"(\xef\xbb\xbf)?\s*\{\s*"
+    rb'"(info|licenses|videos|images|tracks|categories|annotations)"\s*:\s*[\[{]'
+)
+_FASTEST_FPS = 1e5
+_WIDEST_PX = 1 << 20
+
+
+def looks_like_coco(_path: Path, head: bytes) -> bool:
+    """Whether a file begins as an object with one of COCO's members."""
+    return _START.match(head) is not None
+
+
+def import_coco(path: Path, _filmed: Filmed) -> Imported:
+    """The tracks of a file of one video.
+
+    A frame is an image's `frame_index` (or `frame_id`, as some tools write). Rows marked `iscrowd`
+    or `ignore` get confidence 0: they are not counted; others their `score`, where they have one.
+    Raises FormatError where the file holds several videos, no tracks, or no such JSON.
+    """
+    file = _File(Reading(path))
+    for member, at, value in elements_of(path, _MEMBERS):
+        file.take(member, at, value)
+    return file.imported()
+
+
+class _File:
+    """Takes a file in, whatever order its members have."""
+
+    def __init__(self, reading: Reading) -> None:
+        self._reading = reading
+        self._videos: dict[int, dict[str, Any]] = {}
+        self._images: dict[int, int] = {}
+        self._kinds: dict[int, str] = {}
+        self._tracks: dict[int, dict[str, Any]] = {}
+        self._fps: float | None = None
+        self._size_px: tuple[int, int] | None = None
+        self._whole = {name: array("q") for name in ("at", "image", "track", "kind")}
+        self._numbers = {name: array("d") for name in (*BOX, "confidence")}
+        self._untracked = 0
+
+    def take(self, member: str, at: int, value: Any) -> None:
+        """One element of a member."""
+        if not isinstance(value, dict):
+            if at >= 0:
+                self._reading.bad(f"{member}[{at}]", "is no object")
+            return
+        getattr(self, f"_take_{member}")(at, value)
+
+    def _take_info(self, _at: int, info: Mapping[str, Any]) -> None:
+        self._fps = self._fps or _fps_of(info)
+
+    def _take_videos(self, at: int, video: dict[str, Any]) -> None:
+        number = _whole(video.get("id"))
+        if number is None:
+            self._reading.bad(f"videos[{at}]", "its id is no whole number")
+        else:
+            self._videos[number] = video
+        metadata = video.get("metadata")
+        for known in (video, metadata if isinstance(metadata, dict) else {}):
+            self._fps = self._fps or _fps_of(known)
+        self._size_px = self._size_px or _size_of(video)
+
+    def _take_images(self, at: int, image: Mapping[str, Any]) -> None:
+        number, frame = _whole(image.get("id")), _frame_of(image)
+        if number is None or frame is None:
+            self._reading.bad(f"images[{at}]", "its id or frame_index is no whole number")
+        elif number in self._images:
+            self._reading.bad(f"images[{at}]", f"the id {number} stands there twice")
+        else:
+            self._images[number] = frame
+        self._size_px = self._size_px or _size_of(image)
+
+    def _take_tracks(self, _at: int, track: dict[str, Any]) -> None:
+        number = _whole(track.get("id"))
+        if number is not None:  # a track with no id has no annotations
+            self._tracks[number] = track
+
+    def _take_categories(self, _at: int, category: Mapping[str, Any]) -> None:
+        number = _whole(category.get("id"))
+        if number is not None:
+            self._kinds[number] = str(category.get("name", ""))
+
+    def _take_annotations(self, at: int, row: Mapping[str, Any]) -> None:
+        track = _whole(row.get("track_id", row.get("instance_id")))
+        image, box = _whole(row.get("image_id")), row.get("bbox")
+        self._untracked += "track_id" not in row and "instance_id" not in row
+        if track is None or image is None:
+            self._reading.bad(f"annotations[{at}]", "its track_id or image_id is no whole number")
+            return
+        if not (isinstance(box, list) and len(box) == 4 and all(map(_is_number, box))):
+            self._reading.bad(f"annotations[{at}]", "its bbox is not four numbers")
+            return
+        kind = _whole(row.get("category_id"))
+        numbers = (at, image, track, -1 if kind is None else kind)
+        for column, number in zip(self._whole.values(), numbers, strict=True):
+            column.append(number)
+        for column, value in zip(self._numbers.values(), (*box, _confidence_of(row)), strict=True):
+            column.append(value)
+
+    def imported(self) -> Imported:
+        """The tracks."""
+        self._check()
+        whole = {name: np.array(column, np.int64) for name, column in self._whole.items()}
+        frame = np.array([self._images.get(image, -1) for image in self._whole["image"]], np.int64)
+        known = frame >= 0
+        for row in np.flatnonzero(~known).tolist():
+            what = "has no image of the file" if self._images else "is of a file without images"
+            self._reading.bad(f"annotations[{self._whole['at'][row]}]", what)
+        rows: dict[str, NDArray[Any]] = {
+            "frame": frame[known],
+            "track": self._reading.ids_from_zero(whole["track"][known]),
+            **{name: np.array(column)[known] for name, column in self._numbers.items()},
+        }
+        places = whole["at"][known]
+        labels = self._labels(whole["track"][known], rows["track"], whole["kind"][known])
+        return self._reading.imported(
+            rows,
+            lambda row: f"annotations[{places[row]}]",
+            labels=labels,
+            fps=self._fps,
+            size_px=self._size_px,
+            frames=max(self._images.values(), default=-1) + 1 or None,
+        )
+
+    def _check(self) -> None:
+        path = self._reading.path
+        if len(self._videos) > 1:
+            raise FormatError(
+                f"{path} holds tracks of {len(self._videos)} videos; keep those of one of them"
+            )
+        if self._untracked and not self._whole["at"]:
+            raise FormatError(f"{path} holds detections without track_id, no tracks; track first")
+
+    def _labels(
+        self, said: NDArray[np.int64], track: NDArray[Any], kind: NDArray[np.int64]
+    ) -> dict[int, TrackLabel]:
+        """What is said of each track; its kind is that of its first annotation."""
+        labels = {}
+        for number, first in zip(*np.unique(track, return_index=True), strict=True):
+            known = self._tracks.get(int(said[first]), {})
+            of_track = _whole(known.get("category_id"))
+            name = self._kinds.get(int(kind[first]) if of_track is None else of_track, "")
+            attributes = known.get("attributes")
+            if not isinstance(attributes, dict):
+                attributes = {}
+            label = label_of(known.get("name", ""), name, attributes)
+            if not label.is_empty:
+                labels[int(number)] = label
+        return labels
+
+
+def _frame_of(image: Mapping[str, Any]) -> int | None:
+    frame = _whole(image.get("frame_index", image.get("frame_id")))
+    return frame if frame is not None and 0 <= frame < MAX_FRAME else None
+
+
+def _confidence_of(row: Mapping[str, Any]) -> float:
+    if row.get("iscrowd") or row.get("ignore"):
+        return 0.0
+    score = row.get("score")
+    return float(score) if _is_number(score) else np.nan
+
+
+def _fps_of(known: Mapping[str, Any]) -> float | None:
+    fps = known.get("fps")
+    return float(fps) if _is_number(fps) and 0 < fps < _FASTEST_FPS else None
+
+
+def _size_of(known: Mapping[str, Any]) -> tuple[int, int] | None:
+    width, height = _whole(known.get("width")), _whole(known.get("height"))
+    if width is None or height is None or not 0 < min(width, height) <= _WIDEST_PX:
+        return None
+    return (width, height) if max(width, height) <= _WIDEST_PX else None
+
+
+def _whole(value: Any) -> int | None:
+    """A whole number that fits; None for everything else."""
+    if isinstance(value, float) and value.is_integer():
+        value = int(value)
+    if isinstance(value, bool) or not isinstance(value, int):
+        return None
+    return value if abs(value) <= LARGEST_NUMBER else None
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)

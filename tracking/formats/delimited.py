@@ -1,0 +1,172 @@
+"""Text files that hold one row of numbers a line, read a piece at a time."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.formats.reading import Reading
+
+MAX_BYTES = 1 << 30
+"""A text larger than this is no annotation of one recording."""
+
+LONGEST_LINE = 1 << 16
+"""A longer one holds no row of tracks."""
+
+_PIECE_BYTES = 1 << 22
+_FEW = 32
+"""So many lines are looked at one by one where one of them cannot be read."""
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Some whole lines of a file.
+
+    Attributes:
+        first: the number of the first line, from 1.
+        lines: as they stand there, blank ones included.
+    """
+
+    first: int
+    lines: list[str]
+
+
+def pieces_of(path: Path) -> Iterator[Piece]:
+    """The lines of a text file, some at a time.
+
+    Raises FormatError where the file is missing, too large, no text, or a line is far too long.
+    """
+    first, rest = 1, b""
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise FormatError(f"{path} is larger than {MAX_BYTES >> 20} MB; split it first")
+        with path.open("rb") as stream:
+            while block := stream.read(_PIECE_BYTES):
+                block = rest + block
+                end = block.rfind(b"\n") + 1
+                rest = block[end:]
+                lines = _lines(path, first, block[:end])
+                if len(rest) > LONGEST_LINE:
+                    raise _too_long(path, first + len(lines))
+                yield Piece(first, lines)
+                first += len(lines)
+        yield Piece(first, _lines(path, first, rest))
+    except OSError as error:
+        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    except UnicodeDecodeError as error:
+        raise FormatError(f"{path} is not text; give a text file or a session") from error
+
+
+def _lines(path: Path, first: int, block: bytes) -> list[str]:
+    if b"\0" in block:
+        raise FormatError(f"{path} is not text; give a text file or a session")
+    lines = block.decode("utf-8-sig" if first == 1 else "utf-8").split("\n")
+    if not lines[-1]:
+        del lines[-1]
+    if len(block) > LONGEST_LINE:
+        longest = max(range(len(lines)), key=lambda at: len(lines[at]))
+        if len(lines[longest]) > LONGEST_LINE:
+            raise _too_long(path, first + longest)
+    return lines
+
+
+def _too_long(path: Path, line: int) -> FormatError:
+    return FormatError(
+        f"{path}, line {line}: longer than {LONGEST_LINE >> 10} kB; is it a file of this format?"
+    )
+
+
+class NumberRows:
+    """Reads rows of numbers divided by commas, all of one length; others are told as bad."""
+
+    def __init__(self, reading: Reading, least: int, most: int, what: str) -> None:
+        """Rows have least to most numbers; what: the format, as messages name it."""
+        self._reading = reading
+        self._least, self._most, self._what = least, most, what
+        self._width = 0
+
+    def read(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        """(n, k) the numbers as they stand there, and (n,) the lines they stand on.
+
+        Raises FormatError as `pieces_of`, and where no line at all can be read but some are there.
+        """
+        tables: list[NDArray[np.float64]] = []
+        places: list[NDArray[np.int64]] = []
+        for piece in pieces_of(self._reading.path):
+            filled = [at for at, line in enumerate(piece.lines) if line and not line.isspace()]
+            lines = [piece.lines[at] for at in filled]
+            numbers = np.array(filled, np.int64) + piece.first
+            for table, first, stop in self._read(lines, numbers, 0, len(lines)):
+                tables.append(table)
+                places.append(numbers[first:stop])
+        if not tables:
+            self._refuse_nothing()
+            return np.zeros((0, self._width or self._least)), np.zeros(0, np.int64)
+        return np.concatenate(tables), np.concatenate(places)
+
+    def _read(
+        self, lines: list[str], numbers: NDArray[np.int64], first: int, stop: int
+    ) -> Iterator[tuple[NDArray[np.float64], int, int]]:
+        """Tables of stretches of lines; a stretch that cannot be read is halved and tried again."""
+        if first == stop:
+            return
+        table = self._table(lines[first:stop])
+        if table is not None:
+            yield table, first, stop
+        elif stop - first <= _FEW:
+            for at in range(first, stop):
+                row = self._row(lines[at], int(numbers[at]))
+                if row is not None:
+                    yield row, at, at + 1
+        else:
+            middle = (first + stop) // 2
+            yield from self._read(lines, numbers, first, middle)
+            yield from self._read(lines, numbers, middle, stop)
+
+    def _table(self, lines: list[str]) -> NDArray[np.float64] | None:
+        """The numbers of lines; None where some of them cannot be read."""
+        if not self._width:
+            return None  # the first line that can be read alone says how long rows are
+        text = io.StringIO("\n".join(lines))
+        try:
+            table = np.loadtxt(text, delimiter=",", comments=None, ndmin=2)
+        except ValueError:
+            return None
+        return table if table.shape == (len(lines), self._width) else None
+
+    def _row(self, line: str, number: int) -> NDArray[np.float64] | None:
+        """(1, k) the numbers of one line; None where it is told to be bad."""
+        fields = line.split(",")
+        count = len(fields)
+        if not self._least <= count <= self._most:
+            reason = f"{count} values; {self._what} has {self._least} to {self._most} in a row"
+        elif self._width and count != self._width:
+            reason = f"{count} values where the rows before have {self._width}"
+        elif bad := next((field for field in fields if not _is_number(field)), None):
+            reason = f"{bad.strip()[:40]!r} is not a number"
+        else:
+            self._width = count
+            return np.array([[float(field) for field in fields]])
+        self._reading.bad(f"line {number}", reason)
+        return None
+
+    def _refuse_nothing(self) -> None:
+        if self._reading.bad_count:
+            first = self._reading.bad_rows[0]
+            raise FormatError(
+                f"{self._reading.path}, {first.place}: {first.reason}; is it {self._what}?"
+            )
+
+
+def _is_number(field: str) -> bool:
+    try:
+        float(field)
+    except ValueError:
+        return False
+    return bool(field.strip()) and "_" not in field

@@ -1,0 +1,140 @@
+"""JSON from elsewhere, an element at a time: a file of any size is never in memory as a whole.
+
+What a bomb needs is what is capped here: the bytes of the file, the length of one element, and,
+by the parser's own limits, how deep it nests and how many digits its numbers have.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection, Iterator
+from pathlib import Path
+from typing import Any, TextIO
+
+from tracking.errors import FormatError
+
+MOST_BYTES = 4 << 30
+LONGEST_ELEMENT = 4 << 20
+"""Characters; an outline of a person drawn with every pixel is far shorter."""
+
+_PIECE = 1 << 20
+_SPACE = " \t\r\n"
+
+
+def elements_of(path: Path, wanted: Collection[str]) -> Iterator[tuple[str, int, Any]]:
+    """What the members of a file's one object hold: the name, and from 0 each element of an array.
+
+    Args:
+        path: of a file that holds one object.
+        wanted: names of members; others are passed over. A member that is no array comes whole,
+            as element -1.
+
+    Raises FormatError where the file is missing, too large, no such JSON, or an element is too
+    long or too deep.
+    """
+    try:
+        if path.stat().st_size > MOST_BYTES:
+            raise FormatError(f"{path} is larger than {MOST_BYTES >> 30} GB; split it first")
+        with path.open(encoding="utf-8-sig") as stream:
+            yield from _Text(path, stream).members(wanted)
+    except OSError as error:
+        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    except UnicodeDecodeError as error:
+        raise FormatError(f"{path} is not text; give a JSON file") from error
+
+
+class _Text:
+    """A file's text, of which a little is held."""
+
+    def __init__(self, path: Path, stream: TextIO) -> None:
+        self._path, self._stream = path, stream
+        self._held, self._at, self._before = "", 0, 0
+        self._decoder = json.JSONDecoder(parse_constant=_unknown)
+
+    def members(self, wanted: Collection[str]) -> Iterator[tuple[str, int, Any]]:
+        """See `elements_of`."""
+        self._take("{")
+        if self._sign() == "}":
+            return
+        while True:
+            name = self._value()
+            if not isinstance(name, str):
+                raise self._wrong("a name is missing")
+            self._take(":")
+            for at, value in self._elements():
+                if name in wanted:
+                    yield name, at, value
+            if self._take(",", "}") == "}":
+                return
+
+    def _elements(self) -> Iterator[tuple[int, Any]]:
+        """The elements of the array that comes next, or the value that does as element -1."""
+        if self._sign() != "[":
+            yield -1, self._value()
+            return
+        self._take("[")
+        if self._sign() == "]":
+            self._take("]")
+            return
+        at = 0
+        while True:
+            yield at, self._value()
+            at += 1
+            if self._take(",", "]") == "]":
+                return
+
+    def _sign(self) -> str:
+        """The next character that is no space; "" at the end."""
+        while True:
+            while self._at < len(self._held):
+                if self._held[self._at] not in _SPACE:
+                    return self._held[self._at]
+                self._at += 1
+            if not self._more():
+                return ""
+
+    def _take(self, *signs: str) -> str:
+        """Pass over one of these."""
+        sign = self._sign()
+        if sign not in signs:
+            raise self._wrong(f"{sign!r} stands where {' or '.join(signs)} belongs" if sign else "")
+        self._at += 1
+        return sign
+
+    def _value(self) -> Any:
+        self._sign()
+        while True:
+            try:
+                value, end = self._decoder.raw_decode(self._held, self._at)
+            except json.JSONDecodeError as error:
+                if len(self._held) - self._at > LONGEST_ELEMENT:
+                    raise self._wrong("an element is longer than any of a person") from error
+                if not self._more():
+                    raise self._wrong(error.msg) from error
+                continue
+            except RecursionError as error:
+                raise self._wrong("it is nested deeper than any of these files") from error
+            except ValueError as error:  # a number of thousands of digits
+                raise self._wrong("a number is longer than any") from error
+            # A number at the end of what is held may go on.
+            if end < len(self._held) or not self._more():
+                self._at = end
+                return value
+
+    def _more(self) -> bool:
+        """Hold the next piece, too; False at the end of the file."""
+        piece = self._stream.read(_PIECE)
+        self._before += self._at
+        self._held, self._at = self._held[self._at :] + piece, 0
+        return bool(piece)
+
+    def _wrong(self, reason: str) -> FormatError:
+        where = self._before + self._at
+        return FormatError(
+            f"{self._path}, character {where}: {reason or 'the file ends'}; it is not the JSON "
+            "it should be, export it again"
+        )
+
+
+def _unknown(_name: str) -> None:
+    """NaN and its like are no JSON: a value that is none."""

@@ -1,0 +1,179 @@
+"""What a file of another tool says, and which of its rows cannot be meant.
+
+A reader puts what it finds into arrays that count frames, tracks and pixels as this program does,
+tells a `Reading` which rows it could not make out, and has it check the rest: `Reading.imported`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.formats.row_rules import broken_rules
+from tracking.geometry import View
+from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, TrackLabel
+
+MOST_TOLD = 1000
+"""So many bad rows are kept with their reasons; further ones are only counted."""
+
+MOST_BAD = 100_000
+"""A file with more bad rows than this is of another format, or of none."""
+
+
+@dataclass(frozen=True, slots=True)
+class BadRow:
+    """A row that cannot be meant.
+
+    Attributes:
+        place: in the file, e.g. "line 12", "annotations[17]", "track 3, frame 40".
+        reason: what is wrong with it, e.g. "the box has a negative size".
+    """
+
+    place: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Filmed:
+    """What is known of the recording a file's tracks are of; everything may be unknown.
+
+    Attributes:
+        frames: how many there are. fps: frames a second. size_px: width and height of the pictures.
+        view: the left camera over its floor, for formats that tell places as the camera sees them.
+    """
+
+    frames: int | None = None
+    fps: float | None = None
+    size_px: tuple[int, int] | None = None
+    view: View | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Imported:
+    """The tracks of a file of another tool.
+
+    Attributes:
+        columns: `CORRECTED_COLUMNS`, sorted by frame then track, each id once a frame; NaN where
+            the file has none. `source` is 1 (person) in rows the file calls keyframes and 2 in rows
+            it says lie between them; 0 where it tells nothing.
+        bad_rows: those that cannot be meant, at most `MOST_TOLD`; they are not in the columns.
+        bad_count: how many there are in all.
+        labels: what the file says of whole tracks; a class stands as the attribute "class".
+        fps, size_px, frames: of the footage, where the file tells.
+        notes: what else the user should know of the file, a line each.
+    """
+
+    columns: Columns
+    bad_rows: tuple[BadRow, ...] = ()
+    bad_count: int = 0
+    labels: Mapping[int, TrackLabel] = field(default_factory=dict)
+    fps: float | None = None
+    size_px: tuple[int, int] | None = None
+    frames: int | None = None
+    notes: tuple[str, ...] = ()
+
+
+class Reading:
+    """Collects what a reader meets in one file: bad rows, notes, and in the end its tracks."""
+
+    def __init__(self, path: Path) -> None:
+        """The file, as messages name it."""
+        self.path = path
+        self.notes: list[str] = []
+        self.bad_count = 0
+        self._told: list[BadRow] = []
+
+    @property
+    def bad_rows(self) -> tuple[BadRow, ...]:
+        """Those met so far, at most `MOST_TOLD`."""
+        return tuple(self._told)
+
+    def bad(self, place: str, reason: str) -> None:
+        """A row that cannot be meant.
+
+        Raises FormatError where there are so many that the whole file cannot be meant.
+        """
+        self.bad_count += 1
+        if len(self._told) < MOST_TOLD:
+            self._told.append(BadRow(place, reason))
+        if self.bad_count > MOST_BAD:
+            first = self._told[0]
+            raise FormatError(
+                f"{self.path}: more than {MOST_BAD} rows cannot be meant, the first in "
+                f"{first.place}: {first.reason}; is it a file of this format?"
+            )
+
+    def checked(self, rows: Columns, place_of: Callable[[int], str]) -> dict[str, NDArray[Any]]:
+        """The rows that can be meant, in the file's order; the others are told.
+
+        Args:
+            rows: `frame` (from 0) and `track`, and what is known of `CORRECTED_COLUMNS` and of
+                further columns: numbers of any type, NaN where unknown.
+            place_of: says where in the file a row stands.
+
+        Returns: the same columns; `frame` and `track` are int32.
+        """
+        good = np.ones(len(rows["frame"]), bool)
+        for wrong, reason in broken_rules(rows):
+            for row in np.flatnonzero(wrong & good)[: MOST_BAD + 1].tolist():
+                self.bad(place_of(row), reason)
+            good &= ~wrong
+        kept = {name: np.asarray(column)[good] for name, column in rows.items()}
+        return kept | {name: kept[name].astype(np.int32) for name in ("frame", "track")}
+
+    def ids_from_zero(self, track: NDArray[Any]) -> NDArray[Any]:
+        """The ids of a format that counts them from 0: all as they are but 0, which is none here.
+
+        It becomes the id after the highest, which is noted. Raises FormatError where none is left.
+        """
+        zero = track == 0
+        if not zero.any():
+            return track
+        new = int(track.max()) + 1
+        if new > LARGEST_NUMBER:
+            raise FormatError(f"{self.path}: no id is left for its track 0; number it anew")
+        self.notes.append(f"track 0 of the file is track {new} here: ids are positive")
+        return np.where(zero, new, track)
+
+    def imported(self, rows: Columns, place_of: Callable[[int], str], **known: Any) -> Imported:
+        """The tracks of the file: the rows that can be meant, with all columns, in order.
+
+        Args:
+            rows, place_of: see `checked`.
+            known: `labels, fps, size_px, frames` of `Imported`; labels of tracks without a good
+                row are left out.
+        """
+        columns = in_order(with_all_columns(self.checked(rows, place_of)))
+        labels: Mapping[int, TrackLabel] = known.pop("labels", {})
+        there = set(np.unique(columns["track"]).tolist())
+        return Imported(
+            columns,
+            self.bad_rows,
+            self.bad_count,
+            {track: labels[track] for track in sorted(there & labels.keys())},
+            notes=tuple(self.notes),
+            **known,
+        )
+
+
+def with_all_columns(rows: Columns) -> dict[str, NDArray[Any]]:
+    """All `CORRECTED_COLUMNS` in their types; NaN, False or 0 where the rows have none."""
+    count = len(rows["frame"])
+    whole: dict[str, NDArray[Any]] = {}
+    for name, dtype in CORRECTED_COLUMNS.items():
+        unknown = np.nan if dtype.kind == "f" else 0
+        values = rows[name] if name in rows else np.full(count, unknown)
+        whole[name] = np.ascontiguousarray(values, dtype)
+    return whole
+
+
+def in_order(rows: Columns) -> dict[str, NDArray[Any]]:
+    """The rows by frame, then track."""
+    order = np.lexsort((rows["track"], rows["frame"]))
+    return {name: column[order] for name, column in rows.items()}

@@ -1,0 +1,77 @@
+"""What makes a row of tracks impossible, whatever format it comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.tracks import LARGEST_NUMBER, Columns
+
+MAX_FRAME = 10_000_000
+"""More than four days at 25 frames a second; beyond it a number is a mistake, not a frame."""
+
+MAX_PIXELS = 1e7
+MAX_METRES = 1e6
+MAX_SPEED_M_S = 1e4
+MAX_SHARE = 1e6
+"""Confidences of some tools are no shares of 1; beyond this they are none of anything."""
+
+BOX = ("left", "top", "width", "height")
+_FARTHEST = {"x": MAX_METRES, "y": MAX_METRES, "z": MAX_METRES}
+_FASTEST = {"vx": MAX_SPEED_M_S, "vy": MAX_SPEED_M_S}
+_SHARES = {"confidence": MAX_SHARE, "visibility": MAX_SHARE}
+
+Mask = NDArray[np.bool_]
+
+
+def broken_rules(rows: Columns) -> Iterator[tuple[Mask, str]]:
+    """Marks of the rows that break a rule, and the rule; each may rely on those before it.
+
+    Args:
+        rows: `frame` (from 0) and `track`, and any other columns; NaN where unknown.
+    """
+    frame, track = (np.asarray(rows[name], np.float64) for name in ("frame", "track"))
+    yield ~(np.isfinite(frame) & np.isfinite(track)), "the frame or the id is not a finite number"
+    yield (frame % 1 != 0) | (track % 1 != 0), "frame and id must be whole numbers"
+    yield (frame < 0) | (frame >= MAX_FRAME), f"the frame number is not one of {MAX_FRAME} frames"
+    yield (track < 1) | (track > LARGEST_NUMBER), "the id is not a positive number"
+    yield _any(np.isinf(column) for column in rows.values()), "a value is not a finite number"
+    yield from _box_rules(rows)
+    for names, most, reason in (
+        (_FARTHEST, _FARTHEST, f"the place is farther than {MAX_METRES:g} m away"),
+        (_FASTEST, _FASTEST, f"the speed is beyond {MAX_SPEED_M_S:g} m/s"),
+        (_SHARES, _SHARES, "the confidence or visibility is no such number"),
+    ):
+        held = [name for name in names if name in rows]
+        if held:
+            yield _any(np.abs(rows[name]) > most[name] for name in held), reason
+    if "x" in rows and "y" in rows:
+        yield np.isnan(rows["x"]) != np.isnan(rows["y"]), "only one of x and y is given"
+    yield repeated(frame, track), "its id stands twice in this frame"
+
+
+def repeated(frame: NDArray[np.float64], track: NDArray[np.float64]) -> Mask:
+    """Rows whose frame and id stood together in an earlier row."""
+    order = np.lexsort((track, frame))
+    same = (np.diff(frame[order]) == 0) & (np.diff(track[order]) == 0)
+    found = np.zeros(len(frame), bool)
+    found[order[1:]] = same
+    return found
+
+
+def _box_rules(rows: Columns) -> Iterator[tuple[Mask, str]]:
+    if not all(name in rows for name in BOX):
+        return
+    box = [np.asarray(rows[name], np.float64) for name in BOX]
+    unknown = [np.isnan(side) for side in box]
+    whole = np.logical_and.reduce(unknown)
+    yield _any(unknown) & ~whole, "a part of the box is missing"
+    yield _any(np.abs(side) > MAX_PIXELS for side in box), "the box lies outside any image"
+    yield (box[2] < 0) | (box[3] < 0), "the box has a negative size"
+
+
+def _any(masks: Iterator[Mask] | list[Mask]) -> Mask:
+    found: Mask = np.logical_or.reduce(list(masks))
+    return found

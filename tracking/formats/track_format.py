@@ -1,0 +1,42 @@
+"""A format of another tool: how it is told, read and written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from tracking.formats.reading import Filmed, Imported
+from tracking.formats.writing import Exported
+from tracking.progress import Progress
+
+HEAD_BYTES = 1 << 16
+"""So much of a file is enough to tell its format."""
+
+Read = Callable[[Path, Filmed], Imported]
+Write = Callable[[Path, Exported, Progress], tuple[Path, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class TrackFormat:
+    """A format of another tool. A module makes one; the catalogue lists it.
+
+    Attributes:
+        name: as `--format` takes it.
+        title: what people call it.
+        extensions: of its files, with the dot, the usual one first.
+        recognises: whether a file is of this format, given its path and its first
+            `HEAD_BYTES` bytes; never raises, however hostile they are.
+        read: the tracks of a file; bad rows are collected. Raises FormatError where the file as a
+            whole cannot be read. None: this program does not read it.
+        write: makes a file, which appears whole or not at all; gives the files made. Raises
+            OutputError, FormatError where the tracks lack what the format needs, and what the
+            progress raises to cancel. None: this program does not write it.
+    """
+
+    name: str
+    title: str
+    extensions: tuple[str, ...]
+    recognises: Callable[[Path, bytes], bool]
+    read: Read | None = None
+    write: Write | None = None

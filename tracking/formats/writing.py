@@ -1,0 +1,120 @@
+"""Tracks on their way into a file of another tool, a piece at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import View
+from tracking.progress import Progress
+from tracking.tracks import Columns, ParticleColumn, TrackLabel, TrackTable
+
+ROWS_AT_ONCE = 1 << 16
+"""A piece is small beside everything else, and long beside the work around it."""
+
+
+def no_progress(_done: int, _total: int) -> None:
+    """For work nobody watches."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Exported:
+    """What is written: tracks, and what is known of their footage.
+
+    Attributes:
+        rows: `CORRECTED_COLUMNS` by frame then track, read by slices; they may stand elsewhere
+            than in memory.
+        table: the same tracks, for formats that are written track by track; None where `rows`
+            stand nowhere else, and then it is made of them.
+        frames: how many the footage has. fps: frames a second. size_px: width and height.
+        name: of the recording.
+        labels: of tracks; the attribute "class" is what kind of thing it is, a person without one.
+        view: the left camera over its floor; None where it is not known.
+        counts_in_full: the tracks are truth: every row counts, however sure a tracker was of it.
+    """
+
+    rows: Mapping[str, ParticleColumn]
+    table: TrackTable | None = None
+    frames: int = 0
+    fps: float | None = None
+    size_px: tuple[int, int] | None = None
+    name: str = ""
+    labels: Mapping[int, TrackLabel] = field(default_factory=dict)
+    view: View | None = None
+    counts_in_full: bool = False
+
+    @classmethod
+    def of_table(cls, table: TrackTable, **known: Any) -> Exported:
+        """The tracks of a table; known: any other attribute."""
+        return cls(table.in_order(), table, **{"frames": table.frame_stop, **known})
+
+    def __len__(self) -> int:
+        """The number of rows."""
+        return len(self.rows["frame"])
+
+    def pieces(
+        self, report: Progress = no_progress, rows_at_once: int = ROWS_AT_ONCE
+    ) -> Iterator[dict[str, NDArray[Any]]]:
+        """All rows by frame then track, so many at once; report may raise to cancel."""
+        count = len(self)
+        for start in range(0, count, rows_at_once):
+            report(start, count)
+            piece = slice(start, min(start + rows_at_once, count))
+            yield self._in_full({name: column[piece] for name, column in self.rows.items()})
+        report(count, count)
+
+    def frame_by_frame(
+        self, report: Progress = no_progress
+    ) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
+        """Each frame that has rows, with its rows by track."""
+        rest: dict[str, NDArray[Any]] | None = None
+        for piece in self.pieces(report):
+            rows = piece if rest is None else _joined(rest, piece)
+            *whole, rest = _cut(rows, np.flatnonzero(np.diff(rows["frame"])) + 1)
+            yield from ((int(rows["frame"][0]), rows) for rows in whole)
+        if rest is not None:
+            yield int(rest["frame"][0]), rest
+
+    def track_by_track(
+        self, report: Progress = no_progress
+    ) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
+        """Each track, ascending, with its rows by frame."""
+        table = self.table or TrackTable({n: np.asarray(c) for n, c in self.rows.items()})
+        done, count = 0, len(self)
+        for track in table.track_ids:
+            report(done, count)
+            rows = self._in_full(table.of_track(track))
+            yield track, rows
+            done += len(rows["frame"])
+        report(count, count)
+
+    def label(self, track: int) -> TrackLabel:
+        """The track's label; empty where nothing was said."""
+        return self.labels.get(track, TrackLabel())
+
+    def _in_full(self, rows: Columns) -> dict[str, NDArray[Any]]:
+        return dict(as_truth(rows) if self.counts_in_full else rows)
+
+
+def as_truth(columns: Columns) -> Columns:
+    """The same tracks, each row counting in full however sure a tracker was: `conf` is 1.
+
+    Corrected tracks are written so: programs that take a MOT text as truth cut `conf` to a whole
+    number and drop the rows where that is 0.
+    """
+    return {**columns, "confidence": np.ones(len(columns["frame"]), np.float32)}
+
+
+def _cut(rows: Columns, cuts: NDArray[np.int64]) -> list[dict[str, NDArray[Any]]]:
+    """Rows parted at the given places."""
+    parted = {name: np.split(column, cuts) for name, column in rows.items()}
+    return [{name: parts[at] for name, parts in parted.items()} for at in range(len(cuts) + 1)]
+
+
+def _joined(first: Columns, second: Columns) -> dict[str, NDArray[Any]]:
+    """The rows of one piece behind those of the other."""
+    return {name: np.concatenate([first[name], second[name]]) for name in first}
