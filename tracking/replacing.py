@@ -7,7 +7,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TextIO
+from typing import BinaryIO, TextIO
 
 from tracking.errors import OutputError
 
@@ -17,7 +17,7 @@ def replace_with(path: Path, data: bytes) -> None:
 
     Raises OutputError as `replacing`.
     """
-    with _part_of(path) as part, part.open("wb") as stream:
+    with part_of(path) as part, part.open("wb") as stream:
         stream.write(data)
         stream.flush()
         os.fsync(stream.fileno())
@@ -34,7 +34,7 @@ def replacing(path: Path) -> Iterator[TextIO]:
         OutputError: the folder is missing or not writable, the disk is full, `path` is a folder.
     """
     with (
-        _part_of(path) as part,
+        part_of(path) as part,
         part.open("w", encoding="utf-8", newline="\n") as stream,
     ):
         yield stream
@@ -43,8 +43,20 @@ def replacing(path: Path) -> Iterator[TextIO]:
 
 
 @contextmanager
-def _part_of(path: Path) -> Iterator[Path]:
-    """The hidden file beside `path` that takes its place in the end."""
+def replacing_bytes(path: Path) -> Iterator[BinaryIO]:
+    """A file of bytes that takes the place of `path` in the end; see `replacing`."""
+    with part_of(path) as part, part.open("wb") as stream:
+        yield stream
+        stream.flush()
+        os.fsync(stream.fileno())
+
+
+@contextmanager
+def part_of(path: Path) -> Iterator[Path]:
+    """The hidden file beside `path` that takes its place in the end; see `replacing`.
+
+    For libraries that write a file of their own; it is there already, and empty.
+    """
     try:
         handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
     except OSError as error:
