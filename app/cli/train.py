@@ -15,6 +15,7 @@ from tracking.errors import OutputError, TrainingError
 from tracking.failure import (
     Trained,
     TrainingPlan,
+    check_training_folder,
     save_detector,
     train,
     write_report,
@@ -73,6 +74,11 @@ def _check(wish: Wish) -> None:
     check_replaced(wish.out, FORMAT)
     if wish.report is not None:
         check_folder(nearest_folder(wish.report))
+        check_training_folder(wish.report)
+        if wish.report.resolve() in wish.out.resolve().parents:
+            raise OutputError(
+                f"{wish.out} would lie in the report's folder; choose another place with -o"
+            )
 
 
 def _print(made: Trained, wish: Wish, page: Path | None, *, as_json: bool) -> None:

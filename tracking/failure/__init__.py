@@ -24,6 +24,7 @@ from tracking.failure.training import (
     Trained,
     TrainingPlan,
     TrainingReport,
+    check_training_folder,
     train,
     write_report,
 )
@@ -56,6 +57,7 @@ __all__ = [
     "TrainingReport",
     "TrueParts",
     "built_in_detector",
+    "check_training_folder",
     "joined",
     "labels_from_truth",
     "load_detector",

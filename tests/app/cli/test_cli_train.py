@@ -102,6 +102,23 @@ def test_labels_become_a_detector_and_a_report(
     assert json.loads((tmp_path / "r" / "report.json").read_text()).keys() < said.keys()
 
 
+def test_a_report_never_takes_the_place_of_anything_but_a_report(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path
+) -> None:
+    folder = tmp_path / "r"
+    folder.mkdir()
+    (folder / "thesis.txt").write_text("years of work")
+    words = ["train", labelled, "-o", tmp_path / "d.h5", "--report", folder, "--allow-outside"]
+    status, _, err = trackwright(*words)
+    assert (status, err.count("\n")) == (1, 1)
+    assert "holds thesis.txt, which is no earlier report" in err
+    assert not (tmp_path / "d.h5").exists()
+    (folder / "thesis.txt").unlink()
+    assert [trackwright(*words)[0] for _ in range(2)] == [0, 0]
+    assert sorted(each.name for each in folder.iterdir()) == ["index.html", "report.json"]
+    assert "would lie in the report's folder" in trackwright(*words, "-o", folder / "d.h5")[2]
+
+
 def test_more_false_alarms_find_more(
     trackwright: Trackwright, labelled: Path, tmp_path: Path
 ) -> None:

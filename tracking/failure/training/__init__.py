@@ -1,7 +1,7 @@
 """From samples to a detector: folds by person, grid search, operating points, report."""
 
 from tracking.failure.training.fitting import GRID, Candidate
-from tracking.failure.training.page import page_of, write_report
+from tracking.failure.training.page import check_training_folder, page_of, write_report
 from tracking.failure.training.report import Mistake, QuestionReport, TrainingReport
 from tracking.failure.training.training import Trained, TrainingPlan, train
 
@@ -13,6 +13,7 @@ __all__ = [
     "Trained",
     "TrainingPlan",
     "TrainingReport",
+    "check_training_folder",
     "page_of",
     "train",
     "write_report",
