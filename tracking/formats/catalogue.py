@@ -7,11 +7,15 @@ from pathlib import Path
 from types import MappingProxyType
 
 from tracking.errors import FormatError
+from tracking.formats.coco import COCO
 from tracking.formats.mot import import_mot, looks_like_mot
 from tracking.formats.mot_writing import export_mot
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 
-_ALL = (TrackFormat("mot", "MOTChallenge text", (".txt",), looks_like_mot, import_mot, export_mot),)
+_ALL = (
+    TrackFormat("mot", "MOTChallenge text", (".txt",), looks_like_mot, import_mot, export_mot),
+    COCO,
+)
 
 FORMATS: Mapping[str, TrackFormat] = MappingProxyType({each.name: each for each in _ALL})
 """In the order in which a file's content is asked about."""

@@ -5,8 +5,9 @@
 whose first is 0: as boxes are here, so nothing is shifted. `iscrowd` 1 marks what is not counted,
 which is confidence 0 here. Source: TAO's toolkit, tao.py; COCO's data format.
 
-What a track has besides its category (a name, attributes) stands in its `tracks` entry, under keys
-of this program; other tools pass over them. Places on the floor and keyframes are not in the format.
+What a track has besides its category (a name, attributes) stands in its `tracks` entry, under
+keys of this program; other tools pass over them. The format has no places on the floor and no
+keyframes.
 """
 
 from __future__ import annotations

@@ -25,6 +25,8 @@ _START = re.compile(
 )
 _FASTEST_FPS = 1e5
 _WIDEST_PX = 1 << 20
+_LARGEST = 1 << 62
+"""A whole number beyond it is no measure of anything."""
 
 
 def looks_like_coco(_path: Path, head: bytes) -> bool:
@@ -66,7 +68,15 @@ class _File:
             if at >= 0:
                 self._reading.bad(f"{member}[{at}]", "is no object")
             return
-        getattr(self, f"_take_{member}")(at, value)
+        takers = {
+            "info": self._take_info,
+            "videos": self._take_videos,
+            "images": self._take_images,
+            "tracks": self._take_tracks,
+            "categories": self._take_categories,
+            "annotations": self._take_annotations,
+        }
+        takers[member](at, value)
 
     def _take_info(self, _at: int, info: Mapping[str, Any]) -> None:
         self._fps = self._fps or _fps_of(info)
@@ -205,4 +215,6 @@ def _whole(value: Any) -> int | None:
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
+    if isinstance(value, int) and not isinstance(value, bool):
+        return abs(value) < _LARGEST
+    return isinstance(value, float)

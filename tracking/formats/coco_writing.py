@@ -75,7 +75,8 @@ def _head(exported: Exported, kinds: dict[str, int]) -> dict[str, Any]:
 def _write_images(stream: TextIO, exported: Exported) -> None:
     """One for every frame, whether somebody is there or not; files count from 1, as in TAO."""
     width, height = exported.size_px or (0, 0)
-    last = int(exported.rows["frame"][-1:].max(initial=-1)) if len(exported) else -1
+    count = len(exported)
+    last = int(exported.rows["frame"][count - 1 : count].max(initial=-1))
     prefix = json.dumps(exported.name + "/" if exported.name else "")[1:-1]
     rest = f'"video_id": {_VIDEO}, "width": {width}, "height": {height}, "license": 0'
     lines = (
