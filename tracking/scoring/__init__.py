@@ -2,35 +2,63 @@
 
 from tracking.scoring.agreement import Agreement, agreement
 from tracking.scoring.clear import Clear
+from tracking.scoring.combining import combined
+from tracking.scoring.conventions import Conventions
 from tracking.scoring.disagreements import Disagreement
 from tracking.scoring.either import EitherMatch
-from tracking.scoring.hota import ALPHAS, Hota
+from tracking.scoring.errors import NOBODY, ErrorKind, ErrorTable, errors, errors_of
+from tracking.scoring.examination import Examination, examine
+from tracking.scoring.figures import FIGURES
+from tracking.scoring.hota import ALPHAS, CURVES, Hota
 from tracking.scoring.identity import Identity
 from tracking.scoring.identity_errors import IdentityError, identity_errors
 from tracking.scoring.kappa import cohen_kappa
 from tracking.scoring.matching import BoxMatch, FloorMatch, Match
 from tracking.scoring.papers import People, PositionError
-from tracking.scoring.score import Score, score
+from tracking.scoring.passages import PassageScore
+from tracking.scoring.per_person import Followed, PersonScore, per_person, per_person_of
+from tracking.scoring.score import Score, score, score_of
 from tracking.scoring.table import ScoringTable
+from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap
 
 __all__ = [
     "ALPHAS",
+    "CURVES",
+    "FIGURES",
+    "NOBODY",
+    "OVERLAPS",
+    "SUBSETS",
     "Agreement",
     "BoxMatch",
     "Clear",
+    "Conventions",
     "Disagreement",
     "EitherMatch",
+    "ErrorKind",
+    "ErrorTable",
+    "Examination",
     "FloorMatch",
+    "Followed",
     "Hota",
     "Identity",
     "IdentityError",
     "Match",
+    "PassageScore",
     "People",
+    "PersonScore",
     "PositionError",
     "Score",
     "ScoringTable",
+    "TrackMap",
     "agreement",
     "cohen_kappa",
+    "combined",
+    "errors",
+    "errors_of",
+    "examine",
     "identity_errors",
+    "per_person",
+    "per_person_of",
     "score",
+    "score_of",
 ]

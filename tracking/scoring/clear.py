@@ -2,116 +2,128 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
-import numpy as np
-
-from tracking.scoring.assignment import solve, stretches, uncontested
-from tracking.scoring.comparison import Comparison
-from tracking.scoring.matching import EPS, Candidates
-from tracking.scoring.table import Flags, Floats, Integers
-
-# So much more than any similarity that last frame's partner is kept while the two still match.
-_LOYALTY = 1000.0
-_MOSTLY_TRACKED, _MOSTLY_LOST = 0.8, 0.2
+from tracking.scoring.conventions import Conventions
 
 
 @dataclass(frozen=True, slots=True)
 class Clear:
-    """[Bernardin2008], counted as TrackEval counts.
+    """[Bernardin2008], counted as TrackEval counts; the measures follow from the counts.
 
     Attributes:
-        mota: 1 - (misses + false positives + switches) / truth rows.
-        motp: mean similarity of the matched pairs.
+        matches: rows of people that were found, switches among them.
+        misses, false_positives: rows of people, and of tracks, that were not matched.
         id_switches: a person is matched to another track than the last time it was matched.
         fragmentations: a person is matched again after frames without a match.
         mostly_tracked: people matched in more than 80 % of their frames.
+        partly_tracked: people matched in 20 % to 80 %.
         mostly_lost: people matched in fewer than 20 %.
+        frames: length of the recording.
+        similarity: sum over the matches.
+        one_sided: there was nothing to compare: every share is 0. False for what is combined.
+        conventions: whose definitions of the shares are in force.
+        unit: what a similarity of 0 means in py-motmetrics' distance: 1 for boxes, metres on the
+            floor.
     """
 
-    mota: float
-    motp: float
+    matches: int
+    misses: int
+    false_positives: int
     id_switches: int
     fragmentations: int
-    false_positives: int
-    misses: int
     mostly_tracked: int
+    partly_tracked: int
     mostly_lost: int
+    frames: int
+    similarity: float
+    one_sided: bool = False
+    conventions: Conventions = Conventions.TRACKEVAL
+    unit: float = 1.0
 
+    @property
+    def truth_rows(self) -> int:
+        """Rows of people that count."""
+        return self.matches + self.misses
 
-def clear_matches(comparison: Comparison) -> Candidates:
-    """The matched pairs, by frame.
+    @property
+    def result_rows(self) -> int:
+        """Rows of the result that count."""
+        return self.matches + self.false_positives
 
-    In each frame last frame's partners stay together while they match; the others are assigned
-    with the greatest total similarity. A frame in which one side is empty does not count as last.
-    """
-    pairs = comparison.pairs.some(comparison.pairs.similarity >= comparison.threshold - EPS)
-    chosen, contested = uncontested(pairs)
-    code = comparison.couples(pairs)
-    before = stretches(pairs, contested - 1)
-    for (number, rows), (_, last) in zip(stretches(pairs, contested), before, strict=True):
-        loyal = np.isin(code[rows], code[last][chosen[last]])
-        weight = pairs.similarity[rows] + _LOYALTY * loyal
-        chosen[rows] = solve(pairs, rows, weight, comparison.frames, number)
-    return pairs.some(chosen)
+    @property
+    def people(self) -> int:
+        """People in the truth."""
+        return self.mostly_tracked + self.partly_tracked + self.mostly_lost
 
+    @property
+    def mota(self) -> float:
+        """1 - (misses + false positives + switches) / truth rows."""
+        right = self.matches - self.false_positives - self.id_switches
+        return self._share(right, self.truth_rows)
 
-def clear(comparison: Comparison, matched: Candidates) -> Clear:
-    """The measures of the matched pairs."""
-    if comparison.one_sided:
-        return _nothing_compared(comparison)
-    misses = len(comparison.truth) - len(matched)
-    false_positives = len(comparison.result) - len(matched)
-    switches = int(_switches(comparison, matched).sum())
-    tracked = _share_tracked(comparison, matched)
-    return Clear(
-        mota=(len(matched) - false_positives - switches) / len(comparison.truth),
-        motp=float(sum(matched.similarity.tolist())) / max(1, len(matched)),
-        id_switches=switches,
-        fragmentations=_fragmentations(comparison, matched),
-        false_positives=false_positives,
-        misses=misses,
-        mostly_tracked=int((tracked > _MOSTLY_TRACKED).sum()),
-        mostly_lost=int((tracked < _MOSTLY_LOST).sum()),
-    )
+    @property
+    def moda(self) -> float:
+        """The same without switches."""
+        return self._share(self.matches - self.false_positives, self.truth_rows)
 
+    @property
+    def motal(self) -> float:
+        """The same with the logarithm (to base 10) of the switches."""
+        switches = math.log10(self.id_switches) if self.id_switches else 0.0
+        return self._share(self.matches - self.false_positives - switches, self.truth_rows)
 
-def _nothing_compared(comparison: Comparison) -> Clear:
-    return Clear(
-        mota=0.0,
-        motp=0.0,
-        id_switches=0,
-        fragmentations=0,
-        false_positives=len(comparison.result),
-        misses=len(comparison.truth),
-        mostly_tracked=0,
-        mostly_lost=comparison.people,
-    )
+    @property
+    def smota(self) -> float:
+        """MOTA where every match weighs as much as it is alike."""
+        right = self.similarity - self.false_positives - self.id_switches
+        return self._share(right, self.truth_rows)
 
+    @property
+    def motp(self) -> float:
+        """Mean similarity of the matched pairs; as py-motmetrics has it their mean distance."""
+        if self.conventions is Conventions.MOTMETRICS:
+            return self._share(self.unit * (self.matches - self.similarity), self.matches)
+        return self._share(self.similarity, self.matches)
 
-def _by_person(comparison: Comparison, matched: Candidates) -> tuple[Integers, Integers, Flags]:
-    """Matches ordered by person, then frame: their order, persons, and whether one goes on."""
-    person = comparison.person[matched.rows.truth]
-    order = np.argsort(person, kind="stable")
-    person = person[order]
-    return order, person, np.asarray(np.diff(person) == 0)
+    @property
+    def recall(self) -> float:
+        """Matches / truth rows."""
+        return self._share(self.matches, self.truth_rows)
 
+    @property
+    def precision(self) -> float:
+        """Matches / result rows."""
+        return self._share(self.matches, self.result_rows)
 
-def _switches(comparison: Comparison, matched: Candidates) -> Flags:
-    """Marks where a person's match bears another track than its match before."""
-    order, _, same = _by_person(comparison, matched)
-    track = comparison.identity[matched.rows.result][order]
-    return np.asarray(same & (np.diff(track) != 0))
+    @property
+    def f1(self) -> float:
+        """Harmonic mean of recall and precision."""
+        wrong = 0.5 * self.misses + 0.5 * self.false_positives
+        return self._share(self.matches, self.matches + wrong)
 
+    @property
+    def false_positives_per_frame(self) -> float:
+        """False positives / frames."""
+        return self._share(self.false_positives, self.frames)
 
-def _fragmentations(comparison: Comparison, matched: Candidates) -> int:
-    """How often people are found again after frames (with rows on both sides) without match."""
-    order, _, same = _by_person(comparison, matched)
-    return int((same & (np.diff(matched.frame[order]) > 1)).sum())
+    @property
+    def mostly_tracked_share(self) -> float:
+        """Of the people."""
+        return self._share(self.mostly_tracked, self.people)
 
+    @property
+    def partly_tracked_share(self) -> float:
+        """Of the people."""
+        return self._share(self.partly_tracked, self.people)
 
-def _share_tracked(comparison: Comparison, matched: Candidates) -> Floats:
-    """(people,) share of each person's frames in which it is matched."""
-    person = comparison.person[matched.rows.truth]
-    matches = np.bincount(person, minlength=comparison.people)
-    return np.asarray(matches / comparison.frames_of_people())
+    @property
+    def mostly_lost_share(self) -> float:
+        """Of the people; 1 where there was nothing to compare."""
+        return 1.0 if self.one_sided else self._share(self.mostly_lost, self.people)
+
+    def _share(self, part: float, whole: float) -> float:
+        if self.conventions is Conventions.MOTMETRICS:
+            return part / whole if whole else math.nan
+        return 0.0 if self.one_sided else part / max(1.0, whole)

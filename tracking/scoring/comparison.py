@@ -53,6 +53,14 @@ class Comparison:
         """(identities,) in how many frames each track of the result stands."""
         return np.bincount(self.identity, minlength=self.identities)
 
+    def frames_lived(self) -> Integers:
+        """(n,) the how manieth frame of its person a truth row is, from 0."""
+        order = np.argsort(self.person, kind="stable")
+        frames = self.frames_of_people()
+        lived = np.empty(len(order), np.int64)
+        lived[order] = np.arange(len(order)) - np.repeat(np.cumsum(frames) - frames, frames)
+        return lived
+
 
 def compare(truth: ScoringTable, result: ScoringTable, match: Match) -> Comparison:
     """Put the rows that count side by side.

@@ -6,71 +6,126 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.scoring.assignment import assign
-from tracking.scoring.comparison import Comparison
-from tracking.scoring.matching import EPS, Candidates
-from tracking.scoring.table import Floats, Integers
+from tracking.scoring.table import Floats
 
 ALPHAS = np.arange(0.05, 0.99, 0.05)
 """Similarities from which a matched pair counts, 0.05 to 0.95."""
 
+CURVES = ("HOTA", "DetA", "AssA", "DetRe", "DetPr", "AssRe", "AssPr", "LocA", "OWTA")
+"""The curves by TrackEval's names, see `Hota.curve`."""
 
-@dataclass(frozen=True, slots=True)
+_LEAST = 1e-10
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Hota:
-    """[Luiten2020], each the mean over `ALPHAS`.
+    """[Luiten2020]: counts and curves over `ALPHAS`, each (19,); numbers are a curve's mean.
 
     Attributes:
-        hota: geometric mean of detection and association, taken at each alpha.
-        deta: Jaccard index of the rows.
-        assa: mean over the matches of the Jaccard index of their person and their track.
-        loca: mean similarity of the matches.
+        matches: pairs that count. misses, false_positives: rows left on either side.
+        assa_curve: mean over the matches of the Jaccard index of their person and their track.
+        assre_curve, asspr_curve: likewise the share of the person, and of the track.
+        loca_curve: mean similarity of the matches; 1 without any.
     """
 
-    hota: float
-    deta: float
-    assa: float
-    loca: float
+    matches: Floats
+    misses: Floats
+    false_positives: Floats
+    assa_curve: Floats
+    assre_curve: Floats
+    asspr_curve: Floats
+    loca_curve: Floats
+
+    @classmethod
+    def without_matches(cls, misses: int, false_positives: int) -> Hota:
+        """Where a side is empty."""
+        zero = np.zeros(len(ALPHAS))
+        return cls(zero, zero + misses, zero + false_positives, zero, zero, zero, zero + 1.0)
+
+    @property
+    def deta_curve(self) -> Floats:
+        """Jaccard index of the rows."""
+        return self.matches / np.maximum(1, self.matches + self.misses + self.false_positives)
+
+    @property
+    def detre_curve(self) -> Floats:
+        """Share of the truth's rows that are matched."""
+        return self.matches / np.maximum(1, self.matches + self.misses)
+
+    @property
+    def detpr_curve(self) -> Floats:
+        """Share of the result's rows that are matched."""
+        return self.matches / np.maximum(1, self.matches + self.false_positives)
+
+    @property
+    def hota_curve(self) -> Floats:
+        """Geometric mean of detection and association."""
+        return np.sqrt(self.deta_curve * self.assa_curve)
+
+    @property
+    def owta_curve(self) -> Floats:
+        """The same with detection recall: false positives do not count [Liu2022]."""
+        return np.sqrt(self.detre_curve * self.assa_curve)
+
+    def curve(self, name: str) -> Floats:
+        """(19,) the curve of one of the names in `CURVES`."""
+        return np.asarray(getattr(self, f"{name.lower()}_curve"))
+
+    @property
+    def hota(self) -> float:
+        """Mean of the HOTA curve."""
+        return float(self.hota_curve.mean())
+
+    @property
+    def deta(self) -> float:
+        """Mean of the DetA curve."""
+        return float(self.deta_curve.mean())
+
+    @property
+    def assa(self) -> float:
+        """Mean of the AssA curve."""
+        return float(self.assa_curve.mean())
+
+    @property
+    def loca(self) -> float:
+        """Mean of the LocA curve."""
+        return float(self.loca_curve.mean())
+
+    @property
+    def hota_0(self) -> float:
+        """HOTA at the least strict matching."""
+        return float(self.hota_curve[0])
+
+    @property
+    def loca_0(self) -> float:
+        """LocA at the least strict matching."""
+        return float(self.loca_curve[0])
+
+    @property
+    def hota_loca_0(self) -> float:
+        """The product of the two."""
+        return self.hota_0 * self.loca_0
 
 
-def hota(comparison: Comparison) -> Hota:
-    """Match each frame once with the tracks' overall agreement as weight, then count per alpha."""
-    if comparison.one_sided:
-        return Hota(hota=0.0, deta=0.0, assa=0.0, loca=1.0)
-    pairs = comparison.pairs
-    couples, couple = np.unique(comparison.couples(pairs), return_inverse=True)
-    person, identity = np.divmod(couples, comparison.identities)
-    both = comparison.frames_of_people()[person] + comparison.frames_of_identities()[identity]
-    agreement = _agreement(pairs, couple, both)
-    chosen = assign(pairs, agreement[couple] * pairs.similarity, comparison.frames)
-    counted = [chosen & (pairs.similarity >= alpha - EPS) for alpha in ALPHAS]
-    matches = np.array([row.sum() for row in counted])
-    rows = len(comparison.truth) + len(comparison.result)
-    deta = matches / (rows - matches)
-    together = [np.bincount(couple[row], minlength=len(couples)) for row in counted]
-    assa = np.array([_association(count, both) for count in together]) / np.maximum(1, matches)
-    alike = np.array([sum(pairs.similarity[row].tolist()) for row in counted])
-    loca = np.maximum(1e-10, alike) / np.maximum(1e-10, matches)
+def combined_hota(parts: list[Hota]) -> Hota:
+    """Of several sequences: counts added up, the rest weighted with the matches."""
+    matches = _sum([part.matches for part in parts])
+    located = _sum([part.loca_curve * part.matches for part in parts])
+
+    def weighted(name: str) -> Floats:
+        total = _sum([part.curve(name) * part.matches for part in parts])
+        return np.asarray(total / np.maximum(1.0, matches))
+
     return Hota(
-        hota=float(np.sqrt(deta * assa).mean()),
-        deta=float(deta.mean()),
-        assa=float(assa.mean()),
-        loca=float(loca.mean()),
+        matches=matches,
+        misses=_sum([part.misses for part in parts]),
+        false_positives=_sum([part.false_positives for part in parts]),
+        assa_curve=weighted("AssA"),
+        assre_curve=weighted("AssRe"),
+        asspr_curve=weighted("AssPr"),
+        loca_curve=np.maximum(_LEAST, located) / np.maximum(_LEAST, matches),
     )
 
 
-def _agreement(pairs: Candidates, couple: Integers, both: Integers) -> Floats:
-    """How well a person and a track fit over the recording, before anything is matched.
-
-    Args:
-        couple: (k,) which person and track a pair is of. both: frames of the one plus the other.
-    """
-    by_person = np.bincount(pairs.rows.truth, pairs.similarity)[pairs.rows.truth]
-    by_track = np.bincount(pairs.rows.result, pairs.similarity)[pairs.rows.result]
-    share = pairs.similarity / (by_track + by_person - pairs.similarity)
-    together = np.bincount(couple, share, minlength=len(both))
-    return np.asarray(together / (both - together))
-
-
-def _association(together: Integers, both: Integers) -> float:
-    """Sum over matches of the Jaccard index of their person and their track."""
-    return float((together * (together / np.maximum(1, both - together))).sum())
+def _sum(curves: list[Floats]) -> Floats:
+    return np.asarray(sum(curves, np.zeros(len(ALPHAS))))

@@ -8,32 +8,72 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from tracking.scoring.comparison import Comparison
+from tracking.scoring.matching import Candidates
+from tracking.scoring.table import Integers
 
 
 @dataclass(frozen=True, slots=True)
 class Identity:
-    """[Ristani2016]: rows explained under the best one-to-one naming, as shares."""
+    """[Ristani2016]: rows explained under the best one-to-one naming.
 
-    idf1: float
-    idp: float
-    idr: float
+    Attributes:
+        true_positives: rows of people matched by the track they are named after.
+        misses: other rows of people. false_positives: other rows of tracks.
+    """
+
+    true_positives: int
+    misses: int
+    false_positives: int
+
+    @property
+    def idf1(self) -> float:
+        """Harmonic mean of the next two."""
+        wrong = 0.5 * self.false_positives + 0.5 * self.misses
+        return self.true_positives / max(1.0, self.true_positives + wrong)
+
+    @property
+    def idp(self) -> float:
+        """Share of the result's rows that are right."""
+        return self.true_positives / max(1.0, self.true_positives + self.false_positives)
+
+    @property
+    def idr(self) -> float:
+        """Share of the truth's rows that are found."""
+        return self.true_positives / max(1.0, self.true_positives + self.misses)
 
 
-def identity(comparison: Comparison) -> Identity:
+def identity(comparison: Comparison, admitted: Candidates | None = None) -> Identity:
     """Name each person after at most one track so that most rows agree, and count them.
 
-    The fewest wrong rows and the most right rows are found by the same naming.
+    Args:
+        admitted: the pairs that may be one person; those at the threshold where left out.
     """
-    if comparison.one_sided:
-        return Identity(0.0, 0.0, 0.0)
-    pairs = comparison.pairs.some(comparison.pairs.similarity >= comparison.threshold)
-    together = np.zeros((comparison.people, comparison.identities))
-    person = comparison.person[pairs.rows.truth]
-    np.add.at(together, (person, comparison.identity[pairs.rows.result]), 1)
-    right = float(together[linear_sum_assignment(together, maximize=True)].sum())
-    truth, result = len(comparison.truth), len(comparison.result)
-    return Identity(
-        idf1=right / (right + 0.5 * (result - right) + 0.5 * (truth - right)),
-        idp=right / result,
-        idr=right / truth,
-    )
+    right = int(naming(comparison, admitted)[1].sum())
+    return Identity(right, len(comparison.truth) - right, len(comparison.result) - right)
+
+
+def naming(comparison: Comparison, admitted: Candidates | None = None) -> tuple[Integers, Integers]:
+    """Whom each person is named after.
+
+    Returns:
+        (people,) the number of a track, -1 for none; of several best namings the one SciPy finds.
+        (people,) in how many frames the two agree.
+    """
+    together = _together(comparison, admitted)
+    named = np.full(comparison.people, -1)
+    agree = np.zeros(comparison.people, np.int64)
+    person, track = linear_sum_assignment(together, maximize=True)
+    agree[person] = together[person, track]
+    named[person] = track
+    named[agree == 0] = -1
+    return named, agree
+
+
+def _together(comparison: Comparison, admitted: Candidates | None) -> Integers:
+    """(people, identities) in how many frames the two may be one."""
+    pairs = comparison.pairs
+    if admitted is None:
+        admitted = pairs.some(pairs.similarity >= comparison.threshold)
+    couples = comparison.people * comparison.identities
+    counted = np.bincount(comparison.couples(admitted), minlength=couples)
+    return counted.reshape(comparison.people, comparison.identities)

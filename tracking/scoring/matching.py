@@ -43,22 +43,22 @@ class BoxMatch:
 
     Attributes:
         threshold: least overlap of one person's boxes.
+        first_pixel: the number the first pixel bears where corners are added up. It only tells
+            how sums round, and so whether an overlap right on the threshold is on it: 1 as for
+            tools that read MOTChallenge's files as they are, 0 for those that subtract 1 first.
     """
 
     threshold: float = 0.5
+    first_pixel: float = 1.0
 
     def __post_init__(self) -> None:
         if not 0 < self.threshold <= 1:
             raise SettingsError(f"overlap {self.threshold} is not in 0 to 1; 0.5 is usual")
 
     def similarity(self, truth: ScoringTable, result: ScoringTable, pairs: Rows) -> Floats:
-        """Intersection over union of the boxes.
-
-        Corners are added up from pixel 1, the convention of MOTChallenge's files: the sums round
-        as they do for tools that read those, so an overlap on the threshold is on it here too.
-        """
-        a_low, a_high = _corners(truth.box[pairs.truth])
-        b_low, b_high = _corners(result.box[pairs.result])
+        """Intersection over union of the boxes."""
+        a_low, a_high = _corners(truth.box[pairs.truth], self.first_pixel)
+        b_low, b_high = _corners(result.box[pairs.result], self.first_pixel)
         overlap = np.maximum(np.minimum(a_high, b_high) - np.maximum(a_low, b_low), 0)
         shared = overlap[:, 0] * overlap[:, 1]
         a_area, b_area = _area(a_high - a_low), _area(b_high - b_low)
@@ -197,9 +197,9 @@ def _alike(
     return pairs.some(pairs.similarity > 0)
 
 
-def _corners(box: Floats) -> tuple[Floats, Floats]:
-    """(n, 2) upper left and lower right corners, counted from pixel 1."""
-    low = box[:, :2] + 1.0
+def _corners(box: Floats, first_pixel: float) -> tuple[Floats, Floats]:
+    """(n, 2) upper left and lower right corners."""
+    low = box[:, :2] + first_pixel
     return low, low + box[:, 2:]
 
 

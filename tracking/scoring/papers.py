@@ -8,7 +8,7 @@ import numpy as np
 
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.matching import Candidates
-from tracking.scoring.table import Flags, Integers
+from tracking.scoring.table import Flags, Floats, Integers
 
 DETECTED_AFTER = 10
 """Frames in which a person is matched before it counts as detected."""
@@ -28,24 +28,55 @@ class People:
     kept: int
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class PositionError:
-    """Distance on the floor between matched rows, in metres; NaN without any."""
+    """Distance on the floor between matched rows, in metres; its numbers are NaN without any.
 
-    mean: float
-    std: float
-    median: float
-    p95: float
+    Attributes:
+        distances_m: (k,) of the pairs in which both have a position.
+    """
+
+    distances_m: Floats
+
+    @classmethod
+    def of(cls, distances_m: Floats) -> PositionError:
+        """Of distances among which NaN stands for unknown."""
+        return cls(distances_m[~np.isnan(distances_m)])
+
+    @property
+    def mean(self) -> float:
+        """Arithmetic mean."""
+        return float(self.distances_m.mean()) if len(self.distances_m) else np.nan
+
+    @property
+    def std(self) -> float:
+        """Standard deviation of the pairs themselves (not of a sample)."""
+        return float(self.distances_m.std()) if len(self.distances_m) else np.nan
+
+    @property
+    def median(self) -> float:
+        """Half are no larger."""
+        return float(np.median(self.distances_m)) if len(self.distances_m) else np.nan
+
+    @property
+    def p95(self) -> float:
+        """95 % are no larger."""
+        return float(np.percentile(self.distances_m, 95)) if len(self.distances_m) else np.nan
 
 
 def people(comparison: Comparison, matched: Candidates) -> People:
     """Count the people who are detected and those who are kept."""
+    detected, kept = detected_and_kept(comparison, matched)
+    return People(detected=int(detected.sum()), kept=int(kept.sum()))
+
+
+def detected_and_kept(comparison: Comparison, matched: Candidates) -> tuple[Flags, Flags]:
+    """(people,) who is detected, and who of them is kept; see `People`."""
     person = comparison.person[matched.rows.truth]
     matches = np.bincount(person, minlength=comparison.people)
     detected = matches >= DETECTED_AFTER
     long_enough = 2 * matches >= _frames_from_first_match(comparison, matched)
-    kept = detected & long_enough & _one_id_of_its_own(comparison, matched)
-    return People(detected=int(detected.sum()), kept=int(kept.sum()))
+    return detected, detected & long_enough & _one_id_of_its_own(comparison, matched)
 
 
 def _one_id_of_its_own(comparison: Comparison, matched: Candidates) -> Flags:
@@ -75,28 +106,8 @@ def _first(group: Integers, value: Integers, groups: int) -> Integers:
 
 def _frames_from_first_match(comparison: Comparison, matched: Candidates) -> Integers:
     """(people,) in how many frames a person stands from its first match on."""
-    person = comparison.person
-    order = np.argsort(person, kind="stable")
-    frames = comparison.frames_of_people()
-    before = np.empty(len(person), np.int64)
-    before[order] = np.arange(len(person)) - np.repeat(np.cumsum(frames) - frames, frames)
+    before = comparison.frames_lived()
     first = np.zeros(comparison.people, np.int64)
     rows = matched.rows.truth[::-1]
-    first[person[rows]] = before[rows]
-    return np.asarray(frames - first)
-
-
-def position_error(comparison: Comparison, matched: Candidates) -> PositionError:
-    """Statistics of the distance between matched rows that both have a position."""
-    truth, result = comparison.truth.position, comparison.result.position
-    apart = truth[matched.rows.truth] - result[matched.rows.result]
-    distance_m = np.hypot(apart[:, 0], apart[:, 1])
-    distance_m = distance_m[~np.isnan(distance_m)]
-    if not len(distance_m):
-        return PositionError(np.nan, np.nan, np.nan, np.nan)
-    return PositionError(
-        mean=float(distance_m.mean()),
-        std=float(distance_m.std()),
-        median=float(np.median(distance_m)),
-        p95=float(np.percentile(distance_m, 95)),
-    )
+    first[comparison.person[rows]] = before[rows]
+    return np.asarray(comparison.frames_of_people() - first)

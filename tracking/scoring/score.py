@@ -3,34 +3,46 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from tracking.scoring.clear import Clear, clear, clear_matches
-from tracking.scoring.comparison import compare
-from tracking.scoring.hota import Hota, hota
+from tracking.scoring.clear import Clear
+from tracking.scoring.clear_counting import clear
+from tracking.scoring.conventions import Conventions
+from tracking.scoring.examination import Examination, examine
+from tracking.scoring.figures import figures_of, lines_of
+from tracking.scoring.hota import Hota
+from tracking.scoring.hota_counting import hota
 from tracking.scoring.identity import Identity, identity
-from tracking.scoring.matching import BoxMatch, Match
-from tracking.scoring.papers import People, PositionError, people, position_error
+from tracking.scoring.matching import Match
+from tracking.scoring.papers import People, PositionError, people
+from tracking.scoring.passages import PassageScore
 from tracking.scoring.table import ScoringTable
+from tracking.scoring.track_map import TrackMap
+from tracking.scoring.track_map_matching import track_map
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Score:
     """How good a result is. Shares are 0 to 1.
 
     Attributes:
         frames: length of the recording, as far as it is known.
-        truth_people: people in the truth.
+        truth_people: people in the truth. result_tracks: tracks in the result.
+        track_map: None where the result has no confidences or rows were not matched by boxes.
+        passages: of counting lines, where there are any; see `PassageScore`.
     """
 
     frames: int
     truth_people: int
+    result_tracks: int
     clear: Clear
     identity: Identity
     hota: Hota
     people: People
     position_error: PositionError
+    track_map: TrackMap | None = None
+    passages: tuple[PassageScore, ...] = ()
 
     @property
     def tracking_accuracy(self) -> float:
@@ -39,50 +51,19 @@ class Score:
 
     def as_json(self) -> dict[str, Any]:
         """The numbers by the names `score --json` has; None where a number is undefined."""
-        error = self.position_error
-        return {
-            "frames": self.frames,
-            "truth_people": self.truth_people,
-            "MOTA": self.clear.mota,
-            "MOTP": self.clear.motp,
-            "IDF1": self.identity.idf1,
-            "IDP": self.identity.idp,
-            "IDR": self.identity.idr,
-            "HOTA": self.hota.hota,
-            "DetA": self.hota.deta,
-            "AssA": self.hota.assa,
-            "LocA": self.hota.loca,
-            "id_switches": self.clear.id_switches,
-            "fragmentations": self.clear.fragmentations,
-            "false_positives": self.clear.false_positives,
-            "misses": self.clear.misses,
-            "mostly_tracked": self.clear.mostly_tracked,
-            "mostly_lost": self.clear.mostly_lost,
-            "people_detected": self.people.detected,
-            "people_kept": self.people.kept,
-            "tracking_accuracy": _defined(self.tracking_accuracy),
-            "position_error_m": {
-                "mean": _defined(error.mean),
-                "std": _defined(error.std),
-                "median": _defined(error.median),
-                "p95": _defined(error.p95),
-            },
-        }
+        return figures_of(self)
 
     def as_text(self) -> str:
         """A table for people, without colours."""
-        table = self.as_json()
-        distance = table.pop("position_error_m")
-        named = [(name, _shown(value)) for name, value in table.items()]
-        named += [
-            (f"position error, {name} (m)", _shown(value)) for name, value in distance.items()
-        ]
-        width = max(len(name) for name, _ in named)
-        return "\n".join(f"{name:<{width}}  {value:>9}" for name, value in named)
+        return lines_of(self)
 
 
 def score(
-    truth: ScoringTable, result: ScoringTable, match: Match | None = None, frames: int = 0
+    truth: ScoringTable,
+    result: ScoringTable,
+    match: Match | None = None,
+    frames: int = 0,
+    conventions: Conventions = Conventions.TRACKEVAL,
 ) -> Score:
     """Measure a result against truth.
 
@@ -91,33 +72,32 @@ def score(
 
     Args:
         truth: its rows with `counted` False are don't-cares: a result row that matches one is
-            dropped, and they are no misses.
+            dropped, and they are no misses. (As py-motmetrics has it they only are no misses.)
         result: all rows count.
         match: boxes at an overlap of one half when left out.
         frames: length of the recording, if it is known to be longer than the tracks.
+        conventions: whose definitions of CLEAR.
 
     Raises:
         FormatError: a side has nothing to be matched by.
     """
-    comparison = compare(truth, result, match or BoxMatch())
-    matched = clear_matches(comparison)
-    last = max((int(table.frame[-1]) for table in (truth, result) if len(table)), default=-1)
+    return score_of(examine(truth, result, match, frames, conventions))
+
+
+def score_of(examination: Examination) -> Score:
+    """The measures of what was compared."""
+    comparison, matched = examination.comparison, examination.matched
     return Score(
-        frames=max(frames, last + 1),
+        frames=examination.frames,
         truth_people=comparison.people,
-        clear=clear(comparison, matched),
-        identity=identity(comparison),
+        result_tracks=comparison.identities,
+        clear=replace(
+            clear(comparison, matched, examination.frames, examination.conventions),
+            unit=examination.unit,
+        ),
+        identity=identity(comparison, examination.admitted),
         hota=hota(comparison),
         people=people(comparison, matched),
-        position_error=position_error(comparison, matched),
+        position_error=PositionError.of(examination.distances_m),
+        track_map=track_map(examination),
     )
-
-
-def _defined(value: float) -> float | None:
-    return None if math.isnan(value) else value
-
-
-def _shown(value: float | None) -> str:
-    if value is None:
-        return "-"
-    return str(value) if isinstance(value, int) else f"{value:.4f}"

@@ -25,6 +25,7 @@ class ScoringTable:
         box: (n, 4) left, top, width, height in pixels, 0-based; NaN where unknown.
         position: (n, 2) x, y on the floor in metres; NaN where unknown.
         counted: (n,) False marks a don't-care.
+        confidence: (n,) how sure the tracker is; None where nobody says.
     """
 
     frame: Integers
@@ -32,13 +33,15 @@ class ScoringTable:
     box: Floats
     position: Floats
     counted: Flags
+    confidence: Floats | None = None
 
     @classmethod
     def from_columns(cls, columns: Columns, *, dont_cares: bool = False) -> ScoringTable:
         """The table of a session's or a file's columns.
 
         Args:
-            columns: `frame, track, left, top, width, height` and, where known, `x, y`.
+            columns: `frame, track, left, top, width, height` and, where known, `x, y` and
+                `confidence`.
             dont_cares: rows with `confidence` 0 are don't-cares, as in MOT text used as truth.
 
         Raises:
@@ -54,6 +57,7 @@ class ScoringTable:
             box=_stacked(columns, ("left", "top", "width", "height"), order),
             position=_stacked(columns, ("x", "y"), order),
             counted=counted,
+            confidence=_column(columns, "confidence", order),
         )
         table._refuse_repeated()
         return table
@@ -70,6 +74,7 @@ class ScoringTable:
             self.box[kept],
             self.position[kept],
             self.counted[kept],
+            None if self.confidence is None else self.confidence[kept],
         )
 
     def within(self, start: int, stop: int) -> ScoringTable:
@@ -87,6 +92,10 @@ class ScoringTable:
                 f"track {track[first]} stands twice in frame {frame[first]} (from 0); "
                 "remove one of its rows"
             )
+
+
+def _column(columns: Columns, name: str, order: Integers) -> Floats | None:
+    return columns[name][order].astype(np.float64) if name in columns else None
 
 
 def _stacked(columns: Columns, names: tuple[str, ...], order: Integers) -> Floats:

@@ -1,0 +1,127 @@
+"""Track-mAP's matching: which tracks stand for which people, by the overlap of whole tracks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracking.scoring.comparison import Comparison
+from tracking.scoring.examination import Examination
+from tracking.scoring.matching import EPS, BoxMatch
+from tracking.scoring.table import Flags, Floats, Integers, ScoringTable
+from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap
+
+_AREAS_PX2 = ((0.0, 32.0**2), (32.0**2, 96.0**2), (96.0**2, 1e5**2))
+_LENGTHS = ((0.0, 3.0), (3.0, 10.0), (10.0, 1e5))
+_UNKNOWN = -1.0
+"""What MOT text has for confidence where a tracker tells none."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Whole:
+    """Tracks as one thing each.
+
+    Attributes:
+        total_px2: (n,) sum of the boxes' areas. rows: (n,) how many there are.
+        excluded: (7, n) not of the subset.
+    """
+
+    total_px2: Floats
+    rows: Integers
+    excluded: Flags
+
+
+def track_map(examination: Examination) -> TrackMap | None:
+    """Track-mAP of what was compared; None where it is not defined.
+
+    Each track in turn, the surest first, takes the person not yet taken that it overlaps most.
+    A person of the subset goes before others. Tracks of equal confidence come in the order of
+    their ids. The overlap is that of all boxes together: shared area over covered area.
+    Don't-cares, and what stands on them, are left out beforehand.
+    """
+    comparison = examination.comparison
+    confidence = comparison.result.confidence
+    if not isinstance(examination.match, BoxMatch) or not _told(comparison.result):
+        return None
+    sums = np.bincount(comparison.identity, confidence, minlength=comparison.identities)
+    surest = sums / comparison.frames_of_identities()
+    order = np.argsort(-surest, kind="stable")
+    truth = _whole(comparison.truth, comparison.person, comparison.people)
+    result = _whole(comparison.result, comparison.identity, comparison.identities)
+    overlap = _overlaps(comparison, truth, result)[order]
+    found = np.zeros((len(SUBSETS), len(OVERLAPS), len(order)), bool)
+    ignored = np.zeros_like(found)
+    for subset in range(len(SUBSETS)):
+        for number, least in enumerate(OVERLAPS):
+            taken = _taken(overlap, float(least), truth.excluded[subset])
+            found[subset, number] = taken >= 0
+            foreign = np.append(truth.excluded[subset], False)[taken]
+            unfound = (taken < 0) & result.excluded[subset][order]
+            ignored[subset, number] = foreign | unfound
+    people = np.count_nonzero(~truth.excluded, axis=1)
+    return TrackMap(surest[order], found, ignored, people)
+
+
+def _told(result: ScoringTable) -> bool:
+    """Whether the tracker says how sure it is."""
+    if not len(result):
+        return True
+    confidence = result.confidence
+    if confidence is None or not np.isfinite(confidence).all():
+        return False
+    return bool((confidence != _UNKNOWN).any())
+
+
+def _whole(table: ScoringTable, track: Integers, tracks: int) -> _Whole:
+    area = table.box[:, 2] * table.box[:, 3]
+    total = np.bincount(track, area, minlength=tracks).astype(np.float64)
+    rows = np.bincount(track, minlength=tracks)
+    mean = total / rows
+    subsets = [np.zeros(tracks, bool)]
+    subsets += [_outside(mean, *limits) for limits in _AREAS_PX2]
+    subsets += [_outside(rows.astype(np.float64), *limits) for limits in _LENGTHS]
+    return _Whole(total, rows, np.array(subsets))
+
+
+def _outside(value: Floats, least: float, most: float) -> Flags:
+    return np.asarray((value < least - EPS) | (value > most + EPS))
+
+
+def _overlaps(comparison: Comparison, truth: _Whole, result: _Whole) -> Floats:
+    """(identities, people) shared area of all boxes over covered area."""
+    rows = comparison.pairs.rows
+    a, b = comparison.truth.box[rows.truth], comparison.result.box[rows.result]
+    low = np.maximum(a[:, :2], b[:, :2])
+    high = np.minimum(a[:, :2] + a[:, 2:], b[:, :2] + b[:, 2:])
+    shared_px2 = np.maximum(high - low, 0).prod(axis=1)
+    couples = comparison.people * comparison.identities
+    shared = np.bincount(comparison.couples(comparison.pairs), shared_px2, minlength=couples)
+    shared = shared.reshape(comparison.people, comparison.identities).T
+    covered = result.total_px2[:, None] + truth.total_px2 - shared
+    return np.divide(shared, covered, out=np.zeros(shared.shape), where=covered > 0)
+
+
+def _taken(overlap: Floats, least: float, excluded: Flags) -> Integers:
+    """(identities,) the person each track takes, in this order; -1 for none."""
+    free = np.ones(overlap.shape[1], bool)
+    taken = np.full(len(overlap), -1)
+    least = min(least, 1 - 1e-10)
+    near = [np.flatnonzero(row >= least - EPS) for row in overlap]
+    for track, people in enumerate(near):
+        fit = people[free[people]]
+        wanted = fit[~excluded[fit]]
+        fit = wanted if len(wanted) else fit
+        if len(fit):
+            taken[track] = _most(overlap[track], fit.tolist())
+            free[taken[track]] = False
+    return taken
+
+
+def _most(overlap: Floats, people: list[int]) -> int:
+    """Whom a track overlaps most; of equals the last."""
+    best = people[0]
+    for person in people[1:]:
+        if overlap[person] >= overlap[best] - EPS:
+            best = person
+    return best
