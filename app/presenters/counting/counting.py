@@ -297,7 +297,8 @@ class CountingPresenter:
             names += [(False, one.region.name) for one in counts.regions]
             place = names.index((row.is_line, row.name)) if (row.is_line, row.name) in names else -1
             frame_count = self._document.recording.frame_count
-            self._plots = ((counted, picked), plots_of(counts, place, frame_count))
+            plots = plots_of(counts, place, frame_count, self.frames)
+            self._plots = ((counted, picked), plots)
         return self._plots[1]
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,14 +22,32 @@ from tracking.counting import Counts, Occupancy, Passages, Steps
 Flags = NDArray[np.bool_]
 
 
-def plots_of(counts: Counts, number: int, frame_count: int) -> tuple[CountPlot, ...]:
-    """Those of the line, or behind the lines the region, with this number; none for another."""
-    if 0 <= number < len(counts.lines):
-        return _of_line(counts, number, frame_count)
+def plots_of(
+    counts: Counts, number: int, frame_count: int, tracked: tuple[int, int]
+) -> tuple[CountPlot, ...]:
+    """Those of the line, or behind the lines the region, with this number; none for another.
+
+    Args:
+        tracked: the half-open range of frames anything is known of; beyond it nothing is drawn.
+    """
     place = number - len(counts.lines)
-    if 0 <= place < len(counts.regions):
-        return _of_region(counts.regions[place], counts.steps, frame_count)
-    return ()
+    if 0 <= number < len(counts.lines):
+        plots = _of_line(counts, number, frame_count)
+    elif 0 <= place < len(counts.regions):
+        plots = _of_region(counts.regions[place], counts.steps, frame_count)
+    else:
+        plots = ()
+    return tuple(
+        replace(plot, curves=tuple(_within(curve, tracked) for curve in plot.curves))
+        for plot in plots
+    )
+
+
+def _within(curve: CountCurve, tracked: tuple[int, int]) -> CountCurve:
+    """The curve without what lies outside the frames that were tracked."""
+    frame = np.arange(len(curve.values))
+    known = (frame >= tracked[0]) & (frame < tracked[1])
+    return replace(curve, values=np.where(known, curve.values, np.nan))
 
 
 def _of_line(counts: Counts, number: int, frame_count: int) -> tuple[CountPlot, ...]:

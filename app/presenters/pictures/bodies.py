@@ -13,7 +13,7 @@ from app.presenters.document.setting import Instant, Pictured
 from app.presenters.palette import colours_of_tracks
 from app.presenters.pictures.of_run import MadeBy, settings_of
 from app.presenters.pictures.overhead import relative_weights
-from app.presenters.scenes import Colour
+from app.presenters.scenes import Colour, LegendEntry
 from app.presenters.words import tr
 from tracking.geometry import View
 from tracking.trackers.flow import FlowSettings, kernel_rectangles
@@ -32,6 +32,8 @@ _SUBPIXEL = 3
 """Bits of a pixel's fraction that OpenCV takes."""
 _FARTHEST_PX = 20_000
 _REGION_COLOUR: Colour = (240, 228, 66)
+_LIGHT: Colour = (190, 190, 190)
+"""Stands for the colours of people."""
 
 
 class BodyPainter:
@@ -137,6 +139,24 @@ class BodyPainter:
             cv2.polylines(below, _fixed(corners), True, shade, width, cv2.LINE_AA, _SUBPIXEL)
 
 
+def legend_of(instant: Instant, pictured: Pictured) -> tuple[LegendEntry, ...]:
+    """What is laid over the picture, as far as it is seen in the frame."""
+    said = {
+        "outlines": (_LIGHT, tr("hypotheses: the clearer, the likelier")),
+        "evaluation": (_REGION_COLOUR, tr("region of evaluation")),
+        "tracklets": (_LIGHT, tr("tracklets: a dot is now; faint: nobody's")),
+    }
+    asked = {name: getattr(pictured, name) for name in said}
+    entries = [LegendEntry(*said[name]) for name in said if asked[name] and _seen(instant, name)]
+    if asked["tracklets"] and instant.selected and _has_kernels(instant):
+        entries.append(LegendEntry((255, 255, 255), tr("kernel: whose tracklets are gathered")))
+    return tuple(entries)
+
+
+def _seen(instant: Instant, name: str) -> bool:
+    return not why_nothing(instant, name)
+
+
 def why_nothing(instant: Instant, name: str) -> str:
     """What to do where something that was asked for is not seen in the frame; "": it is."""
     tracks, frame = instant.tracks, instant.frame
@@ -145,9 +165,12 @@ def why_nothing(instant: Instant, name: str) -> str:
     if name == "outlines" and not len(tracks.particles(frame)["track"]):
         return tr("No hypotheses here: track with spheroid, or two eyes (Ctrl+T), to see them")
     if name == "evaluation" and not _has_regions(instant.run):
-        return tr("No regions here: only spheroid with its setting paper judges in them (Ctrl+T)")
+        return tr(
+            "No region of evaluation here: spheroid uses one only where its setting 'paper' is on; "
+            "track with it (Ctrl+T) to see them"
+        )
     if name == "evaluation" and not instant.selected:
-        return tr("Click a person to see where their hypotheses are judged")
+        return tr("Click a person to see the region in which their hypotheses are judged")
     return ""
 
 

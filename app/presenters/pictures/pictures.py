@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from app.presenters.document.setting import NOTHING_LAID, Instant, Laid, Pictured
 from app.presenters.palette import colour_of_track, colours_of_tracks
 from app.presenters.pictures.anaglyph import Anaglyph
-from app.presenters.pictures.bodies import BodyPainter
+from app.presenters.pictures.bodies import BodyPainter, legend_of
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.pictures.trails import TRAIL_S, floor_points, foot_points, trails_by_track
-from app.presenters.scenes import Eye, PersonMark, PictureScene, PreviewTrail
+from app.presenters.scenes import Eye, LegendEntry, PersonMark, PictureScene, PreviewTrail
 from app.presenters.words import tr
 from tracking.recording import Image, Recording, StereoFrame
 from tracking.tracks import Columns, Source
@@ -63,7 +63,7 @@ class PicturePresenter:
             preview=self._preview(eye, instant),
             ghosts=self._ghosts(eye, instant),
             drawing=instant.drawing and eye is Eye.LEFT,
-            legend=laid.legend,
+            legend=self._legend(eye, instant, pictured, laid),
         )
 
     def anaglyph(
@@ -76,6 +76,13 @@ class PicturePresenter:
         """Both eyes in one picture for red and cyan glasses, with the left eye's people."""
         scene = self.scene(Eye.LEFT, frame, instant, pictured, laid)
         return scene if frame is None else self._anaglyph.scene(frame, scene)
+
+    def _legend(
+        self, eye: Eye, instant: Instant, pictured: Pictured, laid: Laid
+    ) -> tuple[LegendEntry, ...]:
+        if not pictured.bodies or eye is not Eye.LEFT:
+            return laid.legend
+        return (*legend_of(instant, pictured), *laid.legend)
 
     def _preview(self, eye: Eye, instant: Instant) -> tuple[PreviewTrail, ...]:
         """The trails of an edit that waits; for the right eye from their places on the floor."""

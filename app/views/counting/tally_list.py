@@ -18,7 +18,7 @@ from app.views.look.theme import current_theme
 _MOST_ROWS = 4
 _DOT_PX = 10
 _WIDEST = ("88 / 88", "88 / 88", "88", "8.88", "8.88")
-_PAD_PX = 18
+_PAD_PX = 22
 
 
 class TallyList(QTableWidget):

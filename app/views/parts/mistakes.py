@@ -113,10 +113,14 @@ class MistakesList(QListWidget):
             self._job = None
 
     def _draw_known(self) -> None:
+        coming = _icon(None, self.iconSize(), self.tr("Reading..."), self)
+        missing = self.tr("picture not found")
         for row, one in enumerate(self._items):
             if one in self._pictures:
-                missing = self.tr("picture not found")
-                self.item(row).setIcon(_icon(self._pictures[one], self.iconSize(), missing, self))
+                icon = _icon(self._pictures[one], self.iconSize(), missing, self)
+            else:
+                icon = coming
+            self.item(row).setIcon(icon)
 
     def _seek(self, entry: QListWidgetItem) -> None:
         self.sought.emit(self._items[self.row(entry)])

@@ -7,6 +7,9 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.scenes import Lane, TimelineScene
 from app.views.timeline.axis import TimeAxis
 
+_PARTLY = 0.6
+"""Where less of a recording was tracked, that is what one begins with."""
+
 
 class TimeStretch(QObject):
     """The stretch of frames that is shown, as wide as there is room for it.
@@ -29,15 +32,22 @@ class TimeStretch(QObject):
         self.show(self.axis)
 
     def take(self, scene: TimelineScene, *, still: bool) -> None:
-        """Show the frame of another instant; all frames where it is of another recording.
+        """Show the frame of another instant; all that was tracked where it is of another recording.
 
         still: nothing moves, as a button of the mouse is held.
         """
         before, self._scene = self._scene, scene
         if before is None or before.frame_count != scene.frame_count:
-            self.show(self.axis.whole(scene.frame_count))
+            self.show(self._first(scene))
         elif before.frame != scene.frame and not still:
             self.show(self.axis.showing(scene.frame))
+
+    def _first(self, scene: TimelineScene) -> TimeAxis:
+        """The whole recording; of one of which only a part was tracked, that part."""
+        first, end = scene.tracked
+        whole = self.axis.whole(scene.frame_count)
+        partly = scene.lanes and 0 < end - first < _PARTLY * scene.frame_count
+        return whole.fitting(first, end) if partly else whole
 
     def show(self, axis: TimeAxis) -> None:
         """Show other frames."""

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from app.presenters.document.setting import Instant, Pictured
 from app.presenters.palette import colour_of_track
-from app.presenters.pictures.bodies import BodyPainter, _laid_over, why_nothing
+from app.presenters.pictures.bodies import BodyPainter, _laid_over, legend_of, why_nothing
 from app.presenters.pictures.of_run import AtWork
 from tracking.geometry import Camera, Ground, View
 from tracking.trackers.flow import FlowSettings, kernel_table
@@ -148,6 +148,16 @@ def test_what_a_tracker_at_work_thinks_is_drawn_with_its_own_settings(view: View
     assert why_nothing(instant, "evaluation") == ""
 
 
+def test_the_legend_tells_of_what_is_seen_alone() -> None:
+    asked = replace(NOTHING, outlines=True, evaluation=True, tracklets=True)
+    instant = Instant(0, OneFrame(PEOPLE, PARTICLES), selected=1, run=PUBLISHED)
+    texts = " ".join(entry.text for entry in legend_of(instant, asked))
+    assert "hypotheses" in texts
+    assert "region of evaluation" in texts
+    assert "tracklets" not in texts
+    assert legend_of(instant, NOTHING) == ()
+
+
 def test_the_region_of_evaluation_leaves_out_what_others_cover(view: View) -> None:
     near = rows_of(TRACK_COLUMNS, track=[1, 2], x=[0.0, 0.4], y=[4.0, 4.2])
     picture = painted(view, OneFrame(near), 1, PUBLISHED, evaluation=True)
@@ -243,7 +253,7 @@ def test_the_region_of_evaluation_is_as_large_as_the_run_had_it(view: View) -> N
 def test_runs_that_judge_in_no_region_show_none_and_say_why(view: View, run: Run | None) -> None:
     assert not painted(view, OneFrame(PEOPLE), 1, run, evaluation=True).any()
     said = why_nothing(Instant(0, OneFrame(PEOPLE), selected=1, run=run), "evaluation")
-    assert "setting paper" in said
+    assert "setting 'paper'" in said
 
 
 def test_without_a_floor_nothing_but_tracklets_is_drawn() -> None:

@@ -7,6 +7,7 @@ import pytest
 from two_people import FRAMES, columns
 
 from app.presenters.counting.counting import CountingPresenter, least_step_s
+from app.presenters.counting.plots import plots_of
 from app.presenters.counting.subject import Length, worked_out
 from app.presenters.document.document import Document
 from tracking.counting import CountingLine, Steps, count
@@ -110,3 +111,12 @@ def test_the_shortest_step_that_can_be_chosen_is_one(fps):
     assert round(shortest_s, 2) == shortest_s
     assert len(Steps.of(FRAMES, fps, shortest_s)) >= 1  # a shorter one is refused
     assert shortest_s - 0.01 < 1 / fps
+
+
+def test_nothing_is_plotted_beyond_the_frames_that_were_tracked():
+    counts = count(columns(), 20.0, FRAMES, [FLOOR])
+    for plot in plots_of(counts, 0, FRAMES, (20, 60)):
+        for curve in plot.curves:
+            assert np.isfinite(curve.values[20:60]).all()
+            assert np.isnan(curve.values[:20]).all()
+            assert np.isnan(curve.values[60:]).all()

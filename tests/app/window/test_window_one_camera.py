@@ -45,7 +45,7 @@ def test_a_key_lays_them_over_the_left_eye_and_takes_them_off(window, desk, pres
 
 @pytest.mark.parametrize(
     ("command", "said"),
-    [("tracklets", "track with flow"), ("evaluation", "only spheroid with its setting paper")],
+    [("tracklets", "track with flow"), ("evaluation", "No region of evaluation here")],
 )
 def test_what_is_not_there_is_told_with_what_to_do(window, desk, command, said):
     window.run_command(f"view.{command}")

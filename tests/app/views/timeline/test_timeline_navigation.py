@@ -57,6 +57,15 @@ def test_zooming_by_key_keeps_the_playhead_where_it_is(view):
     assert view.area.axis.x_of(300.5) == pytest.approx(before, abs=1)
 
 
+def test_of_a_recording_tracked_in_part_that_part_is_shown_first(qtbot, theme):
+    widget = TimelineView()
+    qtbot.addWidget(widget)
+    widget.show_scene(timeline(*LANES, tracked=(100, 300)))
+    start, end = window(widget)
+    assert 90 <= start <= 100
+    assert 300 <= end <= 310
+
+
 def test_the_selected_track_fills_the_width(view):
     view.area.stretch.show_selected()
     start, end = window(view)
