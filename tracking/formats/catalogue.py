@@ -8,12 +8,14 @@ from types import MappingProxyType
 
 from tracking.errors import FormatError
 from tracking.formats.coco import COCO
-from tracking.formats.mot import import_mot, looks_like_mot
-from tracking.formats.mot_writing import export_mot
+from tracking.formats.cvat import CVAT
+from tracking.formats.mot import MOT, MOT16
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 
 _ALL = (
-    TrackFormat("mot", "MOTChallenge text", (".txt",), looks_like_mot, import_mot, export_mot),
+    MOT,
+    MOT16,
+    CVAT,
     COCO,
 )
 

@@ -123,11 +123,12 @@ class _File:
             self._reading.bad(f"annotations[{at}]", "its bbox is not four numbers")
             return
         kind = _whole(row.get("category_id"))
-        numbers = (at, image, track, -1 if kind is None else kind)
-        for column, number in zip(self._whole.values(), numbers, strict=True):
-            column.append(number)
-        for column, value in zip(self._numbers.values(), (*box, _confidence_of(row)), strict=True):
-            column.append(value)
+        whole = (at, image, track, -1 if kind is None else kind)
+        for integers, number in zip(self._whole.values(), whole, strict=True):
+            integers.append(number)
+        numbers = (*box, _confidence_of(row))
+        for floats, value in zip(self._numbers.values(), numbers, strict=True):
+            floats.append(value)
 
     def imported(self) -> Imported:
         """The tracks."""
@@ -190,12 +191,14 @@ def _confidence_of(row: Mapping[str, Any]) -> float:
     if row.get("iscrowd") or row.get("ignore"):
         return 0.0
     score = row.get("score")
-    return float(score) if _is_number(score) else np.nan
+    return float(score) if score is not None and _is_number(score) else np.nan
 
 
 def _fps_of(known: Mapping[str, Any]) -> float | None:
     fps = known.get("fps")
-    return float(fps) if _is_number(fps) and 0 < fps < _FASTEST_FPS else None
+    if fps is None or not _is_number(fps) or not 0 < fps < _FASTEST_FPS:
+        return None
+    return float(fps)
 
 
 def _size_of(known: Mapping[str, Any]) -> tuple[int, int] | None:

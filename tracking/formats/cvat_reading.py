@@ -1,0 +1,127 @@
+"""CVAT for video, read; see `cvat` for the layout."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from tracking.errors import FormatError
+from tracking.formats.cvat_meta import Meta
+from tracking.formats.cvat_track import BOX_NUMBERS, CvatTrack, FileTracks
+from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.row_rules import MAX_FRAME
+from tracking.formats.xml_stream import ZIP, parse
+
+MEMBER = "annotations.xml"
+_START = re.compile(
+    rb"(\xef\xbb\xbf)?\s*(<\?xml[^>]*\?>\s*)?(<!--.*?-->\s*)*<annotations[\s>]", re.S
+)
+_WHOLE = re.compile(r"\d{1,18}")
+_OTHER_SHAPES = frozenset(
+    {"polygon", "polyline", "points", "cuboid", "ellipse", "mask", "skeleton"}
+)
+
+
+def looks_like_cvat(_path: Path, head: bytes) -> bool:
+    """Whether a file begins as CVAT's XML, or is an archive that does with what CVAT exports."""
+    return _START.match(head) is not None or (head.startswith(ZIP) and MEMBER.encode() in head)
+
+
+def import_cvat(path: Path, filmed: Filmed) -> Imported:
+    """The tracks of a task; see `cvat` for what becomes of keyframes, ids and attributes.
+
+    Raises FormatError where the file holds pictures instead of a video, several tasks, no such
+    XML, or keyframes that stand for more rows than any footage has.
+    """
+    reading = Reading(path)
+    file = _File(reading)
+    parse(path, file, MEMBER)
+    file.check()
+    return file.tracks.imported(file.meta, filmed)
+
+
+class _File:
+    """Takes elements as they come; keeps rows alone."""
+
+    def __init__(self, reading: Reading) -> None:
+        self._reading = reading
+        self.meta = Meta()
+        self.tracks = FileTracks(reading)
+        self._open: list[str] = []
+        self._track: CvatTrack | None = None
+        self._attribute = ""
+        self._images = 0
+
+    def start(self, name: str, attributes: Mapping[str, str], line: int) -> None:
+        """See `xml_stream.Elements`."""
+        if not self._open and name != "annotations":
+            raise FormatError(f"{self._reading.path} is XML, but none of CVAT's: export it again")
+        inside = self._open[-1] if self._open else ""
+        self._open.append(name)
+        if name == "track" and inside == "annotations":
+            self._track = CvatTrack(attributes, line)
+        elif name == "image":
+            self._images += 1
+        elif self._track is not None and inside == "track":
+            self._shape(name, attributes, line)
+        elif name == "attribute":
+            self._attribute = attributes.get("name", "")
+
+    def end(self, name: str, text: str) -> None:
+        """See `xml_stream.Elements`."""
+        self._open.pop()
+        if self._track is None:
+            self.meta.end(self._open, name, text)
+        elif name == "attribute":
+            self._track.attributes.setdefault(self._attribute, text)
+        elif name == "track":
+            self.tracks.add(self._track)
+            self._track = None
+
+    def check(self) -> None:
+        """Raise FormatError where the file is not of one video."""
+        path = self._reading.path
+        if self.meta.tasks > 1:
+            raise FormatError(f"{path} holds {self.meta.tasks} tasks; export one of them alone")
+        if self._images and not self.tracks:
+            raise FormatError(f"{path} is CVAT for images; export the task as CVAT for video")
+
+    def _shape(self, name: str, attributes: Mapping[str, str], line: int) -> None:
+        assert self._track is not None
+        if name == "box":
+            reason = _row(self._track, attributes, line)
+        elif name in _OTHER_SHAPES:
+            reason = f"a {name} stands where boxes are read"
+        else:
+            return
+        if reason:
+            self._reading.bad(f"line {line}", reason)
+
+
+def _row(track: CvatTrack, attributes: Mapping[str, str], line: int) -> str:
+    """Add a box to its track; says why it cannot be meant where it cannot."""
+    frame = attributes.get("frame", "").strip()
+    if not _WHOLE.fullmatch(frame):
+        return f"the frame {frame[:20]!r} is not a whole number from 0 on"
+    if int(frame) >= MAX_FRAME:
+        return f"the frame number is not one of {MAX_FRAME} frames"
+    try:
+        sides = [float(attributes[name]) for name in BOX_NUMBERS]
+        turned = float(attributes.get("rotation", 0.0))
+    except (KeyError, ValueError):
+        return f"{', '.join(BOX_NUMBERS)} are not four numbers"
+    if not np.isfinite(sides).all():
+        return "a value is not a finite number"
+    if turned % 360:
+        return f"the box is turned by {turned:g} degrees; boxes stand upright here"
+    track.rows(
+        (int(frame), line, *(attributes.get(name, unsaid) == "1" for name, unsaid in _FLAGS)), sides
+    )
+    return ""
+
+
+_FLAGS = (("outside", "0"), ("occluded", "0"), ("keyframe", "1"))
+"""With what holds where the box does not say it."""

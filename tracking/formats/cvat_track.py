@@ -1,0 +1,213 @@
+"""The tracks of a CVAT file on their way to this program's rows."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from array import array
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.formats.cvat_interpolation import SIDES, filled, rows_filled
+from tracking.formats.cvat_meta import Meta
+from tracking.formats.label_text import label_of
+from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.tracks import LARGEST_NUMBER, Source, TrackLabel
+
+BOX_NUMBERS = ("xtl", "ytl", "xbr", "ybr")
+TRACK_ID = "track_id"
+"""The attribute that keeps an id on its way through CVAT, which numbers tracks anew."""
+NAME = "name"
+AUTOMATIC = "auto"
+"""The source of a track nobody corrected."""
+
+MOST_FILLED = 10_000_000
+"""Rows made between keyframes, in all: four days of one person."""
+
+_WHOLE = re.compile(r"\d{1,10}")
+_INTEGERS = ("frame", "line", "outside", "occluded", "key")
+
+
+class CvatTrack:
+    """One `track` element: what it says and its boxes, as they stand there."""
+
+    def __init__(self, said: Mapping[str, str], line: int) -> None:
+        self.line = line
+        self.number = _number(said.get("id", ""))
+        self.kind = said.get("label", "")
+        self.automatic = said.get("source", "") == AUTOMATIC
+        self.attributes: dict[str, str] = {}
+        self._whole, self._sides = array("q"), array("d")
+
+    def rows(self, whole: Sequence[int], sides: Sequence[float]) -> None:
+        """Add a row: `_INTEGERS`, and the box's four sides."""
+        self._whole.extend(whole)
+        self._sides.extend(sides)
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """All rows by frame, `_INTEGERS` and `SIDES`."""
+        whole = np.array(self._whole, np.int64).reshape(-1, len(_INTEGERS))
+        sides = np.array(self._sides).reshape(-1, len(SIDES))
+        order = np.argsort(whole[:, 0], kind="stable")
+        columns: dict[str, NDArray[Any]] = dict(zip(_INTEGERS, whole[order].T, strict=True))
+        columns |= {name: columns[name].astype(bool) for name in _INTEGERS[2:]}
+        return columns | dict(zip(SIDES, sides[order].T, strict=True))
+
+    @property
+    def label(self) -> TrackLabel:
+        """What is said of the whole track."""
+        own = {NAME, TRACK_ID}
+        others = {key: text for key, text in self.attributes.items() if key not in own}
+        return label_of(self.attributes.get(NAME, ""), self.kind, others)
+
+
+@dataclass(frozen=True, slots=True)
+class _Held:
+    """A track of the file: its id, as an attribute or as CVAT numbers it, and its rows."""
+
+    kept: int | None
+    number: int | None
+    label: TrackLabel
+    columns: dict[str, NDArray[Any]]
+    automatic: bool
+
+
+class FileTracks:
+    """All tracks of a file."""
+
+    def __init__(self, reading: Reading) -> None:
+        self._reading = reading
+        self._held: list[_Held] = []
+
+    def __len__(self) -> int:
+        return len(self._held)
+
+    def add(self, track: CvatTrack) -> None:
+        """Take a track over; one without boxes is none."""
+        columns = track.columns()
+        if track.number is None:
+            self._reading.bad(f"line {track.line}", "the id of the track is not a whole number")
+        elif len(columns["frame"]):
+            kept = _number(track.attributes.get(TRACK_ID, "")) or None
+            self._held.append(_Held(kept, track.number, track.label, columns, track.automatic))
+
+    def imported(self, meta: Meta, filmed: Filmed) -> Imported:
+        """The tracks as this program has them."""
+        ids = self._ids()
+        ends = (meta.last_frame, None if filmed.frames is None else filmed.frames - 1)
+        parts = self._shown(meta.step, min((end for end in ends if end is not None), default=None))
+        rows = _joined(parts, ids, [held.automatic for held in self._held])
+        lines = rows.pop("line")
+        return self._reading.imported(
+            rows,
+            lambda row: f"line {lines[row]}" if lines[row] else f"frame {rows['frame'][row]}",
+            labels={
+                track: held.label
+                for track, held in zip(ids, self._held, strict=True)
+                if not held.label.is_empty
+            },
+            size_px=meta.size_px,
+            frames=None if meta.last_frame is None else meta.last_frame + 1,
+        )
+
+    def _ids(self) -> list[int]:
+        """Those that were kept; where a file keeps none, CVAT's own; free ones for new tracks."""
+        kept = [held.kept for held in self._held]
+        if not any(kept):
+            numbers = np.array([held.number for held in self._held], np.int64)
+            return [int(number) for number in self._reading.ids_from_zero(numbers)]
+        following = max(filter(None, kept)) + 1
+        ids = []
+        for each in kept:
+            ids.append(following if each is None else each)
+            following += each is None
+        if None in kept:
+            self._reading.notes.append("tracks that were made in CVAT got new ids")
+        return ids
+
+    def _shown(self, step: int, last: int | None) -> list[dict[str, NDArray[Any]]]:
+        """The rows in view of each track."""
+        by_keyframes = [_is_told_by_keyframes(held.columns, step) for held in self._held]
+        self._check_size(by_keyframes, step, last)
+        parts = []
+        for held, is_filled in zip(self._held, by_keyframes, strict=True):
+            rows, outside = held.columns, held.columns["outside"]
+            if is_filled:
+                shown = filled(rows, outside, step, _end(rows, last))
+                parts.append({**shown, "line": _lines(rows, shown)})
+            else:
+                parts.append({name: column[~outside] for name, column in rows.items()})
+        return parts
+
+    def _check_size(self, by_keyframes: Sequence[bool], step: int, last: int | None) -> None:
+        """Raise FormatError where keyframes stand for more rows than there can be."""
+        told = itertools.compress((held.columns for held in self._held), by_keyframes)
+        made = sum(
+            rows_filled(rows["frame"], rows["outside"], step, _end(rows, last)) for rows in told
+        )
+        if made > MOST_FILLED:
+            raise FormatError(
+                f"{self._reading.path}: its keyframes stand for more than {MOST_FILLED} boxes; "
+                "are its frame numbers right?"
+            )
+
+
+def _end(rows: Mapping[str, NDArray[Any]], last: int | None) -> int:
+    """The last frame of the task, or the track's where that is not known."""
+    return int(rows["frame"][-1]) if last is None else last
+
+
+def _is_told_by_keyframes(rows: Mapping[str, NDArray[Any]], step: int) -> bool:
+    """Whether a track's rows are keyframes alone, with boxes to be shown between them.
+
+    CVAT itself writes every box it shows; a converter that does has no gaps without an end.
+    """
+    frame, shown = rows["frame"], ~rows["outside"]
+    if not rows["key"].all() or np.any(np.diff(frame) == 0):
+        return False
+    return bool(np.any((np.diff(frame) > step) & shown[:-1]))
+
+
+def _lines(
+    rows: Mapping[str, NDArray[Any]], shown: Mapping[str, NDArray[Any]]
+) -> NDArray[np.int64]:
+    """The line each row stands on; 0: on none."""
+    at = np.searchsorted(rows["frame"], shown["frame"], side="right") - 1
+    lines: NDArray[np.int64] = np.where(shown["key"], rows["line"][at], 0)
+    return lines
+
+
+def _joined(
+    parts: Sequence[Mapping[str, NDArray[Any]]], ids: Sequence[int], automatic: Sequence[bool]
+) -> dict[str, NDArray[Any]]:
+    """The rows of all tracks."""
+
+    def whole(name: str) -> NDArray[Any]:
+        return np.concatenate([part[name] for part in parts]) if parts else np.zeros(0)
+
+    counts = [len(part["frame"]) for part in parts]
+    placed = np.where(np.repeat(automatic, counts), Source.TRACKER, Source.PERSON)
+    return {
+        "frame": whole("frame"),
+        "track": np.repeat(np.array(ids, np.int64), counts),
+        "left": whole("left"),
+        "top": whole("top"),
+        "width": whole("right") - whole("left"),
+        "height": whole("bottom") - whole("top"),
+        "visibility": np.where(whole("occluded").astype(bool), 0.0, 1.0),
+        "source": np.where(whole("key").astype(bool), placed, Source.INTERPOLATED),
+        "line": whole("line").astype(np.int64),
+    }
+
+
+def _number(text: str) -> int | None:
+    """A whole number from 0 on that an id can be."""
+    text = text.strip()
+    if not _WHOLE.fullmatch(text) or int(text) > LARGEST_NUMBER:
+        return None
+    return int(text)
