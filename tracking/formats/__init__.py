@@ -1,7 +1,7 @@
 """Files of other tools."""
 
 from tracking.formats.catalogue import FORMATS, format_named, format_of
-from tracking.formats.mot import read_mot
+from tracking.formats.mot_reading import read_mot
 from tracking.formats.mot_writing import write_mot
 from tracking.formats.part_labels import GivenLabel, read_part_labels, write_part_labels
 from tracking.formats.reading import BadRow, Filmed, Imported

@@ -3,111 +3,49 @@
 Three dialects share their first seven numbers, `frame, id, left, top, width, height, conf`: what
 trackers give ends there; the challenge of 2015 adds the place in the world, `x, y, z`; those of
 2016 and later add `class, visibility`. The text counts frames and pixels from 1; everything else in
-this program counts from 0, so both are shifted here and in `mot_writing`, and nowhere else. `-1`
-stands for a number that is not known.
+this program counts from 0, so both are shifted in `mot_reading` and `mot_writing`, and nowhere
+else. `-1` stands for a number that is not known.
 """
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
+from tracking.formats.mot_reading import import_mot
+from tracking.formats.mot_writing import export_mot, export_mot_classes
+from tracking.formats.track_format import TrackFormat
 
-from tracking.errors import FormatError
-from tracking.formats.delimited import NumberRows
-from tracking.formats.mot_classes import labels_of_classes
-from tracking.formats.reading import Filmed, Imported, Reading
-from tracking.formats.row_rules import BOX
-from tracking.formats.seqinfo import sequence_of
-
-UNKNOWN = -1.0
-_LEAST, _MOST = 6, 10
-_HEAD = ("frame", "track", *BOX, "confidence")
-_WORLD = ("x", "y", "z")
-_SEEN = ("class", "visibility")
-_ROW = re.compile(rb"\s*\d+(\.0*)?\s*(,\s*[-+]?[\d.]+([eE][-+]?\d+)?\s*){5,9}\r?\n?")
+_FIRST_LINE = re.compile(
+    rb"\s*\d{1,9}(?:\.0*)?\s*,\s*-?\d{1,10}(?:\.0*)?\s*((?:,[\s\d.eE+-]{1,40}){4,8})\r?"
+)
+_WITH_CLASSES = (8, 9)
 
 
-def read_mot(path: Path) -> dict[str, NDArray[Any]]:
-    """The rows of a MOT text, by frame; rows of one frame keep their order in the file.
-
-    Six to ten numbers a row are read, of any of the three dialects.
-
-    Returns:
-        `frame` and `track` (int32, frames from 0), `left, top, width, height` (pixels, 0-based),
-        `confidence` (the text's `conf`; 0 marks a don't-care in truth), `x, y, z` (metres),
-        `visibility` (0 to 1), `class` (see `mot_classes`; 1 is a person). NaN where unknown.
-
-    Raises:
-        FormatError: the file is missing, not such a text, or a row cannot be meant; names the line.
-    """
-    reading = Reading(path)
-    rows, lines = _rows(reading)
-    rows = reading.checked(rows, lambda row: f"line {lines[row]}")
-    if reading.bad_count:
-        first = reading.bad_rows[0]
-        raise FormatError(f"{path}, {first.place}: {first.reason}; correct or remove the row")
-    order = np.argsort(rows["frame"], kind="stable")
-    return {name: column[order] for name, column in rows.items()}
+def _numbers_in_first_row(head: bytes) -> int:
+    """How many numbers the first line holds; 0 where it is no row of MOT text."""
+    first = head.removeprefix(b"\xef\xbb\xbf").lstrip().split(b"\n", 1)[0]
+    found = _FIRST_LINE.fullmatch(first)
+    return found[1].count(b",") + 2 if found else 0
 
 
-def import_mot(path: Path, _filmed: Filmed) -> Imported:
-    """The tracks of a MOT text, with what a `seqinfo.ini` beside it says of the footage.
-
-    Tracks of another class than people bear it as their attribute "class"; rows the challenge does
-    not count (`conf` 0) keep a confidence of 0. Raises FormatError as `read_mot`, but for bad rows.
-    """
-    reading = Reading(path)
-    rows, lines = _rows(reading)
-    sequence = sequence_of(path, reading)
-    return reading.imported(
-        rows,
-        lambda row: f"line {lines[row]}",
-        labels=labels_of_classes(rows["track"], rows["class"]),
-        fps=sequence.fps,
-        size_px=sequence.size_px,
-        frames=sequence.frames,
-    )
+def _with_world(_path: Path, head: bytes) -> bool:
+    count = _numbers_in_first_row(head)
+    return count > 0 and count not in _WITH_CLASSES
 
 
-def looks_like_mot(_path: Path, head: bytes) -> bool:
-    """Whether a text begins with a row of numbers divided by commas, the first two whole."""
-    first = head.lstrip(b"\xef\xbb\xbf\r\n\t ").split(b"\n", 1)[0]
-    return _ROW.fullmatch(first) is not None
+def _with_classes(_path: Path, head: bytes) -> bool:
+    return _numbers_in_first_row(head) in _WITH_CLASSES
 
 
-def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int64]]:
-    """The columns as `read_mot` gives them, unchecked, and the lines they stand on."""
-    table, lines = NumberRows(reading, _LEAST, _MOST, "MOT text").read()
-    finite = np.isfinite(table).all(axis=1)
-    for row in np.flatnonzero(~finite).tolist():
-        reading.bad(f"line {lines[row]}", "a value is not a finite number")
-    table, lines = table[finite], lines[finite]
-    held = _names(table.shape[1])
-    columns: dict[str, NDArray[Any]] = dict(zip(held, table.T.copy(), strict=False))
-    for name in (*_HEAD, *_WORLD, *_SEEN):
-        columns.setdefault(name, np.full(len(table), UNKNOWN))
-    columns["frame"] -= 1
-    _shift_to_zero(columns)
-    return columns, lines
-
-
-def _names(width: int) -> tuple[str, ...]:
-    """What the columns of rows of so many numbers are."""
-    return _HEAD + (_WORLD if width == _MOST else _SEEN)
-
-
-def _shift_to_zero(columns: dict[str, NDArray[Any]]) -> None:
-    """Pixels from 0, and NaN where the text says -1.
-
-    A single -1 may be a place: only a box or a floor position that is -1 throughout is unknown.
-    """
-    for group in (BOX, ("x", "y"), ("z",), ("confidence",), ("visibility",), ("class",)):
-        unknown = np.logical_and.reduce([columns[name] == UNKNOWN for name in group])
-        for name in group:
-            columns[name][unknown] = np.nan
-    columns["left"] -= 1.0
-    columns["top"] -= 1.0
+MOT = TrackFormat(
+    "mot", "MOTChallenge text, world columns", (".txt",), _with_world, import_mot, export_mot
+)
+MOT16 = TrackFormat(
+    "mot16",
+    "MOTChallenge text from 2016 on, class and visibility",
+    (".txt",),
+    _with_classes,
+    import_mot,
+    export_mot_classes,
+)

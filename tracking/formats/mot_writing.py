@@ -2,21 +2,31 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.formats.mot_classes import PERSON, class_of_label
+from tracking.formats.number_text import (
+    Block,
+    lines_of,
+    numbers,
+    short_decimals,
+    whole_numbers,
+)
+from tracking.formats.row_rules import BOX
 from tracking.formats.seqinfo import place_for, sequence_text
 from tracking.formats.writing import ROWS_AT_ONCE, Exported
 from tracking.progress import Progress
-from tracking.replacing import replacing
+from tracking.replacing import replacing, replacing_bytes
 from tracking.tracks import Columns
 
-_UNKNOWN = -1.0
-_NAMES = ("frame", "track", "left", "top", "width", "height", "confidence", "x", "y", "z")
+_UNKNOWN = b"-1"
+_WORLD = ("x", "y", "z")
 
 
 def write_mot(path: Path, columns: Columns) -> None:
@@ -33,17 +43,38 @@ def write_mot(path: Path, columns: Columns) -> None:
     Raises:
         OutputError: the file cannot be written.
     """
-    with replacing(path) as stream:
+    with replacing_bytes(path) as stream:
         for start in range(0, len(columns["frame"]), ROWS_AT_ONCE):
             piece = slice(start, start + ROWS_AT_ONCE)
-            stream.writelines(_lines({name: column[piece] for name, column in columns.items()}))
+            stream.write(_with_world({name: column[piece] for name, column in columns.items()}))
 
 
 def export_mot(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
-    """Write tracks as MOT text with world columns, and their `seqinfo.ini` where `gt` has one."""
-    with replacing(path) as stream:
+    """Write tracks as MOT text of 2015: ten columns, with the place in the world.
+
+    Where the text stands in the challenge's own folders (`NAME/gt/gt.txt`), `NAME/seqinfo.ini` is
+    written, too. Gives the files made; raises OutputError and what `report` raises.
+    """
+    with replacing_bytes(path) as stream:
         for piece in exported.pieces(report):
-            stream.writelines(_lines(piece))
+            stream.write(_with_world(piece))
+    return (path, *_described(path, exported))
+
+
+def export_mot_classes(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
+    """Write tracks as MOT text of 2016 and later: nine columns, with class and visibility.
+
+    What is no person is not counted (`conf` 0), as in the challenge's own truth. Where nobody knows
+    how much of a person is seen, all is. As `export_mot` else.
+    """
+    kinds = {
+        track: kind
+        for track, label in exported.labels.items()
+        if (kind := class_of_label(label)) != PERSON
+    }
+    with replacing_bytes(path) as stream:
+        for piece in exported.pieces(report):
+            stream.write(_with_classes(piece, kinds))
     return (path, *_described(path, exported))
 
 
@@ -57,37 +88,54 @@ def _described(path: Path, exported: Exported) -> tuple[Path, ...]:
     return (place,)
 
 
-def _lines(columns: Columns) -> Iterator[str]:
-    """The rows as text."""
-    whole = [(columns["frame"] + 1).tolist(), columns["track"].tolist()]
-    rest = [_column(columns, name) for name in _NAMES[2:]]
-    for frame, track, *numbers in zip(*whole, *rest, strict=True):
-        yield f"{frame},{track},{','.join(map(_written, numbers))}\n"
+def _with_world(columns: Columns) -> bytes:
+    known = partial(numbers, unknown=_UNKNOWN)
+    places = [known(_known(_column(columns, name))) for name in _WORLD]
+    return lines_of([*_head(columns), known(_known(_confidence(columns))), *places])
 
 
-def _column(block: Columns, name: str) -> list[float]:
-    """A column's values as the text has them: from 1, NaN where unknown."""
-    if name == "z" and name not in block and "x" in block:
-        # Where people stand is on the floor, which is z = 0.
-        return [math.nan if math.isnan(x) else 0.0 for x in block["x"].tolist()]
-    if name not in block:
-        return [math.nan] * len(block["frame"])
-    values = block[name]
-    if name == "confidence":
-        # Stored with 32 bits; the digits beyond are noise of the conversion.
-        return [float(f"{value:.6g}") for value in values.tolist()]
-    values = values.astype(np.float64)
-    values = values + 1.0 if name in ("left", "top") else _known(values)
-    return [float(value) for value in values]
+def _with_classes(columns: Columns, kinds: dict[int, int]) -> bytes:
+    kind = np.full(len(columns["frame"]), PERSON)
+    for track, number in kinds.items():
+        kind[columns["track"] == track] = number
+    confidence = np.where(kind == PERSON, _confidence(columns), 0.0)
+    seen = short_decimals(columns["visibility"])
+    return lines_of(
+        [
+            *_head(columns),
+            numbers(_known(confidence), _UNKNOWN),
+            whole_numbers(kind),
+            numbers(np.where(np.isnan(seen), 1.0, seen), _UNKNOWN),
+        ]
+    )
+
+
+def _head(columns: Columns) -> Iterator[Block]:
+    """Frame, id and box, which count from 1."""
+    yield whole_numbers(columns["frame"].astype(np.int64) + 1)
+    yield whole_numbers(columns["track"])
+    for name in BOX:
+        values = _column(columns, name)
+        shifted = values + 1.0 if name in ("left", "top") else _known(values)
+        yield numbers(shifted, _UNKNOWN)
+
+
+def _confidence(columns: Columns) -> NDArray[np.float64]:
+    if "confidence" not in columns:
+        return np.full(len(columns["frame"]), np.nan)
+    # Stored with 32 bits; the digits beyond are noise of the conversion.
+    return short_decimals(columns["confidence"])
+
+
+def _column(columns: Columns, name: str) -> NDArray[Any]:
+    """A column's values, NaN where unknown; who stands somewhere stands on the floor, z = 0."""
+    if name in columns:
+        return np.asarray(columns[name], np.float64)
+    if name == "z" and "x" in columns:
+        return np.where(np.isnan(columns["x"]), np.nan, 0.0)
+    return np.full(len(columns["frame"]), np.nan)
 
 
 def _known(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """The same numbers, with no -1 that would be read as unknown."""
-    return np.where(values == _UNKNOWN, np.nextafter(_UNKNOWN, 0.0), values)
-
-
-def _written(value: float) -> str:
-    if math.isnan(value):
-        return "-1"
-    digits = repr(value)
-    return digits[:-2] if digits.endswith(".0") else digits
+    return np.where(values == -1.0, np.nextafter(-1.0, 0.0), values)

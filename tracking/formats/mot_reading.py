@@ -1,0 +1,98 @@
+"""Tracks from MOTChallenge text; see `mot` for what it looks like."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.formats.delimited import NumberRows
+from tracking.formats.mot_classes import labels_of_classes
+from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.row_rules import BOX
+from tracking.formats.seqinfo import sequence_of
+
+UNKNOWN = -1.0
+_LEAST, _MOST = 6, 10
+_HEAD = ("frame", "track", *BOX, "confidence")
+_WORLD = ("x", "y", "z")
+_SEEN = ("class", "visibility")
+
+
+def read_mot(path: Path) -> dict[str, NDArray[Any]]:
+    """The rows of a MOT text, by frame; rows of one frame keep their order in the file.
+
+    Six to ten numbers a row are read, of any of the three dialects.
+
+    Returns:
+        `frame` and `track` (int32, frames from 0), `left, top, width, height` (pixels, 0-based),
+        `confidence` (the text's `conf`; 0 marks a don't-care in truth), `x, y, z` (metres),
+        `visibility` (0 to 1), `class` (see `mot_classes`; 1 is a person). NaN where unknown.
+
+    Raises:
+        FormatError: the file is missing, not such a text, or a row cannot be meant; names the line.
+    """
+    reading = Reading(path)
+    rows, lines = _rows(reading)
+    rows = reading.checked(rows, lambda row: f"line {lines[row]}")
+    if reading.bad_count:
+        first = reading.bad_rows[0]
+        raise FormatError(f"{path}, {first.place}: {first.reason}; correct or remove the row")
+    order = np.argsort(rows["frame"], kind="stable")
+    return {name: column[order] for name, column in rows.items()}
+
+
+def import_mot(path: Path, _filmed: Filmed) -> Imported:
+    """The tracks of a MOT text, with what a `seqinfo.ini` beside it says of the footage.
+
+    Tracks of another class than people bear it as their attribute "class"; rows the challenge does
+    not count (`conf` 0) keep a confidence of 0. Raises FormatError as `read_mot`, but for bad rows.
+    """
+    reading = Reading(path)
+    rows, lines = _rows(reading)
+    sequence = sequence_of(path, reading)
+    return reading.imported(
+        rows,
+        lambda row: f"line {lines[row]}",
+        labels=labels_of_classes(rows["track"], rows["class"]),
+        fps=sequence.fps,
+        size_px=sequence.size_px,
+        frames=sequence.frames,
+    )
+
+
+def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int64]]:
+    """The columns as `read_mot` gives them, unchecked, and the lines they stand on."""
+    table, lines = NumberRows(reading, _LEAST, _MOST, "MOT text").read()
+    finite = np.isfinite(table).all(axis=1)
+    for row in np.flatnonzero(~finite).tolist():
+        reading.bad(f"line {lines[row]}", "a value is not a finite number")
+    table, lines = table[finite], lines[finite]
+    held = _names(table.shape[1])
+    columns: dict[str, NDArray[Any]] = dict(zip(held, table.T.copy(), strict=False))
+    for name in (*_HEAD, *_WORLD, *_SEEN):
+        columns.setdefault(name, np.full(len(table), UNKNOWN))
+    columns["frame"] -= 1
+    _shift_to_zero(columns)
+    return columns, lines
+
+
+def _names(width: int) -> tuple[str, ...]:
+    """What the columns of rows of so many numbers are."""
+    return _HEAD + (_WORLD if width == _MOST else _SEEN)
+
+
+def _shift_to_zero(columns: dict[str, NDArray[Any]]) -> None:
+    """Pixels from 0, and NaN where the text says -1.
+
+    A single -1 may be a place: only a box or a floor position that is -1 throughout is unknown.
+    """
+    for group in (BOX, ("x", "y"), ("z",), ("confidence",), ("visibility",), ("class",)):
+        unknown = np.logical_and.reduce([columns[name] == UNKNOWN for name in group])
+        for name in group:
+            columns[name][unknown] = np.nan
+    columns["left"] -= 1.0
+    columns["top"] -= 1.0
