@@ -49,7 +49,7 @@ def test_the_old_file_stays_whole_and_the_next_save_works(
     session.apply(plan_swap(session.tracks, 1, 2, 10))
     assert session.path is not None
     before = session.path.read_bytes()
-    monkeypatch.setattr("tracking.session.image_file._PIECE", 4096)
+    monkeypatch.setattr("tracking.hdf5_image._PIECE", 4096)
     monkeypatch.setattr(os, "write", failing(number, 10_000))
     with pytest.raises(OutputError, match=said) as told:
         session.save()

@@ -1,7 +1,8 @@
 """Looking files over in a program of its own, since reading some of them can crash it.
 
 Such a program takes file names and prints one line of JSON a file, as soon as it is found:
-{"version": [major, minor]}, or {"refused": why, "held": what} in words that follow the file's name.
+{"version": [major, minor]} (or what else such a program tells of a file that may be read), or
+{"refused": why, "held": what} in words that follow the file's name.
 """
 
 from __future__ import annotations
@@ -35,17 +36,22 @@ def bare_packages(*names: str) -> None:
         sys.modules[bare.__name__] = bare
 
 
-def say_verdicts(inspect: Callable[[Path], tuple[int, int]]) -> None:
-    """The program: print the verdict on each file named on the command line, within limits."""
+def say_verdicts(inspect: Callable[[Path], object], told: str = "version") -> None:
+    """The program: print the verdict on each file named on the command line, within limits.
+
+    told: what `inspect` tells of a file that may be read.
+    """
     limit()
     for name in sys.argv[1:]:
-        print(json.dumps(verdict_by(inspect, Path(name))), flush=True)
+        print(json.dumps(verdict_by(inspect, Path(name), told)), flush=True)
 
 
-def verdict_by(inspect: Callable[[Path], tuple[int, int]], path: Path) -> dict[str, Any]:
+def verdict_by(
+    inspect: Callable[[Path], object], path: Path, told: str = "version"
+) -> dict[str, Any]:
     """The verdict of one file."""
     try:
-        return {"version": inspect(path)}
+        return {told: inspect(path)}
     except Refused as why:
         return {"refused": f" {why}", "held": why.held}
     except Exception:  # what the library says of a damaged file tells its users nothing

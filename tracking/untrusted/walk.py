@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import h5py
 import numpy as np
@@ -114,6 +115,23 @@ class Walk:
         self._group(file, "", 0)
         return self._datasets
 
+    def dataset_at(self, file: h5py.File, where: str) -> h5py.Dataset | None:
+        """One array of a file of which nothing else is touched; None where there is none.
+
+        Its type and its dimensions are whatever they are. Raises Refused.
+        """
+        node = file
+        for name in where.split("/"):
+            if not isinstance(node, h5py.Group) or name not in node:
+                return None
+            if not isinstance(node.get(name, getlink=True), h5py.HardLink):
+                raise Refused(f"has a link to somewhere else at {where}")
+            node = node[name]
+        if not isinstance(node, h5py.Dataset):
+            return None
+        self._check_storage(node, where)
+        return node
+
     def _group(self, group: h5py.Group, path: str, depth: int) -> None:
         if depth > _DEEPEST:
             raise Refused(f"has groups nested deeper than any {self._kind.name}")
@@ -138,6 +156,11 @@ class Walk:
     def _dataset(self, dataset: h5py.Dataset, where: str) -> None:
         check_attributes(dataset, self._kind)
         self._check_type(dataset, where)
+        self._check_storage(dataset, where)
+        self._datasets[where] = dataset
+
+    def _check_storage(self, dataset: h5py.Dataset, where: str) -> None:
+        """Refuse what lies elsewhere, is packed in unknown ways, or unpacks to more than it can."""
         layout = dataset.id.get_create_plist()
         if dataset.is_virtual or layout.get_external_count():
             raise Refused(f"keeps {where} in other files")
@@ -156,7 +179,6 @@ class Walk:
         self._unpacked += 0 if self._kind.free(where) else unpacked
         if self._unpacked > self._kind.most_bytes:
             raise Refused(f"holds more data than any {self._kind.name}")
-        self._datasets[where] = dataset
 
     def _check_type(self, dataset: h5py.Dataset, where: str) -> None:
         dtype = dataset.dtype
@@ -169,6 +191,19 @@ class Walk:
             raise Refused(f"keeps {dtype} in {where}; numbers or text are expected")
         if dataset.ndim > self._kind.dimensions:
             raise Refused(f"has a table of {dataset.ndim} dimensions at {where}")
+
+
+def attribute_of(node: h5py.Group | h5py.Dataset, name: str) -> Any:
+    """A number, a text or an array of them; None where there is none. Raises Refused."""
+    if name not in node.attrs:
+        return None
+    attribute = node.attrs.get_id(name)
+    text = h5py.check_string_dtype(attribute.dtype) is not None
+    if attribute.get_storage_size() > _LARGEST_ATTRIBUTE or not (
+        text or attribute.dtype.kind in "iufb"
+    ):
+        raise Refused(f"has an attribute {name!r} that is neither numbers nor text")
+    return node.attrs[name]
 
 
 def check_attributes(node: h5py.Group | h5py.Dataset, kind: Kind) -> None:
