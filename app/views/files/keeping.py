@@ -12,7 +12,8 @@ from app.presenters.explaining import explain
 from app.presenters.files import opening
 from app.presenters.words import tr
 from app.views.widgets.work import Work
-from tracking.errors import TrackwrightError
+from tracking.errors import CancelledError, TrackwrightError
+from tracking.progress import Progress
 from tracking.recording import Recording
 from tracking.session import Session
 from tracking.tracks import Run
@@ -66,9 +67,7 @@ class Keeping(QObject):
         else:
             work = partial(_kept, desk.document.recording, run, path)
             title = tr("Keeping the result")
-            self._work.run(
-                title, lambda _: work(), lambda kept: self._end(kept, then), cancellable=False
-            )
+            self._work.run(title, work, lambda kept: self._end(kept, then), cancellable=False)
 
     def offer(self) -> None:
         """Say that something is held, and offer to try again."""
@@ -109,12 +108,24 @@ class Keeping(QObject):
         self.changed.emit()
 
 
-def _kept(recording: Recording, run: Run, path: Path | None) -> Session | Exception:
-    """The session, or why there is none: it is told together with what can be done."""
+def _kept(
+    recording: Recording, run: Run, path: Path | None, report: Progress
+) -> Session | Exception:
+    """The session, or why there is none: it is told together with what can be done.
+
+    Raises:
+        CancelledError: the window has closed meanwhile; the session is on disk, and given back.
+    """
     try:
-        return opening.keep_run(recording, run, path)
+        kept = opening.keep_run(recording, run, path)
     except (TrackwrightError, OSError) as error:
         return error
+    try:
+        report(1, 1)
+    except CancelledError:
+        kept.close()
+        raise
+    return kept
 
 
 def _why(error: Exception) -> str:
