@@ -5,30 +5,73 @@ from __future__ import annotations
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from tracking.scoring.matching import Candidates, Frames
+from tracking.scoring.pairs import Candidates, Frames
 from tracking.scoring.table import Flags, Floats, Integers
+
+_MARGIN = 1e-9
+"""Of a total: what is nearer to a tie is decided by the Hungarian method."""
 
 
 def assign(pairs: Candidates, weight: Floats, frames: Frames) -> Flags:
     """Mark the pairs of the assignment with the greatest total weight in each frame.
 
-    Only frames where a row stands in several pairs need the Hungarian method: elsewhere every
-    pair is taken.
+    A pair neither of whose rows stands in another one is taken. Among the others those that are
+    the best of both their rows are, in frames where that is proved to be the only best
+    assignment; elsewhere the Hungarian method decides.
 
     Args:
         pairs: what may be assigned. weight: (k,) above 0. frames: the frames of the pairs.
     """
-    chosen, contested = uncontested(pairs)
-    for number, rows in stretches(pairs, contested):
+    chosen = ~in_several(pairs)
+    rest = np.flatnonzero(~chosen)
+    chosen[rest], doubtful = _evident(pairs, rest, weight[rest])
+    for number, rows in stretches(pairs, doubtful):
         chosen[rows] = solve(pairs, rows, weight[rows], frames, number)
     return chosen
 
 
+def _evident(pairs: Candidates, rest: Integers, weight: Floats) -> tuple[Flags, Integers]:
+    """Mark those of the rest that are best for both rows; and the frames where that may be wrong.
+
+    Weak duality is the proof: give both rows of each marked pair half its weight as a price. An
+    assignment is worth no more than the prices of its rows if no pair is worth more than the
+    prices of its two, and the marked pairs are worth exactly all prices. If every other pair is
+    worth less, no other assignment is as good.
+    """
+    truth, result = pairs.rows.truth[rest], pairs.rows.result[rest]
+    best = (weight == _most(truth, weight)[truth]) & (weight == _most(result, weight)[result])
+    price_of_truth = np.bincount(truth[best], 0.5 * weight[best], _length(truth))
+    price_of_result = np.bincount(result[best], 0.5 * weight[best], _length(result))
+    worth_less = weight * (1.0 + _MARGIN) < price_of_truth[truth] + price_of_result[result]
+    # Where a row has two pairs of equal weight their prices add up: neither stands for sure.
+    several = (np.bincount(truth[best])[truth[best]] > 1) | (
+        np.bincount(result[best])[result[best]] > 1
+    )
+    frame = pairs.frame[rest]
+    doubtful = np.concatenate([frame[~best & ~worth_less], frame[best][several]])
+    return best, np.unique(doubtful)
+
+
+def _length(rows: Integers) -> int:
+    return int(rows.max(initial=-1)) + 1
+
+
+def _most(rows: Integers, weight: Floats) -> Floats:
+    """The greatest weight by row."""
+    most = np.zeros(_length(rows))
+    np.maximum.at(most, rows, weight)
+    return most
+
+
 def uncontested(pairs: Candidates) -> tuple[Flags, Integers]:
     """Pairs in frames where no row stands in two of them, and the numbers of the other frames."""
-    twice = _repeated(pairs.rows.truth) | _repeated(pairs.rows.result)
-    contested = np.unique(pairs.frame[twice])
+    contested = np.unique(pairs.frame[in_several(pairs)])
     return ~np.isin(pairs.frame, contested), contested
+
+
+def in_several(pairs: Candidates) -> Flags:
+    """(k,) one of the pair's rows stands in another pair too."""
+    return _repeated(pairs.rows.truth) | _repeated(pairs.rows.result)
 
 
 def stretches(pairs: Candidates, numbers: Integers) -> list[tuple[int, slice]]:
@@ -57,3 +100,27 @@ def solve(pairs: Candidates, rows: slice, weight: Floats, frames: Frames, number
 def _repeated(rows: Integers) -> Flags:
     """Marks of the entries that stand more than once."""
     return np.asarray(np.bincount(rows)[rows] > 1) if len(rows) else np.zeros(0, bool)
+
+
+def best_of_few(truth: list[int], result: list[int], weight: list[float]) -> list[int] | None:
+    """Of one frame's pairs those of the only best assignment; None where that is not evident.
+
+    The proof is the one of `assign`, without arrays: they are slower for a handful of pairs.
+    """
+    by_truth: dict[int, float] = {}
+    by_result: dict[int, float] = {}
+    for row, column, worth in zip(truth, result, weight, strict=True):
+        by_truth[row] = max(by_truth.get(row, 0.0), worth)
+        by_result[column] = max(by_result.get(column, 0.0), worth)
+    pairs = list(enumerate(zip(truth, result, weight, strict=True)))
+    best = [n for n, (row, column, worth) in pairs if worth == by_truth[row] == by_result[column]]
+    price_of_truth = {truth[n]: 0.5 * weight[n] for n in best}
+    price_of_result = {result[n]: 0.5 * weight[n] for n in best}
+    if len(price_of_truth) < len(best) or len(price_of_result) < len(best):
+        return None
+    marked = set(best)
+    for n, (row, column, worth) in pairs:
+        prices = price_of_truth.get(row, 0.0) + price_of_result.get(column, 0.0)
+        if n not in marked and worth * (1.0 + _MARGIN) >= prices:
+            return None
+    return best

@@ -1,4 +1,4 @@
-"""CLEAR MOT: who is matched with what in which frame, and what follows from it."""
+"""CLEAR MOT: what follows from who is matched with what."""
 
 from __future__ import annotations
 
@@ -6,15 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.scoring.assignment import solve, stretches, uncontested
 from tracking.scoring.clear import Clear
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.conventions import Conventions
-from tracking.scoring.matching import EPS, Candidates
+from tracking.scoring.numbering import grouped
+from tracking.scoring.pairs import Candidates
 from tracking.scoring.table import Flags, Floats, Integers
 
-# So much more than any similarity that last frame's partner is kept while the two still match.
-_LOYALTY = 1000.0
 _MOSTLY_TRACKED, _MOSTLY_LOST = 0.8, 0.2
 
 
@@ -35,23 +33,6 @@ class Successions:
     interrupted: Flags
 
 
-def clear_matches(comparison: Comparison) -> Candidates:
-    """The matched pairs, by frame.
-
-    In each frame last frame's partners stay together while they match; the others are assigned
-    with the greatest total similarity. A frame in which one side is empty does not count as last.
-    """
-    pairs = comparison.pairs.some(comparison.pairs.similarity >= comparison.threshold - EPS)
-    chosen, contested = uncontested(pairs)
-    code = comparison.couples(pairs)
-    before = stretches(pairs, contested - 1)
-    for (number, rows), (_, last) in zip(stretches(pairs, contested), before, strict=True):
-        loyal = np.isin(code[rows], code[last][chosen[last]])
-        weight = pairs.similarity[rows] + _LOYALTY * loyal
-        chosen[rows] = solve(pairs, rows, weight, comparison.frames, number)
-    return pairs.some(chosen)
-
-
 def successions(
     comparison: Comparison,
     matched: Candidates,
@@ -59,7 +40,7 @@ def successions(
 ) -> Successions:
     """How each person's matches follow one another."""
     person = comparison.person[matched.rows.truth]
-    order = np.argsort(person, kind="stable")
+    order = grouped(person, comparison.people)
     same = np.diff(person[order]) == 0
     before, after = order[:-1][same], order[1:][same]
     track = comparison.identity[matched.rows.result]

@@ -7,7 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracking.scoring.assignment import assign
-from tracking.scoring.matching import EPS, Candidates, Frames, Match, candidates
+from tracking.scoring.candidates import candidates
+from tracking.scoring.matching import Match
+from tracking.scoring.numbering import grouped, numbered
+from tracking.scoring.pairs import EPS, Candidates, Frames
 from tracking.scoring.table import Flags, Integers, ScoringTable
 
 
@@ -55,7 +58,7 @@ class Comparison:
 
     def frames_lived(self) -> Integers:
         """(n,) the how manieth frame of its person a truth row is, from 0."""
-        order = np.argsort(self.person, kind="stable")
+        order = grouped(self.person, self.people)
         frames = self.frames_of_people()
         lived = np.empty(len(order), np.int64)
         lived[order] = np.arange(len(order)) - np.repeat(np.cumsum(frames) - frames, frames)
@@ -74,8 +77,8 @@ def compare(truth: ScoringTable, result: ScoringTable, match: Match) -> Comparis
         result = result.rows(_not_on_dont_cares(truth, result, match))
         truth = truth.rows(truth.counted)
     frames = Frames.shared(truth, result)
-    people, person = np.unique(truth.track, return_inverse=True)
-    identities, identity = np.unique(result.track, return_inverse=True)
+    people, person = numbered(truth.track)
+    identities, identity = numbered(result.track)
     return Comparison(
         truth=truth,
         result=result,

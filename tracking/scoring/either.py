@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from tracking.errors import FormatError
-from tracking.scoring.matching import BoxMatch, FloorMatch, Rows
+from tracking.scoring.matching import BoxMatch, FloorMatch
+from tracking.scoring.pairs import Rows
 from tracking.scoring.table import Floats, ScoringTable
 
 
@@ -29,6 +30,10 @@ class EitherMatch:
         """The greater of both similarities, each 0.5 where it just suffices."""
         boxes = BoxMatch().similarity(truth, result, pairs)
         return np.maximum(boxes, FloorMatch(self.radius_m).similarity(truth, result, pairs))
+
+    def reach(self, table: ScoringTable) -> tuple[Floats, Floats]:
+        """Everywhere: what is far apart in the picture may be near on the floor."""
+        return np.full(len(table), -np.inf), np.full(len(table), np.inf)
 
     def require(self, table: ScoringTable, side: str) -> None:
         """Boxes or positions are asked for."""

@@ -2,56 +2,92 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from tracking.scoring.assignment import assign
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.hota import ALPHAS, Hota
-from tracking.scoring.matching import EPS, Candidates
+from tracking.scoring.pairs import EPS, Candidates
 from tracking.scoring.table import Floats, Integers
+
+_DENSE = 4
+"""Couples are numbered without sorting while there are at most so many as pairs, times this."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Couples:
+    """People and tracks that are alike in some frame.
+
+    Attributes:
+        of_pair: (k,) which couple a pair is of.
+        of_person, of_track: (c,) frames of the person, and of the track.
+    """
+
+    of_pair: Integers
+    of_person: Integers
+    of_track: Integers
+
+    @classmethod
+    def of(cls, comparison: Comparison) -> Couples:
+        """The couples of a comparison's pairs."""
+        of_pair = comparison.couples(comparison.pairs)
+        if comparison.people * comparison.identities <= _DENSE * len(of_pair):
+            couples = np.arange(comparison.people * comparison.identities)
+        else:
+            couples, of_pair = np.unique(of_pair, return_inverse=True)
+        person, track = np.divmod(couples, comparison.identities)
+        of_person = comparison.frames_of_people()[person]
+        return cls(of_pair, of_person, comparison.frames_of_identities()[track])
+
+    def __len__(self) -> int:
+        """The number of couples."""
+        return len(self.of_person)
 
 
 def hota(comparison: Comparison) -> Hota:
     """Match each frame once with the tracks' overall agreement as weight, then count per alpha."""
     truth, result = len(comparison.truth), len(comparison.result)
     if comparison.one_sided:
-        # TrackEval counts no false positives where there are neither rows.
         return Hota.without_matches(truth, result)
-    pairs = comparison.pairs
-    couples, couple = np.unique(comparison.couples(pairs), return_inverse=True)
-    person, identity = np.divmod(couples, comparison.identities)
-    of_person = comparison.frames_of_people()[person]
-    of_identity = comparison.frames_of_identities()[identity]
-    both = of_person + of_identity
-    agreement = _agreement(pairs, couple, both)
-    chosen = assign(pairs, agreement[couple] * pairs.similarity, comparison.frames)
-    counted = [chosen & (pairs.similarity >= alpha - EPS) for alpha in ALPHAS]
-    matches = np.array([row.sum() for row in counted], np.float64)
-    together = np.array([np.bincount(couple[row], minlength=len(couples)) for row in counted])
-    alike = np.array([sum(pairs.similarity[row].tolist()) for row in counted])
+    pairs, couples = comparison.pairs, Couples.of(comparison)
+    weight = _agreement(pairs, couples)[couples.of_pair] * pairs.similarity
+    chosen = assign(pairs, weight, comparison.frames)
+    similarity = pairs.similarity[chosen]
+    # So many alphas a match counts at: the first ones.
+    alphas = np.searchsorted(ALPHAS - EPS, similarity, "right")
+    together = _matches_of(couples, couples.of_pair[chosen], alphas)
+    matches = together.sum(axis=1, dtype=np.float64)
+    alike = np.bincount(alphas, similarity, len(ALPHAS) + 1)[:0:-1].cumsum()[::-1]
     most = np.maximum(1, matches)
+    either = couples.of_person + couples.of_track
     return Hota(
         matches=matches,
         misses=truth - matches,
         false_positives=result - matches,
-        assa_curve=_association(together, both - together) / most,
-        assre_curve=_association(together, of_person) / most,
-        asspr_curve=_association(together, of_identity) / most,
+        assa_curve=_association(together, either - together) / most,
+        assre_curve=_association(together, couples.of_person) / most,
+        asspr_curve=_association(together, couples.of_track) / most,
         loca_curve=np.maximum(1e-10, alike) / np.maximum(1e-10, matches),
     )
 
 
-def _agreement(pairs: Candidates, couple: Integers, both: Integers) -> Floats:
-    """How well a person and a track fit over the recording, before anything is matched.
-
-    Args:
-        couple: (k,) which person and track a pair is of. both: frames of the one plus the other.
-    """
+def _agreement(pairs: Candidates, couples: Couples) -> Floats:
+    """(c,) how well a person and a track fit over the recording, before anything is matched."""
     by_person = np.bincount(pairs.rows.truth, pairs.similarity)[pairs.rows.truth]
     by_track = np.bincount(pairs.rows.result, pairs.similarity)[pairs.rows.result]
     share = pairs.similarity / (by_track + by_person - pairs.similarity)
-    together = np.bincount(couple, share, minlength=len(both))
-    return np.asarray(together / (both - together))
+    together = np.bincount(couples.of_pair, share, minlength=len(couples))
+    return np.asarray(together / (couples.of_person + couples.of_track - together))
+
+
+def _matches_of(couples: Couples, couple: Integers, alphas: Integers) -> Integers:
+    """(19, c) matches of each couple at each alpha."""
+    width = len(ALPHAS) + 1
+    counted = np.bincount(couple * width + alphas, minlength=len(couples) * width)
+    from_strictest = counted.reshape(len(couples), width)[:, :0:-1].cumsum(axis=1)
+    return np.asarray(from_strictest[:, ::-1].T)
 
 
 def _association(together: Integers, whole: Integers) -> Floats:

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from tracking.scoring.comparison import Comparison
-from tracking.scoring.matching import Candidates
+from tracking.scoring.pairs import Candidates
 from tracking.scoring.table import Integers
 
 

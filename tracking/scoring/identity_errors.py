@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.scoring.clear_counting import clear_matches
+from tracking.scoring.clear_matching import clear_matches
 from tracking.scoring.comparison import compare
 from tracking.scoring.matching import BoxMatch, Match
 from tracking.scoring.table import Integers, ScoringTable

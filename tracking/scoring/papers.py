@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracking.scoring.comparison import Comparison
-from tracking.scoring.matching import Candidates
+from tracking.scoring.pairs import Candidates
 from tracking.scoring.table import Flags, Floats, Integers
 
 DETECTED_AFTER = 10

@@ -10,6 +10,7 @@ from tracking.scoring.clear_counting import successions
 from tracking.scoring.examination import Examination, examine
 from tracking.scoring.identity import naming
 from tracking.scoring.matching import Match
+from tracking.scoring.numbering import grouped
 from tracking.scoring.papers import PositionError, detected_and_kept
 from tracking.scoring.table import Integers, ScoringTable
 
@@ -133,5 +134,4 @@ def _groups(group: Integers, groups: int) -> list[Integers]:
     """For each group the rows that are of it, in order."""
     if not groups:
         return []
-    order = np.argsort(group, kind="stable")
-    return np.split(order, np.cumsum(np.bincount(group, minlength=groups))[:-1])
+    return np.split(grouped(group, groups), np.cumsum(np.bincount(group, minlength=groups))[:-1])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,9 @@ from tracking.tracks.columns import Columns
 Integers = NDArray[np.int64]
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+
+_WHOLE = 1 << 62
+"""A frame and a track fit into one number below this."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +51,7 @@ class ScoringTable:
         Raises:
             FormatError: an id stands twice in one frame.
         """
-        order = np.argsort(columns["frame"], kind="stable")
+        order = _by_frame(columns["frame"])
         counted = np.ones(len(order), bool)
         if dont_cares and "confidence" in columns:
             counted = columns["confidence"][order] != 0
@@ -83,15 +87,34 @@ class ScoringTable:
         return replace(part, frame=part.frame - start)
 
     def _refuse_repeated(self) -> None:
+        if not len(self) or not self._repeats():
+            return
         order = np.lexsort((self.track, self.frame))
         frame, track = self.frame[order], self.track[order]
-        repeated = np.flatnonzero((np.diff(frame) == 0) & (np.diff(track) == 0))
-        if len(repeated):
-            first = repeated[0]
-            raise FormatError(
-                f"track {track[first]} stands twice in frame {frame[first]} (from 0); "
-                "remove one of its rows"
-            )
+        twice = np.flatnonzero((np.diff(frame) == 0) & (np.diff(track) == 0))
+        if not len(twice):
+            return
+        first = twice[0]
+        raise FormatError(
+            f"track {track[first]} stands twice in frame {frame[first]} (from 0); "
+            "remove one of its rows"
+        )
+
+    def _repeats(self) -> bool:
+        """Whether an id may stand twice in one frame."""
+        least = int(self.track.min())
+        ids = int(self.track.max()) - least + 1
+        if abs(int(self.frame[-1])) >= _WHOLE // ids or abs(int(self.frame[0])) >= _WHOLE // ids:
+            return True
+        both = np.sort(self.frame * ids + (self.track - least))
+        return bool((both[1:] == both[:-1]).any())
+
+
+def _by_frame(frame: NDArray[Any]) -> Integers:
+    """(n,) the rows ordered by frame; those of one stay in order."""
+    if (frame[1:] >= frame[:-1]).all():
+        return np.arange(len(frame))
+    return np.argsort(frame, kind="stable")
 
 
 def _column(columns: Columns, name: str, order: Integers) -> Floats | None:

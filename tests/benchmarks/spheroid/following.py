@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tests.benchmarks.rendered import Columns
 from tracking.scoring import FloorMatch, ScoringTable
-from tracking.scoring.clear_counting import clear_matches
+from tracking.scoring.clear_matching import clear_matches
 from tracking.scoring.comparison import compare
 
 Floats = NDArray[np.float64]
