@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 from tracking.errors import FormatError
 from tracking.formats.coco import COCO
+from tracking.formats.csv_tracks import CSV
 from tracking.formats.cvat import CVAT
 from tracking.formats.mot import MOT, MOT16
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
@@ -15,6 +16,7 @@ from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 _ALL = (
     MOT,
     MOT16,
+    CSV,
     CVAT,
     COCO,
 )

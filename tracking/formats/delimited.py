@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -82,23 +82,46 @@ def _too_long(path: Path, line: int) -> FormatError:
     )
 
 
+def unchanged(text: str) -> str:
+    """For text that holds plain numbers already."""
+    return text
+
+
+@dataclass(frozen=True, slots=True)
+class RowShape:
+    """What rows of numbers look like in a format.
+
+    Attributes:
+        what: the format, as messages name it.
+        least, most: how many numbers a row has; the first row says how many in this file.
+        separator: one character.
+        plain: makes lines what `float` reads between separators, the same number of lines. Raises
+            ValueError where they hold something that is no number, though `float` takes it.
+    """
+
+    what: str
+    least: int
+    most: int
+    separator: str = ","
+    plain: Callable[[str], str] = unchanged
+
+
 class NumberRows:
-    """Reads rows of numbers divided by commas, all of one length; others are told as bad."""
+    """Reads rows of numbers, all of one length; others are told as bad."""
 
-    def __init__(self, reading: Reading, least: int, most: int, what: str) -> None:
-        """Rows have least to most numbers; what: the format, as messages name it."""
-        self._reading = reading
-        self._least, self._most, self._what = least, most, what
-        self._width = 0
+    def __init__(self, reading: Reading, shape: RowShape) -> None:
+        """Rows of that shape."""
+        self._reading, self._shape = reading, shape
+        self._width = 0 if shape.least < shape.most else shape.most
 
-    def read(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    def read(self, pieces: Iterable[Piece]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """(n, k) the numbers as they stand there, and (n,) the lines they stand on.
 
         Raises FormatError as `pieces_of`, and where no line at all can be read but some are there.
         """
         tables: list[NDArray[np.float64]] = []
         places: list[NDArray[np.int64]] = []
-        for piece in pieces_of(self._reading.path):
+        for piece in pieces:
             filled = [at for at, line in enumerate(piece.lines) if line and not line.isspace()]
             lines = [piece.lines[at] for at in filled]
             numbers = np.array(filled, np.int64) + piece.first
@@ -107,7 +130,7 @@ class NumberRows:
                 places.append(numbers[first:stop])
         if not tables:
             self._refuse_nothing()
-            return np.zeros((0, self._width or self._least)), np.zeros(0, np.int64)
+            return np.zeros((0, self._width or self._shape.least)), np.zeros(0, np.int64)
         return np.concatenate(tables), np.concatenate(places)
 
     def _read(
@@ -133,34 +156,48 @@ class NumberRows:
         """The numbers of lines; None where some of them cannot be read."""
         if not self._width:
             return None  # the first line that can be read alone says how long rows are
-        text = io.StringIO("\n".join(lines))
+        separator = self._shape.separator
         try:
-            table = np.loadtxt(text, delimiter=",", comments=None, ndmin=2)
+            text = io.StringIO(self._shape.plain("\n".join(lines)))
+            table = np.loadtxt(text, delimiter=separator, comments=None, ndmin=2)
         except ValueError:
             return None
         return table if table.shape == (len(lines), self._width) else None
 
     def _row(self, line: str, number: int) -> NDArray[np.float64] | None:
         """(1, k) the numbers of one line; None where it is told to be bad."""
-        fields = line.split(",")
-        count = len(fields)
-        if not self._least <= count <= self._most:
-            reason = f"{count} values; {self._what} has {self._least} to {self._most} in a row"
+        least, most = self._shape.least, self._shape.most
+        count = line.count(self._shape.separator) + 1
+        if not least <= count <= most:
+            span = f"{least}" if least == most else f"{least} to {most}"
+            reason = f"{count} values; {self._shape.what} has {span} in a row"
         elif self._width and count != self._width:
             reason = f"{count} values where the rows before have {self._width}"
-        elif bad := next((field for field in fields if not _is_number(field)), None):
-            reason = f"{bad.strip()[:40]!r} is not a number"
+        elif reason := self._not_numbers(line):
+            pass
         else:
             self._width = count
-            return np.array([[float(field) for field in fields]])
+            plain = self._shape.plain(line).split(self._shape.separator)
+            return np.array([[float(field) for field in plain]])
         self._reading.bad(f"line {number}", reason)
         return None
+
+    def _not_numbers(self, line: str) -> str:
+        """Why the values of a line are no numbers; "" where they are."""
+        for field in line.split(self._shape.separator):
+            try:
+                plain = self._shape.plain(field)
+            except ValueError:
+                plain = ""
+            if not _is_number(plain):
+                return f"{field.strip()[:40]!r} is not a number"
+        return ""
 
     def _refuse_nothing(self) -> None:
         if self._reading.bad_count:
             first = self._reading.bad_rows[0]
             raise FormatError(
-                f"{self._reading.path}, {first.place}: {first.reason}; is it {self._what}?"
+                f"{self._reading.path}, {first.place}: {first.reason}; is it {self._shape.what}?"
             )
 
 
@@ -169,4 +206,4 @@ def _is_number(field: str) -> bool:
         float(field)
     except ValueError:
         return False
-    return bool(field.strip()) and "_" not in field
+    return "_" not in field

@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.delimited import NumberRows
+from tracking.formats.delimited import NumberRows, RowShape, pieces_of
 from tracking.formats.mot_classes import labels_of_classes
 from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.formats.seqinfo import sequence_of
 
 UNKNOWN = -1.0
-_LEAST, _MOST = 6, 10
+_SHAPE = RowShape("MOT text", least=6, most=10)
 _HEAD = ("frame", "track", *BOX, "confidence")
 _WORLD = ("x", "y", "z")
 _SEEN = ("class", "visibility")
@@ -66,7 +66,7 @@ def import_mot(path: Path, _filmed: Filmed) -> Imported:
 
 def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int64]]:
     """The columns as `read_mot` gives them, unchecked, and the lines they stand on."""
-    table, lines = NumberRows(reading, _LEAST, _MOST, "MOT text").read()
+    table, lines = NumberRows(reading, _SHAPE).read(pieces_of(reading.path))
     finite = np.isfinite(table).all(axis=1)
     for row in np.flatnonzero(~finite).tolist():
         reading.bad(f"line {lines[row]}", "a value is not a finite number")
@@ -82,7 +82,7 @@ def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int64]]
 
 def _names(width: int) -> tuple[str, ...]:
     """What the columns of rows of so many numbers are."""
-    return _HEAD + (_WORLD if width == _MOST else _SEEN)
+    return _HEAD + (_WORLD if width == _SHAPE.most else _SEEN)
 
 
 def _shift_to_zero(columns: dict[str, NDArray[Any]]) -> None:

@@ -123,8 +123,7 @@ def _head(columns: Columns) -> Iterator[Block]:
 def _confidence(columns: Columns) -> NDArray[np.float64]:
     if "confidence" not in columns:
         return np.full(len(columns["frame"]), np.nan)
-    # Stored with 32 bits; the digits beyond are noise of the conversion.
-    return short_decimals(columns["confidence"])
+    return short_decimals(np.asarray(columns["confidence"], np.float32))
 
 
 def _column(columns: Columns, name: str) -> NDArray[Any]:

@@ -85,13 +85,19 @@ def numbers(values: NDArray[Any], unknown: bytes) -> Block:
     return block
 
 
-def short_decimals(values: NDArray[np.float32], digits: int = 6) -> Floats:
-    """32-bit numbers as the nearest ones of so many digits: what is beyond is noise."""
+def short_decimals(values: NDArray[np.float32]) -> Floats:
+    """32-bit numbers as the 64-bit ones of the fewest digits that are the same with 32 bits."""
     wide = values.astype(np.float64)
     with np.errstate(divide="ignore", invalid="ignore"):
-        places = digits - 1 - np.floor(np.log10(np.abs(wide)))
-    scale = 10.0 ** np.clip(np.where(np.isfinite(places), places, 0.0), 0, 22)
-    short: Floats = np.rint(wide * scale) / scale
+        power = np.floor(np.log10(np.abs(wide)))
+    power = np.where(np.isfinite(power), power, 0.0)
+    short, open_rows = wide.copy(), np.arange(len(wide))
+    for digits in range(6, 9):
+        scale = 10.0 ** np.clip(digits - 1 - power[open_rows], 0, 22)
+        tried = np.rint(wide[open_rows] * scale) / scale
+        same = tried.astype(np.float32) == values[open_rows]
+        short[open_rows[same]] = tried[same]
+        open_rows = open_rows[~same]
     return short
 
 

@@ -135,7 +135,7 @@ class Reading:
         zero = track == 0
         if not zero.any():
             return track
-        new = int(track.max()) + 1
+        new = int(track[(track >= 0) & (track <= LARGEST_NUMBER)].max()) + 1
         if new > LARGEST_NUMBER:
             raise FormatError(f"{self.path}: no id is left for its track 0; number it anew")
         self.notes.append(f"track 0 of the file is track {new} here: ids are positive")
@@ -167,8 +167,9 @@ def with_all_columns(rows: Columns) -> dict[str, NDArray[Any]]:
     count = len(rows["frame"])
     whole: dict[str, NDArray[Any]] = {}
     for name, dtype in CORRECTED_COLUMNS.items():
-        unknown = np.nan if dtype.kind == "f" else 0
-        values = rows[name] if name in rows else np.full(count, unknown)
+        values = np.asarray(rows[name]) if name in rows else np.full(count, np.nan)
+        if dtype.kind != "f" and values.dtype.kind == "f":
+            values = np.nan_to_num(values)
         whole[name] = np.ascontiguousarray(values, dtype)
     return whole
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.tracks import LARGEST_NUMBER, Columns
+from tracking.tracks import LARGEST_NUMBER, Columns, Source
 
 MAX_FRAME = 10_000_000
 """More than four days at 25 frames a second; beyond it a number is a mistake, not a frame."""
@@ -21,6 +21,7 @@ MAX_SHARE = 1e6
 BOX = ("left", "top", "width", "height")
 _FARTHEST = {"x": MAX_METRES, "y": MAX_METRES, "z": MAX_METRES}
 _FASTEST = {"vx": MAX_SPEED_M_S, "vy": MAX_SPEED_M_S}
+_SOURCES = (Source.TRACKER, Source.PERSON, Source.INTERPOLATED)
 _SHARES = {"confidence": MAX_SHARE, "visibility": MAX_SHARE}
 
 Mask = NDArray[np.bool_]
@@ -49,6 +50,9 @@ def broken_rules(rows: Columns) -> Iterator[tuple[Mask, str]]:
             yield _any(np.abs(rows[name]) > most[name] for name in held), reason
     if "x" in rows and "y" in rows:
         yield np.isnan(rows["x"]) != np.isnan(rows["y"]), "only one of x and y is given"
+    if "source" in rows:
+        source = np.asarray(rows["source"], np.float64)
+        yield ~(np.isnan(source) | np.isin(source, _SOURCES)), "the source is not 0, 1 or 2"
     yield repeated(frame, track), "its id stands twice in this frame"
 
 

@@ -13,8 +13,8 @@ from tracking.geometry import View
 from tracking.progress import Progress
 from tracking.tracks import Columns, ParticleColumn, TrackLabel, TrackTable
 
-ROWS_AT_ONCE = 1 << 16
-"""A piece is small beside everything else, and long beside the work around it."""
+ROWS_AT_ONCE = 1 << 14
+"""A piece stays in the processor's cache, and is long beside the work around it."""
 
 
 def no_progress(_done: int, _total: int) -> None:

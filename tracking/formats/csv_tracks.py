@@ -1,0 +1,135 @@
+"""CSV: the corrected table as it is, a header and a row a person a frame.
+
+Frames and pixels count from 0, places are metres, what is unknown is empty. Columns may be divided
+by commas, semicolons or tabs; where commas do not divide columns, they may stand for the decimal
+point. Only `frame` and `track` are needed, and any others of the table are taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from tracking.errors import FormatError
+from tracking.formats.delimited import NumberRows, Piece, RowShape, pieces_of
+from tracking.formats.number_text import Block, lines_of, numbers, short_decimals, whole_numbers
+from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.track_format import TrackFormat
+from tracking.formats.writing import Exported
+from tracking.progress import Progress
+from tracking.replacing import replacing_bytes
+from tracking.tracks import CORRECTED_COLUMNS, Columns
+
+_SEPARATORS = ",;\t"
+_NEEDED = ("frame", "track")
+_MOST_COLUMNS = 200
+_UNKNOWN = "nan"
+_WORDS = {"true": "1", "false": "0"}
+
+
+def _import(path: Path, _filmed: Filmed) -> Imported:
+    """The tracks of a table. Raises FormatError where there is no such header."""
+    reading = Reading(path)
+    pieces = pieces_of(path)
+    first = next(pieces)
+    separator, names = _header(path, first)
+    left_out = [name for name in names if name not in CORRECTED_COLUMNS]
+    if left_out:
+        reading.notes.append(f"columns that are left out: {', '.join(left_out)[:200]}")
+    taken = tuple(name for name in names if name in CORRECTED_COLUMNS)
+    plain = partial(_plain, separator=separator)
+    shape = RowShape("a row of this table", len(taken), len(taken), separator, plain)
+    lines = _rows(first, pieces, separator, names, reading)
+    table, places = NumberRows(reading, shape).read(lines)
+    rows = dict(zip(taken, table.T, strict=True))
+    return reading.imported(rows, lambda row: f"line {places[row]}")
+
+
+def _export(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
+    """Write the table; how sure the tracker was stays as it was."""
+    with replacing_bytes(path) as stream:
+        stream.write(",".join(CORRECTED_COLUMNS).encode() + b"\n")
+        for piece in replace(exported, counts_in_full=False).pieces(report):
+            stream.write(lines_of([_block(piece, name) for name in CORRECTED_COLUMNS]))
+    return (path,)
+
+
+def _recognises(_path: Path, head: bytes) -> bool:
+    first = head.removeprefix(b"\xef\xbb\xbf").split(b"\n", 1)[0].decode(errors="replace")
+    names = _names(first, _separator(first))
+    return len(first) < len(head) and all(names.count(needed) == 1 for needed in _NEEDED)
+
+
+def _header(path: Path, piece: Piece) -> tuple[str, tuple[str, ...]]:
+    """What divides columns, and their names."""
+    line = piece.lines[0] if piece.lines else ""
+    separator = _separator(line)
+    names = _names(line, separator)
+    missing = [name for name in _NEEDED if name not in names]
+    if missing:
+        raise FormatError(f"{path}, line 1: there is no column {missing[0]!r}; name the columns")
+    twice = [name for name in names if names.count(name) > 1]
+    if twice or len(names) > _MOST_COLUMNS:
+        what = f"the column {twice[0]!r} stands there twice" if twice else "far too many columns"
+        raise FormatError(f"{path}, line 1: {what}; correct the header")
+    return separator, names
+
+
+def _separator(header: str) -> str:
+    return max(_SEPARATORS, key=header.count)
+
+
+def _names(header: str, separator: str) -> tuple[str, ...]:
+    return tuple(name.strip().strip('"').strip().lower() for name in header.split(separator))
+
+
+def _rows(
+    first: Piece, others: Iterator[Piece], separator: str, names: Sequence[str], reading: Reading
+) -> Iterator[Piece]:
+    """The lines below the header, with the columns that are taken."""
+    taken = [at for at, name in enumerate(names) if name in CORRECTED_COLUMNS]
+    for piece in (Piece(first.first + 1, first.lines[1:]), *others):
+        if len(taken) == len(names):
+            yield piece
+            continue
+        lines = []
+        for number, line in enumerate(piece.lines, piece.first):
+            fields = line.split(separator)
+            whole = len(fields) == len(names)
+            if not whole and line.strip():
+                reason = f"{len(fields)} values where the header names {len(names)}"
+                reading.bad(f"line {number}", reason)
+            lines.append(separator.join(fields[at] for at in taken) if whole else "")
+        yield Piece(piece.first, lines)
+
+
+def _plain(text: str, separator: str) -> str:
+    """Lines with what is missing as nan, and with points. ValueError where one says nan itself."""
+    text = text.replace('"', "").replace("\r", "").replace(" ", "").lower()
+    if _UNKNOWN in text:
+        raise ValueError(_UNKNOWN)
+    if separator != ",":
+        text = text.replace(",", ".")
+    for word, number in _WORDS.items():
+        text = text.replace(word, number)
+    text = f"\n{text}\n"
+    for before in ("\n", separator):
+        for after in ("\n", separator):
+            missing = before + _UNKNOWN + after
+            text = text.replace(before + after, missing).replace(before + after, missing)
+    return text[1:-1]
+
+
+def _block(rows: Columns, name: str) -> Block:
+    """A column as text."""
+    column = rows[name]
+    if column.dtype.kind != "f":
+        return whole_numbers(column.astype(np.int64))
+    return numbers(short_decimals(column) if column.dtype == np.float32 else column, b"")
+
+
+CSV = TrackFormat("csv", "CSV, the corrected table", (".csv",), _recognises, _import, _export)
