@@ -10,15 +10,20 @@ from tracking.errors import FormatError
 from tracking.formats.coco import COCO
 from tracking.formats.csv_tracks import CSV
 from tracking.formats.cvat import CVAT
+from tracking.formats.floor_hdf5 import JUPEDSIM_HDF5, PEDPY_HDF5
+from tracking.formats.kitti import KITTI
 from tracking.formats.mot import MOT, MOT16
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 
 _ALL = (
     MOT,
     MOT16,
+    KITTI,
     CSV,
     CVAT,
     COCO,
+    PEDPY_HDF5,
+    JUPEDSIM_HDF5,
 )
 
 FORMATS: Mapping[str, TrackFormat] = MappingProxyType({each.name: each for each in _ALL})

@@ -1,0 +1,108 @@
+"""Look HDF5 files of tracks over before their data is touched: `python ... FILE...`.
+
+See `tracking.untrusted.program` for why this is a program of its own. Here it prints
+{"layout": name}: which of the layouts read here the file has. Only what is read is looked at: files
+of other tools hold much else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import h5py
+
+from tracking.untrusted import Kind, Refused, Walk, attribute_of, check_signature, say_verdicts
+
+_KIND = Kind("file of tracks", "", (1, 0), 4 << 30)
+_NEEDED = ("id", "frame", "x", "y")
+_MOST_NAMES = 100_000
+_LONGEST_NAME = 4096
+
+
+def inspect(path: Path) -> str:
+    """The file's layout. Raises Refused where it has none, or none that is safe to read."""
+    check_signature(path, _KIND)
+    with h5py.File(path, "r", locking=False) as file:
+        held = str(attribute_of(file, "format"))
+        if held.startswith("trackwright-"):
+            raise Refused(f"is a {held.replace('-', ' ', 1)}; open it, or score it as it is", held)
+        walk = Walk(path.stat().st_size, _KIND)
+        for layout in (_trajectory, _analysis, _individuals):
+            if found := layout(file, walk):
+                return found
+    raise Refused(
+        "is HDF5, but holds no /trajectory, no SLEAP analysis and no idtracker.ai trajectories"
+    )
+
+
+def _trajectory(file: h5py.File, walk: Walk) -> str:
+    """A row a person a frame."""
+    rows = walk.dataset_at(file, "trajectory")
+    if rows is None:
+        return ""
+    fields = rows.dtype.names or ()
+    missing = [name for name in _NEEDED if name not in fields]
+    if rows.ndim != 1 or missing:
+        raise Refused(f"has a /trajectory without {', '.join(missing) or 'rows'}")
+    for name in (*_NEEDED, *({"z"} & set(fields))):
+        if rows.dtype[name].kind not in "iuf" or rows.dtype[name].shape:
+            raise Refused(f"keeps {rows.dtype[name]} in {name} of /trajectory; numbers are needed")
+    for node in (rows, file):
+        attribute_of(node, "fps")
+    of_jupedsim = all(name in file.attrs for name in ("schema_version", "every_nth_frame"))
+    return "jupedsim-h5" if of_jupedsim else "pedpy-h5"
+
+
+def _analysis(file: h5py.File, walk: Walk) -> str:
+    """SLEAP's: points of all nodes of all tracks in all frames."""
+    points = walk.dataset_at(file, "tracks")
+    if points is None or "node_names" not in file:
+        return ""
+    _check_numbers(points, "tracks", 4)
+    names = walk.dataset_at(file, "track_names")
+    if names is not None:
+        _check_names(names)
+    for name, dimensions in (("track_occupancy", 2), ("instance_scores", 2)):
+        table = walk.dataset_at(file, name)
+        if table is not None:
+            _check_numbers(table, name, dimensions)
+    return "sleap"
+
+
+def _individuals(file: h5py.File, walk: Walk) -> str:
+    """idtracker.ai's: a centre of each individual in each frame."""
+    points = walk.dataset_at(file, "trajectories")
+    if points is None:
+        return ""
+    _check_numbers(points, "trajectories", 3)
+    if points.shape[2] != 2:
+        raise Refused(f"has {points.shape[2]} numbers a place in trajectories; two are needed")
+    probabilities = walk.dataset_at(file, "id_probabilities")
+    if probabilities is not None and probabilities.dtype.kind not in "iuf":
+        raise Refused(f"keeps {probabilities.dtype} in id_probabilities")
+    for name in ("frames_per_second", "identities_labels", "width", "height"):
+        attribute_of(file, name)
+    return "idtracker"
+
+
+def _check_numbers(dataset: h5py.Dataset, where: str, dimensions: int) -> None:
+    if dataset.dtype.kind not in "iufb" or dataset.ndim != dimensions:
+        raise Refused(f"has {dataset.dtype} in {dataset.ndim} dimensions at {where}")
+
+
+def _check_names(names: h5py.Dataset) -> None:
+    """Few and short: many of them can share one long text."""
+    text = h5py.check_string_dtype(names.dtype) is not None
+    if names.ndim != 1 or not (text or names.dtype.kind == "S") or len(names) > _MOST_NAMES:
+        raise Refused(f"has {names.dtype} in {names.ndim} dimensions at track_names")
+    if _longest(names[()]) > _LONGEST_NAME:
+        raise Refused("has names of tracks longer than any")
+
+
+def _longest(names: Sequence[bytes]) -> int:
+    return max(map(len, names), default=0)
+
+
+if __name__ == "__main__":
+    say_verdicts(inspect, "layout")
