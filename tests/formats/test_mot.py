@@ -182,7 +182,7 @@ def test_a_folder_is_not_replaced_by_a_file(tmp_path: Path) -> None:
     assert [file.name for file in tmp_path.iterdir()] == ["out"]
 
 
-@pytest.mark.parametrize("name", ["kitti", "no-such"])
+@pytest.mark.parametrize("name", ["samples", "no-such"])
 def test_a_format_that_is_not_there_is_told(name: str) -> None:
     with pytest.raises(FormatError, match=f"'{name}' is not built yet or unknown"):
         format_named(name)

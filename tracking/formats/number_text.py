@@ -62,8 +62,14 @@ def whole_numbers(values: NDArray[Any]) -> Block:
 
 def constant(text: bytes, rows: int) -> Block:
     """The same few characters in every row."""
-    block = np.zeros((rows, 1 - (-len(text) // 4)), np.uint32)
-    _overwrite(block, slice(None), text)
+    return chosen([text], np.zeros(rows, np.int64))
+
+
+def chosen(texts: Sequence[bytes], which: NDArray[Any]) -> Block:
+    """One of a few texts in each row, by its number."""
+    longest = -(-max(map(len, texts)) // 4) * 4
+    padded = b"".join(b"\0\0\0\0" + text.ljust(longest, b"\0") for text in texts)
+    block: Block = np.frombuffer(padded, np.uint32).reshape(len(texts), -1)[which]
     return block
 
 

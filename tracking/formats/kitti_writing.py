@@ -1,0 +1,98 @@
+"""Tracks as KITTI's labels; see `kitti` for what they look like."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.formats.kitti_values import (
+    PERSON,
+    TYPES,
+    UNKNOWN_ANGLE,
+    UNKNOWN_PLACE,
+    UNKNOWN_SIDE,
+    occlusion_of,
+    type_of_label,
+)
+from tracking.formats.number_text import (
+    Block,
+    chosen,
+    constant,
+    lines_of,
+    numbers,
+    short_decimals,
+    whole_numbers,
+)
+from tracking.formats.row_rules import BOX
+from tracking.formats.writing import Exported
+from tracking.geometry import View
+from tracking.progress import Progress
+from tracking.replacing import replacing_bytes
+from tracking.tracks import Columns
+
+_TYPES = [name.encode() for name in TYPES]
+
+
+def export_kitti(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
+    """Write tracks as KITTI's labels: with scores, but where the tracks are truth.
+
+    Places are written where camera and floor are known. How large people are and where they face is
+    not. Gives the file made; raises OutputError and what `report` raises.
+    """
+    kinds = {
+        track: TYPES.index(kind)
+        for track, label in exported.labels.items()
+        if (kind := type_of_label(label)) != PERSON
+    }
+    with replacing_bytes(path) as stream:
+        for piece in exported.pieces(report):
+            stream.write(lines_of(_blocks(piece, exported, kinds), b" "))
+    return (path,)
+
+
+def _blocks(rows: Columns, exported: Exported, kinds: dict[int, int]) -> list[Block]:
+    count = len(rows["frame"])
+    kind = np.zeros(count, np.int64)
+    for track, number in kinds.items():
+        kind[rows["track"] == track] = number
+    box = np.column_stack([rows[name] for name in BOX])
+    box[:, 2:] += box[:, :2]
+    unknown_size = [constant(b"%d" % UNKNOWN_SIDE, count)] * 3
+    angle = constant(b"%d" % UNKNOWN_ANGLE, count)
+    blocks = [
+        whole_numbers(rows["frame"]),
+        whole_numbers(rows["track"]),
+        chosen(_TYPES, kind),
+        whole_numbers(_truncated(box, exported.size_px)),
+        whole_numbers(occlusion_of(rows["visibility"])),
+        angle,
+        *(numbers(side, b"%d" % UNKNOWN_SIDE) for side in box.T),
+        *unknown_size,
+        *(numbers(axis, b"%d" % UNKNOWN_PLACE) for axis in _in_camera(rows, exported.view)),
+        angle,
+    ]
+    if not exported.counts_in_full:
+        blocks.append(numbers(short_decimals(rows["confidence"]), b"%d" % UNKNOWN_SIDE))
+    return blocks
+
+
+def _truncated(corners: NDArray[Any], size_px: tuple[int, int] | None) -> NDArray[np.int64]:
+    """(n,) 1 where a box (left, top, right, bottom) reaches out of the picture."""
+    if size_px is None:
+        return np.zeros(len(corners), np.int64)
+    low = (corners[:, :2] < -0.5).any(axis=1)
+    high = (corners[:, 2:] > np.array(size_px) - 0.5).any(axis=1)
+    return np.asarray(low | high, np.int64)
+
+
+def _in_camera(rows: Columns, view: View | None) -> NDArray[np.float64]:
+    """(3, n) where people stand, along the camera's axes in metres; NaN where unknown."""
+    count = len(rows["frame"])
+    if view is None:
+        return np.full((3, count), np.nan)
+    rotation, centre = view.world_from_camera
+    world = np.column_stack([rows["x"], rows["y"], np.zeros(count)])
+    return np.asarray(((world - centre) @ rotation).T)
