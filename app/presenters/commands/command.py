@@ -23,6 +23,7 @@ class Situation:
         parts: body parts were tracked. part_truth: where they really are is known.
         trained: a detector was trained here. detector: the name of the one in use; "" for the
             built-in one.
+        scored: tracks were compared with a truth.
         stereo, truth: the recording has a right eye, a truth file.
         can_track: a tracker exists for the recording; else `why_no_tracking` says why.
         read_only: the session cannot be saved under its name, e.g. as another window has it open.
@@ -50,6 +51,7 @@ class Situation:
     parts: bool = False
     part_truth: bool = False
     trained: bool = False
+    scored: bool = False
     detector: str = ""
     stereo: bool = False
     truth: bool = False

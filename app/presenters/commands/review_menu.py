@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import editable, session, trackable
+from app.presenters.commands.checks import editable, recording, session, trackable
 from app.presenters.commands.command import Command, Situation
 from app.presenters.words import tr
 
@@ -52,6 +52,11 @@ def _with_truth(now: Situation) -> str:
     return session(now) or ("" if now.truth else tr("the recording has no truth.txt"))
 
 
+def _scored(now: Situation) -> str:
+    """Tracks must have been compared with a truth."""
+    return recording(now) or ("" if now.scored else tr("score against a truth first (Shift+S)"))
+
+
 COMMANDS: Final = (
     Command("review.next", "Review", "Next suspicion", ("N",), _listed),
     Command("review.previous", "Review", "Previous suspicion", ("P",), _listed),
@@ -97,10 +102,19 @@ COMMANDS: Final = (
     ),
     Command("review.runs", "Review", "Runs...", ("Ctrl+R",), session),
     Command(
-        "review.score",
+        "review.choose_truth",
         "Review",
-        "Score against truth...",
+        "Score against a truth file...",
         (),
-        _with_truth,
+        recording,
+        separated=True,
+    ),
+    Command("review.next_error", "Review", "Next error against the truth", ("F4",), _scored),
+    Command(
+        "review.previous_error",
+        "Review",
+        "Previous error against the truth",
+        ("Shift+F4",),
+        _scored,
     ),
 )

@@ -35,6 +35,8 @@ class Pictured:
     outlines: bool = False
     evaluation: bool = False
     ramp: bool = False
+    score: bool = False
+    truth: bool = False
 
     @property
     def kinds(self) -> Kinds:

@@ -5,19 +5,16 @@ from __future__ import annotations
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from platformdirs import user_data_path
 
 from app.presenters.document.document import Document
 from tracking.errors import OutputError
-from tracking.formats import read_mot
 from tracking.progress import Progress
 from tracking.recording import OpenOptions, Recording, open_recording
-from tracking.scoring import ScoringTable, score
 from tracking.session import KnownRecordings, PendingSave, Session, generations
 from tracking.session.saving import companions
-from tracking.tracks import Run, TrackTable
+from tracking.tracks import Run
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,26 +168,6 @@ def older_copy(path: Path) -> Path | None:
 def is_unsaved_place(path: Path | None) -> bool:
     """Whether a session stands where the user never put it."""
     return path is None or path.parent == unsaved_folder()
-
-
-def score_against_truth(
-    tracks: TrackTable, recording: Recording, report: Progress
-) -> dict[str, Any]:
-    """The figures of tracks, which nobody changes meanwhile, against the recording's truth.
-
-    Raises:
-        FormatError: the truth cannot be read.
-        CancelledError: by `report`.
-    """
-    assert recording.truth_path is not None
-    report(0, 3)
-    truth = ScoringTable.from_columns(read_mot(recording.truth_path), dont_cares=True)
-    report(1, 3)
-    result = ScoringTable.from_columns(tracks.columns())
-    report(2, 3)
-    figures = score(truth, result, frames=recording.frame_count).as_json()
-    report(3, 3)
-    return figures
 
 
 def known_recordings() -> KnownRecordings:

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache, partial
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from app.background import Newest
 from app.presenters.counting.counting import CountingPresenter
 from app.presenters.counting.subject import SHOWN, Counted, Length, Subject, loader, worked_out
 from app.presenters.document.document import Document
 from app.presenters.document.setting import Instant, Pictured
 from app.presenters.labelling.labelling import Counted as Told
 from app.presenters.words import counted, tr
-from app.views.counting.count_search import CountSearch, Work
 from app.views.desk.workspace import Workspace
 from app.views.playing.playback import Playback
 from tracking.counting import Counts
+from tracking.progress import Progress
+
+Work = Callable[[Progress], Counted]
 
 
 class Counting(QObject):
@@ -34,8 +38,8 @@ class Counting(QObject):
         super().__init__(parent)
         self._document, self._workspace = document, workspace
         self.presenter = CountingPresenter(document)
-        self._search = CountSearch(self._prepare, self)
-        self._search.counted.connect(self._take)
+        self._search = Newest("counting", self._prepare, self)
+        self._search.found.connect(self._take)
         self._search.failed.connect(self._refuse)
         self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
         panel = workspace.counting

@@ -22,6 +22,7 @@ from app.views.parts.parts import Parts
 from app.views.pictures.overlaying import Overlaying
 from app.views.playing.playback import Playback
 from app.views.reviewing.reviewing import Reviewing
+from app.views.scoring.scoring import Scoring
 
 
 class Desk(QObject):
@@ -48,6 +49,7 @@ class Desk(QObject):
         self.labelling = Labelling(document, self.playback, workspace, self)
         self.parts = Parts(document, self.playback, workspace, self.labelling, self)
         self.counting = Counting(document, self.playback, workspace, self)
+        self.scoring = Scoring(document, self.playback, workspace, self)
         self.comparing = Comparing(document, self.playback, self.editing, workspace, self)
         self.tracking = TrackerAtWork(document, self.playback, self.comparing, self)
         self.live = self.tracking.live
@@ -82,6 +84,9 @@ class Desk(QObject):
         self.parts.changed.connect(self.draw)
         self.counting.changed.connect(self.draw_instant)
         self.counting.said.connect(self.said)
+        self.scoring.changed.connect(self._draw_scored)
+        self.scoring.failed.connect(self.failed)
+        self.scoring.said.connect(self.said)
         self.parts.said.connect(self.said)
         self.tracking.changed.connect(self.draw)
         self.tracking.found.connect(self._draw_found)
@@ -97,6 +102,7 @@ class Desk(QObject):
         self.labelling.close()
         self.parts.close()
         self.counting.close()
+        self.scoring.close()
         self.playback.close()
         if self.document.session is not None:
             self.document.session.close()
@@ -131,6 +137,7 @@ class Desk(QObject):
             can_redo=session is not None and session.history.next_redo is not None,
             stereo=recording.is_stereo,
             truth=recording.truth_path is not None,
+            scored=self.scoring.known,
             calibrated=recording.view is not None,
             can_track=bool(self.tracking.best),
             why_no_tracking=self.tracking.why_not,
@@ -188,6 +195,12 @@ class Desk(QObject):
         self.comparing.refresh()
         self.changed.emit()
 
+    def _draw_scored(self) -> None:
+        """Another score, another choice, another range of frames."""
+        self.draw_instant()
+        self.draw_playhead()
+        self.changed.emit()
+
     def draw_preview(self) -> None:
         """Draw only what an edit that waits would do: often, while something is dragged."""
         planned = self.document.planned
@@ -207,6 +220,7 @@ class Desk(QObject):
             view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
         view.overhead.show_scene(document.overhead.scene(instant))
         self.counting.draw(instant, self.pictured)
+        self.scoring.draw(instant, self.pictured, self.eyes)
         counted = self.counting.texts_at(instant, self.pictured)
         self.labelling.draw(self.eyes == "both", self.pictured.labels, counted)
         self.parts.draw(instant, self.pictured)

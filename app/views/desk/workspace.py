@@ -32,6 +32,7 @@ from app.views.pictures.overhead import OverheadView
 from app.views.pictures.picture import PictureView
 from app.views.playing.transport import TransportBar
 from app.views.reviewing.review_panel import ReviewPanel
+from app.views.scoring.score_panel import ScorePanel
 from app.views.timeline import TimelineView
 from app.views.widgets.gripped_splitter import GrippedSplitter
 from app.views.widgets.parts import bring_into_view
@@ -53,6 +54,7 @@ class Workspace(QWidget):
         self.overhead = OverheadView(self)
         self.curves = CurvesPanel(self)
         self.counting = CountingPanel(self)
+        self.score = ScorePanel(self)
         self.review = ReviewPanel(self)
         self.card = TrackPanel(self)
         self.history = HistoryPanel(self)
@@ -70,8 +72,8 @@ class Workspace(QWidget):
 
     def _lay_out(self) -> None:
         eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
-        below = (self.overhead, self.curves, self.counting)
-        floor = self._split("floor", Qt.Orientation.Vertical, below, (5, 4, 5))
+        below = (self.overhead, self.curves, self.counting, self.score)
+        floor = self._split("floor", Qt.Orientation.Vertical, below, (5, 4, 5, 6))
         views = (eyes, floor, self._side())
         top = self._split("top", Qt.Orientation.Horizontal, views, (9, 10, 6))
         upper = QWidget(self)
@@ -177,11 +179,11 @@ class Workspace(QWidget):
     def focus_next_pane(self) -> None:
         """Give the keyboard to the next part that is shown, and lay a ring around it.
 
-        Pictures, floor, curves, counting, labelling, compared, queue, card, history, timeline; a
-        list among them can be walked then.
+        Pictures, floor, curves, counting, score, labelling, compared, queue, card, history,
+        timeline; a list among them can be walked then.
         """
-        lists = (self.counting, self.review, self.card, self.history)
-        views = (self.left, self.right, self.overhead, self.curves, self.counting)
+        lists = (self.counting, self.score, self.review, self.card, self.history)
+        views = (self.left, self.right, self.overhead, self.curves, self.counting, self.score)
         above, side = (self.labelling, self.compare), (self.review, self.card, self.history)
         every = (*views, *above, *side, self.differences, self.timeline)
         panes = [pane for pane in every if pane.isVisible()]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +12,6 @@ from app.presenters.counting.subject import Counted
 from app.presenters.document.document import Document
 from app.presenters.files import opening
 from app.presenters.words import tr
-from app.views.runs.score_dialog import ScoreDialog
 from app.views.widgets.questions import choose_new_file
 from app.views.widgets.work import Work
 from tracking.counting import write_counts
@@ -91,18 +89,6 @@ class Exporting(QObject):
         counting = desk.counting.work() if desk is not None else None
         if counting is not None:
             self._write(path, lambda report: _written(counting(report), path))
-
-    def score(self) -> None:
-        """Compare with the truth beside the recording and show the figures."""
-        session, desk = self._session, self._window.desk
-        if session is None or desk is None:
-            return
-        recording = desk.document.recording
-        self._work.run(
-            tr("Scoring"),
-            partial(opening.score_against_truth, session.tracks.snapshot(), recording),
-            lambda figures: ScoreDialog(figures, recording.name, self._window).open(),
-        )
 
     def _ask(self, title: str, name: str, filters: str, chosen: Callable[[Path], object]) -> None:
         desk = self._window.desk

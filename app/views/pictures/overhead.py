@@ -11,12 +11,14 @@ from app.presenters.comparing.agreement_scene import OtherPlace
 from app.presenters.counting.counting_scene import FlowScene
 from app.presenters.labelling.labelling_scene import FloorLabels
 from app.presenters.scenes import FloorPerson, OverheadScene
+from app.presenters.scoring.score_scene import NO_TRUTH, FlooredTruth
 from app.views.labelling.marks import draw_outlines
 from app.views.look.theme import Theme, faded, scaled_font
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_places
 from app.views.pictures.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
 from app.views.pictures.flow_map import FlowDrawing
+from app.views.pictures.legend import draw_legend
 from app.views.pictures.marks import draw_fading_trail, draw_preview
 from app.views.pictures.name_plates import (
     draw_message,
@@ -26,6 +28,7 @@ from app.views.pictures.name_plates import (
     plate_text,
 )
 from app.views.pictures.particles import darkened, draw_particles
+from app.views.scoring.truth_marks import draw_truth_places
 
 _PICK_REACH_PX = 22.0
 _PERSON_RADIUS_M = 0.22
@@ -60,6 +63,7 @@ class OverheadView(Canvas):
         self._scene: OverheadScene | None = None
         self._labels = FloorLabels()
         self._others: tuple[OtherPlace, ...] = ()
+        self._truth = NO_TRUTH[1]
         self._flow: FlowScene | None = None
         self._flow_drawing = FlowDrawing(self)
         self._held: FloorPerson | None = None
@@ -96,6 +100,12 @@ class OverheadView(Canvas):
         """Draw another session's people, thin and dashed."""
         if others or self._others:
             self._others = others
+            self.update()
+
+    def show_truth(self, truth: FlooredTruth) -> None:
+        """Draw the people of a truth, and where the result errs."""
+        if truth is not self._truth:
+            self._truth = truth
             self.update()
 
     def content(self) -> QRectF:
@@ -196,9 +206,12 @@ class OverheadView(Canvas):
         for person in scene.people:
             self._draw_person(painter, person, theme)
         self._draw_measured(painter, scene, theme)
+        draw_truth_places(painter, self._truth, self.viewport, theme, area)
         draw_preview(painter, scene.preview, self.viewport)
         self._draw_plates(painter, scene, theme, area)
         painter.setFont(scaled_font(self.font(), 0.85))
+        if self._flow is None:  # which has a legend in the same place
+            draw_legend(painter, self._truth.legend, QPointF(8, area.bottom() - 8), theme)
         draw_scale_bar(painter, area, self.viewport, theme, self.tr("m"))
 
     def _floor(self, scene: OverheadScene, theme: Theme) -> QPixmap:

@@ -12,6 +12,7 @@ from app.presenters.comparing.agreement_scene import OtherMark
 from app.presenters.labelling.labelling_scene import PictureLabels
 from app.presenters.parts.parts_scene import PicturedParts
 from app.presenters.scenes import Eye, PersonMark, PictureScene
+from app.presenters.scoring.score_scene import PicturedTruth
 from app.views.labelling.marks import draw_outlines, draw_parts
 from app.views.look.theme import Theme, scaled_font
 from app.views.parts.cards import draw_cards
@@ -22,6 +23,7 @@ from app.views.pictures.compare_marks import draw_other_boxes
 from app.views.pictures.legend import draw_legend
 from app.views.pictures.marks import draw_cross, draw_ghosts, draw_people, draw_preview
 from app.views.pictures.name_plates import draw_message, draw_note, plate_rect
+from app.views.scoring.truth_marks import draw_truth_boxes
 from tracking.recording.frame import Image
 
 _PICK_REACH_PX = 10.0
@@ -54,6 +56,7 @@ class PictureView(Canvas):
         self._labels = PictureLabels()
         self._parts = PicturedParts()
         self._others: tuple[OtherMark, ...] = ()
+        self._truth = PicturedTruth()
         self._image = QImage()
         self._overlay = QImage()
         self._eye_name = ""
@@ -90,6 +93,12 @@ class PictureView(Canvas):
         """Draw another session's people, thin and dashed."""
         if others or self._others:
             self._others = others
+            self.update()
+
+    def show_truth(self, truth: PicturedTruth) -> None:
+        """Draw the people of a truth, and where the result errs."""
+        if truth != self._truth:
+            self._truth = truth
             self.update()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
@@ -213,6 +222,7 @@ class PictureView(Canvas):
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
         draw_other_boxes(painter, self._others, self.viewport, theme, shown)
         names = draw_people(painter, self._scene.people, self.viewport, shown)
+        draw_truth_boxes(painter, self._truth, self.viewport, theme, shown)
         draw_part_boxes(painter, self._parts.boxes, self.viewport, shown)
         draw_parts(painter, self._labels.parts, self.viewport)
         size = (self.width(), self.height())
@@ -228,7 +238,8 @@ class PictureView(Canvas):
         eye = plate_rect(metrics, self._eye_name, QPointF(8, 12 + metrics.height()))
         self._draw_cards(painter, area, [*names, eye], theme)
         draw_note(painter, eye, self._eye_name, theme)
-        draw_legend(painter, self._scene.legend, QPointF(8, area.bottom() - 8), theme)
+        legend = (*self._truth.legend, *self._scene.legend)
+        draw_legend(painter, legend, QPointF(8, area.bottom() - 8), theme)
         if self._scene.message:
             said = plate_rect(metrics, self._scene.message, QPointF(0, area.bottom() - 12))
             said.moveLeft(area.center().x() - said.width() / 2)

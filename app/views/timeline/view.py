@@ -1,4 +1,4 @@
-"""Lanes and overview put together."""
+"""Lanes of people, lanes of errors and overview put together."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from PySide6.QtCore import QPoint, Signal
 from PySide6.QtWidgets import QFrame, QVBoxLayout, QWidget
 
 from app.presenters.scenes import TimelineScene
+from app.views.scoring.error_lanes import ErrorLanesView
 from app.views.timeline.overview import OverviewStrip
 from app.views.timeline.tracks_area import TracksArea
 
@@ -29,13 +30,16 @@ class TimelineView(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.area = TracksArea(self)
+        self.errors = ErrorLanesView(self)
         self.overview = OverviewStrip(self)
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
         rows.setSpacing(0)
         rows.addWidget(self.area, 1)
+        rows.addWidget(self.errors)
         rows.addWidget(self.overview)
         self.area.stretch.changed.connect(self.overview.show_window)
+        self.area.stretch.changed.connect(self.errors.show_axis)
         self.area.frame_sought.connect(self.frame_sought)
         self.area.track_picked.connect(self.track_picked)
         self.area.track_added.connect(self.track_added)
@@ -50,6 +54,7 @@ class TimelineView(QFrame):
         """Draw another instant; newly selected tracks are scrolled to, all of them if they fit."""
         self.area.show_scene(scene)
         self.overview.show_scene(scene)
+        self.errors.show_playhead(scene.frame)
         selected = tuple(lane.track for lane in scene.lanes if lane.selected)
         if selected != self._selected:
             self._selected = selected

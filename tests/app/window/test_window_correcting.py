@@ -8,12 +8,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox, QPlainTextEdit
 
 from app.presenters.correcting import Way
-from app.presenters.files import opening
 from app.presenters.files.exporting import exported_tracks
 from app.views.correcting.attributes import AttributesTable
 from app.views.files import exporting
-from app.views.runs.score_dialog import ScoreDialog
-from tracking.formats import read_mot
 from tracking.session import Session
 
 Key = Qt.Key
@@ -317,19 +314,6 @@ def test_an_export_that_was_cancelled_writes_nothing(window, desk, qtbot, tmp_pa
     window.files.exporting.mot_to(tmp_path / "tracks.txt")
     qtbot.waitUntil(lambda: not window.work.busy)
     assert (tmp_path / "tracks.txt").is_file()
-
-
-def test_scoring_shows_its_figures_unless_it_is_cancelled(window, desk, qtbot, monkeypatch):
-    cancelled = threading.Event()
-    monkeypatch.setattr(opening, "read_mot", lambda path: cancelled.wait(5) and read_mot(path))
-    window.files.exporting.score()
-    window.work.cancel()
-    cancelled.set()
-    qtbot.waitUntil(lambda: not window.work.busy)
-    assert window.findChild(ScoreDialog) is None
-    window.files.exporting.score()
-    qtbot.waitUntil(lambda: window.findChild(ScoreDialog) is not None)
-    window.findChild(ScoreDialog).close()
 
 
 def test_an_attribute_still_being_typed_is_kept_when_the_window_is_left(window, desk, press):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from app.views.desk.again import ask_again, show_runs
 from app.views.desk.desk import Desk
 from app.views.window.runnable.on_desk import OnDesk
@@ -24,6 +26,12 @@ def _walk(step: int) -> OnDesk:
     return walk
 
 
+def _choose_truth(desk: Desk) -> None:
+    """Ask for a file; the score is shown at once, so that the choice is seen."""
+    desk.set_pictured(replace(desk.pictured, score=True, truth=True))
+    desk.scoring.ask_truth()
+
+
 REVIEWING: dict[str, OnDesk] = {
     "review.next": _walk(1),
     "review.previous": _walk(-1),
@@ -38,4 +46,7 @@ REVIEWING: dict[str, OnDesk] = {
     "review.unmark": lambda desk: desk.reviewing.unmark_watched(),
     "review.again": ask_again,
     "review.runs": show_runs,
+    "review.choose_truth": _choose_truth,
+    "review.next_error": lambda desk: desk.scoring.walk(1),
+    "review.previous_error": lambda desk: desk.scoring.walk(-1),
 }

@@ -46,6 +46,12 @@ def _on_lanes(act: Callable[[TracksArea], None]) -> OnDesk:
     return lambda desk: act(desk.window_page.timeline.area)
 
 
+def _toggle_score(desk: Desk) -> None:
+    """The panel comes and goes with the truth it is about."""
+    on = not desk.pictured.score
+    desk.set_pictured(replace(desk.pictured, score=on, truth=on))
+
+
 VIEWING: dict[str, OnDesk] = {
     "view.left": lambda desk: desk.set_eyes("left"),
     "view.both": lambda desk: desk.set_eyes("both"),
@@ -69,6 +75,8 @@ VIEWING: dict[str, OnDesk] = {
     "view.part_particles": _toggle_parts("part_particles"),
     "view.curves": _toggle("curves"),
     "view.counts": _toggle("counts"),
+    "view.score": _toggle_score,
+    "view.truth": _toggle("truth"),
     "view.counting": _toggle("counting"),
     "view.flow_map": _toggle("flow_map"),
     "view.tracklets": _toggle_bodies("tracklets"),

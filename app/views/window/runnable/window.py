@@ -40,7 +40,6 @@ def of_the_window(window: MainWindow) -> dict[str, Callable[[], None]]:
         "tracks.rename": work_space.card.edit_name,
         "tracks.attributes": work_space.card.edit_attributes,
         "tracks.notes": work_space.card.edit_notes,
-        "review.score": files.exporting.score,
         "detector.truth": files.detectors.label_from_truth,
         "detector.train": files.detectors.ask_train,
         "detector.result": files.detectors.show_result,

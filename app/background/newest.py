@@ -1,47 +1,48 @@
-"""Counting off the GUI thread: a moment after the last change, the newest wins."""
+"""Working out what is shown off the GUI thread, a moment after the last change: newest wins."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.background import Job
-from app.presenters.counting.subject import Counted, Subject
+from app.background.jobs import Job
 from tracking.progress import Progress
 
-Work = Callable[[Progress], Counted]
+Work = Callable[[Progress], Any]
 _QUIET_MS = 80
 
 
-class CountSearch(QObject):
+class Newest(QObject):
     """Works one subject out at a time; asked for another meanwhile, it goes on with the newest.
 
-    Signals: `counted(Counted)`; `failed(subject, error)`; `changed()`, it is busy or at rest
-    by now.
+    A subject is a value: two that are equal come to the same.
+
+    Signals: `found(result)`; `failed(subject, error)`; `changed()`, it is busy or at rest by now.
     """
 
-    counted = Signal(object)
+    found = Signal(object)
     failed = Signal(object, object)
     changed = Signal()
 
-    def __init__(self, prepare: Callable[[Subject], Work], parent: QObject) -> None:
+    def __init__(self, title: str, prepare: Callable[[Any], Work], parent: QObject) -> None:
         """`prepare` takes hold of the tracks on this thread; what it gives runs on another."""
         super().__init__(parent)
-        self._prepare = prepare
-        self._asked: Subject | None = None
-        self._begun: Subject | None = None
+        self._title, self._prepare = title, prepare
+        self._asked: object = None
+        self._begun: object = None
         self._job: Job | None = None
         self._waiting = QTimer(self, singleShot=True, interval=_QUIET_MS)
         self._waiting.timeout.connect(self._begin)
 
     @property
     def busy(self) -> bool:
-        """Whether it counts, or is about to."""
+        """Whether it works, or is about to."""
         return self._job is not None or self._waiting.isActive()
 
-    def ask(self, subject: Subject) -> None:
-        """Count this; nothing happens where it was asked for last."""
+    def ask(self, subject: object) -> None:
+        """Work this out; nothing happens where it was asked for last."""
         if subject == self._asked:
             return
         self._asked = subject
@@ -50,7 +51,7 @@ class CountSearch(QObject):
             self.changed.emit()
 
     def stop(self) -> None:
-        """Count no further; what is in work ends by itself, and nobody is told."""
+        """Go on no further; what is in work ends by itself, and nobody is told."""
         self._waiting.stop()
         self._asked = None
         if self._job is not None:
@@ -65,8 +66,8 @@ class CountSearch(QObject):
             return
         self._begun = subject
         work = self._prepare(subject)
-        self._job = job = Job("counting", work, self)
-        job.done.connect(lambda result: self._end(lambda: self.counted.emit(result)))
+        self._job = job = Job(self._title, work, self)
+        job.done.connect(lambda result: self._end(lambda: self.found.emit(result)))
         job.failed.connect(lambda error: self._end(lambda: self.failed.emit(subject, error)))
         job.start()
 

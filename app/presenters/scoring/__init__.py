@@ -1,0 +1,1 @@
+"""Truth beside a result: where it comes from, where the result errs, and how good it is."""

@@ -1,0 +1,107 @@
+"""The people of a truth and what goes wrong with them, as pictures and floor draw them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from app.presenters.comparing.other_people import OtherPeople
+from app.presenters.document.setting import Instant
+from app.presenters.pictures.right_eye import boxes_in_right_eye
+from app.presenters.scenes import Eye, LegendEntry
+from app.presenters.scoring.score_scene import (
+    ERROR_COLOURS,
+    TRUTH_COLOUR,
+    FlooredTruth,
+    PicturedTruth,
+    TruthMark,
+    TruthPlace,
+)
+from app.presenters.words import tr
+from tracking.recording import Recording
+from tracking.scoring import ErrorKind, ErrorTable
+from tracking.tracks import Columns, TrackTable
+
+_SIDE = ("left", "top", "width", "height")
+
+
+class TruthPeople:
+    """Makes the marks of one truth beside one result.
+
+    Args:
+        people: of the truth that count. errors: of the result, by frame.
+    """
+
+    def __init__(self, recording: Recording, people: TrackTable, errors: ErrorTable) -> None:
+        self._recording, self._errors = recording, errors
+        self._people = OtherPeople(recording, people)
+
+    def picture(self, eye: Eye, instant: Instant) -> PicturedTruth:
+        """Everybody of the truth in one eye, and which of the result's are nobody."""
+        missed, alarms = self._wrong(instant.frame)
+        people = tuple(
+            TruthMark(one.box, _label(one.label), _if_missed(one.label, missed))
+            for one in self._people.picture(eye, instant.frame)
+        )
+        return PicturedTruth(people, self._alarms(eye, instant, alarms), legend())
+
+    def floor(self, instant: Instant) -> FlooredTruth:
+        """The same on the floor."""
+        missed, alarms = self._wrong(instant.frame)
+        people = tuple(
+            TruthPlace(one.trail, _label(one.label), _if_missed(one.label, missed))
+            for one in self._people.floor(instant.frame)
+        )
+        rows = _of_tracks(instant, alarms)
+        xy = np.column_stack((rows["x"], rows["y"])).astype(np.float64)
+        xy = xy[np.isfinite(xy).all(axis=1)]
+        found = tuple(TruthPlace(place[None], "", ErrorKind.FALSE_ALARM) for place in xy)
+        return FlooredTruth(people, found, legend())
+
+    def _wrong(self, frame: int) -> tuple[set[int], set[int]]:
+        """Who is missed in a frame, and which tracks are nobody there."""
+        first, stop = np.searchsorted(self._errors.frame, (frame, frame + 1)).tolist()
+        kind = self._errors.kind[first:stop]
+        missed = self._errors.truth[first:stop][kind == ErrorKind.MISS]
+        alarms = self._errors.result[first:stop][kind == ErrorKind.FALSE_ALARM]
+        return set(missed.tolist()), set(alarms.tolist())
+
+    def _alarms(self, eye: Eye, instant: Instant, alarms: set[int]) -> tuple[TruthMark, ...]:
+        rows = _of_tracks(instant, alarms)
+        boxes = np.column_stack([rows[name] for name in _SIDE]).astype(np.float64)
+        rectification = self._recording.rectification
+        if eye is Eye.RIGHT and len(boxes):
+            if rectification is None or self._recording.ground is None:
+                return ()
+            boxes = boxes_in_right_eye(
+                rectification, boxes, np.column_stack((rows["x"], rows["y"]))
+            )
+        return tuple(
+            TruthMark((left, top, width, height), "", ErrorKind.FALSE_ALARM)
+            for left, top, width, height in boxes.tolist()
+            if math.isfinite(left + top + width + height)
+        )
+
+
+def legend() -> tuple[LegendEntry, ...]:
+    """What the marks mean."""
+    return (
+        LegendEntry(TRUTH_COLOUR, tr("truth (T)")),
+        LegendEntry(ERROR_COLOURS[ErrorKind.MISS], tr("missed")),
+        LegendEntry(ERROR_COLOURS[ErrorKind.FALSE_ALARM], tr("false alarm")),
+    )
+
+
+def _of_tracks(instant: Instant, tracks: set[int]) -> Columns:
+    rows = instant.tracks.of_frame(instant.frame)
+    chosen = np.isin(rows["track"], sorted(tracks))
+    return {name: column[chosen] for name, column in rows.items()}
+
+
+def _label(track: str) -> str:
+    return f"T{track}"
+
+
+def _if_missed(track: str, missed: set[int]) -> ErrorKind | None:
+    return ErrorKind.MISS if int(track) in missed else None

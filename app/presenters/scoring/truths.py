@@ -1,0 +1,150 @@
+"""Where a truth comes from, and how it is read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import closing
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+import numpy as np
+
+from app.presenters.comparing.agreement import refuse_other_recording
+from app.presenters.words import counted, tr
+from tracking.errors import FormatError, SessionError
+from tracking.formats import Filmed, Imported, format_of, is_hdf5
+from tracking.recording import Recording
+from tracking.scoring import ScoringTable
+from tracking.session import Session
+from tracking.tracks import Columns, TrackTable
+
+
+class TruthKind(Enum):
+    """What a truth is."""
+
+    BESIDE = "beside"
+    FILE = "file"
+    RUN = "run"
+
+
+@dataclass(frozen=True, slots=True)
+class TruthSource:
+    """Where a truth comes from. Two that are equal are the same truth.
+
+    Attributes:
+        kind: BESIDE the recording, a FILE that somebody chose, or a RUN of the session.
+        path: of the file. run: number of the run.
+        changed_ns: when the file was written last; another one is another truth.
+    """
+
+    kind: TruthKind
+    path: Path | None = None
+    run: int = -1
+    changed_ns: int = 0
+
+    @classmethod
+    def of_file(cls, path: Path, kind: TruthKind = TruthKind.FILE) -> TruthSource:
+        """A file as it is by now."""
+        try:
+            changed_ns = path.stat().st_mtime_ns
+        except OSError:
+            changed_ns = 0  # reading it tells why
+        return cls(kind, path, changed_ns=changed_ns)
+
+    @property
+    def is_run(self) -> bool:
+        """Whether it is one of the session's own runs."""
+        return self.kind is TruthKind.RUN
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Truth:
+    """A truth that was read.
+
+    Attributes:
+        source: where from. table: for scoring. people: those that count, to be drawn.
+        notes: what the user should know of it, a line each.
+    """
+
+    source: TruthSource
+    table: ScoringTable
+    people: TrackTable
+    notes: tuple[str, ...] = ()
+
+
+def reader(source: TruthSource, recording: Recording, own: Session | None) -> Callable[[], Truth]:
+    """Takes hold of what is asked of the open document; what it gives may run on any thread.
+
+    It raises FormatError or SessionError where there is no truth in the file.
+    """
+    if source.is_run and own is not None:
+        run = own.runs[source.run]
+        return lambda: _truth(source, run.tracks)
+    path, reference = source.path, own.recording if own is not None else None
+    assert path is not None
+    filmed = Filmed(recording.frame_count, recording.fps, recording.size, recording.view)
+
+    def read() -> Truth:
+        try:
+            kind = format_of(path)
+        except FormatError:
+            if not is_hdf5(path):
+                raise
+            with closing(Session.open(path)) as session:
+                if reference is not None:
+                    refuse_other_recording(reference, session.recording, path.name)
+                return _truth(source, session.tracks.snapshot().columns())
+        if kind.read is None:
+            raise FormatError(f"{path} is {kind.title}, which is not read; choose another file")
+        return _of_file(source, kind.read(path, filmed))
+
+    return read
+
+
+def _of_file(source: TruthSource, found: Imported) -> Truth:
+    """Rows with confidence 0 are don't-cares, as in MOT text."""
+    notes = list(found.notes)
+    if found.bad_count:
+        first = found.bad_rows[0]
+        left_out = counted(found.bad_count, "{n} row is left out", "{n} rows are left out")
+        notes.append(f"{left_out}: {first.place}: {first.reason}")
+    if not len(found.columns["frame"]):
+        raise FormatError(f"{source.path} has no rows that can be read; choose another truth")
+    return _truth(source, found.columns, tuple(notes), dont_cares=True)
+
+
+def _truth(
+    source: TruthSource,
+    columns: Columns,
+    notes: tuple[str, ...] = (),
+    *,
+    dont_cares: bool = False,
+) -> Truth:
+    table = ScoringTable.from_columns(columns, dont_cares=dont_cares)
+    if dont_cares:
+        counts = columns["confidence"] != 0
+        columns = {name: np.asarray(column)[counts] for name, column in columns.items()}
+    return Truth(source, table, TrackTable(columns), notes)
+
+
+def name_of(source: TruthSource, session: Session | None) -> str:
+    """What the source is called."""
+    if source.is_run:
+        runs = session.runs if session is not None else ()
+        tracker = runs[source.run].tracker if source.run < len(runs) else ""
+        return tr("Run {number}: {tracker}", number=source.run, tracker=tracker)
+    name = source.path.name if source.path is not None else ""
+    if source.kind is TruthKind.BESIDE:
+        return tr("{name} beside the recording", name=name)
+    return name
+
+
+def refuse_own(path: Path, own: Session) -> None:
+    """A session is no truth for itself.
+
+    Raises:
+        SessionError: the file is the open session.
+    """
+    if own.path is not None and path.resolve() == own.path.resolve():
+        raise SessionError(f"{path.name} is the open session itself; choose another truth")

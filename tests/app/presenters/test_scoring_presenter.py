@@ -1,0 +1,169 @@
+"""Scoring the tiny session against its truth, without a window."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.presenters.document.document import Document
+from app.presenters.scenes import Eye
+from app.presenters.scoring.scoring import ScoringPresenter
+from app.presenters.scoring.subject import worked_out
+from app.presenters.scoring.truths import TruthKind, TruthSource
+from tracking.editing import plan_delete
+from tracking.errors import FormatError, SessionError
+from tracking.formats import read_mot
+from tracking.recording import open_recording
+from tracking.scoring import ErrorKind, ScoringTable, errors, score
+from tracking.session import Session
+
+
+@pytest.fixture
+def document(tiny_recording, tiny_session):
+    with open_recording(tiny_recording) as recording:
+        document = Document(recording, Session.open(tiny_session))
+        yield document
+        document.session.close()
+
+
+@pytest.fixture
+def presenter(document):
+    return ScoringPresenter(document)
+
+
+def score_now(presenter):
+    subject = presenter.wanted()
+    scored = worked_out(subject, presenter.scored, presenter.held(subject), lambda *_: None)
+    presenter.take(scored)
+    return scored
+
+
+def figures(score):
+    """All but what needs confidences, which the window does not ask for."""
+    return {name: value for name, value in score.as_json().items() if name != "track_map"}
+
+
+def cell(presenter, name: str, column: str) -> str:
+    return next(getattr(row, column) for row in presenter.scene("").rows if row.name == name)
+
+
+def test_the_figures_are_those_of_the_scorer(presenter, document, tiny_recording):
+    scored = score_now(presenter)
+    truth = ScoringTable.from_columns(read_mot(tiny_recording / "truth.txt"), dont_cares=True)
+    result = ScoringTable.from_columns(document.session.tracks.columns())
+    assert figures(scored.whole) == figures(score(truth, result, frames=scored.whole.frames))
+    assert cell(presenter, "MOTA", "whole") == f"{scored.whole.clear.mota:.3f}"
+    assert len(scored.errors) == len(errors(truth, result))
+
+
+def test_the_frames_shown_are_scored_as_if_there_were_no_others(presenter, document):
+    score_now(presenter)
+    presenter.visible = (40, 60)
+    scored = score_now(presenter)
+    truth = scored.truth.table.within(40, 60)
+    result = ScoringTable.from_columns(document.session.tracks.columns()).within(40, 60)
+    assert figures(scored.visible) == figures(score(truth, result, frames=20))
+    assert scored.whole.frames == document.recording.frame_count
+
+
+def test_only_the_frames_that_were_tracked_are_scored(presenter, document):
+    run = document.session.runs[0]
+    early = {name: column[run.tracks["frame"] < 50] for name, column in run.tracks.items()}
+    document.session.add_run(replace(run, frames=(0, 50), tracks=early))
+    presenter.choice.whose = 1
+    scored = score_now(presenter)
+    assert scored.whole.frames == 50
+    assert scored.errors.frame.max(initial=0) < 50
+
+
+def test_the_frames_of_errors_are_those_of_the_recording(presenter, document):
+    run = document.session.runs[0]
+    late = {name: column[run.tracks["frame"] >= 50] for name, column in run.tracks.items()}
+    frames = (50, document.recording.frame_count)
+    document.session.add_run(replace(run, frames=frames, tracks=late))
+    presenter.choice.whose = 1
+    scored = score_now(presenter)
+    assert scored.errors.frame.min(initial=50) >= 50
+    misses = scored.errors.of_kind(ErrorKind.MISS)
+    known = {(int(f), int(t)) for f, t in zip(*_rows(scored.truth.table), strict=True)}
+    assert {(int(f), int(t)) for f, t in zip(misses.frame, misses.truth, strict=True)} <= known
+
+
+def _rows(table):
+    return table.frame, table.track
+
+
+def test_an_edit_moves_the_score_and_undoing_it_moves_it_back(presenter, document):
+    before = score_now(presenter).whole.clear.misses
+    longest = max(document.tracks.ids, key=lambda one: len(document.tracks.of_track(one)["frame"]))
+    document.apply(plan_delete(document.session.tracks, longest))
+    after = score_now(presenter).whole.clear.misses
+    assert after > before
+    row = next(row for row in presenter.scene("").rows if row.name == "Misses")
+    assert row.moved == f"\u25b2 +{after - before}"
+    assert row.better == -1
+    edit = document.session.history.entries[-1].id
+    assert presenter.moved_by()[edit].startswith("HOTA \u25bc")
+    document.undo()
+    score_now(presenter)
+    assert presenter.scene("").moved.startswith("Undone: ")
+    row = next(row for row in presenter.scene("").rows if row.name == "Misses")
+    assert (row.moved, row.better) == (f"\u25bc \u2212{after - before}", 1)
+
+
+def test_another_run_can_be_the_truth(presenter, document):
+    presenter.choice.source = TruthSource(TruthKind.RUN, run=0)
+    scored = score_now(presenter)
+    assert scored.whole.clear.mota == 1.0
+    assert len(scored.errors) == 0
+    assert "Run 0" in presenter.scene("").truths[presenter.scene("").truth]
+
+
+def test_bad_rows_of_a_truth_are_told_and_the_others_taken(presenter, tiny_recording, tmp_path):
+    lines = (tiny_recording / "truth.txt").read_text().splitlines()
+    bad = tmp_path / "other.txt"
+    bad.write_text("\n".join(["5,-3,1,1,1,1,1,1,1,1", *lines]))
+    presenter.choose_file(bad)
+    scored = score_now(presenter)
+    assert "1 row is left out: line 1" in scored.truth.notes[0]
+    assert len(scored.truth.table) == len(lines)
+
+
+def test_what_is_no_truth_is_refused(presenter, document, tmp_path):
+    with pytest.raises(SessionError, match="open session itself"):
+        presenter.choose_file(document.session.path)
+    noise = tmp_path / "noise.txt"
+    noise.write_bytes(bytes(range(256)))
+    presenter.choose_file(noise)
+    with pytest.raises(FormatError):
+        score_now(presenter)
+
+
+def test_people_who_are_missed_are_marked_on_picture_and_floor(presenter, document):
+    scored = score_now(presenter)
+    misses = scored.errors.of_kind(ErrorKind.MISS)
+    frame, who = int(misses.frame[0]), int(misses.truth[0])
+    instant = document.instant(frame)
+    pictured = presenter.people.picture(Eye.LEFT, instant)
+    floored = presenter.people.floor(instant)
+    for people in (pictured.people, floored.people):
+        assert {one.label for one in people if one.wrong is ErrorKind.MISS} == {f"T{who}"}
+    assert [entry.text for entry in pictured.legend] == ["truth (T)", "missed", "false alarm"]
+
+
+def test_a_kind_that_is_left_out_is_neither_shown_nor_walked(presenter):
+    scored = score_now(presenter)
+    presenter.show_kind(ErrorKind.MISS, False)
+    assert ErrorKind.MISS not in [lane.kind for lane in presenter.lanes().lanes]
+    assert not np.isin(presenter.events.kind, [ErrorKind.MISS]).any()
+    assert len(presenter.events) < len(scored.events)
+
+
+def test_lanes_stay_the_same_while_the_errors_do(presenter):
+    score_now(presenter)
+    before = presenter.lanes()
+    presenter.visible = (10, 20)
+    score_now(presenter)
+    assert presenter.lanes() is before
+    for lane in before.lanes:
+        assert int(lane.density.sum()) == lane.count
