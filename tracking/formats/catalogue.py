@@ -11,6 +11,7 @@ from tracking.formats.coco import COCO
 from tracking.formats.csv_tracks import CSV
 from tracking.formats.cvat import CVAT
 from tracking.formats.floor_hdf5 import JUPEDSIM_HDF5, PEDPY_HDF5
+from tracking.formats.jupedsim import JUPEDSIM_SQLITE
 from tracking.formats.kitti import KITTI
 from tracking.formats.mot import MOT, MOT16
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
@@ -24,6 +25,7 @@ _ALL = (
     COCO,
     PEDPY_HDF5,
     JUPEDSIM_HDF5,
+    JUPEDSIM_SQLITE,
 )
 
 FORMATS: Mapping[str, TrackFormat] = MappingProxyType({each.name: each for each in _ALL})
