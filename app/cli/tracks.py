@@ -9,7 +9,9 @@ from pathlib import Path
 from app.cli.destination import is_session
 from tracking.errors import FormatError
 from tracking.failure import TRUE_PARTS
-from tracking.formats import read_mot
+from tracking.formats import Filmed, format_of, read_mot
+from tracking.formats.reading import Reading
+from tracking.formats.seqinfo import sequence_of
 from tracking.tracks import Columns
 
 _TRUTH = "truth.txt"
@@ -22,16 +24,21 @@ class Tracks:
     Attributes:
         columns: at least `frame, track`, boxes and floor positions.
         frames: length of the recording; 0 where the file does not say.
-        is_text: from MOT text, whose `conf` 0 marks don't-cares in truth.
+        is_text: from a file of tracks, where `conf` 0 marks don't-cares in truth; else a session.
+        path: of the file.
         parts: of the people's bodies, where the tracks are a session's whose tracker followed them.
         tracked: half-open range of frames a session's tracker went over; None where nobody knows.
+        fps, size_px: of the recording, where the file tells.
     """
 
     columns: Columns
     frames: int
     is_text: bool
+    path: Path
     parts: FollowedParts | None = None
     tracked: tuple[int, int] | None = None
+    fps: float | None = None
+    size_px: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +56,7 @@ class FollowedParts:
 
 
 def tracks_at(path: Path) -> Tracks:
-    """The tracks of a session (as corrected) or of MOT text, told apart by content.
+    """The tracks of a session (as corrected) or of a file of tracks, told apart by content.
 
     Raises:
         FormatError, SessionError: it is neither, or cannot be read.
@@ -58,7 +65,7 @@ def tracks_at(path: Path) -> Tracks:
         raise FormatError(f"{path} is a folder; name a session or MOT text in it")
     if is_session(path):
         return _of_session(path)
-    return Tracks(read_mot(path), 0, is_text=True)
+    return _of_file(path)
 
 
 def truth_at(path: Path) -> Tracks:
@@ -71,7 +78,38 @@ def truth_at(path: Path) -> Tracks:
         return tracks_at(path)
     if not (path / _TRUTH).is_file():
         raise FormatError(f"{path} has no {_TRUTH}; name a session or MOT text as truth")
-    return Tracks(read_mot(path / _TRUTH), 0, is_text=True)
+    return _of_file(path / _TRUTH)
+
+
+def _of_file(path: Path) -> Tracks:
+    """The tracks of a file of another tool; what nobody recognises is read as MOT text."""
+    try:
+        wanted = format_of(path)
+    except FormatError:
+        return _of_mot(path)
+    if wanted.read is None or wanted.name.startswith("mot"):
+        return _of_mot(path)
+    found = wanted.read(path, Filmed())
+    if found.bad_count:
+        first = found.bad_rows[0]
+        raise FormatError(f"{path}, {first.place}: {first.reason}; correct or remove the row")
+    return Tracks(
+        found.columns,
+        found.frames or 0,
+        is_text=True,
+        path=path,
+        fps=found.fps,
+        size_px=found.size_px,
+    )
+
+
+def _of_mot(path: Path) -> Tracks:
+    """The tracks of MOT text, whose rows keep their order in a frame: ties are decided by it."""
+    columns = read_mot(path)
+    told = sequence_of(path, Reading(path))
+    return Tracks(
+        columns, told.frames or 0, is_text=True, path=path, fps=told.fps, size_px=told.size_px
+    )
 
 
 def _of_session(path: Path) -> Tracks:
@@ -82,7 +120,16 @@ def _of_session(path: Path) -> Tracks:
         followed = FollowedParts(parts, footage.size, footage.fps) if len(parts["frame"]) else None
         run, columns = session.corrected_run, session.tracks.columns()
         tracked = None if run is None else run.frames
-        return Tracks(columns, footage.frame_count, is_text=False, parts=followed, tracked=tracked)
+        return Tracks(
+            columns,
+            footage.frame_count,
+            is_text=False,
+            path=path,
+            parts=followed,
+            tracked=tracked,
+            fps=footage.fps,
+            size_px=footage.size,
+        )
 
 
 def part_truth_beside(path: Path) -> Path | None:

@@ -5,7 +5,7 @@ from tracking.pages.curves import Panel, drawn, look_of, svg
 from tracking.pages.elements import Content, Element, element, name
 from tracking.pages.folder import check_report_folder, write_report_folder
 from tracking.pages.page import page
-from tracking.pages.pictures import picture
+from tracking.pages.pictures import jpeg_source, picture
 from tracking.pages.tables import table
 
 __all__ = [
@@ -19,6 +19,7 @@ __all__ = [
     "drawn",
     "element",
     "group",
+    "jpeg_source",
     "look_of",
     "name",
     "page",

@@ -82,7 +82,7 @@ def group(left: float, top: float, *content: Element) -> Element:
 
 
 def drawing(width: float, height: float, *content: Element, says: str) -> Element:
-    """A picture of a page; it grows and shrinks with the page.
+    """A picture of a page; it shrinks with the page.
 
     Args:
         says: what it shows, for those who hear the page.
@@ -91,6 +91,7 @@ def drawing(width: float, height: float, *content: Element, says: str) -> Elemen
         "svg",
         content,
         viewBox=f"0 0 {width:g} {height:g}",
+        style=f"max-width:{width:g}px",
         role="img",
         aria_label=says,
     )

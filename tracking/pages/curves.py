@@ -45,6 +45,7 @@ def svg(panels: Sequence[Panel], columns: int = 2) -> str:
     """A picture file of panels side by side under one legend."""
     root = drawn(panels, columns, says=", ".join(panel.title for panel in panels))
     _, _, width, height = root.get("viewBox", "").split()
+    root.attrib.pop("style")
     root.set("width", width)
     root.set("height", height)
     root.insert(0, element("style", ALONE))

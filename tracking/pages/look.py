@@ -27,6 +27,7 @@ svg .c1{stroke:var(--c1);stroke-dasharray:7 4}
 svg .c2{stroke:var(--c2);stroke-dasharray:2 3}
 svg .c3{stroke:var(--c3);stroke-dasharray:10 3 2 3}
 svg .c4{stroke:var(--c4);stroke-dasharray:14 4}
+svg rect{shape-rendering:crispEdges}
 svg .point{fill:var(--c1);stroke:var(--paper)}
 """
 """Curves are told apart by their dashes too, without colours."""
@@ -71,7 +72,7 @@ margin:1rem 0}}
 .row{{display:flex;flex-wrap:wrap;gap:1rem 2rem;align-items:flex-start}}
 .drawn{{overflow-x:auto;margin:.6rem 0}}
 .drawn>svg{{display:block;width:100%;height:auto;min-width:44rem}}
-.drawn.narrow>svg{{min-width:22rem;max-width:40rem}}
+.drawn.narrow>svg{{min-width:22rem}}
 .pictures{{display:grid;grid-template-columns:repeat(auto-fill,minmax(17rem,1fr));gap:1rem;
 margin:.8rem 0}}
 .pictures.little{{grid-template-columns:repeat(auto-fill,minmax(8.5rem,1fr));gap:.8rem}}

@@ -9,13 +9,14 @@ _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 """Nothing is fetched and nothing runs, whatever a name in the page may hold."""
 
 
-def page(title: str, *body: Content, kind: str) -> str:
+def page(title: str, *body: Content, kind: str, style: str = "") -> str:
     """The page as HTML.
 
     Args:
         title: of the window, and the page's first heading.
         body: what follows it.
         kind: what program and command made it; see `is_page`.
+        style: rules of its own, after those of all pages.
     """
     head = element(
         "head",
@@ -25,7 +26,7 @@ def page(title: str, *body: Content, kind: str) -> str:
         element("meta", name="viewport", content="width=device-width"),
         element("meta", name="color-scheme", content="light dark"),
         element("title", title),
-        element("style", PAGE),
+        element("style", PAGE + style),
     )
     main = element("main", element("h1", title), *body)
     return html_text(element("html", head, element("body", main), lang="en"))

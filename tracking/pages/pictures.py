@@ -13,5 +13,9 @@ def picture(jpeg: bytes, says: str) -> Element:
     Args:
         says: what it shows, for those who do not see it.
     """
-    data = base64.b64encode(jpeg).decode()
-    return element("img", src=f"data:image/jpeg;base64,{data}", alt=says)
+    return element("img", src=jpeg_source(jpeg), alt=says)
+
+
+def jpeg_source(jpeg: bytes) -> str:
+    """The address of an image that is in the address itself."""
+    return f"data:image/jpeg;base64,{base64.b64encode(jpeg).decode()}"

@@ -13,9 +13,19 @@ from app.cli.commands.program import program
 
 @program.command()
 def score(
-    result: Annotated[Path, typer.Argument(help="A session or MOT text.")],
+    results: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="RESULT...",
+            help="Sessions or files of tracks; or folders with one for each recording.",
+        ),
+    ],
     truth: Annotated[
-        Path, typer.Option("--truth", help="A session, MOT text or a recording with truth.txt.")
+        Path,
+        typer.Option(
+            "--truth",
+            help="A session, a file of tracks or a recording with truth.txt; or a folder of them.",
+        ),
     ],
     match: Annotated[
         Literal["box", "floor"], typer.Option(help="Pair by overlap or by floor distance.")
@@ -23,17 +33,51 @@ def score(
     radius: Annotated[
         float, typer.Option(help="Greatest distance on the floor, m; with --match floor.")
     ] = 0.5,
+    conventions: Annotated[
+        Literal["trackeval", "py-motmetrics"],
+        typer.Option("--as", help="Whose definitions hold where the field's programs differ."),
+    ] = "trackeval",
     frames: Annotated[
         str | None,
         typer.Option(help="A:B, from 0, B not included: measure these.", show_default="all"),
     ] = None,
-    report: Annotated[Path | None, typer.Option(help="A folder for a report.")] = None,
+    ranges: Annotated[
+        list[str] | None,
+        typer.Option("--range", help="A:B: measure these by themselves, too; may be repeated."),
+    ] = None,
+    per_person: Annotated[
+        bool, typer.Option("--per-person", help="A row for each person of the truth.")
+    ] = False,
+    report: Annotated[
+        Path | None,
+        typer.Option(help="A folder for a report: a page, and the same as Markdown and JSON."),
+    ] = None,
+    allow_outside: Annotated[
+        bool,
+        typer.Option(
+            "--allow-outside",
+            help="Take the report's pictures also from outside of a session's folder.",
+        ),
+    ] = False,
     json: options.Json = False,
 ) -> None:
-    """Measure a result against truth."""
-    from app.cli.score import How, run_score
+    """Measure results against truth."""
+    from app.cli.score import run_score
+    from app.cli.score_measuring import Asked
 
-    run_score(result, truth, How(match, radius, frames), report, as_json=json)
+    asked = Asked(
+        results=tuple(results),
+        truth=truth,
+        match=match,
+        radius_m=radius,
+        conventions=conventions,
+        frames=frames,
+        ranges=tuple(ranges or ()),
+        per_person=per_person,
+        report=report,
+        allow_outside=allow_outside,
+    )
+    run_score(asked, as_json=json)
 
 
 @program.command()

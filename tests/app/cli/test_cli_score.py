@@ -63,7 +63,8 @@ def test_a_recordings_folder_stands_for_its_truth(
     ("options", "status", "reason"),
     [
         (["--match", "sound"], 2, "'sound' is not one of"),
-        (["--report", "here"], 2, "not built yet"),
+        (["--range", "9:3"], 1, "range 9:3 holds no frames"),
+        (["--range", "30:40"], 1, "choose one within 0:20"),
         (["--match", "floor", "--radius", "-1"], 1, "radius -1.0 m is not above 0"),
     ],
 )
@@ -151,19 +152,19 @@ def test_a_session_tracked_in_part_is_scored_in_whole_with_a_note(
     trackwright: Trackwright, recording: Path, tiny_run: Run, tmp_path: Path
 ) -> None:
     tracks = tiny_run.tracks
-    early = {name: column[tracks["frame"] < 30] for name, column in tracks.items()}
-    part = replace(tiny_run, frames=(0, 30), tracks=early, signals=empty(SIGNAL_COLUMNS))
+    early = {name: column[tracks["frame"] < 60] for name, column in tracks.items()}
+    part = replace(tiny_run, frames=(0, 60), tracks=early, signals=empty(SIGNAL_COLUMNS))
     with open_recording(recording) as footage:
         Session.create(footage, [part], tmp_path / "part.h5").close()
     words = ("score", tmp_path / "part.h5", "--truth", recording, "--json")
     _, whole, note = trackwright(*words)
-    _, judged, silence = trackwright(*words, "--frames", "0:30")
+    _, judged, silence = trackwright(*words, "--frames", "0:60")
     assert note.count("\n") == 1
-    assert "frames 0:30 of 80 were tracked" in note
-    assert "--frames 0:30" in note
+    assert "frames 0:60 of 80 were tracked" in note
+    assert "--frames 0:60" in note
     assert silence == ""
     assert json.loads(whole)["frames"] == 80
-    assert json.loads(judged)["frames"] == 30
+    assert json.loads(judged)["frames"] == 60
     assert json.loads(judged)["misses"] < json.loads(whole)["misses"]
 
 

@@ -1,0 +1,67 @@
+"""The recording a score is of, for the pictures in its report."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+from app.cli.destination import is_session
+from app.cli.scored import Loaded
+from app.cli.taught import with_advice
+from tracking.errors import TrackwrightError
+from tracking.recording import MANIFEST_NAME, Recording, open_recording
+from tracking.scoring.report import Footage, Subject
+
+_PICTURES = "img1"
+"""Where MOTChallenge keeps the frames of a sequence."""
+
+
+@contextmanager
+def filmed(one: Loaded, *, allow_outside: bool) -> Iterator[tuple[Subject, str]]:
+    """A sequence with its recording open for as long as the block runs, and why it is not.
+
+    Args:
+        allow_outside: a recording outside of its session's folder may be opened.
+    """
+    with ExitStack() as stack:
+        reason = "no recording stands beside the truth or belongs to a session"
+        for opened in _ways(one, allow_outside=allow_outside):
+            try:
+                recording = opened(stack)
+            except TrackwrightError as error:
+                reason = with_advice(error, allow_outside)
+                continue
+            yield replace(one.subject, footage=_footage(recording, one.subject.footage)), ""
+            return
+        yield one.subject, reason
+
+
+def _ways(one: Loaded, *, allow_outside: bool) -> Iterator[Callable[[ExitStack], Recording]]:
+    """Where the recording may be: beside the truth, or where a session says."""
+    truth = one.truth.path
+    if (truth.parent / MANIFEST_NAME).is_file():
+        yield lambda stack: stack.enter_context(open_recording(truth.parent))
+    pictures = truth.parent.parent / _PICTURES
+    if truth.parent.name == "gt" and pictures.is_dir():
+        yield lambda stack: stack.enter_context(open_recording(pictures))
+    for tracks in (one.truth, *one.results.values()):
+        if not tracks.is_text and is_session(tracks.path):
+            yield _of_session(tracks.path, allow_outside=allow_outside)
+
+
+def _of_session(path: Path, *, allow_outside: bool) -> Callable[[ExitStack], Recording]:
+    from tracking.session import Session
+
+    def opened(stack: ExitStack) -> Recording:
+        session = Session.look_into(path)
+        stack.callback(session.close)
+        return stack.enter_context(session.open_recording(allow_outside=allow_outside))
+
+    return opened
+
+
+def _footage(recording: Recording, told: Footage) -> Footage:
+    """What the recording tells; the files' own rate of frames counts before that of pictures."""
+    return Footage(told.fps or recording.fps, recording.size, recording.view, recording)

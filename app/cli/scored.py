@@ -1,0 +1,146 @@
+"""Truth and results read and made ready to be measured."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.cli.output import say
+from app.cli.ranges import typed_range
+from app.cli.tracks import Tracks, part_truth_beside, tracks_at, truth_at
+from tracking.errors import SettingsError
+from tracking.scoring import Match, Score, ScoringTable, score
+from tracking.scoring.challenge_truth import challenge_truth
+from tracking.scoring.parts import Rates, judge, rates_of, read_part_truth, tracked_parts
+from tracking.scoring.report import Footage, Subject
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Loaded:
+    """A sequence in memory.
+
+    Attributes:
+        subject: what is measured. truth, results: the same as read.
+        frames: the range that was typed; None: all.
+    """
+
+    subject: Subject
+    truth: Tracks
+    results: Mapping[str, Tracks]
+    frames: tuple[int, int] | None
+
+
+def loaded(name: str, truth: Path, results: Mapping[str, Path], frames: str | None) -> Loaded:
+    """Read one sequence.
+
+    Args:
+        frames: A:B as typed; None: all.
+
+    Raises:
+        FormatError, SessionError: a file cannot be read.
+        SettingsError: there are no such frames.
+    """
+    true = truth_at(truth)
+    found = {result: tracks_at(path) for result, path in results.items()}
+    everything = (true, *found.values())
+    chosen = scored_range(frames, *everything)
+    start, stop = chosen or (0, frame_count(*everything))
+    fps = next((each.fps for each in everything if each.fps is not None), None)
+    size_px = next((each.size_px for each in everything if each.size_px is not None), None)
+    subject = Subject(
+        name,
+        _cut(true_table(true), start, stop),
+        {result: _cut(table_of(tracks), start, stop) for result, tracks in found.items()},
+        start,
+        stop,
+        Footage(fps, size_px),
+    )
+    return Loaded(subject, true, found, chosen)
+
+
+def score_of(result: Tracks, truth: Tracks, match: Match | None = None) -> Score:
+    """The measures of one against the other."""
+    return score(true_table(truth), table_of(result), match, frame_count(result, truth))
+
+
+def true_table(truth: Tracks) -> ScoringTable:
+    """The rows of a truth; in a file `conf` 0 marks don't-cares, in a session nothing does."""
+    columns = challenge_truth(truth.columns) if truth.is_text else truth.columns
+    return ScoringTable.from_columns(columns, dont_cares=truth.is_text)
+
+
+def table_of(result: Tracks) -> ScoringTable:
+    """The rows of a result."""
+    return ScoringTable.from_columns(result.columns)
+
+
+def scored_range(text: str | None, *tracks: Tracks) -> tuple[int, int] | None:
+    """The range of frames that was typed; None: all.
+
+    Raises:
+        SettingsError: it is none, or there are no such frames.
+    """
+    count = frame_count(*tracks)
+    frames = typed_range(text, count)
+    if frames is not None and not 0 <= frames[0] < frames[1] <= count:
+        raise SettingsError(
+            f"frames {frames[0]}:{frames[1]} are in neither result nor truth: "
+            f"choose a range within 0:{count}"
+        )
+    return frames
+
+
+def frame_count(*tracks: Tracks) -> int:
+    """How many frames there are: of the recording, or as far as rows go."""
+    rows = [int(each.columns["frame"].max(initial=-1)) + 1 for each in tracks]
+    return max(*rows, *(each.frames for each in tracks))
+
+
+def part_rates(result: Tracks, truth: Path, frames: tuple[int, int] | None = None) -> Rates | None:
+    """How rightly body parts are followed; None where nobody did, or the truth tells of none.
+
+    Args:
+        frames: half-open range that is judged; None: all. Who is in view when it begins starts
+            there.
+
+    Raises:
+        FormatError: the truth of parts cannot be read, or is of other footage.
+    """
+    folder = part_truth_beside(truth)
+    if folder is None or result.parts is None:
+        return None
+    footage = result.parts
+    true = read_part_truth(folder, result.frames, footage.size_px)
+    tracked = tracked_parts(footage.columns)
+    if frames is not None:
+        true, tracked = true.within(*frames), tracked.within(*frames)
+    return rates_of(judge(true, tracked, footage.fps))
+
+
+def tell_oddities(one: Loaded) -> None:
+    """Note what may make the numbers other than expected, a line each."""
+    if not len(one.subject.truth):
+        say(f"note: {one.truth.path} has nobody in these frames; shares of truth are 0")
+    for name, tracks in one.results.items():
+        if not len(one.subject.results[name]):
+            say(f"note: {tracks.path} has nobody in these frames; everybody counts as missed")
+        if one.frames is None:
+            _tell_untracked(tracks)
+
+
+def _tell_untracked(result: Tracks) -> None:
+    """Note that frames count which the tracker never went over."""
+    if result.tracked is None or result.tracked == (0, result.frames):
+        return
+    start, stop = result.tracked
+    say(
+        f"note: frames {start}:{stop} of {result.frames} were tracked and all are scored; "
+        f"to score what was tracked add --frames {start}:{stop}"
+    )
+
+
+def _cut(table: ScoringTable, start: int, stop: int) -> ScoringTable:
+    """The rows of a range, their frames counted from its start."""
+    whole = start == 0 and (not len(table) or int(table.frame[-1]) < stop)
+    return table if whole else table.within(start, stop)

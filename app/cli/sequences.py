@@ -1,0 +1,181 @@
+"""Which results belong to which truths: single files, or folders of many sequences."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from tracking.errors import SettingsError
+
+RESULT, TRUTH = "result.txt", "truth.txt"
+_CHALLENGE = Path("gt") / "gt.txt"
+_DATA = "data"
+"""The folder that TrackEval keeps a tracker's files in."""
+_ENDINGS = (".txt", ".h5", ".hdf5", ".csv", ".xml", ".json", ".sqlite")
+_NAMED = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Pairing:
+    """What is measured against what.
+
+    Attributes:
+        truths: by name of the sequence, sorted.
+        results: by name of the result, in the order they were named, then of the sequence.
+        is_batch: folders of sequences were named; else one truth.
+        unmatched: sequences that are left out, and why, a line each.
+    """
+
+    truths: Mapping[str, Path]
+    results: Mapping[str, Mapping[str, Path]]
+    is_batch: bool
+    unmatched: tuple[str, ...] = ()
+
+
+def paired(results: Sequence[Path], truth: Path) -> Pairing:
+    """Put results to truths.
+
+    A folder with truth.txt or gt/gt.txt in it is one truth, one with result.txt one result; any
+    other folder holds sequences: files, or such folders, that are named after them.
+
+    Raises:
+        SettingsError: no names agree, or folders and files do not go together.
+    """
+    if truth.is_dir() and _truth_in(truth) is None:
+        return _batch(results, truth)
+    names = _short_names(results)
+    single = {name: _result_at(path) for name, path in zip(names, results, strict=True)}
+    sequence = truth.name if truth.is_dir() else _name_of(truth)
+    found = {name: {sequence: path} for name, path in single.items()}
+    return Pairing({sequence: _truth_in(truth) or truth}, found, is_batch=False)
+
+
+def _batch(results: Sequence[Path], truth: Path) -> Pairing:
+    truths = _sequences(truth, truths=True)
+    if not truths:
+        raise SettingsError(
+            f"{truth} has no {TRUTH}, nor folders or files of sequences; name a truth"
+        )
+    folders = [path for path in results if path.is_dir() and not (path / RESULT).is_file()]
+    files = [path for path in results if path not in folders]
+    by_name = {
+        name: _sequences(folder, truths=False)
+        for name, folder in zip(_short_names(folders), folders, strict=True)
+    }
+    if files:
+        by_name[_name_of(files[0].absolute().parent)] = _by_name([_result_at(f) for f in files])
+    shared = sorted(set(truths).intersection(*by_name.values()))
+    if not shared:
+        raise SettingsError(_nothing_shared(truth, truths, by_name))
+    return Pairing(
+        {name: truths[name] for name in shared},
+        {result: {name: found[name] for name in shared} for result, found in by_name.items()},
+        is_batch=True,
+        unmatched=tuple(_unmatched(truths, by_name)),
+    )
+
+
+def _sequences(folder: Path, *, truths: bool) -> dict[str, Path]:
+    """The sequences of a folder by name; of a file and a folder of one name truths take that."""
+    if not folder.is_dir():
+        raise SettingsError(f"{folder} is no folder; name one with a file each sequence")
+    inner = folder / _DATA
+    if not truths and inner.is_dir():
+        folder = inner
+    entries = sorted(each for each in folder.iterdir() if not each.name.startswith("."))
+    files = [each for each in entries if each.is_file() and each.suffix.lower() in _ENDINGS]
+    folders = {each.name: _truth_in(each) if truths else _result_in(each) for each in entries}
+    inside = {name: path for name, path in folders.items() if path is not None}
+    named = _by_name([each for each in files if not (truths and each.stem in inside)])
+    return {**inside, **named}
+
+
+def _by_name(files: Sequence[Path]) -> dict[str, Path]:
+    found: dict[str, Path] = {}
+    for path in files:
+        name = _name_of(path)
+        if name in found:
+            raise SettingsError(f"{found[name]} and {path} are both called {name}; remove one")
+        found[name] = path
+    return found
+
+
+def _truth_in(folder: Path) -> Path | None:
+    """The truth of a folder that holds one; the folder itself where it is a recording."""
+    if not folder.is_dir():
+        return None
+    if (folder / TRUTH).is_file():
+        return folder
+    return folder / _CHALLENGE if (folder / _CHALLENGE).is_file() else None
+
+
+def _result_in(folder: Path) -> Path | None:
+    return folder / RESULT if (folder / RESULT).is_file() else None
+
+
+def _result_at(path: Path) -> Path:
+    """The file of one result."""
+    if not path.is_dir():
+        return path
+    found = _result_in(path)
+    if found is None:
+        raise SettingsError(
+            f"{path} is a folder and the truth is one sequence; name a session or a file, "
+            "or a folder of truths"
+        )
+    return found
+
+
+def _name_of(path: Path) -> str:
+    """What a sequence or a result is called after."""
+    whole = path.absolute()
+    if whole.parts[-2:] == _CHALLENGE.parts:
+        return whole.parent.parent.name
+    if path.name in (RESULT, TRUTH):
+        return whole.parent.name
+    return path.stem if path.suffix.lower() in _ENDINGS else path.name
+
+
+def _short_names(paths: Sequence[Path]) -> list[str]:
+    """A name each, all different: as many of the last parts of a path as that takes."""
+    whole = [path.absolute() for path in paths]
+    ends = [path.parent if path.name in (RESULT, _DATA) else path for path in whole]
+    parts = [(*each.parts[:-1], _name_of(each)) for each in ends]
+    for taken in range(1, max(map(len, parts), default=0) + 1):
+        names = ["/".join(each[-taken:]) for each in parts]
+        if len(set(names)) == len(names):
+            return names
+    counts: Counter[str] = Counter()
+    for number, name in enumerate(names):
+        counts[name] += 1
+        if counts[name] > 1:
+            names[number] = f"{name} ({counts[name]})"
+    return names
+
+
+def _nothing_shared(
+    truth: Path, truths: Mapping[str, Path], results: Mapping[str, Mapping[str, Path]]
+) -> str:
+    held = {name for found in results.values() for name in found}
+    return (
+        f"no result is named like a truth of {truth}: truths {_listed(truths)}; "
+        f"results {_listed(held)}; name them alike"
+    )
+
+
+def _unmatched(truths: Mapping[str, Path], results: Mapping[str, Mapping[str, Path]]) -> list[str]:
+    said = []
+    for result, found in results.items():
+        if lacking := sorted(set(truths) - set(found)):
+            said.append(f"{result} has no file for {_listed(lacking)}")
+        if strange := sorted(set(found) - set(truths)):
+            said.append(f"{result} has files without truth: {_listed(strange)}")
+    return said
+
+
+def _listed(names: Mapping[str, Path] | Sequence[str] | set[str]) -> str:
+    kept = sorted(names)
+    more = f" and {len(kept) - _NAMED} more" if len(kept) > _NAMED else ""
+    return (", ".join(kept[:_NAMED]) or "none") + more

@@ -1,0 +1,35 @@
+"""Reports on scores: what was measured as a page, as Markdown and as JSON."""
+
+from tracking.scoring.report.data import data_of, people_data, ranges_data
+from tracking.scoring.report.findings import (
+    Finding,
+    ScoreReport,
+    Yardstick,
+    finding_of,
+    report_of,
+)
+from tracking.scoring.report.on_sequence import Shown
+from tracking.scoring.report.page import page_of
+from tracking.scoring.report.subject import Footage, Subject
+from tracking.scoring.report.switch_pictures import SwitchPictures, place_picture, switch_pictures
+from tracking.scoring.report.writing import check_score_folder, write_score_report
+
+__all__ = [
+    "Finding",
+    "Footage",
+    "ScoreReport",
+    "Shown",
+    "Subject",
+    "SwitchPictures",
+    "Yardstick",
+    "check_score_folder",
+    "data_of",
+    "finding_of",
+    "page_of",
+    "people_data",
+    "place_picture",
+    "ranges_data",
+    "report_of",
+    "switch_pictures",
+    "write_score_report",
+]

@@ -1,0 +1,95 @@
+"""A score report as Markdown: the tables of the page, for notes and pull requests."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from tracking.scoring.errors import ErrorKind
+from tracking.scoring.report import tables
+from tracking.scoring.report.findings import Finding, ScoreReport
+from tracking.scoring.report.measures import by_group
+from tracking.scoring.report.page import how, title_of
+
+MOST_SWITCHES = 200
+"""Listed of one result on one sequence."""
+
+_MARKUP = re.compile(r"([\\`*_{}\[\]<>#|~!&])")
+_CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff\u2028\u2029]")
+
+
+def markdown_of(report: ScoreReport) -> str:
+    """The report as Markdown."""
+    parts = [f"# {plain(title_of(report))}", plain(how(report)), *_overall(report)]
+    if len(report.sequences) > 1:
+        parts += ["## By recording", *(_sequences(report, one) for one in report.results)]
+    for finding in report.findings:
+        parts += _finding(finding, report)
+    return "\n\n".join(parts) + "\n"
+
+
+def plain(text: str) -> str:
+    """Text in which nothing is markup, on one line."""
+    return _MARKUP.sub(r"\\\1", _CONTROL.sub(" ", text))
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]], words: int = 1) -> str:
+    """A table; cells are markup already."""
+    lines = [
+        " --- " if column < words or not title else " ---: " for column, title in enumerate(head)
+    ]
+    shown = [f"| {' | '.join(row)} |" for row in rows]
+    return "\n".join([f"| {' | '.join(head)} |", f"|{'|'.join(lines)}|", *shown])
+
+
+def _overall(report: ScoreReport) -> Iterator[str]:
+    yield "## Measures"
+    scores = [report.overall[result] for result in report.results]
+    for group, members in by_group(tables.measures_of(report)).items():
+        rows = []
+        for measure in members:
+            best = measure.best(scores)
+            cells = [measure.shown(score) for score in scores]
+            cells = [f"**{c}**" if number in best else c for number, c in enumerate(cells)]
+            rows.append([plain(measure.name), *cells, plain(measure.says)])
+        head = [plain(group), *map(plain, report.results), ""]
+        yield _table(head, rows)
+
+
+def _sequences(report: ScoreReport, result: str) -> str:
+    shown = tables.main_measures(report)
+    rows = [
+        [plain(one.subject.name), *(each.shown(one.score) for each in shown)]
+        for one in report.of(result)
+    ]
+    rows.append([tables.COMBINED, *(each.shown(report.overall[result]) for each in shown)])
+    return _table([plain(result), *(plain(each.name) for each in shown)], rows)
+
+
+def _finding(finding: Finding, report: ScoreReport) -> Iterator[str]:
+    yield f"## {plain(finding.subject.name)}: {plain(finding.result)}"
+    if finding.ranges:
+        shown = tables.main_measures(report)
+        rows = [
+            [f"{start} to {stop - 1}", *(each.shown(score) for each in shown)]
+            for (start, stop), score in finding.ranges.items()
+        ]
+        yield _table(["frames", *(plain(each.name) for each in shown)], rows)
+    if finding.people:
+        cells = [[plain(cell) for cell in tables.person_cells(one)] for one in finding.people]
+        yield _table(tables.PERSON_HEAD, cells)
+    yield from _switches(finding)
+
+
+def _switches(finding: Finding) -> Iterator[str]:
+    found = finding.errors.of_kind(ErrorKind.SWITCH)
+    if not len(found):
+        return
+    columns = (found.frame, found.truth, found.earlier, found.result)
+    rows = [
+        [str(int(column[row])) for column in columns]
+        for row in range(min(len(found), MOST_SWITCHES))
+    ]
+    yield _table(["switch in frame", "person", "from track", "to track"], rows, words=0)
+    if len(found) > MOST_SWITCHES:
+        yield f"{len(found) - MOST_SWITCHES} more switches are in the JSON file."

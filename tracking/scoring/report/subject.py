@@ -1,0 +1,58 @@
+"""What a report is on: recordings with their truth, and the results measured on them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from tracking.geometry import View
+from tracking.recording import StereoFrame
+from tracking.scoring.table import ScoringTable
+
+
+class Pictures(Protocol):
+    """What is asked of a recording; `tracking.recording.Recording` is one."""
+
+    @property
+    def frame_count(self) -> int:
+        """How many frames there are."""
+
+    def read(self, number: int) -> StereoFrame:
+        """One frame; raises RecordingError."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Footage:
+    """What is known of a recording; everything may be unknown.
+
+    Attributes:
+        fps: frames a second. size_px: width and height of a picture.
+        view: the left camera on its floor.
+        pictures: to read frames from.
+    """
+
+    fps: float | None = None
+    size_px: tuple[int, int] | None = None
+    view: View | None = None
+    pictures: Pictures | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Subject:
+    """One sequence.
+
+    Attributes:
+        name: as people call it.
+        truth: its rows; frames are counted from `start`.
+        results: the same of each result, by its name.
+        start, stop: the frames that are measured.
+        footage: what the pictures tell.
+    """
+
+    name: str
+    truth: ScoringTable
+    results: Mapping[str, ScoringTable]
+    start: int
+    stop: int
+    footage: Footage = field(default_factory=Footage)

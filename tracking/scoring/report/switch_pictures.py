@@ -1,0 +1,172 @@
+"""Pictures of switches: who it was before and after, cut out of the recording."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from tracking.errors import RecordingError
+from tracking.recording import Image
+from tracking.scoring.errors import ErrorKind, ErrorTable
+from tracking.scoring.report.findings import Finding
+from tracking.scoring.report.subject import Subject
+from tracking.scoring.table import Floats, ScoringTable
+
+MOST_SWITCHES = 24
+"""Of one result on one sequence."""
+
+_WIDTH, _HEIGHT = 320, 240
+_AROUND = 0.6
+"""How much is seen around the boxes, in their own size."""
+_LEAST_PX = 96.0
+_QUALITY = 82
+_PLACE_PX = 640
+_TRUTH, _BEFORE, _AFTER = (255, 255, 255), (0, 159, 230), (233, 180, 86)
+"""BGR; told apart by the colour-blind, too."""
+_BODY_M = (1.7, 0.6)
+
+
+@dataclass(frozen=True, slots=True)
+class SwitchPictures:
+    """One switch.
+
+    Attributes:
+        frame, earlier_frame: the first after it, and the last before.
+        person: in the truth. earlier, track: of the result.
+        before, after: JPEG images.
+    """
+
+    frame: int
+    earlier_frame: int
+    person: int
+    earlier: int
+    track: int
+    before: bytes
+    after: bytes
+
+
+def switch_pictures(
+    finding: Finding, tell: Callable[[int, int], None], most: int = MOST_SWITCHES
+) -> tuple[SwitchPictures, ...]:
+    """The first switches of a finding, in the order of their frames.
+
+    Args:
+        tell: told how many are done of how many; may raise to cancel.
+
+    Returns: none where there are no pictures, or nobody knows where people stand in them.
+    """
+    found = finding.errors.of_kind(ErrorKind.SWITCH)
+    if finding.subject.footage.pictures is None:
+        return ()
+    shown: list[SwitchPictures] = []
+    for row in range(len(found)):
+        tell(len(shown), min(most, len(found)))
+        if len(shown) == most:
+            break
+        shown += _pictures(finding, found, row)
+    return tuple(shown)
+
+
+def _pictures(finding: Finding, found: ErrorTable, row: int) -> Iterator[SwitchPictures]:
+    """The pictures of a switch; nothing where a frame is missing or boxes are unknown."""
+    subject = finding.subject
+    now, then = int(found.frame[row]), int(found.earlier_frame[row])
+    person, track, earlier = (int(c[row]) for c in (found.truth, found.result, found.earlier))
+    result = subject.results[finding.result]
+    instants = [(then, earlier, _BEFORE), (now, track, _AFTER)]
+    boxes = [
+        (_box(subject, subject.truth, frame, person), _box(subject, result, frame, number))
+        for frame, number, _ in instants
+    ]
+    every = np.array([box for pair in boxes for box in pair])
+    if np.isnan(every).any():
+        return
+    images = [_image(subject, frame) for frame, _, _ in instants]
+    window = _window(every, images[0].shape) if images[0] is not None else None
+    made = [
+        _drawn(image, window, pair, (f"person {person}", f"track {number}"), colour)
+        for image, pair, (_, number, colour) in zip(images, boxes, instants, strict=True)
+        if image is not None and window is not None
+    ]
+    if len(made) == 2:
+        yield SwitchPictures(now, then, person, earlier, track, *made)
+
+
+def _image(subject: Subject, frame: int) -> Image | None:
+    pictures = subject.footage.pictures
+    if pictures is None or not 0 <= frame < pictures.frame_count:
+        return None
+    try:
+        return pictures.read(frame).left
+    except RecordingError:
+        return None
+
+
+def _box(subject: Subject, table: ScoringTable, frame: int, who: int) -> Floats:
+    """(4,) of one row; from where it stands on the floor where it has no box; NaN: unknown."""
+    begin, end = np.searchsorted(table.frame, [frame - subject.start, frame - subject.start + 1])
+    row = begin + np.flatnonzero(table.track[begin:end] == who)
+    box = table.box[row[0]] if len(row) else np.full(4, np.nan)
+    view = subject.footage.view
+    if np.isnan(box).any() and view is not None and len(row):
+        return np.asarray(view.box_of_person(table.position[row[0]], *_BODY_M)[0])
+    return box
+
+
+def _window(boxes: Floats, shape: tuple[int, ...]) -> tuple[int, int, int, int]:
+    """Left, top, width, height of what is cut out: about the boxes, of the pictures' shape."""
+    low, high = boxes[:, :2].min(axis=0), (boxes[:, :2] + boxes[:, 2:]).max(axis=0)
+    middle = (low + high) / 2
+    wide, tall = np.maximum((high - low) * (1 + _AROUND), _LEAST_PX)
+    tall = max(tall, wide * _HEIGHT / _WIDTH)
+    rows, columns = shape[:2]
+    size = np.minimum([tall * _WIDTH / _HEIGHT, tall], [columns, rows])
+    left, top = np.clip(middle - size / 2, 0, np.array([columns, rows]) - size)
+    return int(left), int(top), int(size[0]), int(size[1])
+
+
+def _drawn(
+    image: Image,
+    window: tuple[int, int, int, int],
+    boxes: tuple[Floats, Floats],
+    names: tuple[str, str],
+    colour: tuple[int, int, int],
+) -> bytes:
+    """The piece with the truth's box and the result's, as JPEG."""
+    left, top, width, height = window
+    scale = min(_WIDTH / width, _HEIGHT / height)
+    piece = image[top : top + height, left : left + width]
+    way = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
+    piece = np.asarray(cv2.resize(piece, None, fx=scale, fy=scale, interpolation=way), np.uint8)
+    for box, name, look in zip(boxes, names, (_TRUTH, colour), strict=True):
+        corners = np.array([box[:2], box[:2] + box[2:]]) - (left, top)
+        (x0, y0), (x1, y1) = (scale * corners).round().astype(int).tolist()
+        cv2.rectangle(piece, (x0, y0), (x1, y1), (0, 0, 0), 4)
+        cv2.rectangle(piece, (x0, y0), (x1, y1), look, 2)
+        at = y0 - 6 if look == _TRUTH else y1 + 16
+        _label(piece, name, (x0, at), look)
+    done, data = cv2.imencode(".jpg", piece, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
+    return data.tobytes() if done else b""
+
+
+def _label(piece: Image, text: str, at: tuple[int, int], colour: tuple[int, int, int]) -> None:
+    """A name that can be read on any ground, moved so that it lies in the picture."""
+    (width, height), _ = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, 0.45, 1)
+    x = min(max(at[0], 2), max(piece.shape[1] - width - 2, 2))
+    y = min(max(at[1], height + 2), piece.shape[0] - 4)
+    cv2.putText(piece, text, (x, y), cv2.FONT_HERSHEY_SIMPLEX, 0.45, (0, 0, 0), 3, cv2.LINE_AA)
+    cv2.putText(piece, text, (x, y), cv2.FONT_HERSHEY_SIMPLEX, 0.45, colour, 1, cv2.LINE_AA)
+
+
+def place_picture(subject: Subject) -> bytes | None:
+    """The first frame that is measured, as JPEG, to draw a map on; None where there is none."""
+    image = _image(subject, subject.start)
+    if image is None:
+        return None
+    scale = min(1.0, _PLACE_PX / image.shape[1])
+    image = np.asarray(cv2.resize(image, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA))
+    done, data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
+    return data.tobytes() if done else None
