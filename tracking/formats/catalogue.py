@@ -11,6 +11,7 @@ from tracking.formats.coco import COCO
 from tracking.formats.csv_tracks import CSV
 from tracking.formats.cvat import CVAT
 from tracking.formats.floor_hdf5 import JUPEDSIM_HDF5, PEDPY_HDF5
+from tracking.formats.floor_text import PEDPY_TEXT, PETRACK
 from tracking.formats.jupedsim import JUPEDSIM_SQLITE
 from tracking.formats.kitti import KITTI
 from tracking.formats.mot import MOT, MOT16
@@ -23,6 +24,8 @@ _ALL = (
     CSV,
     CVAT,
     COCO,
+    PEDPY_TEXT,
+    PETRACK,
     PEDPY_HDF5,
     JUPEDSIM_HDF5,
     JUPEDSIM_SQLITE,

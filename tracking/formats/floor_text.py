@@ -1,0 +1,190 @@
+"""Places on the floor as text: what PedPy loads, and what PeTrack exports.
+
+Comments (`# framerate: 25 fps`, and last the columns, `# id frame x/m y/m z/m`), then rows of
+numbers divided by spaces. Frames count from 0, ids from 1 in what PeTrack writes; lengths are
+metres, or centimetres where the columns say `x/cm`. PeTrack's file has its own comments before the
+columns and one person after the other. Further columns (PeTrack's direction of view, marker) are
+passed over, as is z: it may be a head's or a person's height; written it is 0, the floor.
+
+PedPy takes the last unit it finds in the comments, in words ("in m") as in columns, and the first
+number of any comment with the word framerate: so nothing else written there may look like either.
+Sources: PedPy's ped_data_archive_loader; PeTrack's TrackerReal::exportTxt and manual.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.formats.delimited import NumberRows, Piece, RowShape, pieces_of
+from tracking.formats.floor_rows import Places, fps_of, on_floor, with_place
+from tracking.formats.label_text import line
+from tracking.formats.number_text import constant, lines_of, numbers, whole_numbers
+from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.track_format import TrackFormat
+from tracking.formats.writing import ROWS_AT_ONCE, Exported
+from tracking.progress import Progress
+from tracking.replacing import replacing_bytes
+from tracking.tracks import Columns
+
+_SHAPE = RowShape("text of places on the floor", 4, 40, " ")
+_COLUMNS_LINE = b"# id frame x/m y/m z/m\n"
+_SPACES = re.compile(r"[^\S\n]+")
+_AT_ENDS = re.compile(r"^ | $", re.MULTILINE)
+_FRAMERATE = re.compile(r"framerate\s*[:=]?\s*(\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)", re.IGNORECASE)
+_UNIT = re.compile(
+    r"\bx ?[/\[(] ?(cm|m)\b|\bin (cm|centimet(?:er|re)s?|m|met(?:er|re)s?)\b", re.IGNORECASE
+)
+_MEANT = re.compile(r"framerate|\bin c?m|x ?/|#", re.IGNORECASE)
+_ROW = re.compile(rb"\s*-?\d+(\.0*)?(\s+[-+]?[\d.]+([eE][-+]?\d+)?){3,39}\s*")
+_MOST_COMMENTS = 10_000
+_FASTEST_FPS = 1e5
+_PETRACK = b"# PeTrack"
+
+
+def looks_like_petrack(_path: Path, head: bytes) -> bool:
+    """Whether a text begins as PeTrack's exports do."""
+    return head.removeprefix(b"\xef\xbb\xbf").startswith(_PETRACK) and _is_floor_text(head)
+
+
+def looks_like_pedpy(path: Path, head: bytes) -> bool:
+    """Whether a text has comments of a frame rate or of a unit, then a row of numbers."""
+    return not looks_like_petrack(path, head) and _is_floor_text(head)
+
+
+def _is_floor_text(head: bytes) -> bool:
+    lines = head.removeprefix(b"\xef\xbb\xbf").splitlines()
+    comments = 0
+    while comments < len(lines) and (lines[comments][:1] == b"#" or not lines[comments].strip()):
+        comments += 1
+    text = b"\n".join(lines[:comments]).decode("utf-8", "replace")
+    if not (_FRAMERATE.search(text) or _UNIT.search(text)):
+        return False
+    return comments == len(lines) or _ROW.fullmatch(lines[comments]) is not None
+
+
+def import_floor_text(path: Path, _filmed: Filmed) -> Imported:
+    """The tracks of a text. Raises FormatError where it does not say its unit, or is none."""
+    reading = Reading(path)
+    comments = _Comments()
+    table, lines = NumberRows(reading, _SHAPE).read(comments.passed_over(pieces_of(path)))
+    metres = comments.metres_of(path)
+    rows: dict[str, NDArray[Any]] = {
+        "frame": table[:, 1],
+        "track": reading.ids_from_zero(table[:, 0]),
+        "x": table[:, 2] * metres,
+        "y": table[:, 3] * metres,
+    }
+    return reading.imported(with_place(rows), lambda row: f"line {lines[row]}", fps=comments.fps)
+
+
+class _Comments:
+    """What the comments say that stand before the first row."""
+
+    def __init__(self) -> None:
+        self.fps: float | None = None
+        self._unit = ""
+        self._first_row_seen = False
+        self._count = 0
+
+    def passed_over(self, pieces: Iterator[Piece]) -> Iterator[Piece]:
+        """The lines with comments taken out and one space between numbers."""
+        for piece in pieces:
+            rows = [self._row(line) for line in piece.lines]
+            text = _AT_ENDS.sub("", _SPACES.sub(" ", "\n".join(rows)))
+            yield Piece(piece.first, text.split("\n") if rows else [])
+
+    def metres_of(self, path: Path) -> float:
+        """How many metres one unit is."""
+        if not self._unit:
+            raise FormatError(
+                f"{path} does not say its unit; put '# id frame x/m y/m z/m' before its rows, or "
+                "x/cm y/cm where they are centimetres"
+            )
+        return 0.01 if self._unit.startswith("c") else 1.0
+
+    def _row(self, line: str) -> str:
+        if not line.startswith("#"):
+            self._first_row_seen = self._first_row_seen or not line.isspace()
+            return line
+        if not self._first_row_seen and self._count < _MOST_COMMENTS:
+            self._take(line)
+        return ""
+
+    def _take(self, line: str) -> None:
+        self._count += 1
+        if self.fps is None and (found := _FRAMERATE.search(line)):
+            fps = float(found[1])
+            self.fps = fps if 0 < fps < _FASTEST_FPS else None
+        for found in _UNIT.finditer(line):
+            self._unit = (found[1] or found[2]).lower()
+
+
+def export_pedpy(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
+    """Write what PedPy loads, by frame. Raises FormatError without places or frames a second."""
+    fps = fps_of(path, exported)
+    Places(path, exported)
+    name = line(exported.name)
+    with replacing_bytes(path) as stream:
+        stream.write(f"# framerate: {fps!r} fps\n".encode())
+        if name and not _MEANT.search(name):
+            stream.write(f"# recording: {name}\n".encode())
+        stream.write(_COLUMNS_LINE)
+        for piece in exported.pieces(report):
+            stream.write(_lines(piece))
+    return (path,)
+
+
+def export_petrack(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
+    """Write what PeTrack exports, one person after the other. Raises FormatError as the other."""
+    fps = fps_of(path, exported)
+    Places(path, exported)
+    name = line(exported.name)
+    project = "" if _MEANT.search(name) else name
+    with replacing_bytes(path) as stream:
+        stream.write(f"# PeTrack project: {project}\n# raw trajectory file: \n".encode())
+        stream.write(f"# framerate: {fps!r} fps\n".encode())
+        stream.write(b"# z: can be 3d position or height of person (alternating or not)\n")
+        stream.write(_COLUMNS_LINE)
+        for rows in _some_at_once(exported, report):
+            stream.write(_lines(rows))
+    return (path,)
+
+
+def _some_at_once(exported: Exported, report: Progress) -> Iterator[Columns]:
+    """The rows by track, of many short tracks together."""
+    waiting: list[Columns] = []
+    for _, rows in exported.track_by_track(report):
+        waiting.append({name: rows[name] for name in ("track", "frame", "x", "y")})
+        if sum(len(part["frame"]) for part in waiting) >= ROWS_AT_ONCE:
+            yield _joined(waiting)
+            waiting = []
+    if waiting:
+        yield _joined(waiting)
+
+
+def _joined(parts: list[Columns]) -> Columns:
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+
+def _lines(piece: Columns) -> bytes:
+    rows = on_floor({name: piece[name] for name in ("track", "frame", "x", "y")})
+    if not len(rows["frame"]):
+        return b""
+    blocks = [whole_numbers(rows["track"]), whole_numbers(rows["frame"])]
+    blocks += [numbers(rows[name], b"nan") for name in ("x", "y")]
+    return lines_of([*blocks, constant(b"0", len(rows["frame"]))], b" ")
+
+
+PEDPY_TEXT = TrackFormat(
+    "pedpy-txt", "PedPy text", (".txt",), looks_like_pedpy, import_floor_text, export_pedpy
+)
+PETRACK = TrackFormat(
+    "petrack", "PeTrack text", (".txt",), looks_like_petrack, import_floor_text, export_petrack
+)
