@@ -31,6 +31,7 @@ class HistoryItem:
     Attributes:
         kind: one word, e.g. "swap".
         taken_by: the later edit that takes this one back alone; 0: none.
+        moved: how it moved the score, e.g. "HOTA ▲ +0.012"; "" where that is not known.
     """
 
     edit: int
@@ -41,6 +42,7 @@ class HistoryItem:
     undone: bool
     kind: str = ""
     taken_by: int = 0
+    moved: str = ""
 
 
 @dataclass(frozen=True, slots=True)

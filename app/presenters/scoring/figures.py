@@ -51,8 +51,6 @@ FIGURES: Final = (
         "Detection and association weighed alike, over thresholds from 0.05 to 0.95",
         lambda score: score.hota.hota,
     ),
-    Figure("DetA", "How well people are found, part of HOTA", lambda score: score.hota.deta),
-    Figure("AssA", "How well ids are kept, part of HOTA", lambda score: score.hota.assa),
     Figure(
         "IDF1",
         "Share of rows under the right id, by the best naming of the whole stretch",
@@ -63,6 +61,8 @@ FIGURES: Final = (
         "1 less misses, false alarms and switches as a share of the truth's rows; may be negative",
         lambda score: score.clear.mota,
     ),
+    Figure("DetA", "How well people are found, part of HOTA", lambda score: score.hota.deta),
+    Figure("AssA", "How well ids are kept, part of HOTA", lambda score: score.hota.assa),
     Figure(
         "People kept",
         "People followed under one id, of those who were found at all",

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from app.presenters.counting.subject import SHOWN, loader, version_of
 from app.presenters.document.document import Document
 from app.presenters.explaining import explain
+from app.presenters.scenes import HistoryItem
 from app.presenters.scoring.events import ErrorEvents
 from app.presenters.scoring.figures import rows_of
 from app.presenters.scoring.moves import Moves, edits_in_force
@@ -191,9 +192,15 @@ class ScoringPresenter:
             self._people = (scored, made)
         return self._people[1]
 
-    def moved_by(self) -> dict[int, str]:
-        """How single edits moved the score, by their ids."""
-        return self._moves.by_edit
+    def told(self, items: tuple[HistoryItem, ...]) -> tuple[HistoryItem, ...]:
+        """The edits with how each of them moved the score, where that is known."""
+        moved = self._moves.by_edit
+        if not any(moved.values()):
+            return items
+        return tuple(
+            replace(item, moved=moved[item.edit]) if moved.get(item.edit) else item
+            for item in items
+        )
 
     def lanes(self) -> ErrorLanes | None:
         """The lanes of errors; None while nothing was scored. The very same while they stay."""

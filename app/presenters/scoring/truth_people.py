@@ -44,7 +44,8 @@ class TruthPeople:
             TruthMark(one.box, _label(one.label), _if_missed(one.label, missed))
             for one in self._people.picture(eye, instant.frame)
         )
-        return PicturedTruth(people, self._alarms(eye, instant, alarms), legend())
+        told = legend() if eye is Eye.LEFT else ()
+        return PicturedTruth(people, self._alarms(eye, instant, alarms), told)
 
     def floor(self, instant: Instant) -> FlooredTruth:
         """The same on the floor."""

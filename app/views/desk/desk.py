@@ -190,7 +190,7 @@ class Desk(QObject):
         self.draw_instant()
         self.draw_playhead()
         view.card.show_scene(document.card())
-        view.history.show_scene(document.history())
+        self._draw_history()
         view.preview.show_scene(document.planned.scene if document.planned else None)
         self.comparing.refresh()
         self.changed.emit()
@@ -199,7 +199,13 @@ class Desk(QObject):
         """Another score, another choice, another range of frames."""
         self.draw_instant()
         self.draw_playhead()
+        self._draw_history()
         self.changed.emit()
+
+    def _draw_history(self) -> None:
+        """The edits, and how they moved the score where somebody watches it."""
+        edits = self.scoring.presenter.told(self.document.history())
+        self._workspace.history.show_scene(edits)
 
     def draw_preview(self) -> None:
         """Draw only what an edit that waits would do: often, while something is dragged."""

@@ -127,5 +127,5 @@ class EditDelegate(QStyledItemDelegate):
 
     def _detail(self, item: HistoryItem) -> str:
         taken = self.tr("undone by edit {0}").format(item.taken_by) if item.taken_by else ""
-        parts = (f"#{item.edit}", item.when, item.author, taken)
+        parts = (f"#{item.edit}", item.when, item.author, item.moved, taken)
         return "  \u00b7  ".join(part for part in parts if part)

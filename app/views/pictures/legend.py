@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.presenters.scenes import LegendEntry
 from app.views.look.theme import Theme, faded
@@ -29,7 +29,7 @@ def draw_legend(
     painter.drawRoundedRect(plate, 5, 5)
     for row, entry in enumerate(entries):
         inside = QRectF(plate.left() + _PAD, plate.top() + _PAD + row * line, size[0], line)
-        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setPen(QPen(theme.line_strong, 1.0))
         painter.setBrush(QColor(*entry.colour))
         swatch = QRectF(inside.left(), inside.center().y() - side / 2, side, side)
         painter.drawRoundedRect(swatch, 2, 2)

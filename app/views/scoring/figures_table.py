@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 from app.presenters.scoring.score_scene import ScoreRow, ScoreScene
 from app.views.look.theme import current_theme
 
-_WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +0.888"
+_WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +88.888"
 _PAD_PX = 20
 
 
@@ -32,7 +32,7 @@ class FiguresTable(QTableWidget):
         self.setShowGrid(False)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 5)
+        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 3)
         names = (
             self.tr("Figure"),
             self.tr("All frames"),

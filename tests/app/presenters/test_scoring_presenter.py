@@ -103,7 +103,8 @@ def test_an_edit_moves_the_score_and_undoing_it_moves_it_back(presenter, documen
     assert row.moved == f"\u25b2 +{after - before}"
     assert row.better == -1
     edit = document.session.history.entries[-1].id
-    assert presenter.moved_by()[edit].startswith("HOTA \u25bc")
+    told = presenter.told(document.history())
+    assert [item.moved[:6] for item in told if item.edit == edit] == ["HOTA \u25bc"]
     document.undo()
     score_now(presenter)
     assert presenter.scene("").moved.startswith("Undone: ")

@@ -1,0 +1,73 @@
+"""The panel of the score."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+
+from app.presenters.scoring.score_scene import ErrorChoice, ScoreRow, ScoreScene
+from app.views.scoring.score_panel import ScorePanel
+from tracking.scoring import ErrorKind
+
+SCENE = ScoreScene(
+    truths=("truth.txt beside the recording", "Choose a file..."),
+    truth=0,
+    results=("Corrected tracks", "Run 0: flow"),
+    result=0,
+    on_floor=False,
+    threshold=0.5,
+    rows=(
+        ScoreRow("HOTA", "hint", "0.670", "0.700", "\u25b2 +0.010", 1),
+        ScoreRow("Misses", "hint", "58", "3", "\u25b2 +2", -1),
+    ),
+    whole="0 to 299",
+    visible="100 to 199",
+    moved="Last edit: Delete track 3",
+    errors=tuple(ErrorChoice(kind, kind.name, 4, True) for kind in ErrorKind),
+)
+
+
+@pytest.fixture
+def panel(qtbot, theme):
+    widget = ScorePanel()
+    qtbot.addWidget(widget)
+    widget.resize(560, 480)
+    widget.show_scene(SCENE)
+    return widget
+
+
+def test_what_is_better_is_green_and_what_is_worse_red(panel, theme):
+    better, worse = panel.table.item(0, 3), panel.table.item(1, 3)
+    assert better.foreground().color() == theme.good
+    assert worse.foreground().color() == theme.danger
+    assert better.data(Qt.ItemDataRole.AccessibleTextRole) == "\u25b2 +0.010 better"
+
+
+def test_all_frames_and_those_shown_stand_beside_each_other(panel):
+    assert [panel.table.item(0, column).text() for column in (1, 2)] == ["0.670", "0.700"]
+    assert panel.table.horizontalHeaderItem(2).toolTip() == "frames 100 to 199"
+
+
+def test_choices_are_told_and_showing_them_is_no_choice(panel, heard):
+    said = [heard(signal) for signal in (panel.threshold_chosen, panel.floor_chosen)]
+    kinds = heard(panel.kind_shown)
+    panel.show_scene(replace(SCENE, on_floor=True, threshold=0.8))
+    assert said == [[], []]
+    assert panel._threshold.suffix() == " m"
+    panel._threshold.setValue(1.2)
+    panel._way.activated.emit(0)
+    panel._kinds[ErrorKind.MISS].click()
+    assert said == [[1.2], [False]]
+    assert kinds == [(ErrorKind.MISS, False)]
+
+
+def test_without_a_truth_it_is_said_what_to_do(panel):
+    panel.show_scene(replace(SCENE, rows=(), truth=-1, message="choose a file", moved=""))
+    assert panel._message.text() == "choose a file"
+    assert panel.table.isHidden()
+    assert panel._moved.isHidden()
+
+
+def test_without_a_scene_it_is_hidden(panel):
+    panel.show_scene(None)
+    assert panel.isHidden()
