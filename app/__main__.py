@@ -12,7 +12,7 @@ import typer
 from app.cli.commands import program
 from app.cli.failure import MISUSED, told
 
-NOT_BUILT = ("import", "batch")
+NOT_BUILT = ("batch",)
 """Commands that are announced; typing one is answered with a line of its own."""
 _MISUSE: type[Exception] = next(
     kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "UsageError"

@@ -24,6 +24,7 @@ from tracking.editing.identity.crossing import SwapFrame, propose_swap_frames
 from tracking.editing.identity.identities import plan_reassign, plan_split, plan_swap
 from tracking.editing.identity.merging import Keep, plan_merge_tracks
 from tracking.editing.identity.noticed import signals_of
+from tracking.editing.importing import Thinned, on_the_floor, plan_import, thin_dense
 from tracking.editing.labels.drawing import plan_lines, plan_occluders, plan_regions
 from tracking.editing.labels.labelling import plan_rename, plan_set_attribute, plan_set_notes
 from tracking.editing.labels.part_labelling import (
@@ -66,6 +67,7 @@ __all__ = [
     "Scope",
     "State",
     "SwapFrame",
+    "Thinned",
     "TouchIndex",
     "apply_change",
     "body_position",
@@ -74,6 +76,7 @@ __all__ = [
     "differing_rows",
     "gaps_of",
     "keyframes_of",
+    "on_the_floor",
     "plan_add_keyframe",
     "plan_delete",
     "plan_delete_keyframe",
@@ -82,6 +85,7 @@ __all__ = [
     "plan_draw_box",
     "plan_fill_gap",
     "plan_fill_gaps",
+    "plan_import",
     "plan_interpolate",
     "plan_label_part",
     "plan_lines",
@@ -111,6 +115,7 @@ __all__ = [
     "standing_box",
     "state_as_text",
     "state_from_text",
+    "thin_dense",
     "touched",
     "with_parts_carried",
     "with_verdict",

@@ -5,6 +5,15 @@ from tracking.session.body_parts import corrected_parts, labels_in_place, sessio
 from tracking.session.document import Session
 from tracking.session.edit_log import log_as_json, write_log_csv, write_log_json
 from tracking.session.errors import RecordingMissing
+from tracking.session.importing import (
+    Importable,
+    ImportOrigin,
+    ImportWish,
+    filmed_by,
+    importable,
+    session_of_import,
+    take_into,
+)
 from tracking.session.info import describe
 from tracking.session.known import KnownRecordings
 from tracking.session.older import Generation, check_generation, list_generations
@@ -18,6 +27,9 @@ from tracking.session.waiting import read_history
 
 __all__ = [
     "Generation",
+    "ImportOrigin",
+    "ImportWish",
+    "Importable",
     "KnownRecordings",
     "PendingSave",
     "RecordingMissing",
@@ -30,8 +42,10 @@ __all__ = [
     "check_generation",
     "corrected_parts",
     "describe",
+    "filmed_by",
     "generations",
     "ids_by_now",
+    "importable",
     "labels_in_place",
     "list_generations",
     "log_as_json",
@@ -40,7 +54,9 @@ __all__ = [
     "read_history",
     "samples_from",
     "samples_with_boxes",
+    "session_of_import",
     "session_samples",
+    "take_into",
     "write_log_csv",
     "write_log_json",
 ]

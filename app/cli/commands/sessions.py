@@ -9,6 +9,7 @@ import typer
 
 from app.cli import options
 from app.cli.commands.program import program
+from app.cli.option_groups import Bare, spread
 
 
 @program.command()
@@ -19,8 +20,9 @@ def export(
         str,
         typer.Option(
             "--format",
-            help="mot; of body parts: labels (CSV), or samples (OUT ends in .csv, .h5, .libsvm). "
-            "In samples part is 0 head, 1 torso, 2 hip-leg; label is 1 on its part, 0 off it.",
+            help="mot, mot16, kitti, csv, cvat, coco, pedpy-txt, pedpy-h5 ...; a wrong name lists "
+            "them all. Of body parts: labels (CSV), or samples (OUT ends in .csv, .h5, .libsvm); "
+            "in samples part is 0 head, 1 torso, 2 hip-leg; label is 1 on its part, 0 off it.",
         ),
     ],
     run: Annotated[
@@ -33,6 +35,59 @@ def export(
     from app.cli.export import run_export
 
     run_export(session, out, file_format, run, as_json=json)
+
+
+@program.command("import")
+@spread
+def import_tracks(
+    tracks: Annotated[Path, typer.Argument(help="A file of tracks made elsewhere.")],
+    recording: Annotated[
+        Path | None, typer.Option("--recording", "-r", help="The recording they are of.")
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", "-o", help="The session to make: NAME.h5.")
+    ] = None,
+    into: Annotated[
+        Path | None,
+        typer.Option(
+            help="A session to take them into instead, as one edit: tracks of the file are added "
+            "or take the place of those with their ids; no other track goes.",
+        ),
+    ] = None,
+    file_format: Annotated[
+        str | None,
+        typer.Option("--format", help="Of the file.", show_default="told by content"),
+    ] = None,
+    *,
+    take_good: Annotated[
+        bool,
+        typer.Option("--take-good", help="Take the good rows also where others are bad."),
+    ] = False,
+    thin: Annotated[
+        float | None,
+        typer.Option(
+            metavar="PX",
+            help="Thin tracks of which every row is a keyframe: no edge of a box ends up farther "
+            "off than this many px.",
+        ),
+    ] = None,
+    as_new: Annotated[
+        bool, typer.Option("--as-new", help="Give all tracks new ids, above those known.")
+    ] = False,
+    only_people: Annotated[
+        bool, typer.Option("--only-people", help="Leave out what the file says is no person.")
+    ] = False,
+    force: options.Force = False,
+    eyes: Bare,
+    json: options.Json = False,
+) -> None:
+    """Take tracks made elsewhere into a session, with a report of rows that cannot be meant."""
+    from app.cli.import_tracks import Order, run_import
+    from tracking.session import ImportWish
+
+    wish = ImportWish(thin, as_new, only_people)
+    order = Order(tracks, file_format, recording, eyes, out, into, wish, take_good, force)
+    run_import(order, as_json=json)
 
 
 @program.command()

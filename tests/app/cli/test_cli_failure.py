@@ -73,7 +73,7 @@ def test_missing_memory_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert "not enough memory" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("name", ["import", "batch"])
+@pytest.mark.parametrize("name", ["batch"])
 def test_commands_to_come_say_so(capsys: pytest.CaptureFixture[str], name: str) -> None:
     assert run([name, "anything"]) == 2
     assert capsys.readouterr().err == f"trackwright: {name} is not built yet\n"
@@ -85,7 +85,7 @@ def test_misuse_is_status_2(capsys: pytest.CaptureFixture[str], words: list[str]
 
 
 @pytest.mark.parametrize(
-    "name", ["demo", "open", "info", "synth", "trackers", "track", "score", "export"]
+    "name", ["demo", "open", "info", "synth", "trackers", "track", "score", "export", "import"]
 )
 def test_every_command_explains_itself(capsys: pytest.CaptureFixture[str], name: str) -> None:
     assert run([name, "--help"]) == 0

@@ -1,0 +1,283 @@
+"""Tracks made elsewhere into a session: a new one of their own, or one that is there already."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.editing import Entry, Thinned, on_the_floor, plan_import, thin_dense
+from tracking.editing.labels.labelling import LONGEST_KEY, LONGEST_NOTES, LONGEST_VALUE
+from tracking.errors import EditError, FormatError
+from tracking.formats import BadRow, Filmed, Imported
+from tracking.formats.reading import MOST_TOLD
+from tracking.geometry import View
+from tracking.recording.fingerprint import Fingerprint, fingerprint
+from tracking.session.document import Session
+from tracking.session.stamping import software
+from tracking.tracks import (
+    DETECTION_COLUMNS,
+    LARGEST_NUMBER,
+    LONGEST_NAME,
+    PARTICLE_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+    Particles,
+    Run,
+    Source,
+    TrackLabel,
+    TrackTable,
+    empty,
+)
+
+if TYPE_CHECKING:
+    from tracking.recording import Recording
+
+TRACKER = "imported"
+"""What the run of imported tracks says its tracker is."""
+
+CLASS = "class"
+"""The attribute of tracks that are no people."""
+
+_PEOPLE = ("person", "pedestrian")
+_SHARES = ("confidence", "visibility")
+
+
+@dataclass(frozen=True, slots=True)
+class ImportWish:
+    """How tracks are to be taken.
+
+    Attributes:
+        thin_px: thin tracks of which every row is a keyframe, within this tolerance; None: not.
+        as_new: give all of them new ids; else they keep those of the file.
+        only_people: leave out tracks the file says are something else.
+    """
+
+    thin_px: float | None = None
+    as_new: bool = False
+    only_people: bool = False
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Importable:
+    """Tracks of a file, ready to be taken.
+
+    Attributes:
+        rows: `CORRECTED_COLUMNS`, by frame then track. labels: what is said of their tracks.
+        bad_rows, bad_count: as in `Imported`, with rows beyond the recording among them.
+        thinned: how far they were thinned. notes: what the user should know, a line each.
+        view: the recording's left camera over its floor.
+    """
+
+    rows: Columns
+    labels: Mapping[int, TrackLabel] = field(default_factory=dict)
+    bad_rows: tuple[BadRow, ...] = ()
+    bad_count: int = 0
+    thinned: Thinned = field(default_factory=Thinned)
+    notes: tuple[str, ...] = ()
+    view: View | None = None
+
+    @property
+    def tracks(self) -> int:
+        """How many tracks there are."""
+        return len(np.unique(self.rows["track"]))
+
+
+@dataclass(frozen=True, slots=True)
+class ImportOrigin:
+    """Where tracks come from: the format, and the file by name, size and hash of its ends."""
+
+    format: str
+    file: Fingerprint
+
+    @classmethod
+    def of(cls, path: Path, format_name: str) -> ImportOrigin:
+        """Of a file. Raises RecordingError where it has gone."""
+        return cls(format_name, fingerprint(path.name, [path]))
+
+    def as_json(self) -> dict[str, str | int]:
+        """As the run of the tracks keeps it."""
+        return {
+            "format": self.format,
+            "file": self.file.source,
+            "size_bytes": self.file.size_bytes,
+            "sha256": self.file.sha256,
+        }
+
+
+def importable(
+    imported: Imported, filmed: Filmed, wish: ImportWish, known: TrackTable | None = None
+) -> Importable:
+    """The tracks of a file fitted to a recording: what is beyond it is bad, what is odd is noted.
+
+    Args:
+        imported: as read. filmed: the recording. wish: how they are taken.
+        known: the table they are to go into; None: a new one.
+
+    Raises EditError for a tolerance that is none, FormatError where no ids are left.
+    """
+    notes = [*imported.notes, *_differing_footage(imported, filmed)]
+    found = Importable(
+        imported.columns,
+        imported.labels,
+        imported.bad_rows,
+        imported.bad_count,
+        notes=tuple(notes),
+        view=filmed.view,
+    )
+    found = _with_clean_labels(_within(found, filmed.frames))
+    if wish.only_people:
+        found = _only_people(found)
+    found = _with_shares(found)
+    if wish.as_new:
+        found = _renumbered(found, known)
+    if filmed.view is not None and len(found.rows["x"]) and np.isnan(found.rows["x"]).all():
+        rows = on_the_floor(found.rows, filmed.view)
+        note = "places on the floor are told from the boxes' feet: the file has none"
+        found = replace(found, rows=rows, notes=(*found.notes, note))
+    if wish.thin_px is not None:
+        rows, thinned = thin_dense(found.rows, wish.thin_px, view=filmed.view, fps=filmed.fps)
+        found = replace(found, rows=rows, thinned=thinned)
+    return found
+
+
+def filmed_by(recording: Recording) -> Filmed:
+    """What is known of a recording."""
+    return Filmed(recording.frame_count, recording.fps, recording.size, recording.view)
+
+
+def session_of_import(recording: Recording, found: Importable, origin: ImportOrigin) -> Session:
+    """A session of imported tracks, not saved yet: one run, and what a run cannot say as an edit.
+
+    The run says what the file says but for keyframes, names and attributes: those are corrections.
+    """
+    run = Run(
+        tracker=TRACKER,
+        settings=origin.as_json(),
+        seed=0,
+        frames=(0, recording.frame_count),
+        tracks={name: found.rows[name] for name in TRACK_COLUMNS},
+        detections=empty(DETECTION_COLUMNS),
+        particles=Particles.none(PARTICLE_COLUMNS),
+        software=software(),
+    )
+    session = Session.create(recording, [run])
+    if found.labels or (found.rows["source"] != Source.TRACKER).any():
+        take_into(session, found, origin)
+    return session
+
+
+def take_into(session: Session, found: Importable, origin: ImportOrigin) -> Entry | None:
+    """Take imported tracks into a session as one edit; None where they say nothing else.
+
+    Tracks the file does not have stay as they are.
+    """
+    source, view = origin.file.source, found.view
+    try:
+        change = plan_import(
+            session.tracks, session.labels, found.rows, found.labels, source, view=view
+        )
+    except EditError:  # it says what is there already
+        return None
+    return session.apply(change)
+
+
+def _differing_footage(imported: Imported, filmed: Filmed) -> list[str]:
+    """What the file says otherwise of the footage than the recording does."""
+    notes = []
+    if None not in (imported.size_px, filmed.size_px) and imported.size_px != filmed.size_px:
+        (width, height), own = imported.size_px or (0, 0), filmed.size_px or (0, 0)
+        notes.append(
+            f"the file is of pictures of {width} x {height} px, the recording's are "
+            f"{own[0]} x {own[1]}; boxes are taken as they stand"
+        )
+    if imported.fps and filmed.fps and abs(imported.fps - filmed.fps) > 0.01 * filmed.fps:
+        notes.append(
+            f"the file is of {imported.fps:g} frames a second, the recording of {filmed.fps:g}; "
+            "frames are taken by their number"
+        )
+    if imported.frames and filmed.frames and imported.frames != filmed.frames:
+        notes.append(f"the file is of {imported.frames} frames, the recording has {filmed.frames}")
+    return notes
+
+
+def _within(found: Importable, frames: int | None) -> Importable:
+    """What lies in the recording's frames; rows beyond are bad."""
+    if frames is None:
+        return found
+    beyond = found.rows["frame"] >= frames
+    told = list(found.bad_rows)
+    for row in np.flatnonzero(beyond)[: MOST_TOLD - len(told)].tolist():
+        track, frame = int(found.rows["track"][row]), int(found.rows["frame"][row])
+        reason = f"the recording has only {frames} frames, counted from 0"
+        told.append(BadRow(f"track {track}, frame {frame}", reason))
+    count = found.bad_count + int(beyond.sum())
+    return _with_rows(replace(found, bad_rows=tuple(told), bad_count=count), ~beyond)
+
+
+def _only_people(found: Importable) -> Importable:
+    """Without the tracks that are of another class."""
+    others = [track for track, label in found.labels.items() if not _is_person(label)]
+    if not others:
+        return found
+    notes = (*found.notes, f"{len(others)} tracks that are no people are left out")
+    return _with_rows(replace(found, notes=notes), ~np.isin(found.rows["track"], others))
+
+
+def _is_person(label: TrackLabel) -> bool:
+    return label.attributes.get(CLASS, "person").lower() in _PEOPLE
+
+
+def _with_rows(found: Importable, chosen: NDArray[np.bool_]) -> Importable:
+    """Some of the rows, and the labels of the tracks that are left."""
+    rows = {name: column[chosen] for name, column in found.rows.items()}
+    there = set(np.unique(rows["track"]).tolist())
+    labels = {track: label for track, label in found.labels.items() if track in there}
+    return replace(found, rows=rows, labels=labels)
+
+
+def _with_shares(found: Importable) -> Importable:
+    """Confidences and visibilities cut to 0 to 1, which is noted."""
+    rows, notes = dict(found.rows), list(found.notes)
+    for name in _SHARES:
+        beyond = int(np.count_nonzero((rows[name] < 0) | (rows[name] > 1)))
+        if beyond:
+            rows[name] = np.clip(rows[name], 0, 1)
+            notes.append(f"{name} is beyond 0 to 1 in {beyond} rows and cut to that")
+    return replace(found, rows=rows, notes=tuple(notes))
+
+
+def _with_clean_labels(found: Importable) -> Importable:
+    """Labels a file can hold: no half characters, no zeros, no more than people may write."""
+    labels = {
+        track: TrackLabel(
+            " ".join(_clean(label.name, LONGEST_NAME).split()),
+            {
+                _clean(key, LONGEST_KEY): _clean(value, LONGEST_VALUE)
+                for key, value in sorted(label.attributes.items())
+            },
+            _clean(label.notes, LONGEST_NOTES),
+        )
+        for track, label in found.labels.items()
+    }
+    return replace(found, labels=labels)
+
+
+def _clean(text: str, longest: int) -> str:
+    return text.replace("\0", " ").encode("utf-8", "replace").decode("utf-8")[:longest]
+
+
+def _renumbered(found: Importable, known: TrackTable | None) -> Importable:
+    """All tracks with ids above those that are known."""
+    highest = 0 if known is None else known.highest_track
+    old, place = np.unique(found.rows["track"], return_inverse=True)
+    if highest + len(old) > LARGEST_NUMBER:
+        raise FormatError(f"there are no {len(old)} ids left for new tracks; keep the file's ids")
+    new = {int(track): highest + 1 + at for at, track in enumerate(old.tolist())}
+    rows = {**found.rows, "track": (place + highest + 1).astype(np.int32)}
+    labels = {new[track]: label for track, label in found.labels.items()}
+    return replace(found, rows=rows, labels=labels)
