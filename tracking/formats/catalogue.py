@@ -12,9 +12,11 @@ from tracking.formats.csv_tracks import CSV
 from tracking.formats.cvat import CVAT
 from tracking.formats.floor_hdf5 import JUPEDSIM_HDF5, PEDPY_HDF5
 from tracking.formats.floor_text import PEDPY_TEXT, PETRACK
+from tracking.formats.idtracker import IDTRACKER
 from tracking.formats.jupedsim import JUPEDSIM_SQLITE
 from tracking.formats.kitti import KITTI
 from tracking.formats.mot import MOT, MOT16
+from tracking.formats.sleap import SLEAP
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 
 _ALL = (
@@ -29,6 +31,8 @@ _ALL = (
     PEDPY_HDF5,
     JUPEDSIM_HDF5,
     JUPEDSIM_SQLITE,
+    SLEAP,
+    IDTRACKER,
 )
 
 FORMATS: Mapping[str, TrackFormat] = MappingProxyType({each.name: each for each in _ALL})
