@@ -53,11 +53,14 @@ nav{{display:flex;flex-wrap:wrap;gap:.3rem 1.1rem}}
 table{{border-collapse:collapse;font-variant-numeric:tabular-nums}}
 caption{{text-align:left;font-weight:600;padding:.2rem 0}}
 th,td{{padding:.28rem .8rem;border-bottom:1px solid var(--line);text-align:right;
-vertical-align:top}}
+vertical-align:top;white-space:nowrap}}
+thead th{{white-space:normal}}
+th bdi,td bdi{{display:inline-block;white-space:normal;overflow-wrap:anywhere;min-width:7rem;
+max-width:16rem}}
 thead th{{border-bottom:2px solid var(--faint);vertical-align:bottom}}
 th.word,td.word{{text-align:left}}
 th:first-child,td:first-child{{padding-left:0}}
-td.says{{text-align:left;color:var(--faint);min-width:22rem}}
+td.says{{text-align:left;color:var(--faint);min-width:22rem;white-space:normal}}
 tr.group th{{text-align:left;padding-top:1rem;border-bottom:1px solid var(--faint)}}
 tr.all td{{border-top:2px solid var(--faint);font-weight:600}}
 .best{{font-weight:700;color:var(--good)}}
@@ -72,8 +75,8 @@ margin:1rem 0}}
 .row{{display:flex;flex-wrap:wrap;gap:1rem 2rem;align-items:flex-start}}
 .drawn{{overflow-x:auto;margin:.6rem 0}}
 .drawn>svg{{display:block;width:100%;height:auto;min-width:44rem}}
-.drawn.narrow>svg{{min-width:22rem}}
-.pictures{{display:grid;grid-template-columns:repeat(auto-fill,minmax(17rem,1fr));gap:1rem;
+.drawn.narrow>svg{{min-width:0}}
+.pictures{{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,27rem),1fr));gap:1rem;
 margin:.8rem 0}}
 .pictures.little{{grid-template-columns:repeat(auto-fill,minmax(8.5rem,1fr));gap:.8rem}}
 figure{{margin:0}}
@@ -97,6 +100,9 @@ thead{{display:table-header-group}}
 .drawn>svg{{min-width:0;max-height:225mm}}
 td.says{{min-width:0}}
 th,td{{padding:.15rem .4rem}}
+table{{font-size:8.5pt}}
+.key,.note{{break-after:avoid}}
+th bdi,td bdi{{min-width:0;max-width:11rem}}
 .card,figure img{{print-color-adjust:exact;-webkit-print-color-adjust:exact}}
 svg{{print-color-adjust:exact;-webkit-print-color-adjust:exact}}
 }}

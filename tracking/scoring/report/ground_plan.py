@@ -11,7 +11,7 @@ from tracking.scoring.errors import ErrorTable
 from tracking.scoring.report.subject import Subject
 from tracking.scoring.table import Floats, ScoringTable
 
-_WIDTH, _TALLEST = 620.0, 700.0
+_WIDTH, _TALLEST = 620.0, 560.0
 _REACH_M = 30.0
 _LEAST_SPAN = 2.0
 

@@ -44,19 +44,20 @@ class Measure:
     def difference(self, score: Score, first: Score) -> str:
         """How far it is from another score's, with its sign; nothing where nobody can say."""
         apart = self.value(score) - self.value(first)
-        if math.isnan(apart):
+        if not math.isfinite(apart):
             return ""
-        sign = "−" if apart < 0 else "+" if apart > 0 else "±"
-        return sign + written(abs(apart), self.form)
+        size = written(abs(apart), self.form)
+        same = size == written(0.0, self.form)
+        return f"{'±' if same else '−' if apart < 0 else '+'}{size}"
 
     def best(self, scores: Sequence[Score]) -> frozenset[int]:
-        """Which of several scores are best: none where all are alike."""
-        values = [self.value(score) for score in scores]
-        known = [value for value in values if not math.isnan(value)]
-        if self.better is None or len(set(known)) < 2:
+        """Which of several scores are best, as far as can be read; none where all are alike."""
+        known = [score for score in scores if math.isfinite(self.value(score))]
+        if self.better is None or len({self.shown(score) for score in scores}) < 2 or not known:
             return frozenset()
-        top = max(known) if self.better == "higher" else min(known)
-        return frozenset(index for index, value in enumerate(values) if value == top)
+        top = (max if self.better == "higher" else min)(known, key=self.value)
+        shown = self.shown(top)
+        return frozenset(n for n, score in enumerate(scores) if self.shown(score) == shown)
 
 
 def written(value: float, form: Form) -> str:

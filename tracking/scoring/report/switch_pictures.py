@@ -18,7 +18,7 @@ from tracking.scoring.table import Floats, ScoringTable
 MOST_SWITCHES = 24
 """Of one result on one sequence."""
 
-_WIDTH, _HEIGHT = 320, 240
+_WIDTH, _HEIGHT = 400, 300
 _AROUND = 0.6
 """How much is seen around the boxes, in their own size."""
 _LEAST_PX = 96.0
@@ -27,6 +27,8 @@ _PLACE_PX = 640
 _TRUTH, _BEFORE, _AFTER = (255, 255, 255), (0, 159, 230), (233, 180, 86)
 """BGR; told apart by the colour-blind, too."""
 _BODY_M = (1.7, 0.6)
+_FONT, _LETTERS = 0.45, 18
+"""Size of letters, and height of a line of them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,11 +120,13 @@ def _box(subject: Subject, table: ScoringTable, frame: int, who: int) -> Floats:
 
 def _window(boxes: Floats, shape: tuple[int, ...]) -> tuple[int, int, int, int]:
     """Left, top, width, height of what is cut out: about the boxes, of the pictures' shape."""
-    low, high = boxes[:, :2].min(axis=0), (boxes[:, :2] + boxes[:, 2:]).max(axis=0)
+    rows, columns = shape[:2]
+    corners = np.concatenate([boxes[:, :2], boxes[:, :2] + boxes[:, 2:]])
+    corners = np.clip(corners, 0, [columns, rows])
+    low, high = corners.min(axis=0), corners.max(axis=0)
     middle = (low + high) / 2
     wide, tall = np.maximum((high - low) * (1 + _AROUND), _LEAST_PX)
     tall = max(tall, wide * _HEIGHT / _WIDTH)
-    rows, columns = shape[:2]
     size = np.minimum([tall * _WIDTH / _HEIGHT, tall], [columns, rows])
     left, top = np.clip(middle - size / 2, 0, np.array([columns, rows]) - size)
     return int(left), int(top), int(size[0]), int(size[1])
@@ -146,19 +150,21 @@ def _drawn(
         (x0, y0), (x1, y1) = (scale * corners).round().astype(int).tolist()
         cv2.rectangle(piece, (x0, y0), (x1, y1), (0, 0, 0), 4)
         cv2.rectangle(piece, (x0, y0), (x1, y1), look, 2)
-        at = y0 - 6 if look == _TRUTH else y1 + 16
-        _label(piece, name, (x0, at), look)
+        at = (x0, y0 - _LETTERS if look == _TRUTH else y1)
+        _label(piece, name, at, look)
     done, data = cv2.imencode(".jpg", piece, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
     return data.tobytes() if done else b""
 
 
 def _label(piece: Image, text: str, at: tuple[int, int], colour: tuple[int, int, int]) -> None:
-    """A name that can be read on any ground, moved so that it lies in the picture."""
-    (width, height), _ = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, 0.45, 1)
-    x = min(max(at[0], 2), max(piece.shape[1] - width - 2, 2))
-    y = min(max(at[1], height + 2), piece.shape[0] - 4)
-    cv2.putText(piece, text, (x, y), cv2.FONT_HERSHEY_SIMPLEX, 0.45, (0, 0, 0), 3, cv2.LINE_AA)
-    cv2.putText(piece, text, (x, y), cv2.FONT_HERSHEY_SIMPLEX, 0.45, colour, 1, cv2.LINE_AA)
+    """A name on a ground of its own, moved so that it lies in the picture."""
+    (width, _), _ = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, _FONT, 1)
+    rows, columns = piece.shape[:2]
+    x = min(max(at[0], 0), max(columns - width - 6, 0))
+    y = min(max(at[1], 0), rows - _LETTERS)
+    cv2.rectangle(piece, (x, y), (x + width + 6, y + _LETTERS), colour, cv2.FILLED)
+    place = (x + 3, y + _LETTERS - 5)
+    cv2.putText(piece, text, place, cv2.FONT_HERSHEY_SIMPLEX, _FONT, (0, 0, 0), 1, cv2.LINE_AA)
 
 
 def place_picture(subject: Subject) -> bytes | None:
