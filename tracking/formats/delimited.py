@@ -54,7 +54,8 @@ def pieces_of(path: Path) -> Iterator[Piece]:
                 lines = _lines(path, first, block[:end])
                 if len(rest) > LONGEST_LINE:
                     raise _too_long(path, first + len(lines))
-                yield Piece(first, lines)
+                if lines:
+                    yield Piece(first, lines)
                 first += len(lines)
         yield Piece(first, _lines(path, first, rest))
     except OSError as error:

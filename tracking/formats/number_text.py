@@ -87,7 +87,7 @@ def numbers(values: NDArray[Any], unknown: bytes) -> Block:
     if missing.any():
         _overwrite(block, missing, unknown)
     for row in np.flatnonzero(~by_rule & ~missing).tolist():
-        _overwrite(block, row, repr(float(values[row])).encode())
+        _overwrite(block, row, repr(float(values[row])).removesuffix(".0").encode())
     return block
 
 
@@ -153,16 +153,26 @@ def _rounded(size: Floats, first: Whole, second: Whole, rest: Floats) -> Whole:
 
 def _shortest(digits: Whole, rest: Floats, room: Floats, step: Whole) -> Whole:
     """Numbers rounded to the largest power of ten that is near enough; the step given is."""
-    last = np.where(step == 1, rest >= 0.5, False)
-    shortest: Whole = (digits + np.where(step == 1, last, step >> 1)) // step * step
+    shortest = _to_step(digits, rest, step)
     tried = np.arange(len(digits))
     while len(tried):
         step = step * 10
-        rounded = (digits + (step >> 1)) // step * step
+        rounded = _to_step(digits, rest, step)
         near = (np.abs(digits - rounded + rest) < room) & (step < 10**_DECIMALS)
         shortest[tried[near]] = rounded[near]
         tried, digits, rest, room, step = (a[near] for a in (tried, digits, rest, room, step))
     return shortest
+
+
+def _to_step(digits: Whole, rest: Floats, step: Whole) -> Whole:
+    """Rounded to multiples of a step; what lies just between two goes to the even one."""
+    times, left = np.divmod(digits, step)
+    odd = (times & 1).astype(np.bool_)
+    half = np.where(step == 1, rest > 0.5, 2 * left > step)
+    between = np.where(step == 1, rest == 0.5, (2 * left == step) & (rest == 0))
+    nearly = (2 * left == step) & (rest > 0) & (step > 1)
+    rounded: Whole = (times + (half | nearly | (between & odd))) * step
+    return rounded
 
 
 def _put_whole(block: Block, groups: Sequence[NDArray[Any]]) -> None:
