@@ -8,11 +8,11 @@ from pathlib import Path
 
 from app.cli.destination import is_session
 from tracking.errors import FormatError
-from tracking.failure import TRUE_PARTS
 from tracking.formats import Filmed, format_of, read_mot
 from tracking.formats.reading import Reading
 from tracking.formats.seqinfo import sequence_of
 from tracking.tracks import Columns
+from tracking.truth import TRUE_PARTS
 
 _TRUTH = "truth.txt"
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from made_up_parts import FPS, as_parts, box_of, walk
 
-from tracking.errors import FormatError
-from tracking.failure import labels_from_truth, people_followed, read_true_parts, samples_of
+from tracking.failure import labels_from_truth, people_followed, samples_of
+from tracking.tracks import PART_WORDS
+from tracking.truth import read_true_parts
 
 HEADER = "frame,id,part,left,top,width,height,visible_pixels\n"
-NAMES = ("head", "torso", "hip_leg")
 
 
 def write_truth(path: Path, people: dict[int, np.ndarray], seen: int = 50) -> Path:
@@ -20,7 +20,7 @@ def write_truth(path: Path, people: dict[int, np.ndarray], seen: int = 50) -> Pa
         f"{frame},{person},{name},{','.join(map(repr, box_of(states[frame, part])))},{seen}\n"
         for person, states in people.items()
         for frame in range(len(states))
-        for part, name in enumerate(NAMES)
+        for part, name in enumerate(PART_WORDS)
     ]
     path.write_text(HEADER + "".join(lines), encoding="utf-8")
     return path
@@ -123,48 +123,3 @@ def test_hidden_and_occluded_parts_are_not_labelled(tmp_path: Path, people) -> N
     seen = read_true_parts(write_truth(tmp_path / "t.csv", people))
     parts["occluded"][(parts["track"] == 1) & (parts["part"] == 0)] = True
     assert {label.track for label in labels_from_truth(seen, parts, FPS)} == {2}
-
-
-def test_a_part_that_stands_there_twice_is_named_by_both_lines(tmp_path: Path) -> None:
-    path = tmp_path / "t.csv"
-    rows = ("4,1,head,0,0,1,1,5", "0,1,head,0,0,1,1,5", "0,1,torso,0,0,1,1,5", "0,1,head,9,0,1,1,5")
-    path.write_text(HEADER + "\n".join(rows) + "\n", encoding="utf-8")
-    with pytest.raises(FormatError, match="line 5: line 3 gives the same part") as told:
-        read_true_parts(path)
-    assert "\n" not in str(told.value)
-
-
-def test_a_table_larger_than_any_is_not_read(tmp_path: Path, people, monkeypatch) -> None:
-    path = write_truth(tmp_path / "t.csv", people)
-    monkeypatch.setattr("tracking.failure.truth_table.MOST_BYTES", 1000)
-    with pytest.raises(FormatError, match="give a shorter recording"):
-        read_true_parts(path)
-
-
-@pytest.mark.parametrize(
-    ("line", "why"),
-    [
-        ("0,1,arm,0,0,1,1,5", "line 3"),
-        ("0,1,head,0,0,1,1", "line 3"),
-        ("0,1,head,nan,0,1,1,5", "line 3"),
-        ("-1,1,head,0,0,1,1,5", "line 3"),
-        ("0,0,head,0,0,1,1,5", "line 3"),
-        ("x,1,head,0,0,1,1,5", "line 3"),
-        ("0,1,head,0,0,-1,1,5", "line 3"),
-        (f"0,1,head,0,0,1,1,{10**30}", "line 3"),
-    ],
-)
-def test_a_line_that_is_no_part_is_named(tmp_path: Path, line: str, why: str) -> None:
-    path = tmp_path / "t.csv"
-    path.write_text(HEADER + "0,1,head,0,0,1,1,5\n" + line + "\n", encoding="utf-8")
-    with pytest.raises(FormatError, match=why):
-        read_true_parts(path)
-
-
-def test_a_table_of_something_else_is_refused(tmp_path: Path) -> None:
-    path = tmp_path / "t.csv"
-    path.write_text("frame,id,visibility\n", encoding="utf-8")
-    with pytest.raises(FormatError, match="line 1"):
-        read_true_parts(path)
-    with pytest.raises(FormatError, match="cannot read"):
-        read_true_parts(tmp_path / "missing.csv")

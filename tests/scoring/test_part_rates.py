@@ -6,25 +6,20 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from tracking.scoring.parts import (
     PartTruth,
     TrackedParts,
     bounding,
-    foreign_share,
     judge,
     margin,
     rates_of,
-    right,
     tracked_parts,
     tracked_people,
 )
 
 FRAMES = 30
 TRUE = np.array([[40.0, 20, 60, 40], [35, 40, 65, 90], [36, 90, 64, 160]])
-numbers = st.floats(-50, 50)
 
 
 def _truth(visibility: float = 1.0, frames: int = FRAMES, person: int = 7) -> PartTruth:
@@ -53,23 +48,6 @@ def _tracked(tables: dict[int, np.ndarray]) -> TrackedParts:
 
 def _exact() -> np.ndarray:
     return np.broadcast_to(TRUE, (FRAMES, 3, 4)).copy()
-
-
-@given(numbers, numbers)
-def test_a_rectangle_as_large_as_its_part_is_right_until_half_of_it_is_off(
-    dx: float, dy: float
-) -> None:
-    moved = TRUE[1] + np.array([dx, dy, dx, dy])
-    inside = max(1 - abs(dx) / 30, 0) * max(1 - abs(dy) / 50, 0)
-    assert foreign_share(moved, TRUE[1]) == pytest.approx(1 - inside, abs=1e-9)
-    if abs(inside - 0.5) > 1e-6:
-        assert right(moved, TRUE[1]) == (inside > 0.5)
-
-
-def test_a_dot_and_no_rectangle_at_all_are_wrong() -> None:
-    assert not right(np.array([50.0, 60, 51, 61]), TRUE[1])
-    assert not right(np.full(4, np.nan), TRUE[1])
-    assert not right(np.array([0.0, 0, 200, 200]), TRUE[1])
 
 
 def test_who_is_tracked_exactly_is_right_from_the_first_frame_on() -> None:

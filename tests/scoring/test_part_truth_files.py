@@ -47,6 +47,6 @@ def test_a_table_larger_than_any_is_not_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = beside(tmp_path, HEADER + "0,4,1\n" * 50)
-    monkeypatch.setattr("tracking.failure.truth_table.MOST_BYTES", len(PARTS) + 20)
+    monkeypatch.setattr("tracking.truth.table.MOST_BYTES", len(PARTS) + 20)
     with pytest.raises(FormatError, match=r"visibility\.csv has"):
         read_part_truth(folder, 2, (64, 48))

@@ -15,9 +15,9 @@ from tracking.trackers.three_part.bodies import outlined_boxes
 from tracking.trackers.three_part.claims import claims_of, seen_taller, seen_whole, sharing
 from tracking.trackers.three_part.finding import found_again
 from tracking.trackers.three_part.followed import Followed, Layout
-from tracking.trackers.three_part.poses import HEAD, HIP_LEG
 from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
 from tracking.trackers.three_part.starting import begun, regions_rectangles
+from tracking.tracks import HEAD, HIP_LEG
 
 LAYOUT = Layout(parts=3, together=1)
 TALL = np.array([float(HEIGHT)])

@@ -29,7 +29,6 @@ from tracking.failure.training import (
     write_report,
 )
 from tracking.failure.true_labels import labels_from_truth, people_followed
-from tracking.failure.true_parts import TRUE_PARTS, TrueParts, read_true_parts
 
 __all__ = [
     "BESIDES",
@@ -39,7 +38,6 @@ __all__ = [
     "SAMPLE_COLUMNS",
     "SAMPLE_SOURCES",
     "STATE_NAMES",
-    "TRUE_PARTS",
     "Curve",
     "Detector",
     "Judgement",
@@ -55,7 +53,6 @@ __all__ = [
     "Trained",
     "TrainingPlan",
     "TrainingReport",
-    "TrueParts",
     "built_in_detector",
     "check_training_folder",
     "joined",
@@ -65,7 +62,6 @@ __all__ = [
     "part_features",
     "part_states",
     "people_followed",
-    "read_true_parts",
     "samples_of",
     "save_detector",
     "states_before",

@@ -9,10 +9,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import PARTS, Floats
+from tracking.failure.features import Floats
 from tracking.failure.machines import Machines
 from tracking.failure.operating import Curve
 from tracking.failure.preparation import Preparation
+from tracking.tracks import PARTS
 
 FALSE_ALARMS = 0.02
 """A missed failure costs less than a false alarm [ZhaoLee2009]: at most so many by default."""

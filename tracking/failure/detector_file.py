@@ -13,12 +13,13 @@ import numpy as np
 from tracking.errors import FormatError
 from tracking.failure import inspection
 from tracking.failure.detector import Detector, Origin
-from tracking.failure.detector_layout import FORMAT, MACHINES, PARTS, VERSION
+from tracking.failure.detector_layout import FORMAT, MACHINES, VERSION
 from tracking.failure.features import Floats
 from tracking.failure.machines import Machine, Machines
 from tracking.failure.operating import Curve
 from tracking.failure.preparation import Preparation, numbers_seen
 from tracking.replacing import replace_with
+from tracking.tracks import PART_NAMES, PARTS
 from tracking.untrusted import verdicts_of
 
 BUILT_IN = "part_failures.h5"
@@ -116,7 +117,7 @@ def _read(path: Path) -> Detector:
 
 def _detector(file: h5py.File) -> Detector:
     names = [name for name in MACHINES if name in file["machines"]]
-    if tuple(names[: len(PARTS)]) != PARTS:
+    if tuple(names[:PARTS]) != PART_NAMES:
         raise ValueError("it lacks a part")
     by_size = bool(file.attrs["by_size"])
     numbers = numbers_seen(by_size=by_size)
@@ -130,11 +131,11 @@ def _detector(file: h5py.File) -> Detector:
     machines = tuple(_machine(file["machines"][name], numbers) for name in names)
     curves = tuple(_curve(file["operating"][name]) for name in names)
     thresholds = [_number(file["operating"][name], "threshold") for name in names]
-    several = thresholds[len(PARTS)] if len(names) > len(PARTS) else 0.0
+    several = thresholds[PARTS] if len(names) > PARTS else 0.0
     return Detector(
         preparation,
         Machines(machines),
-        np.array(thresholds[: len(PARTS)]),
+        np.array(thresholds[:PARTS]),
         several,
         curves,
         _origin(file["origin"]),
@@ -163,7 +164,7 @@ def _curve(group: h5py.Group) -> Curve:
 
 def _origin(group: h5py.Group) -> Origin:
     counts, instants = group["counts"][()], group["instants"][()]
-    if counts.shape != (len(PARTS), 2) or instants.shape != (2,):
+    if counts.shape != (PARTS, 2) or instants.shape != (2,):
         raise ValueError("its counts have another shape")
     return Origin(
         counts.astype(np.int64),

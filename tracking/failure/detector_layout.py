@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from tracking.tracks.body_parts import PART_NAMES
+
 FORMAT = "trackwright-detector"
 VERSION = (1, 0)
 """Major: older programs cannot read it. Minor: they can, and miss something."""
 
-PARTS = ("head", "torso", "hip-leg")
-MACHINES = (*PARTS, "several")
+MACHINES = (*PART_NAMES, "several")
 """The last one may be missing."""
 
 MOST_BYTES = 128 << 20

@@ -8,6 +8,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.tracks import PART_WORDS, PARTS
+
 Floats = NDArray[np.float64]
 
 FEATURE_SPAN_S = 0.5
@@ -16,11 +18,13 @@ FEATURE_SPAN_S = 0.5
 STATE_NAMES = ("x", "y", "width", "height", "vx", "vy")
 """Of a part: its rectangle's centre and size in px of the left image as recorded, and px/s."""
 
-_PARTS = ("head", "torso", "hip_leg")
-PARTS, NUMBERS = len(_PARTS), len(STATE_NAMES)
+NUMBERS = len(STATE_NAMES)
 
 FEATURE_NAMES = tuple(
-    f"{part}_{name}{when}" for when in ("", "_change") for part in _PARTS for name in STATE_NAMES
+    f"{part}_{name}{when}"
+    for when in ("", "_change")
+    for part in PART_WORDS
+    for name in STATE_NAMES
 )
 """In the order of the paper: the relative states of head, torso, hip-leg, then their differences
 over `FEATURE_SPAN_S`."""

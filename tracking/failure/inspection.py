@@ -20,9 +20,10 @@ from tracking.untrusted import (
 )
 
 if __name__ == "__main__":
-    bare_packages("failure")
+    bare_packages("failure", "tracks")
 
-from tracking.failure.detector_layout import FORMAT, MACHINES, MOST_BYTES, PARTS, VERSION
+from tracking.failure.detector_layout import FORMAT, MACHINES, MOST_BYTES, VERSION
+from tracking.tracks.body_parts import PART_NAMES
 
 _KIND = Kind("detector", FORMAT, VERSION, MOST_BYTES, dimensions=2)
 
@@ -46,7 +47,7 @@ def inspect(path: Path) -> tuple[int, int]:
 
 def _expected(several: bool) -> list[tuple[str, int, str]]:
     """Path, dimensions and kind of number of each array."""
-    machines = MACHINES if several else PARTS
+    machines = MACHINES if several else PART_NAMES
     return [
         *(("preparation/centre", 1, "f"), ("preparation/scale", 1, "f")),
         *((f"machines/{name}/support", 2, "f") for name in machines),

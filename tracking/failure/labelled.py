@@ -8,14 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import NUMBERS, PARTS, Floats, part_features
+from tracking.failure.features import NUMBERS, Floats, part_features
 from tracking.failure.past import states_before
 from tracking.failure.samples import Samples, no_samples, samples_from_rows
-from tracking.tracks import Columns, PartLabel
-from tracking.tracks.part_labels import Box
-
-HELD = 0.5
-"""A rectangle is right while less than half of it is of other objects [ZhaoLee2009] 5.2."""
+from tracking.tracks import PARTS, Columns, PartLabel
+from tracking.tracks.on_part import MOST_FOREIGN, corners_of, corners_of_boxes, foreign_share
 
 _SAME_PX = 1e-3
 """Corners and centres are not the same numbers, only the same rectangle."""
@@ -134,7 +131,8 @@ def _drafts(label: PartLabel, row: int, seen: PartStates, right: Floats) -> list
     if not label.on_part:
         return [_draft(label, row, _with_box(tracked, label), False)]
     mended = _draft(label, row, right[row], True, mended=True)
-    if share_within(_box(tracked[label.part]), label.box) >= HELD:
+    there = corners_of(tracked[label.part, :4])
+    if foreign_share(there, corners_of_boxes(np.array(label.box))) <= MOST_FOREIGN:
         return [mended]
     return [_draft(label, row, tracked, False), mended]
 
@@ -166,18 +164,3 @@ def _with_box(state: Floats, label: PartLabel) -> Floats:
         moved[label.part, :4] = box
         moved[label.part, 4:] = np.delete(state[:, 4:], label.part, axis=0).mean(axis=0)
     return moved
-
-
-def _box(state: Floats) -> Box:
-    x, y, width, height = state[:4].tolist()
-    return x - width / 2, y - height / 2, width, height
-
-
-def share_within(box: Box, other: Box) -> float:
-    """The share of a box (left, top, width, height) that lies within another."""
-    size = [
-        max(0.0, min(box[at] + box[at + 2], other[at] + other[at + 2]) - max(box[at], other[at]))
-        for at in (0, 1)
-    ]
-    area = box[2] * box[3]
-    return size[0] * size[1] / area if area > 0 else 0.0

@@ -15,7 +15,8 @@ from collections import deque
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import FEATURE_SPAN_S, NUMBERS, PARTS, Floats
+from tracking.failure.features import FEATURE_SPAN_S, NUMBERS, Floats
+from tracking.tracks import PARTS
 
 Tracks = NDArray[np.integer]
 Rows = NDArray[np.int64]

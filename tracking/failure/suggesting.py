@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.failure.detector import Detector
-from tracking.failure.features import PARTS, Floats, part_features
+from tracking.failure.features import Floats, part_features
 from tracking.failure.labelled import PartStates, part_states
 from tracking.failure.past import states_before
-from tracking.tracks import Columns, PartKey
+from tracking.tracks import PARTS, Columns, PartKey
 
 MOST = 200
 _APART_S = 0.5

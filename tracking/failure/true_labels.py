@@ -7,17 +7,23 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import PARTS, Floats
-from tracking.failure.true_parts import TrueParts
-from tracking.failure.truth_table import Rows
-from tracking.tracks import LARGEST_NUMBER, Columns, PartLabel
+from tracking.failure.features import Floats
+from tracking.tracks import LARGEST_NUMBER, PARTS, Columns, PartLabel
+from tracking.tracks.on_part import (
+    LEAST_COVERED,
+    MOST_FOREIGN,
+    corners_of,
+    corners_of_boxes,
+    covered_share,
+    foreign_share,
+)
+from tracking.truth import TrueParts
+from tracking.truth.table import Rows
 
 EVERY_S = 0.15
 """Labels closer together say the same."""
 _CLEAR = 0.1
 """How far from half and half a share must be to be clear: what is neither is dropped."""
-_LEAST_COVERED = 0.05
-"""A dot inside a part holds nothing else and still is not on it."""
 _BEGINNING_S = 1.0
 
 Flags = NDArray[np.bool_]
@@ -70,7 +76,7 @@ def labels_from_truth(
     own = np.array([followed.get(one, 0) for one in pairs.track.tolist()]) == pairs.person
     begun = _begun(pairs, parts)
     due = (pairs.frame - begun) % max(1, round(every_s * fps)) == 0
-    on, off = _on(pairs), pairs.outside > 0.5 + _CLEAR
+    on, off = _on(pairs), pairs.outside > MOST_FOREIGN + _CLEAR
     kept = own & due & pairs.seen & ~_occluded(pairs, parts) & ~_elsewhere(pairs, own)
     return [
         _label(parts, int(pairs.row[at]), bool(on[at])) for at in np.flatnonzero(kept & (on | off))
@@ -104,23 +110,14 @@ def _pairs(truth: TrueParts, parts: Columns) -> _Pairs:
     row = np.repeat(np.arange(len(ours)), count)
     turn = np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count)
     true = order[np.repeat(low, count) + turn]
-    outside, covered = _shares(_boxes(parts)[row], truth.box[true])
+    ours_at, theirs_at = _corners(parts)[row], corners_of_boxes(truth.box[true])
+    outside, covered = foreign_share(ours_at, theirs_at), covered_share(ours_at, theirs_at)
     track, frame = (parts[name][row].astype(np.int64) for name in ("track", "frame"))
     return _Pairs(row, track, frame, truth.person[true], outside, covered, truth.seen[true] > 0)
 
 
-def _boxes(parts: Columns) -> Floats:
-    size = np.column_stack((parts["width"], parts["height"]))
-    return np.concatenate((np.column_stack((parts["cx"], parts["cy"])) - size / 2, size), axis=1)
-
-
-def _shares(boxes: Floats, true: Floats) -> tuple[Floats, Floats]:
-    """(k,) share of boxes outside of the true ones, and share of the true ones they cover."""
-    low = np.maximum(boxes[:, :2], true[:, :2])
-    high = np.minimum(boxes[:, :2] + boxes[:, 2:], true[:, :2] + true[:, 2:])
-    common = np.maximum(high - low, 0.0).prod(axis=1)
-    areas = [np.maximum(each[:, 2:].prod(axis=1), 1e-9) for each in (boxes, true)]
-    return 1.0 - common / areas[0], common / areas[1]
+def _corners(parts: Columns) -> Floats:
+    return corners_of(np.column_stack([parts[name] for name in ("cx", "cy", "width", "height")]))
 
 
 def _begun(pairs: _Pairs, parts: Columns) -> Rows:
@@ -133,7 +130,7 @@ def _begun(pairs: _Pairs, parts: Columns) -> Rows:
 
 def _on(pairs: _Pairs) -> Flags:
     """(k,) rectangles clearly on the part."""
-    return (pairs.outside < 0.5 - _CLEAR) & (pairs.covered >= _LEAST_COVERED)
+    return (pairs.outside < MOST_FOREIGN - _CLEAR) & (pairs.covered >= LEAST_COVERED)
 
 
 def _occluded(pairs: _Pairs, parts: Columns) -> Flags:

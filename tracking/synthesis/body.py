@@ -12,11 +12,9 @@ from numpy.typing import NDArray
 from tracking.synthesis.figures import Figures
 from tracking.synthesis.skeleton import UP, Skeleton, left_of
 from tracking.synthesis.tubes import Rings, TubeShape, directions, surface
+from tracking.tracks import HEAD, HIP_LEG, TORSO
 
 Floats = NDArray[np.float64]
-
-HEAD, TORSO, HIP_LEG = 0, 1, 2
-PARTS = ("head", "torso", "hip_leg")
 
 _WAIST = 0.585
 _TORSO = np.array(

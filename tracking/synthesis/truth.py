@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.synthesis.body import PARTS, topology
+from tracking.synthesis.body import topology
 from tracking.synthesis.painter import FINE, Drawn
 from tracking.synthesis.rig import BASELINE_M, Rig
+from tracking.tracks import PARTS
 
 Floats = NDArray[np.float64]
 
@@ -50,8 +51,8 @@ def nobody() -> SceneTruth:
         np.zeros((0, 4)),
         np.zeros((0, 2)),
         np.zeros(0),
-        np.zeros((0, len(PARTS), 4)),
-        np.zeros((0, len(PARTS)), np.int32),
+        np.zeros((0, PARTS, 4)),
+        np.zeros((0, PARTS), np.int32),
     )
 
 
@@ -109,7 +110,7 @@ def truth_of(
     seen = _part_samples(drawn, len(people))
     whole = _whole_samples(drawn, len(people))
     visible = seen.sum(axis=1)
-    part_box = np.stack([_boxes(pixels, part) for part in range(len(PARTS))], axis=1)
+    part_box = np.stack([_boxes(pixels, part) for part in range(PARTS)], axis=1)
     rows = np.flatnonzero(visible > 0)
     return SceneTruth(
         track=(people[rows] + 1).astype(np.int32),
@@ -123,9 +124,9 @@ def truth_of(
 
 def _part_samples(drawn: Drawn, people: int) -> NDArray[np.int64]:
     """Samples seen (n, 3) of each person's parts."""
-    kind = drawn.person * len(PARTS) + drawn.part
-    count = np.bincount(kind[drawn.seen.triangle], minlength=people * len(PARTS))
-    return count.reshape(people, len(PARTS))
+    kind = drawn.person * PARTS + drawn.part
+    count = np.bincount(kind[drawn.seen.triangle], minlength=people * PARTS)
+    return count.reshape(people, PARTS)
 
 
 def _whole_samples(drawn: Drawn, people: int) -> NDArray[np.int64]:

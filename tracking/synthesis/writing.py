@@ -16,7 +16,6 @@ from tracking.formats import write_mot
 from tracking.geometry import write_calibration
 from tracking.progress import Progress
 from tracking.recording import Manifest, write_manifest
-from tracking.synthesis.body import PARTS
 from tracking.synthesis.circumstances import ORDINARY, Circumstances
 from tracking.synthesis.programme_writing import write_programme
 from tracking.synthesis.scene import Scene
@@ -24,6 +23,8 @@ from tracking.synthesis.scenes import SCENES
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.truth import CARED_FOR, SceneTruth
 from tracking.synthesis.video import VideoWriter
+from tracking.tracks import PART_WORDS
+from tracking.truth import TRUE_PART_COLUMNS, TRUE_PARTS, VISIBILITY, VISIBILITY_COLUMNS
 
 MOST_PEOPLE, LONGEST_S = 200, 3600.0
 _SIDES = ("left", "right")
@@ -224,13 +225,13 @@ def _write_truth(folder: Path, truths: list[SceneTruth]) -> None:
         "z": np.zeros(len(frame)),
     }
     write_mot(folder / "truth.txt", columns)
-    _write_visibility(folder / "visibility.csv", truths)
-    _write_parts(folder / "truth_parts.csv", truths)
+    _write_visibility(folder / VISIBILITY, truths)
+    _write_parts(folder / TRUE_PARTS, truths)
 
 
 def _write_visibility(path: Path, truths: list[SceneTruth]) -> None:
     with path.open("w", encoding="utf-8", newline="\n") as stream:
-        stream.write("frame,id,visibility\n")
+        stream.write(",".join(VISIBILITY_COLUMNS) + "\n")
         for frame, truth in enumerate(truths):
             for track, share in zip(truth.track, truth.visibility, strict=True):
                 stream.write(f"{frame},{track},{share:.4f}\n")
@@ -238,10 +239,10 @@ def _write_visibility(path: Path, truths: list[SceneTruth]) -> None:
 
 def _write_parts(path: Path, truths: list[SceneTruth]) -> None:
     with path.open("w", encoding="utf-8", newline="\n") as stream:
-        stream.write("frame,id,part,left,top,width,height,visible_pixels\n")
+        stream.write(",".join(TRUE_PART_COLUMNS) + "\n")
         for frame, truth in enumerate(truths):
             for row, track in enumerate(truth.track):
-                for part, name in enumerate(PARTS):
+                for part, name in enumerate(PART_WORDS):
                     box = ",".join(f"{value:.2f}" for value in truth.part_box[row, part])
                     pixels = truth.part_pixels[row, part]
                     stream.write(f"{frame},{track},{name},{box},{pixels}\n")

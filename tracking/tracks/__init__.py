@@ -1,5 +1,6 @@
 """The columnar track table, runs and labels."""
 
+from tracking.tracks.body_parts import HEAD, HIP_LEG, PART_NAMES, PART_WORDS, PARTS, TORSO
 from tracking.tracks.columns import (
     ASSOCIATION_COLUMNS,
     CLOTHES,
@@ -37,7 +38,6 @@ from tracking.tracks.labels import (
     VerdictKey,
 )
 from tracking.tracks.part_labels import (
-    PART_NAMES,
     PART_SOURCES,
     Box,
     PartKey,
@@ -54,14 +54,19 @@ __all__ = [
     "CORRECTED_COLUMNS",
     "DECISIONS",
     "DETECTION_COLUMNS",
+    "HEAD",
+    "HIP_LEG",
     "LARGEST_NUMBER",
     "LONGEST_NAME",
     "PARTICLE_COLUMNS",
+    "PARTS",
     "PART_COLUMNS",
     "PART_NAMES",
     "PART_PARTICLE_COLUMNS",
     "PART_SOURCES",
+    "PART_WORDS",
     "SIGNAL_COLUMNS",
+    "TORSO",
     "TRACKLET_COLUMNS",
     "TRACK_COLUMNS",
     "Box",

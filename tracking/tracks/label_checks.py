@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import EditError
+from tracking.tracks.body_parts import PARTS
 from tracking.tracks.labels import (
     DECISIONS,
     CountingLine,
@@ -21,7 +22,7 @@ from tracking.tracks.labels import (
     ReviewedRange,
     Verdict,
 )
-from tracking.tracks.part_labels import PART_NAMES, PART_SOURCES, PartLabel
+from tracking.tracks.part_labels import PART_SOURCES, PartLabel
 from tracking.tracks.validation import LARGEST_NUMBER
 
 MOST_CORNERS = 500
@@ -34,7 +35,7 @@ def check_part_label(label: PartLabel) -> None:
     """Refuse a rectangle without area, an unknown part, a frame or track that cannot be."""
     _check_place(label.frame, label.track, first_track=1)
     what = f"part label of track {label.track} in frame {label.frame}"
-    if not 0 <= label.part < len(PART_NAMES):
+    if not 0 <= label.part < PARTS:
         raise EditError(f"{what}: part {label.part} is none; 0 head, 1 torso, 2 hip-leg")
     left, top, width, height = label.box
     if not _is_near(left, top, width, height):

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from tracking.tracks.body_parts import PARTS
+
 PartKey = tuple[int, int, int]
 """frame, track, part."""
 Box = tuple[float, float, float, float]
 """left, top, width, height in 0-based pixels of the left image as recorded."""
 
-PART_NAMES = ("head", "torso", "hip-leg")
-"""By the number of the part."""
 PART_SOURCES = ("tracker", "person", "truth")
 """By the number in the session file."""
 _BLOCK_FRAMES = 256
@@ -101,7 +101,7 @@ class PartLabels(Mapping[PartKey, PartLabel]):
             if first <= number <= last
             for frame in sorted(block)
             if start <= frame < end
-            for part in range(len(PART_NAMES))
+            for part in range(PARTS)
             if (track, part) in block[frame]
         )
 

@@ -13,13 +13,11 @@ from numpy.typing import NDArray
 from app.presenters.words import counted
 from tracking.errors import TrainingError
 from tracking.failure import (
-    TRUE_PARTS,
     Samples,
     joined,
     labels_from_truth,
     no_samples,
     people_followed,
-    read_true_parts,
     samples_of,
     told_apart,
 )
@@ -32,6 +30,7 @@ from tracking.session import (
     samples_with_boxes,
 )
 from tracking.tracks import Box, Labels, Run, TrackTable
+from tracking.truth import TRUE_PARTS, read_true_parts
 
 
 @dataclass(frozen=True, slots=True, eq=False)

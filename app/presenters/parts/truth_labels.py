@@ -7,10 +7,11 @@ from pathlib import Path
 from app.presenters.words import tr
 from tracking.editing import Change, plan_label_part
 from tracking.errors import EditError
-from tracking.failure import TRUE_PARTS, labels_from_truth, read_true_parts
+from tracking.failure import labels_from_truth
 from tracking.recording import Recording
 from tracking.session.belonging import parts_by_now
 from tracking.tracks import Labels, Run, TrackTable
+from tracking.truth import TRUE_PARTS, read_true_parts
 
 
 def truth_path(recording: Recording) -> Path | None:

@@ -14,11 +14,11 @@ from command_line import Trackwright
 from app.cli.scored import part_rates
 from app.cli.tracks import tracks_at
 from tracking.editing import plan_delete, plan_label_part
-from tracking.failure import TRUE_PARTS, read_true_parts
 from tracking.recording import open_recording
 from tracking.scoring.parts import judge, read_part_truth, tracked_parts
 from tracking.session import Session
 from tracking.tracks import PART_COLUMNS, TRACK_COLUMNS, Columns, PartLabel, Run
+from tracking.truth import TRUE_PARTS, read_true_parts
 
 TORSO = 1
 ASIDE = (0.0, 0.0, 9.0, 9.0)

@@ -16,12 +16,13 @@ from command_line import Trackwright
 
 from app.presenters.parts.taught import source_at
 from tracking.editing import plan_label_part
-from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS, TRUE_PARTS, load_detector, training
+from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS, load_detector, training
 from tracking.failure.training import Candidate
 from tracking.formats import read_samples
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import PART_COLUMNS, PartLabel, Run
+from tracking.truth import TRUE_PARTS
 
 _SHARES = ((0.0, 0.14), (0.17, 0.5), (0.55, 0.75))
 """Top and bottom of the parts in a person's box."""

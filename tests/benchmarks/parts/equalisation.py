@@ -24,8 +24,8 @@ from tracking.people.parts import (
     level_histograms,
     ycbcr,
 )
-from tracking.scoring.parts import PARTS
 from tracking.synthesis import SCENES, Scene
+from tracking.tracks import PART_WORDS, PARTS
 
 Floats = NDArray[np.float64]
 
@@ -64,7 +64,7 @@ def measure(
     found = list(targets(clips, images))
     alarms = {name: false_alarms(found, name, seed) for name in ("with", "without")}
     parts: dict[str, dict[str, float]] = {}
-    for k, part in enumerate(PARTS):
+    for k, part in enumerate(PART_WORDS):
         parts[part] = {"paper_with": PAPER[part][0], "paper_without": PAPER[part][1]}
         for name, (counts, thresholds) in alarms.items():
             parts[part][name] = round(100 * float(counts[k]) / (len(found) * REGIONS), 3)
@@ -115,7 +115,7 @@ def false_alarms(found: Sequence[Target], kind: str, seed: int) -> tuple[Floats,
         (3,) counts by part, and (3,) mean thresholds.
     """
     rng = np.random.default_rng(seed)
-    counts, thresholds = np.zeros(len(PARTS)), np.zeros(len(PARTS))
+    counts, thresholds = np.zeros(PARTS), np.zeros(PARTS)
     for target in found:
         near = np.stack([_near(rectangle, rng) for rectangle in target.rectangles])
         away = np.stack([_away(rectangle, target.picture, rng) for rectangle in target.rectangles])

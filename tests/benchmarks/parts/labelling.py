@@ -10,18 +10,17 @@ import numpy as np
 from tests.benchmarks.parts.clips import FPS, Clip, folder_of
 from tests.benchmarks.parts.running import Variant, run_of
 from tracking.failure import (
-    TRUE_PARTS,
     Curve,
     Detector,
     Samples,
     joined,
     labels_from_truth,
     people_followed,
-    read_true_parts,
     samples_of,
 )
 from tracking.failure.training.questions import NAMES, all_questions
 from tracking.tracks import Columns
+from tracking.truth import TRUE_PARTS, read_true_parts
 
 
 def samples_of_clips(clips: Sequence[Clip], variant: Variant, kept: Path | None = None) -> Samples:

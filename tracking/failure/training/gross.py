@@ -11,10 +11,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import FEATURES, NUMBERS, PARTS, Floats
+from tracking.failure.features import FEATURES, NUMBERS, Floats
 from tracking.failure.preparation import body_sizes
 from tracking.failure.samples import Samples
 from tracking.failure.training.questions import SEVERAL, Question
+from tracking.tracks import PARTS
 
 _NEAREST, _FARTHEST = 0.5, 8.0
 """How far a part is carried, in sizes of the person."""

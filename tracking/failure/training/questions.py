@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import TrainingError
-from tracking.failure.features import PARTS, Floats
+from tracking.failure.features import Floats
 from tracking.failure.samples import Samples
+from tracking.tracks import PART_NAMES, PARTS
 
-NAMES = ("head", "torso", "hip-leg", "several")
+NAMES = (*PART_NAMES, "several")
 SEVERAL = PARTS
 LEAST_SAMPLES = 10
 """Of each answer to a question; fewer say nothing of people who were held out."""

@@ -8,13 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import PARTS, Floats
+from tracking.failure.features import Floats
 from tracking.failure.machines import Machines
 from tracking.failure.operating import Curve
 from tracking.failure.preparation import Preparation
 from tracking.failure.training.fitting import Candidate, fitted
 from tracking.failure.training.questions import SEVERAL, Question
 from tracking.failure.training.steps import Steps
+from tracking.tracks import PARTS
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import tracking
 from tracking.failure.detector import FALSE_ALARMS, Detector, Origin
-from tracking.failure.features import PARTS, Floats
+from tracking.failure.features import Floats
 from tracking.failure.machines import Machines
 from tracking.failure.operating import Curve
 from tracking.failure.preparation import Preparation, fitted_preparation
@@ -25,6 +25,7 @@ from tracking.failure.training.report import TrainingReport, question_report
 from tracking.failure.training.search import Choice, Tried, curve_of, held_out_scores, search
 from tracking.failure.training.steps import Steps
 from tracking.progress import Progress
+from tracking.tracks import PARTS
 
 
 @dataclass(frozen=True, slots=True)

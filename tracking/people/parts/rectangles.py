@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.tracks import HIP_LEG
+
 Floats = NDArray[np.float64]
 Mask = NDArray[np.uint8] | NDArray[np.bool_]
 
-HEAD, TORSO, HIP_LEG = range(3)
 _LEAST_SIZE_PX = 2.0
 
 

@@ -1,9 +1,9 @@
 """Accuracy of tracked body parts against exact truth, by the measure of [ZhaoLee2009]."""
 
 from tracking.scoring.parts.judging import Judged, judge
-from tracking.scoring.parts.rates import LAST_FRAME, PARTS, SUBJECTS, Rates, margin, rates_of
+from tracking.scoring.parts.rates import LAST_FRAME, SUBJECTS, Rates, margin, rates_of
 from tracking.scoring.parts.reading import read_part_truth
-from tracking.scoring.parts.rectangles import bounding, foreign_share, right
+from tracking.scoring.parts.rectangles import bounding
 from tracking.scoring.parts.rows import (
     PartTruth,
     TrackedParts,
@@ -14,7 +14,6 @@ from tracking.scoring.parts.rows import (
 
 __all__ = [
     "LAST_FRAME",
-    "PARTS",
     "SUBJECTS",
     "Judged",
     "PartTruth",
@@ -22,12 +21,10 @@ __all__ = [
     "TrackedParts",
     "bounding",
     "by_person",
-    "foreign_share",
     "judge",
     "margin",
     "rates_of",
     "read_part_truth",
-    "right",
     "tracked_parts",
     "tracked_people",
 ]

@@ -21,8 +21,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.scoring.parts.rectangles import Bools, Floats, foreign_share, overlaps, right
+from tracking.scoring.parts.rectangles import Bools, Floats, overlaps
 from tracking.scoring.parts.rows import PartTruth, TrackedParts, Whole
+from tracking.tracks.on_part import foreign_share, lies_on
 
 LEAST_SEEN = 0.7
 LATEST_START_S = 1.0
@@ -90,7 +91,7 @@ def _beginning(tracked: TrackedParts, frame: Whole, people: Floats, seen: Whole)
         theirs = slice(*np.searchsorted(tracked.frame, (frame[row], frame[row] + 1)))
         shared = overlaps(tracked.person[theirs, None], people[None, first:end])
         own = shared[:, row - first]
-        fits = (own == shared.max(axis=1)) & right(tracked.person[theirs], people[row])
+        fits = (own == shared.max(axis=1)) & lies_on(tracked.person[theirs], people[row])
         if fits.any():
             return int(tracked.track[theirs][np.argmax(np.where(fits, own, -1.0))]), waited
     return 0, 0
@@ -111,7 +112,7 @@ def _judged(
         person,
         track,
         first,
-        right(parts, true),
-        right(whole, truth.people[seen]),
+        lies_on(parts, true),
+        lies_on(whole, truth.people[seen]),
         foreign_share(parts, true),
     )

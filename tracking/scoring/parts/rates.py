@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from tracking.scoring.parts.judging import Judged
 from tracking.scoring.parts.rectangles import Bools, Floats
+from tracking.tracks import PART_WORDS, PARTS
 
-PARTS = ("head", "torso", "hip_leg")
-SUBJECTS = (*PARTS, "person")
+SUBJECTS = (*PART_WORDS, "person")
 LAST_FRAME = 150
 TOLD_FRAMES = (50, 105)
 """After so many frames people are told the rates: [ZhaoLee2009] gives those of frame 105."""
@@ -53,7 +53,7 @@ class Rates:
             }
             for column, subject in enumerate(SUBJECTS)
         }
-        for part, share in zip(PARTS, self.foreign.tolist(), strict=True):
+        for part, share in zip(PART_WORDS, self.foreign.tolist(), strict=True):
             table[part]["foreign"] = _defined(share)
         people = self.people[:length].tolist()
         return {
@@ -101,8 +101,8 @@ def rates_of(judged: Sequence[Judged], last: int = LAST_FRAME) -> Rates:
         unbroken / share,
         _mean(everything.astype(np.float64), len(SUBJECTS)),
         _mean(
-            np.concatenate([np.zeros((0, len(PARTS))), *(one.foreign for one in judged)]),
-            len(PARTS),
+            np.concatenate([np.zeros((0, PARTS)), *(one.foreign for one in judged)]),
+            PARTS,
         ),
     )
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.scoring.parts.rectangles import Bools, Floats, bounding
-from tracking.tracks import PART_NAMES
+from tracking.tracks import PARTS
 
 Whole = NDArray[np.int64]
 
@@ -87,7 +87,7 @@ def tracked_people(columns: Mapping[str, NDArray[Any]]) -> TrackedParts:
     low, size = (_two(columns, *names) for names in (("left", "top"), ("width", "height")))
     frame, track = (columns[name].astype(np.int64) for name in ("frame", "track"))
     order = np.lexsort((track, frame))
-    nothing = np.full((len(frame), len(PART_NAMES), 4), np.nan)
+    nothing = np.full((len(frame), PARTS, 4), np.nan)
     person = np.concatenate((low, low + size), axis=1)
     return TrackedParts(frame[order], track[order], nothing, person[order])
 
@@ -97,7 +97,7 @@ def by_person(
 ) -> tuple[Whole, Whole, Floats]:
     """Rows of single parts as frame (n,), track (n,) and corners (n, 3, 4) of whole people."""
     known, row = np.unique(keys(frame, track), return_inverse=True)
-    parts = np.full((len(known), len(PART_NAMES), 4), np.nan)
+    parts = np.full((len(known), PARTS, 4), np.nan)
     parts[row.reshape(-1), part] = corners
     return known >> 32, known & 0xFFFFFFFF, parts
 

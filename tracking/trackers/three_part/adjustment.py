@@ -12,7 +12,8 @@ from tracking.people.parts import inner_rectangle, part_regions
 from tracking.trackers.three_part.claims import Claims, seen_whole
 from tracking.trackers.three_part.followed import Flags, Floats, Followed
 from tracking.trackers.three_part.moving import carried
-from tracking.trackers.three_part.poses import HEAD, HIP_LEG, TORSO, pose_faults
+from tracking.trackers.three_part.poses import pose_faults
+from tracking.tracks import HEAD, HIP_LEG, TORSO
 
 _AROUND = 1.2
 """Where a person is looked for who lost several parts: their box, larger by this."""

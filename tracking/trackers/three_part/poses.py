@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.three_part.followed import Flags, Floats
-
-HEAD, TORSO, HIP_LEG = range(3)
+from tracking.tracks import HEAD, HIP_LEG, TORSO
 
 _HEAD_FROM_TORSO = ((-0.28, -0.48), (0.28, -0.08))
 _LEGS_FROM_TORSO = ((-0.30, 0.04), (0.30, 0.48))

@@ -10,13 +10,12 @@ from tracking.people import Detections
 from tracking.people.parts import around, part_regions
 from tracking.trackers.three_part.claims import Claims, seen_whole
 from tracking.trackers.three_part.followed import Flags, Floats, Followed, Layout
-from tracking.trackers.three_part.poses import HIP_LEG
 from tracking.trackers.three_part.starting import by_filter, regions_rectangles
+from tracking.tracks import HIP_LEG
+from tracking.tracks.on_part import MOST_FOREIGN, corners_of, foreign_share
 
-_HELD = 0.5
-"""A rectangle of which less lies in its section is lost, as in the paper's measure."""
 _LARGEST = 4.0
-"""So is one whose area is more than so many times the inner rectangle's there, or less by that."""
+"""Lost is a rectangle whose area is more than so many times the inner one's, or less by that."""
 
 _HOME_S = 0.1
 """In what time parts are drawn most of the way to where a silhouette has them."""
@@ -93,10 +92,6 @@ def _legs(seen: Detections, region: int, picture: NDArray[np.uint8]) -> tuple[Fl
 
 
 def _is_off(rectangle: Floats, section: Floats, inner: Floats) -> bool:
-    half = rectangle[2:] / 2
-    low = np.maximum(rectangle[:2] - half, section[:2])
-    high = np.minimum(rectangle[:2] + half, section[2:])
-    area = max(float(np.prod(rectangle[2:])), 1e-9)
-    held = float(np.prod(np.clip(high - low, 0.0, None))) / area
-    ratio = area / max(float(np.prod(inner[2:])), 1e-9)
-    return held < _HELD or not 1.0 / _LARGEST <= ratio <= _LARGEST
+    foreign = float(foreign_share(corners_of(rectangle), section))
+    ratio = float(np.prod(rectangle[2:])) / max(float(np.prod(inner[2:])), 1e-9)
+    return foreign > MOST_FOREIGN or not 1.0 / _LARGEST <= ratio <= _LARGEST

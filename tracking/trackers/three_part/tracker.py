@@ -44,7 +44,6 @@ from tracking.trackers.three_part.occlusion import (
     behind_what_is_drawn,
     covered_mask,
 )
-from tracking.trackers.three_part.poses import HIP_LEG
 from tracking.trackers.three_part.result import Shown, step_result
 from tracking.trackers.three_part.resuming import resumed
 from tracking.trackers.three_part.settings import WholeBodySettings
@@ -57,6 +56,7 @@ from tracking.trackers.three_part.starting import (
     regions_rectangles,
 )
 from tracking.trackers.three_part.watching import Watch
+from tracking.tracks import HIP_LEG
 
 Picture = NDArray[np.uint8]
 _STOOPED, _STRETCHED = 0.6, 1.1

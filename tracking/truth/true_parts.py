@@ -6,15 +6,14 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
-from tracking.failure.features import Floats
-from tracking.failure.truth_table import Row, Rows, TruthTable, read_table
-from tracking.tracks import LARGEST_NUMBER
+from tracking.tracks import LARGEST_NUMBER, PART_WORDS
+from tracking.truth.table import Floats, Row, Rows, TruthTable, read_table
 
 TRUE_PARTS = "truth_parts.csv"
 """The name of the file beside a rendered recording."""
 
-_HEADER = ("frame", "id", "part", "left", "top", "width", "height", "visible_pixels")
-_NAMES = {"head": 0, "torso": 1, "hip_leg": 2}
+TRUE_PART_COLUMNS = ("frame", "id", "part", "left", "top", "width", "height", "visible_pixels")
+_NUMBERS = {word: part for part, word in enumerate(PART_WORDS)}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,9 +53,9 @@ def _row(line: list[str]) -> Row:
         raise ValueError("frame or id")
     if min(box[2:]) < 0 or not 0 <= seen <= LARGEST_NUMBER:
         raise ValueError("less than nothing, or far too many pixels")
-    return (frame, person, _NAMES[line[2]], seen), box
+    return (frame, person, _NUMBERS[line[2]], seen), box
 
 
 _TABLE = TruthTable(
-    _HEADER, "true part", "the same part of the same person in the same frame", 3, _row
+    TRUE_PART_COLUMNS, "true part", "the same part of the same person in the same frame", 3, _row
 )

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.failure.features import Floats
 
 MOST_BYTES = 256 << 20
 """Three hours of twenty people at 20 frames a second are as large; read, it takes twice that."""
 
 Rows = NDArray[np.int64]
+Floats = NDArray[np.float64]
 Row = tuple[tuple[int, ...], tuple[float, ...]]
 
 

@@ -1,0 +1,20 @@
+"""The tables of truth beside a rendered recording: where parts are, and what is seen of people."""
+
+from tracking.truth.true_parts import TRUE_PART_COLUMNS, TRUE_PARTS, TrueParts, read_true_parts
+from tracking.truth.visibility import (
+    VISIBILITY,
+    VISIBILITY_COLUMNS,
+    Visibility,
+    read_visibility,
+)
+
+__all__ = [
+    "TRUE_PARTS",
+    "TRUE_PART_COLUMNS",
+    "VISIBILITY",
+    "VISIBILITY_COLUMNS",
+    "TrueParts",
+    "Visibility",
+    "read_true_parts",
+    "read_visibility",
+]
