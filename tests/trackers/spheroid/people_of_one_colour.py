@@ -17,6 +17,8 @@ from tracking.trackers.spheroid.tracker import SpheroidTracker
 FPS = 15.0
 SIZE = (320, 240)
 RED, BLUE, GREEN = (40, 40, 200), (200, 60, 40), (40, 170, 40)
+LEAN_S = 0.05
+"""Bodies of those who walk are ahead of their feet by so many seconds of walking."""
 
 
 def view(
@@ -43,6 +45,11 @@ class Body:
     path: np.ndarray
     colour: tuple[int, int, int] = RED
     height_m: float = 1.72
+
+    def axis(self, number: int) -> np.ndarray:
+        """(2,) m where the body is that stands on the path."""
+        step = np.nan_to_num(self.path[number] - self.path[max(number - 1, 0)])
+        return np.asarray(self.path[number] + LEAN_S * FPS * step)
 
 
 def straight(start: Sequence[float], velocity: Sequence[float], frames: int) -> np.ndarray:
@@ -72,7 +79,7 @@ def frames_of(
         picture = floor.copy()
         there = [body for body in bodies if np.isfinite(body.path[number]).all()]
         for body in sorted(there, key=lambda b: -float(np.hypot(*b.path[number]))):
-            xy = body.path[number : number + 1]
+            xy = body.axis(number)[None]
             outline = standing_ellipses(flat.projection, xy, np.array([body.height_m]), 0.25)
             pixels = flat.recorded_from_flat(outline.polygons(60)[0])
             if np.isfinite(pixels).all():

@@ -10,7 +10,8 @@ from tracking.trackers.spheroid.followed import Floats, Followed
 from tracking.trackers.spheroid.judging import bounds
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.sums import Window, sums_inside
-from tracking.trackers.spheroid.weighing import seen_steeply, silhouettes
+from tracking.trackers.spheroid.viewing import seen_steeply
+from tracking.trackers.spheroid.weighing import silhouettes
 
 _SEEN = 0.35
 """Share of what can be seen of a silhouette that must be foreground."""

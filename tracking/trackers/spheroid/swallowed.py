@@ -9,7 +9,7 @@ from tracking.geometry import Ellipses, FlatView, standing_ellipses
 from tracking.trackers.spheroid.followed import Followed
 from tracking.trackers.spheroid.judging import Evidence, bounds, covered
 from tracking.trackers.spheroid.settings import SpheroidSettings
-from tracking.trackers.spheroid.weighing import silhouettes
+from tracking.trackers.spheroid.weighing import axes_of, silhouettes
 
 Floats = NDArray[np.float64]
 
@@ -42,18 +42,19 @@ def parted(
         tallest_m: heights beyond are not trusted, they may be those of two.
     """
     own = silhouettes(people, flat, settings)
+    axes = axes_of(people, settings)
     mean, state, found = people.mean.copy(), people.state.copy(), []
     for row in rows:
         others = evidence.cover - covered(evidence.cover.shape, own[row : row + 1])
         free = evidence.counted & (others == 0)
         height_m = min(float(people.height[row]), tallest_m)
-        xy = people.xy[row]
-        both = two_places(evidence.ramp, free, flat, xy, height_m, settings.radius_m)
-        if both is None or _is_near(both[1], np.delete(people.xy, row, axis=0)):
+        both = two_places(evidence.ramp, free, flat, axes[row], height_m, settings.radius_m)
+        if both is None or _is_near(both[1], np.delete(axes, row, axis=0)):
             continue
-        state[row, :, :2] += (both[0] - xy).astype(np.float32)
-        mean[row, :2] = both[0]
-        found.append(np.concatenate((both[1], mean[row, 2:])))
+        own_m, other_m = both - axes[row]
+        state[row, :, :2] += own_m.astype(np.float32)
+        found.append(mean[row] + (*other_m, 0.0, 0.0))
+        mean[row, :2] += own_m
     return people.replace(mean=mean, state=state), np.array(found).reshape(-1, 4)
 
 

@@ -9,7 +9,7 @@ from tracking.trackers.spheroid.followed import Followed
 from tracking.trackers.spheroid.judging import covered
 from tracking.trackers.spheroid.perception import Bodies
 from tracking.trackers.spheroid.settings import SpheroidSettings
-from tracking.trackers.spheroid.weighing import silhouettes
+from tracking.trackers.spheroid.weighing import axes_of, silhouettes
 
 _SURE_S = 0.7
 _SURE = 0.5
@@ -35,7 +35,7 @@ def bodies_told(people: Followed, flat: FlatView, settings: SpheroidSettings) ->
     beside[kept > 0] = 0
     middle, half = (share * sure.height for share in _UPPER)
     wide = np.full(len(sure), _SLIM * settings.radius_m)
-    centre = np.column_stack((sure.xy, middle))
+    centre = np.column_stack((axes_of(sure, settings), middle))
     upper = ellipses_of(flat.projection, centre, np.column_stack((wide, wide, half)))
     on = covered(shape, upper)
     feet = np.column_stack((sure.xy, np.zeros(len(sure))))

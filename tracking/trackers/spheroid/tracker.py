@@ -26,10 +26,11 @@ from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.support import seen_whole, still_there, supported
 from tracking.trackers.spheroid.swallowed import parted
 from tracking.trackers.spheroid.telling import bodies_told
+from tracking.trackers.spheroid.viewing import seen_steeply
 from tracking.trackers.spheroid.weighing import (
+    axes_of,
+    hypotheses_of,
     judged_and_weighed,
-    places_of,
-    seen_steeply,
     silhouettes,
 )
 
@@ -46,6 +47,9 @@ _STEEP_COLOURS = 0.15
 _GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
 """How often those who stand are looked at, and how long they must have stood."""
 _GHOST_SCALE = 1.3
+_PARTED_SLOPE = 2.0
+"""Only who is seen more steeply than this may be two: from the side it is often a shadow, or
+somebody behind, that seems to be the second."""
 _PARTED_LOOKS = 3
 """In every so manieth look for newcomers somebody is looked at who may be two."""
 
@@ -61,6 +65,7 @@ class SpheroidTracker:
           hardly tell near hypotheses apart;
         - other people are masked out where they are expected now, not where they were;
         - body heights are estimated: a fixed one errs by a share of the distance;
+        - spheroids of people who walk are ahead of where they stand, as bodies lean;
         - colours of the body, looked up at a few places, weigh hypotheses too, so that people who
           meet keep their identities; little of those who are seen steeply;
         - shadows are weighed down by what was learnt of them beside people (`foreground`);
@@ -164,7 +169,7 @@ class SpheroidTracker:
         settings, flat = self._settings, self._flat
         alike = None
         if settings.colour_weight > 0.0 and not settings.paper:
-            colours, known = look.at(*places_of(people))
+            colours, known = look.at(*hypotheses_of(people, settings))
             alike = likeness(people, colours, known, settings.colour_weight)
             alike[seen_steeply(people, flat)] *= _STEEP_COLOURS
         evidence = self._evidence(people, seen)
@@ -195,7 +200,7 @@ class SpheroidTracker:
         modest = people.replace(height=np.minimum(people.height, self._usual_m + births.TALLER_M))
         explained = silhouettes(modest, self._flat, settings, births.EXPLAINED)
         free = self._counted & (covered(seen.ramp.shape, explained) == 0)
-        places = births.unexplained(seen.ramp, free, self._cells, people.xy)
+        places = births.unexplained(seen.ramp, free, self._cells, axes_of(people, settings))
         self._candidates = births.waited_for(self._candidates, places, seen.time_s)
         ready = self._candidates.looks >= settings.birth_looks
         states = np.concatenate((self._candidates.xy, self._candidates.velocity), axis=1)
@@ -213,7 +218,7 @@ class SpheroidTracker:
             return people, self._begun(np.zeros((0, 4)))
         look = round(seen.time_s / self._settings.birth_every_s)
         due = (people.track + look) % _PARTED_LOOKS == 0
-        rows = np.flatnonzero(due & seen_steeply(people, self._flat))
+        rows = np.flatnonzero(due & seen_steeply(people, self._flat, _PARTED_SLOPE))
         evidence = self._evidence(people, seen)
         tallest_m = self._usual_m + births.TALLER_M
         people, states = parted(people, rows, evidence, self._flat, tallest_m, self._settings)
@@ -252,7 +257,7 @@ class SpheroidTracker:
         if not self._settings.paper:
             sure = np.where(seen_steeply(people, self._flat), alone, whole)
             people = heights_learnt(people, sure, elapsed_s)
-        colours, known = look.at(people.xy, people.height)
+        colours, known = look.at(axes_of(people, self._settings), people.height)
         return colours_learnt(people, colours, known, alone)
 
 

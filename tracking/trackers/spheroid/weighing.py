@@ -11,14 +11,23 @@ from tracking.trackers.spheroid.judging import LINES, Evidence, judged, windows_
 from tracking.trackers.spheroid.moving import weighed
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.sums import Window, sums_inside
+from tracking.trackers.spheroid.viewing import headless, near_side_hidden, seen_steeply
 
 Flags = NDArray[np.bool_]
 
-_BALANCE, _CUT_BALANCE, _STEEP_CUT_BALANCE = 0.45, 0.3, 0.23
+_BALANCE, _CUT_BALANCE = 0.45, 0.3
 """B from which on a pixel speaks for a hypothesis, below against; and of people whose heads are out
-of the picture: legs fill but half of a spheroid's width, and less seen from above."""
+of the picture: legs fill but half of a spheroid's width."""
+_STEEP_BALANCE, _STEEP_CUT_BALANCE = 0.35, 0.27
+"""The same seen steeply: feet and head, the ends of a body, are narrower there than a spheroid's,
+and what these leave empty would push it outwards and make it short."""
+_HIDDEN_CUT_BALANCE = 0.1
+"""The same seen steeply with the near side hidden, too: what a spheroid leaves empty at its sides
+would push it outwards, and nothing that is seen holds it."""
 _HEIGHT_SD_M = 0.15
 """Of the body heights of people: how unlikely it is that one is far from the usual."""
+_LEAN_S = 0.05
+"""Who walks leans ahead: seconds of walking by which the body's axis is before where he stands."""
 _SHARPNESS = 40.0
 """Logarithm of the weight of a hypothesis that explains everything, over one of nothing."""
 
@@ -27,12 +36,23 @@ def silhouettes(
     people: Followed, flat: FlatView, settings: SpheroidSettings, scale: float = 1.0
 ) -> Ellipses:
     """(people) the spheroids at their estimates, px of the flat picture; enlarged by a scale."""
-    return standing_ellipses(flat.projection, people.xy, people.height, settings.radius_m, scale)
+    axes = axes_of(people, settings)
+    return standing_ellipses(flat.projection, axes, people.height, settings.radius_m, scale)
 
 
-def places_of(people: Followed) -> tuple[Floats, Floats]:
-    """Places (people, N, 2) and body heights (people, N) of all hypotheses, m."""
-    return people.state[..., :2].astype(np.float64), people.tall.astype(np.float64)
+def axes_of(people: Followed, settings: SpheroidSettings) -> Floats:
+    """(people, 2) m where the axes of the bodies are, that of those who walk ahead of the feet."""
+    return people.xy + _lean_s(settings) * people.mean[:, 2:]
+
+
+def hypotheses_of(people: Followed, settings: SpheroidSettings) -> tuple[Floats, Floats]:
+    """Axes (people, N, 2) and body heights (people, N) of all hypotheses, m."""
+    ahead_m = axes_of(people, settings) - people.xy
+    return people.state[..., :2] + ahead_m[:, None], people.tall.astype(np.float64)
+
+
+def _lean_s(settings: SpheroidSettings) -> float:
+    return 0.0 if settings.paper else _LEAN_S
 
 
 def judged_and_weighed(
@@ -48,18 +68,18 @@ def judged_and_weighed(
         evidence: with the silhouettes of everybody's expected places as cover.
         alike: (people, N) logarithms of weights by colour; None: colours say nothing.
     """
-    headless = _headless(people, flat) & seen_steeply(people, flat)
-    xy, tall = places_of(people)
+    axes, tall = hypotheses_of(people, settings)
     if not settings.paper:
         # Short and far out looks like tall and near as long as no head is seen.
-        tall = np.where(headless[:, None], people.height[:, None], tall)
-    seen = standing_ellipses(flat.projection, xy, tall, settings.radius_m)
+        short = headless(people, flat) & seen_steeply(people, flat)
+        tall = np.where(short[:, None], people.height[:, None], tall)
+    seen = standing_ellipses(flat.projection, axes, tall, settings.radius_m)
     own = silhouettes(people, flat, settings)
     if settings.paper:
         log_weight, windows = _scored(people, evidence, seen, own, flat, settings)
     else:
         windows = windows_of(evidence, seen, own, LINES)
-        log_weight = _gains(windows, seen, own, _balance(people, flat))
+        log_weight = _gains(windows, seen, own, _balance(people, own, flat))
         log_weight -= 0.5 * ((tall - settings.usual_height_m) / _HEIGHT_SD_M) ** 2
     if alike is not None:
         log_weight += alike
@@ -80,7 +100,8 @@ def _scored(
     Each hypothesis has its own region of evaluation.
     """
     scale = settings.region_scale
-    region = standing_ellipses(flat.projection, *places_of(people), settings.radius_m, scale)
+    axes, tall = hypotheses_of(people, settings)
+    region = standing_ellipses(flat.projection, axes, tall, settings.radius_m, scale)
     windows = windows_of(evidence, _joined(seen, region), own, 0)
     with np.errstate(divide="ignore"):
         return np.log(judged(windows, seen, region).scores()), windows
@@ -99,23 +120,13 @@ def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, balance: Floats
     return _SHARPNESS * (inside.ramp - balance[:, None] * inside.area) / area[:, None]
 
 
-def _balance(people: Followed, flat: FlatView) -> Floats:
-    """(people,) B from which on a pixel speaks for them."""
-    cut = np.where(seen_steeply(people, flat), _STEEP_CUT_BALANCE, _CUT_BALANCE)
-    return np.where(_headless(people, flat), cut, _BALANCE)
-
-
-def seen_steeply(people: Followed, flat: FlatView) -> NDArray[np.bool_]:
-    """(people,) whom the camera looks down on by more than 45 degrees."""
-    eye = np.asarray(flat.eye)
-    return np.asarray(np.hypot(*(people.xy - eye[:2]).T) < eye[2])
-
-
-def _headless(people: Followed, flat: FlatView) -> Flags:
-    """(people,) whose head is out of the picture where they are expected."""
-    head = flat.flat_from_world(np.column_stack((people.xy, people.height)))
-    inside = (head >= 0) & (head <= np.array(flat.size) - 1)
-    return np.asarray(~inside.all(axis=1))
+def _balance(people: Followed, own: Ellipses, flat: FlatView) -> Floats:
+    """(people,) B from which on a pixel speaks for them, whose silhouettes are given."""
+    hidden = near_side_hidden(people, own, flat)
+    cut = np.where(hidden, _HIDDEN_CUT_BALANCE, _STEEP_CUT_BALANCE)
+    short = headless(people, flat)
+    steep = np.where(short, cut, _STEEP_BALANCE)
+    return np.where(seen_steeply(people, flat), steep, np.where(short, _CUT_BALANCE, _BALANCE))
 
 
 def taken(people: Followed, settings: SpheroidSettings) -> Flags:
