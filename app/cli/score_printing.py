@@ -11,7 +11,7 @@ from tracking.scoring import Score, combined
 from tracking.scoring.parts import Rates
 from tracking.scoring.report import Finding, people_data, ranges_data
 from tracking.scoring.report.measures import Measure, measures_by
-from tracking.scoring.report.tables import COMBINED, PERSON_HEAD, person_cells
+from tracking.scoring.report.tables import COMBINED, people_rows
 
 
 def document_of(asked: Asked, pairing: Pairing, measured: Measured) -> dict[str, Any]:
@@ -93,7 +93,7 @@ def single_text(
 
 def people_text(finding: Finding) -> str:
     """A line a person."""
-    return grid(PERSON_HEAD, [person_cells(one) for one in finding.people])
+    return grid(*people_rows(finding))
 
 
 def ranges_text(finding: Finding) -> str:

@@ -76,8 +76,8 @@ def _finding(finding: Finding, report: ScoreReport) -> Iterator[str]:
         ]
         yield _table(["frames", *(plain(each.name) for each in shown)], rows)
     if finding.people:
-        cells = [[plain(cell) for cell in tables.person_cells(one)] for one in finding.people]
-        yield _table(tables.PERSON_HEAD, cells)
+        head, cells = tables.people_rows(finding)
+        yield _table(head, [[plain(cell) for cell in row] for row in cells])
     yield from _switches(finding)
 
 

@@ -89,23 +89,29 @@ def ranges(finding: Finding, report: ScoreReport) -> Element:
     return table(("frames", *(each.name for each in shown)), rows)
 
 
-PERSON_HEAD = (
+_PERSON = (
     "person", "frames", "there in", "matched", "switches", "fragmentations", "kept",
-    "floor error (m)", "tracks",
 )  # fmt: skip
 _TRACKS = 8
 
 
 def people(finding: Finding) -> Element:
     """How each person was followed."""
-    made = table(PERSON_HEAD, [person_cells(one) for one in finding.people])
+    head, rows = people_rows(finding)
+    made = table(head, rows)
     for row in made[0].iter("tr"):
         row[-1].set("class", "word")
     return made
 
 
-def person_cells(one: PersonScore) -> tuple[str, ...]:
-    """A row about one person."""
+def people_rows(finding: Finding) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """The head and the rows of that table; no floor error where no positions are known."""
+    on_floor = bool(len(finding.score.position_error.distances_m))
+    head = (*_PERSON, *(["floor error (m)"] if on_floor else []), "tracks")
+    return head, [_person(one, on_floor=on_floor) for one in finding.people]
+
+
+def _person(one: PersonScore, *, on_floor: bool) -> tuple[str, ...]:
     followed = one.followed
     kept = "yes" if followed.kept else "no" if followed.detected else "not detected"
     return (
@@ -116,7 +122,7 @@ def person_cells(one: PersonScore) -> tuple[str, ...]:
         str(followed.id_switches),
         str(followed.fragmentations),
         kept,
-        written(one.position_error.mean, "metres"),
+        *([written(one.position_error.mean, "metres")] if on_floor else []),
         _tracks(one.tracks),
     )
 

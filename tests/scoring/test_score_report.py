@@ -1,0 +1,239 @@
+"""The report on scores: what its page, its Markdown and its JSON say."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from html.parser import HTMLParser
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+import report_scenes as scenes
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tracking.errors import OutputError
+from tracking.scoring import Conventions, ErrorKind, PassageScore
+from tracking.scoring.report import (
+    Finding,
+    Shown,
+    Yardstick,
+    data_of,
+    finding_of,
+    page_of,
+    place_picture,
+    report_of,
+    switch_pictures,
+    write_score_report,
+)
+from tracking.scoring.report.markdown import markdown_of, plain
+from tracking.scoring.report.measures import measures_by
+from tracking.scoring.report.stretches import Stretches, joined
+
+VOID = {"meta", "img", "br"}
+
+
+class Reader(HTMLParser):
+    """What a page holds; every element must be closed by its own end."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.tags: list[str] = []
+        self.classes: list[str] = []
+        self.texts: list[str] = []
+        self.feed(page)
+        self.close()
+        assert not self.open
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append(tag)
+        self.classes += [value or "" for name, value in attrs if name == "class"]
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.texts.append(data)
+
+
+def _pictured() -> tuple[list[Finding], dict[Finding, Shown]]:
+    findings = scenes.found(footage=scenes.filmed())
+    return findings, {one: Shown(switch_pictures(one, lambda *_: None)) for one in findings}
+
+
+def test_the_page_tells_every_error_and_nothing_in_it_is_anybodys_markup() -> None:
+    findings, shown = _pictured()
+    read = Reader(page_of(report_of(findings, Yardstick()), shown))
+    assert "script" not in read.tags
+    assert read.texts.count(scenes.NAME) >= 2
+    says = " ".join(read.texts)
+    assert "frame 130 (5.20 s): person 1 changes from track 1 to 2" in says
+    assert "person 2: missed, frames 120 to 124" in says
+    assert "track 4: nobody is there, frames 140 to 144" in says
+    assert "frame 125 (5.00 s): person 2 is found again after 5 frames, by track 3" in says
+    assert read.tags.count("img") == 2
+    assert "the camera" in read.texts
+
+
+def test_a_page_is_the_same_every_time() -> None:
+    pages = [page_of(report_of(findings, Yardstick()), shown) for findings, shown in
+             (_pictured(), _pictured())]  # fmt: skip
+    assert pages[0] == pages[1]
+
+
+def test_several_results_stand_side_by_side_with_the_best_marked() -> None:
+    read = Reader(page_of(scenes.report(), {}))
+    assert read.classes.count("best") > 20
+    assert "+0.045" in read.texts  # recall of the better one
+    assert "first<b>" in read.texts
+
+
+def test_recordings_have_a_row_each_and_one_together() -> None:
+    report = scenes.report("one", "two")
+    read = Reader(page_of(report, {}))
+    assert read.texts.count("COMBINED") == 2
+    assert markdown_of(report).count("| COMBINED |") == 2
+    combined = data_of(report)["results"]["first<b>"]["combined"]
+    assert (combined["frames"], combined["misses"], combined["id_switches"]) == (120, 10, 2)
+
+
+def test_the_data_holds_every_error_as_often_as_the_score_counts_it() -> None:
+    data = json.loads(json.dumps(data_of(scenes.report()), allow_nan=False))
+    one = data["results"]["first<b>"]["sequences"][scenes.NAME]
+    errors = one["errors"]
+    lasted = {kind: sum(e["stop"] - e["start"] for e in errors[kind])
+              for kind in ("misses", "false_alarms")}  # fmt: skip
+    assert lasted == {"misses": one["misses"], "false_alarms": one["false_positives"]}
+    assert lasted == {"misses": 5, "false_alarms": 5}
+    assert len(errors["switches"]) == one["id_switches"] == 1
+    assert len(errors["fragmentations"]) == one["fragmentations"] == 1
+    assert errors["switches"][0] == {
+        "frame": 130, "person": 1, "earlier_track": 1, "earlier_frame": 129, "track": 2,
+    }  # fmt: skip
+    assert [row["person"] for row in one["per_person"]] == [1, 2]
+    assert one["per_person"][0]["start"] == 100
+    assert [(row["start"], row["stop"], row["id_switches"]) for row in one["ranges"]] == [
+        (100, 130, 0)
+    ]
+
+
+def test_markdown_has_names_as_text_and_as_many_cells_in_each_row_of_a_table() -> None:
+    text = markdown_of(scenes.report())
+    assert "<script>" not in text
+    assert "\\[x\\](y)" in text
+    for table in (part for part in text.split("\n\n") if part.startswith("|")):
+        bars = {line.replace("\\|", "").count("|") for line in table.splitlines()}
+        assert len(bars) == 1, table
+
+
+@given(st.text())
+def test_markdown_keeps_any_text_on_its_line(text: str) -> None:
+    shown = plain(text)
+    assert len(shown.splitlines()) <= 1
+    shown.encode("utf-8")
+
+
+def test_a_report_takes_no_place_but_an_earlier_reports(tmp_path: Path) -> None:
+    (tmp_path / "thesis.txt").write_text("years of work")
+    with pytest.raises(OutputError, match=r"holds thesis.txt"):
+        write_score_report(tmp_path, scenes.report())
+    (tmp_path / "thesis.txt").unlink()
+    for _ in range(2):
+        assert write_score_report(tmp_path, scenes.report()).is_file()
+    names = {each.name for each in tmp_path.iterdir()}
+    assert names == {"report.html", "report.md", "report.json"}
+
+
+def test_switches_have_pictures_of_before_and_after_and_the_rest_is_told() -> None:
+    (first, better) = scenes.found(footage=scenes.filmed())
+    (shown,) = switch_pictures(first, lambda *_: None)
+    assert (shown.earlier_frame, shown.frame) == (129, 130)
+    assert (shown.earlier, shown.track) == (1, 2)
+    assert shown.before[:2] == shown.after[:2] == b"\xff\xd8"
+    assert switch_pictures(better, lambda *_: None) == ()
+    assert switch_pictures(first, lambda *_: None, most=0) == ()
+    page = page_of(report_of([first], Yardstick()), {first: Shown(why_none="it is gone")})
+    assert "No pictures: it is gone." in page
+
+
+def test_without_metres_the_map_is_the_picture() -> None:
+    one = scenes.subject(footage=scenes.filmed())
+    unplaced = replace(
+        one,
+        truth=replace(one.truth, position=np.full_like(one.truth.position, np.nan)),
+        results={
+            name: replace(each, position=np.full_like(each.position, np.nan))
+            for name, each in one.results.items()
+        },
+    )
+    finding = finding_of(unplaced, "first<b>", Yardstick())
+    page = page_of(report_of([finding], Yardstick()), {finding: Shown((), place_picture(one))})
+    assert "x in the picture, px" in page
+    assert "<image " in page
+    assert "floor error" not in page
+
+
+def test_nobody_anywhere_makes_a_page_all_the_same() -> None:
+    one = scenes.subject()
+    nobody = one.truth.rows(np.zeros(len(one.truth), bool))
+    for truth, result in ((nobody, nobody), (one.truth, nobody), (nobody, one.truth)):
+        empty = replace(one, truth=truth, results={"nobody": result})
+        finding = finding_of(empty, "nobody", Yardstick())
+        Reader(page_of(report_of([finding], Yardstick()), {}))
+        json.dumps(data_of(report_of([finding], Yardstick())), allow_nan=False)
+
+
+def test_passages_are_told_where_there_are_lines() -> None:
+    finding = scenes.found()[0]
+    counted = replace(finding, score=replace(finding.score, passages=(PassageScore("d", 4, 3, 2),)))
+    assert "Counted passages" in page_of(report_of([counted], Yardstick()), {})
+
+
+def test_the_best_is_what_reads_best_and_differences_have_their_sign() -> None:
+    first, better = (one.score for one in scenes.found())
+    known = {each.name: each for each in measures_by(Conventions.TRACKEVAL, [first, better])}
+    assert known["misses"].best([first, better]) == {1}
+    assert known["recall"].difference(better, first) == "+0.045"
+    assert known["misses"].difference(better, first) == "−5"
+    assert known["LocA"].best([first, first]) == frozenset()
+    assert known["frames"].best([first, better]) == frozenset()
+    other = {each.name: each for each in measures_by(Conventions.MOTMETRICS, [first])}
+    assert (known["MOTP"].better, other["MOTP"].better) == ("higher", "lower")
+
+
+rows = st.lists(st.tuples(st.integers(0, 40), st.integers(1, 4)), unique=True)
+
+
+@given(rows)
+def test_stretches_hold_every_row_once_and_no_two_touch(rows: list[tuple[int, int]]) -> None:
+    frame, who = np.array(rows, np.int64).reshape(-1, 2).T
+    found = Stretches.of(frame, who, np.column_stack((frame, who)).astype(float))
+    held = [
+        (each, person)
+        for person in range(1, 5)
+        for start, stop in found.ranges_of(person)
+        for each in range(start, stop)
+    ]
+    assert sorted(held) == sorted(rows)
+    assert len(found.paths()) == len(found)
+    for person in range(1, 5):
+        ranges = found.ranges_of(person)
+        assert all(a[1] < b[0] for a, b in pairwise(ranges))
+        assert [(a, b) for a, b, _ in joined(ranges, 0.5)] == ranges
+        assert sum(frames for *_, frames in joined(ranges, math.inf)) == sum(
+            b - a for a, b in ranges
+        )
+
+
+def test_a_map_shows_no_more_than_can_be_seen_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tracking.scoring.report.error_map.MOST_MARKS", 0)
+    finding = scenes.found()[0]
+    assert finding.errors.count(ErrorKind.MISS) == 5
+    page = page_of(report_of([finding], Yardstick()), {})
+    assert "1 stretches of misses beyond" in page
