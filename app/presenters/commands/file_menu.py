@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import editable, recording, savable, session
+from app.presenters.commands.checks import drawable, editable, recording, savable, session
 from app.presenters.commands.command import Command
 
 COMMANDS: Final = (
@@ -14,7 +14,15 @@ COMMANDS: Final = (
     Command("file.save", "File", "Save", ("Ctrl+S",), savable, separated=True, icon="save"),
     Command("file.save_as", "File", "Save as...", ("Ctrl+Shift+S",), savable),
     Command("file.restore", "File", "Restore an older state...", (), editable),
-    Command("file.export_mot", "File", "Export MOT text...", ("Ctrl+E",), session, icon="export"),
+    Command(
+        "file.import",
+        "File",
+        "Import tracks...",
+        ("Ctrl+Shift+I",),
+        drawable,
+        separated=True,
+    ),
+    Command("file.export", "File", "Export tracks...", ("Ctrl+E",), session, icon="export"),
     Command("file.export_counts", "File", "Export counts...", (), session),
     Command("file.export_log", "File", "Export the log of edits...", (), session),
     Command("file.compare", "File", "Compare with another session...", (), session),

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from tracking.errors import SessionError
-from tracking.formats import Exported, as_truth
+from collections.abc import Callable
+from pathlib import Path
+
+from tracking.errors import OutputError, SessionError
+from tracking.formats import Exported, as_truth, begins_as_hdf5
+from tracking.geometry import View
 from tracking.session import Session
+from tracking.session.reading import check_file
 from tracking.tracks import Columns, Run, TrackTable
 
 
@@ -26,17 +31,53 @@ def exported(session: Session, run: int | None = None) -> Exported:
 
     Raises SessionError as `exported_tracks`.
     """
+    return exporting(session, run)()
+
+
+def exporting(
+    session: Session, run: int | None = None, view: View | None = None
+) -> Callable[[], Exported]:
+    """Takes hold of the rows at once; what it gives puts them together, on any thread.
+
+    Args:
+        view: the left camera over its floor, where it is known.
+
+    Raises SessionError as `exported_tracks`.
+    """
     corrected, footage = run is None, session.recording
-    table = session.tracks.snapshot() if run is None else TrackTable(_run(session, run).tracks)
-    return Exported.of_table(
-        table,
-        frames=footage.frame_count,
-        fps=footage.fps,
-        size_px=footage.size,
-        name=footage.name,
-        labels=dict(session.labels.tracks) if corrected else {},
-        counts_in_full=corrected,
-    )
+    table = session.tracks.snapshot() if run is None else None
+    own = None if run is None else _run(session, run)
+    labels = dict(session.labels.tracks) if corrected else {}
+
+    def put_together() -> Exported:
+        whole = table if own is None else TrackTable(own.tracks)
+        assert whole is not None
+        return Exported.of_table(
+            whole,
+            frames=footage.frame_count,
+            fps=footage.fps,
+            size_px=footage.size,
+            name=footage.name,
+            labels=labels,
+            view=view,
+            counts_in_full=corrected,
+        )
+
+    return put_together
+
+
+def refuse_to_lose(path: Path) -> None:
+    """A session is not written over by what is exported.
+
+    Raises:
+        OutputError: there is one of that name.
+    """
+    if path.is_file() and begins_as_hdf5(path):
+        try:
+            check_file(path)
+        except SessionError:
+            return  # other tools' HDF5, which the user agreed to replace
+        raise OutputError(f"{path} is a session and would be lost; choose another name")
 
 
 def _run(session: Session, number: int) -> Run:

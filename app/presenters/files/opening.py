@@ -12,7 +12,15 @@ from app.presenters.document.document import Document
 from tracking.errors import OutputError
 from tracking.progress import Progress
 from tracking.recording import OpenOptions, Recording, open_recording
-from tracking.session import KnownRecordings, PendingSave, Session, generations
+from tracking.session import (
+    Importable,
+    ImportOrigin,
+    KnownRecordings,
+    PendingSave,
+    Session,
+    generations,
+    session_of_import,
+)
 from tracking.session.saving import companions
 from tracking.tracks import Run
 
@@ -95,6 +103,18 @@ def keep_run(recording: Recording, run: Run, path: Path | None = None) -> Sessio
         OutputError, OSError: it cannot be written; nothing is left of it then.
     """
     session = Session.create(recording, [run], path or _unsaved_path(recording))
+    remember_place(session, recording)
+    return session
+
+
+def keep_import(recording: Recording, found: Importable, origin: ImportOrigin) -> Session:
+    """A session of tracks made elsewhere, kept like that of a run.
+
+    Raises:
+        OutputError, OSError: it cannot be written.
+    """
+    session = session_of_import(recording, found, origin)
+    session.save(_unsaved_path(recording))
     remember_place(session, recording)
     return session
 

@@ -11,13 +11,16 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.counting.subject import Counted
 from app.presenters.document.document import Document
 from app.presenters.files import opening
+from app.presenters.files.export_formats import export_formats, proposed_name
+from app.presenters.files.exporting import exporting, refuse_to_lose
 from app.presenters.words import tr
+from app.views.files.export_dialog import ExportDialog
 from app.views.widgets.questions import choose_new_file
 from app.views.widgets.work import Work
 from tracking.counting import write_counts
 from tracking.editing import History
 from tracking.errors import CountingError
-from tracking.formats import as_truth, write_mot
+from tracking.formats import format_named
 from tracking.progress import Progress
 from tracking.session import Session, write_log_csv, write_log_json
 
@@ -39,27 +42,56 @@ class Exporting(QObject):
         super().__init__(parent)
         self._window = window
         self._work = work
+        self._format = "mot"  # as it was exported last
 
     @property
     def _session(self) -> Session | None:
         return None if self._window.desk is None else self._window.desk.document.session
 
-    def ask_mot(self) -> None:
-        """Ask for a place and write the tracks as MOT text."""
-        self._ask(tr("Export MOT text"), "tracks.txt", "MOT (*.txt)", self.mot_to)
-
-    def mot_to(self, path: Path) -> None:
-        """Write the tracks as MOT text."""
+    def ask_tracks(self) -> None:
+        """Ask which tracks are exported, and as what; then for a place."""
         session = self._session
         if session is None:
             return
+        runs = (
+            tr("Run {number}: {tracker}", number=number, tracker=run.tracker)
+            for number, run in enumerate(session.runs)
+        )
+        whose = (tr("Corrected tracks"), *runs)
+        dialog = ExportDialog(export_formats(), whose, self._format, self._window)
+        dialog.asked.connect(self._ask_place)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
 
-        tracks = session.tracks.snapshot()  # what is edited meanwhile is not in it
+    def _ask_place(self, name: str, run: int) -> None:
+        self._format = name
+        desk = self._window.desk
+        each = next(one for one in export_formats() if one.name == name)
+        if desk is not None:
+            proposed = proposed_name(desk.document.recording.name, each)
+            wanted = None if run < 0 else run
+            filters = f"{each.title} (*{each.ending})"
+            self._ask(
+                tr("Export tracks"),
+                proposed,
+                filters,
+                lambda path: self.tracks_to(path, name, wanted),
+            )
 
-        def work(report: Progress) -> None:
-            rows = as_truth(tracks.columns())
-            report(1, 2)  # the last moment to cancel: what is written is whole
-            write_mot(path, rows)
+    def tracks_to(self, path: Path, name: str = "mot", run: int | None = None) -> None:
+        """Write the corrected tracks, or a run's, in a format; piece by piece, and cancellable."""
+        session, desk = self._session, self._window.desk
+        write = format_named(name).write
+        if session is None or desk is None or write is None:
+            return
+        # What is edited meanwhile is not in it.
+        put_together = exporting(session, run, desk.document.recording.view)
+
+        def work(report: Progress) -> str:
+            refuse_to_lose(path)
+            made = write(path, put_together(), report)
+            others = [file.name for file in made if file != path]
+            return tr("Beside it: {files}", files=", ".join(others)) if others else ""
 
         self._write(path, work)
 

@@ -20,6 +20,7 @@ from app.views.files.author import Author
 from app.views.files.compare import Beside
 from app.views.files.exporting import Exporting
 from app.views.files.generations import OlderStates
+from app.views.files.importing import Importing
 from app.views.files.keeping import Keeping
 from app.views.files.leaving import Leaving, Then
 from app.views.files.mishaps import Mishaps
@@ -65,6 +66,9 @@ class Files(QObject):
         self.author = Author(window, remembered, self)
         self.exporting = Exporting(window, work, self)
         self.exporting.said.connect(self.said)
+        self.importing = Importing(window, work, self)
+        self.importing.said.connect(self.said)
+        self.importing.failed.connect(self.failed)
         self.detectors = Detectors(window, work, remembered, self)
         self.detectors.changed.connect(self.changed)
         self.detectors.failed.connect(self.failed)

@@ -24,7 +24,7 @@ from tracking.errors import TrackwrightError
 from tracking.progress import Progress
 from tracking.scoring import ErrorKind
 
-_TRUTHS = "Tracks (*.txt *.h5 *.hdf5 *.csv *.xml *.json *.sqlite);;All files (*)"
+_TRUTHS = "Tracks (*.txt *.h5 *.hdf5 *.csv *.xml *.json *.sqlite)"
 
 
 class Scoring(QObject):

@@ -71,7 +71,7 @@ def test_while_a_tracker_is_at_work_nothing_is_corrected_and_the_reason_is_said(
 def test_a_read_only_session_is_not_corrected():
     now = Situation(recording=True, session=True, tracks=True, selected=True, read_only=True)
     assert "tracks.swap" not in _enabled(now)
-    assert "file.export_mot" in _enabled(now)
+    assert "file.export" in _enabled(now)
 
 
 def test_checked_commands_are_ticked():

@@ -1,5 +1,3 @@
-import threading
-
 import numpy as np
 import pytest
 from correcting_desk import CROWDED, opened_desk
@@ -8,9 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox, QPlainTextEdit
 
 from app.presenters.correcting import Way
-from app.presenters.files.exporting import exported_tracks
 from app.views.correcting.attributes import AttributesTable
-from app.views.files import exporting
 from tracking.session import Session
 
 Key = Qt.Key
@@ -301,19 +297,6 @@ def test_saving_cannot_be_cancelled_half_way(window, desk, qtbot, tmp_path):
     assert window.progress._cancel.isHidden()
     qtbot.waitUntil(lambda: not window.work.busy)
     assert (tmp_path / "saved.h5").is_file()
-
-
-def test_an_export_that_was_cancelled_writes_nothing(window, desk, qtbot, tmp_path, monkeypatch):
-    cancelled, rows = threading.Event(), exported_tracks(window.files.session)
-    monkeypatch.setattr(exporting, "as_truth", lambda _: cancelled.wait(5) and rows)
-    window.files.exporting.mot_to(tmp_path / "tracks.txt")
-    window.work.cancel()
-    cancelled.set()
-    qtbot.waitUntil(lambda: not window.work.busy)
-    assert not (tmp_path / "tracks.txt").exists()
-    window.files.exporting.mot_to(tmp_path / "tracks.txt")
-    qtbot.waitUntil(lambda: not window.work.busy)
-    assert (tmp_path / "tracks.txt").is_file()
 
 
 def test_an_attribute_still_being_typed_is_kept_when_the_window_is_left(window, desk, press):
