@@ -27,7 +27,7 @@ def motmetrics_matches(comparison: Comparison) -> Candidates:
     chosen = np.zeros(len(pairs), bool)
     partner = np.full(comparison.people, -1)
     begins = np.flatnonzero(np.diff(pairs.frame, prepend=-1))
-    for begin, end in zip(begins, np.append(begins[1:], len(pairs)), strict=True):
+    for begin, end in zip(begins, np.append(begins, len(pairs))[1:], strict=True):
         _match_frame(comparison, pairs, slice(begin, end), partner, chosen)
     return pairs.some(chosen)
 

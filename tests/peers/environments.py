@@ -1,0 +1,90 @@
+"""Environments of other programs, made on demand and kept under `build/peers/`."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import venv
+from dataclasses import dataclass
+from pathlib import Path
+
+HERE = Path(__file__).parent
+KEPT = HERE.parents[1] / "build" / "peers"
+
+
+@dataclass(frozen=True, slots=True)
+class Peer:
+    """A program of others.
+
+    Attributes:
+        name: as it is asked for.
+        alone: packages installed without what they ask for: it is not needed here.
+        packages: packages installed with what they ask for.
+    """
+
+    name: str
+    packages: tuple[str, ...]
+    alone: tuple[str, ...] = ()
+
+    @property
+    def python(self) -> Path:
+        """Its interpreter, whether it is there or not."""
+        return KEPT / self.name / "bin" / "python"
+
+    @property
+    def installed(self) -> bool:
+        """Whether its environment has been made, whole."""
+        return (KEPT / self.name / "ready").is_file()
+
+    def install(self) -> None:
+        """Make its environment anew.
+
+        Raises:
+            subprocess.CalledProcessError: its packages cannot be had.
+        """
+        folder = KEPT / self.name
+        venv.create(folder, clear=True, with_pip=True)
+        pip = [self.python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+        subprocess.run([*pip, *self.packages], check=True)
+        if self.alone:
+            subprocess.run([*pip, "--no-deps", *self.alone], check=True)
+        (folder / "ready").touch()
+
+    def run(self, script: str, *arguments: Path | str) -> str:
+        """Run one of the scripts of this folder in its environment, on one thread.
+
+        Returns:
+            What it prints.
+
+        Raises:
+            RuntimeError: it is not installed, or the script fails.
+        """
+        if not self.installed:
+            raise RuntimeError(self.absent)
+        one_thread = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "RAYON_NUM_THREADS": "1"}
+        command = [self.python, HERE / script, *arguments]
+        ended = subprocess.run(
+            command, env=os.environ | one_thread, capture_output=True, text=True, check=False
+        )
+        if ended.returncode:
+            raise RuntimeError(f"{self.name}: {script} failed: {ended.stderr.strip()[-2000:]}")
+        return ended.stdout
+
+    @property
+    def absent(self) -> str:
+        """What to tell when it is not installed."""
+        return (
+            f"{self.name} is not installed: {Path(sys.executable).name} -m tests.peers {self.name}"
+        )
+
+
+# TrackEval asks for plotting and mask packages that its box measures do not use.
+TRACKEVAL = Peer("trackeval", ("numpy==2.4.6", "scipy==1.17.1"), alone=("trackeval==1.3.0",))
+# The last version of py-motmetrics calls what NumPy 2 no longer has.
+MOTMETRICS = Peer(
+    "py-motmetrics", ("motmetrics==1.4.0", "numpy==1.26.4", "scipy==1.15.3", "pandas==2.2.3")
+)
+MOTRICS = Peer("motrics", ("motrics==0.3.0", "numpy==2.4.6"))
+
+PEERS = {peer.name: peer for peer in (TRACKEVAL, MOTMETRICS, MOTRICS)}
