@@ -6,7 +6,7 @@ import base64
 import json
 import os
 import shutil
-import subprocess
+import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -80,18 +80,18 @@ class Browser:
         found = self.call("Runtime.evaluate", expression=expression, returnByValue=True)
         return found["result"].get("value")
 
-    def shape(self, width: int, scheme: str = "light") -> None:
-        """How wide the window is, and whether its user likes it dark."""
+    def shape(self, width: int, scheme: str = "light", media: str = "") -> None:
+        """How wide the window is, whether its user likes it dark, and "print" for paper."""
         self.call(
             "Emulation.setDeviceMetricsOverride",
             width=width, height=900, deviceScaleFactor=1, mobile=False,
         )  # fmt: skip
         features = [{"name": "prefers-color-scheme", "value": scheme}]
-        self.call("Emulation.setEmulatedMedia", features=features)
+        self.call("Emulation.setEmulatedMedia", media=media, features=features)
 
     def screenshot(self) -> bytes:
-        """The whole page as PNG."""
-        found = self.call("Page.captureScreenshot", captureBeyondViewport=True)
+        """What is in the window, as PNG."""
+        found = self.call("Page.captureScreenshot")
         return base64.b64decode(found["data"])
 
     def printed(self) -> bytes:
@@ -122,24 +122,33 @@ class Browser:
 def browser(profile: Path) -> Iterator[Browser]:
     """A browser with a new profile in a folder; skips the test where there is none."""
     program = next(filter(None, map(shutil.which, _NAMES)), None)
-    if program is None:
+    if program is None or not hasattr(os, "posix_spawn"):
         pytest.skip("no Chromium to look at the page with (apt-get install chromium)")
     to_read, requests = os.pipe()
     answers, to_write = os.pipe()
-    # The program expects its ends of the pipes as files 3 and 4.
-    command = ["sh", "-c", f'exec "$@" 3<&{to_read} 4>&{to_write}', "sh", program, *_FLAGS]
-    running = subprocess.Popen(
-        [*command, f"--user-data-dir={profile}"],
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        pass_fds=(to_read, to_write),
-    )
-    os.close(to_read)
-    os.close(to_write)
+    pid = _start(program, profile, to_read, to_write)
     try:
         yield Browser(requests, answers)
     finally:
-        running.kill()
-        running.wait()
+        os.kill(pid, signal.SIGKILL)
+        os.waitpid(pid, 0)
         os.close(requests)
         os.close(answers)
+
+
+def _start(program: str, profile: Path, to_read: int, to_write: int) -> int:
+    """Start it; it expects its ends of the pipes as files 3 and 4."""
+    import fcntl  # Unix only, as is the way they are handed over
+
+    ends = [fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in (to_read, to_write)]
+    os.close(to_read)
+    os.close(to_write)
+    actions = [
+        *((os.POSIX_SPAWN_DUP2, end, number) for number, end in enumerate(ends, start=3)),
+        *((os.POSIX_SPAWN_OPEN, number, os.devnull, os.O_WRONLY, 0) for number in (1, 2)),
+    ]
+    command = [program, *_FLAGS, f"--user-data-dir={profile}"]
+    pid = os.posix_spawn(program, command, os.environ, file_actions=actions)
+    for end in ends:
+        os.close(end)
+    return pid
