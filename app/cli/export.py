@@ -6,12 +6,14 @@ from contextlib import closing
 from pathlib import Path
 
 from app.cli.destination import check_file, check_no_session, check_replaced
-from app.cli.output import print_json, progress
+from app.cli.output import print_json, progress, say
 from app.presenters.files.exporting import exported
+from app.presenters.files.opening import known_recordings
 from tracking.errors import FormatError, OutputError
 from tracking.formats import format_named, write_part_labels, write_samples
 from tracking.formats.samples_layout import HDF5_FORMAT
-from tracking.session import Session, session_samples
+from tracking.geometry import View
+from tracking.session import RecordingMissing, Session, session_samples
 
 _PARTS = ("samples", "labels")
 """What is exported of body parts, beside the formats of tracks."""
@@ -31,7 +33,7 @@ def run_export(path: Path, out: Path, name: str, run: int | None, *, as_json: bo
     check_file(out)
     check_no_session(out)
     with closing(Session.open(path)) as session:
-        tracks = exported(session, run)
+        tracks = exported(session, run, _view(session) if wanted.in_camera else None)
     with progress(f"Writing {out.name}") as report:
         made = wanted.write(out, tracks, report)
     if as_json:
@@ -39,6 +41,18 @@ def run_export(path: Path, out: Path, name: str, run: int | None, *, as_json: bo
         print_json({**told, "rows": len(tracks)})
     else:
         print(*made, sep="\n")
+
+
+def _view(session: Session) -> View | None:
+    """The session's camera over its floor; None, which is told, where nobody knows it."""
+    try:
+        with session.open_recording(known=known_recordings()) as recording:
+            view = recording.view
+    except RecordingMissing:
+        view = None
+    if view is None:
+        say("note: camera and floor are not known or out of reach; places are left out")
+    return view
 
 
 def _what_first(session: Session) -> str:

@@ -1,34 +1,22 @@
-"""`import`: tracks made elsewhere into a session, with a report of what could not be meant."""
+"""`import`: tracks made elsewhere into a session, with a report of rows that cannot be meant.
+
+The file is read before anything is opened or made for it, and before what takes long to load: a
+file that cannot be taken is refused at once.
+"""
 
 from __future__ import annotations
 
-from contextlib import closing
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 import typer
 
-from app.cli.destination import check_file
 from app.cli.option_groups import Bare
 from app.cli.output import print_json, say
-from app.cli.recordings import opened
-from app.cli.track import refuse_to_lose
-from app.presenters.files.opening import known_recordings, remember_place
-from tracking.errors import FormatError, SessionError
-from tracking.formats import Filmed, TrackFormat, format_named, format_of
-from tracking.session import (
-    Importable,
-    ImportOrigin,
-    ImportWish,
-    RecordingMissing,
-    Session,
-    filmed_by,
-    importable,
-    session_of_import,
-    take_into,
-)
-from tracking.tracks import TrackTable
+from tracking.errors import FormatError
+from tracking.formats import BadRow, Filmed, Imported, TrackFormat, format_named, format_of
 
 _MOST_SHOWN = 20
 """Bad rows in the table people read; --json tells more of them."""
@@ -42,7 +30,8 @@ class Order:
         tracks: the file. format: its name; None: told by content.
         recording, eyes: what the tracks are of, for a new session. out: that session.
         into: a session that is there already, instead.
-        wish: how tracks are taken. take_good: also where some rows are bad.
+        thin_px: thin dense tracks within this tolerance. as_new: with new ids.
+        only_people: leave out what is none. take_good: take the good rows where others are bad.
         force: replace a session with corrections.
     """
 
@@ -52,7 +41,9 @@ class Order:
     eyes: Bare
     out: Path | None
     into: Path | None
-    wish: ImportWish
+    thin_px: float | None = None
+    as_new: bool = False
+    only_people: bool = False
     take_good: bool = False
     force: bool = False
 
@@ -64,14 +55,31 @@ def run_import(order: Order, *, as_json: bool) -> None:
         FormatError: the file cannot be read, or some rows are bad and were not allowed to be.
         typer.BadParameter: neither a new session nor one that is there is named, or both.
     """
-    known = _format_of(order)
+    _check_whereto(order)
+    source = Source(order, _format_of(order), as_json)
+    found = source.read(Filmed())
+    from app.cli.imported_session import into_new_session, into_session  # take long to load
+
     if order.into is not None:
-        _refuse_both(order)
-        _into_session(order, order.into, known, as_json=as_json)
-    elif order.out is None:
-        raise typer.BadParameter("name the session to make, or one with --into", param_hint="--out")
-    else:
-        _into_new_session(order, order.out, known, as_json=as_json)
+        into_session(source, found, order.into)
+    elif order.out is not None:
+        into_new_session(source, found, order.out)
+
+
+def _check_whereto(order: Order) -> None:
+    """A session knows its recording and its place."""
+    if order.into is None:
+        if order.out is None:
+            raise typer.BadParameter(
+                "name the session to make, or one with --into", param_hint="--out"
+            )
+        return
+    given = {"--out": order.out, "--recording": order.recording, "--left": order.eyes.left}
+    for name, value in given.items():
+        if value is not None:
+            raise typer.BadParameter(
+                "the session of --into says that; leave it out", param_hint=name
+            )
 
 
 def _format_of(order: Order) -> TrackFormat:
@@ -81,136 +89,65 @@ def _format_of(order: Order) -> TrackFormat:
     return named
 
 
-def _refuse_both(order: Order) -> None:
-    """A session knows its recording and its place."""
-    given = {"--out": order.out, "--recording": order.recording, "--left": order.eyes.left}
-    for name, value in given.items():
-        if value is not None:
-            raise typer.BadParameter(
-                "the session of --into says that; leave it out", param_hint=name
-            )
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A file whose tracks are asked for.
+
+    Attributes:
+        order: as typed. format: of the file. as_json: the report is printed as one document.
+    """
+
+    order: Order
+    format: TrackFormat
+    as_json: bool
+
+    def read(self, filmed: Filmed) -> Imported:
+        """The tracks of the file. Raises FormatError where they cannot be taken."""
+        read = self.format.read
+        if read is None:
+            raise FormatError(f"{self.format.title} is only written; import another format")
+        found = read(self.order.tracks, filmed)
+        self.refuse_bad_rows(found.bad_rows, found.bad_count)
+        if not len(found.columns["frame"]):
+            raise FormatError(f"{self.order.tracks} holds no tracks; nothing to import")
+        return found
+
+    def refuse_bad_rows(self, rows: Sequence[BadRow], count: int) -> None:
+        """Tell the bad rows and refuse the file; nothing where there are none, or they may be.
+
+        Raises FormatError, which names the first one.
+        """
+        if not count or self.order.take_good:
+            return
+        if self.as_json:
+            print_json(self.report(rows, count) | {"session": None})
+        elif count > 1:
+            show_bad_rows(self.order.tracks, rows, count)
+        many, first = ("1 row", "in") if count == 1 else (f"{count} rows", "the first in")
+        raise FormatError(
+            f"{self.order.tracks}: {many} cannot be meant, {first} {rows[0].place}: "
+            f"{rows[0].reason}; correct the file, or add --take-good to take the others"
+        )
+
+    def report(self, rows: Sequence[BadRow], count: int) -> dict[str, Any]:
+        """What a report says of the file."""
+        return {
+            "file": str(self.order.tracks),
+            "format": self.format.name,
+            "bad_count": count,
+            "bad_rows": [asdict(row) for row in rows],
+        }
 
 
-def _into_new_session(order: Order, out: Path, known: TrackFormat, *, as_json: bool) -> None:
-    with opened(order.recording, order.eyes) as recording:
-        check_file(out)
-        refuse_to_lose(out, force=order.force)
-        found = _found(order, known, filmed_by(recording), None, as_json=as_json)
-        with closing(session_of_import(recording, found, _origin(order, known))) as session:
-            session.save(out)
-            remember_place(session, recording)
-    _tell(order, found, known, out, None, as_json=as_json)
-
-
-def _into_session(order: Order, into: Path, known: TrackFormat, *, as_json: bool) -> None:
-    with closing(Session.open(into)) as session:
-        if session.read_only:
-            why = session.why_read_only.removeprefix(f"{session.path}: ")
-            raise SessionError(f"{into} cannot be changed: {why}")
-        found = _found(order, known, _filmed(session), session.tracks, as_json=as_json)
-        entry = take_into(session, found, _origin(order, known))
-        if entry is not None:
-            session.save()
-    _tell(order, found, known, into, entry is not None, as_json=as_json)
-
-
-def _origin(order: Order, known: TrackFormat) -> ImportOrigin:
-    return ImportOrigin.of(order.tracks, known.name)
-
-
-def _filmed(session: Session) -> Filmed:
-    """What is known of a session's recording, also where that is out of reach."""
-    try:
-        with session.open_recording(known=known_recordings()) as recording:
-            return filmed_by(recording)
-    except RecordingMissing:
-        say("note: the recording is out of reach, and with it what camera and floor would tell")
-        footage = session.recording
-        return Filmed(footage.frame_count, footage.fps, footage.size)
-
-
-def _found(
-    order: Order, known: TrackFormat, filmed: Filmed, table: TrackTable | None, *, as_json: bool
-) -> Importable:
-    """The tracks, where they may be taken."""
-    assert known.read is not None  # see `_format_of`
-    found = importable(known.read(order.tracks, filmed), filmed, order.wish, table)
-    for note in found.notes:
-        say(f"note: {note}")
-    if found.bad_count:
-        if found.bad_count > 1:
-            _show_bad_rows(order.tracks, found)
-        if not order.take_good:
-            if as_json:
-                print_json(_report(order, found, known, None))
-            raise FormatError(_refusal(order.tracks, found))
-    if not len(found.rows["frame"]):
-        raise FormatError(f"{order.tracks} holds no tracks; nothing to import")
-    return found
-
-
-def _refusal(path: Path, found: Importable) -> str:
-    first = found.bad_rows[0]
-    many = "1 row" if found.bad_count == 1 else f"{found.bad_count} rows"
-    begins = "in" if found.bad_count == 1 else "the first in"
-    return (
-        f"{path}: {many} cannot be meant, {begins} {first.place}: {first.reason}; "
-        "correct the file, or add --take-good to take the others"
-    )
-
-
-def _show_bad_rows(path: Path, found: Importable) -> None:
-    """A table of the bad rows on stderr."""
+def show_bad_rows(path: Path, rows: Sequence[BadRow], count: int) -> None:
+    """A table of bad rows on stderr."""
     from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 
-    table = Table("place", "reason", title=f"Rows of {path.name} that cannot be meant")
-    for row in found.bad_rows[:_MOST_SHOWN]:
-        table.add_row(row.place, row.reason)
-    more = found.bad_count - min(found.bad_count, _MOST_SHOWN)
-    if more:
-        table.caption = f"and {more} more" + ("" if more > 1000 else "; --json tells them")
+    table = Table("place", "reason", title=f"{count} rows of {path.name} cannot be meant")
+    for row in rows[:_MOST_SHOWN]:
+        table.add_row(Text(row.place), Text(row.reason))
     Console(stderr=True).print(table)
-
-
-def _report(
-    order: Order, found: Importable, known: TrackFormat, session: Path | None
-) -> dict[str, Any]:
-    return {
-        "session": None if session is None else str(session),
-        "file": str(order.tracks),
-        "format": known.name,
-        "tracks": found.tracks if session is not None else 0,
-        "rows": len(found.rows["frame"]) if session is not None else 0,
-        "good_rows": len(found.rows["frame"]),
-        "bad_count": found.bad_count,
-        "bad_rows": [asdict(row) for row in found.bad_rows],
-        "thinned": asdict(found.thinned),
-        "notes": list(found.notes),
-    }
-
-
-def _tell(
-    order: Order,
-    found: Importable,
-    known: TrackFormat,
-    session: Path,
-    changed: bool | None,
-    *,
-    as_json: bool,
-) -> None:
-    """What was imported; changed: whether that was news to a session, None: it is a new one."""
-    if as_json:
-        report = _report(order, found, known, session)
-        print_json(report | ({} if changed is None else {"changed": changed}))
-        return
-    thinned = found.thinned
-    say(f"{known.title}: {found.tracks} tracks, {len(found.rows['frame'])} rows")
-    if thinned.tracks:
-        boxes = f"{thinned.boxes} boxes to {thinned.keyframes} keyframes"
-        say(f"{thinned.tracks} tracks thinned: {boxes}")
-    if found.bad_count:
-        say(f"left out: {found.bad_count} rows that cannot be meant")
-    if changed is False:
-        say("the session says so already; nothing was changed")
-    print(session)
+    if count > _MOST_SHOWN:
+        say(f"and {count - _MOST_SHOWN} more; --json tells the first {len(rows)} of all")

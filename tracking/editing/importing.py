@@ -75,6 +75,8 @@ def plan_import(
     ids = np.unique(rows["track"]).tolist()
     old = stacked(table.of_track(track) for track in ids if track in table)
     goes, new = _merged(old, picked(rows, slice(None)), view)
+    if view is not None and np.isnan(rows["x"]).all():
+        new = on_the_floor(new, view)
     before, after = picked(old, goes), new
     said = _labels(labels, {track: told[track] for track in ids if track in told})
     if not len(before["frame"]) and not len(after["frame"]) and said[0] == said[1]:

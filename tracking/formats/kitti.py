@@ -27,5 +27,11 @@ def _recognises(_path: Path, head: bytes) -> bool:
 
 
 KITTI = TrackFormat(
-    "kitti", "KITTI tracking labels", (".txt",), _recognises, import_kitti, export_kitti
+    "kitti",
+    "KITTI tracking labels",
+    (".txt",),
+    _recognises,
+    import_kitti,
+    export_kitti,
+    in_camera=True,
 )

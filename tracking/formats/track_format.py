@@ -32,6 +32,7 @@ class TrackFormat:
         write: makes a file, which appears whole or not at all; gives the files made. Raises
             OutputError, FormatError where the tracks lack what the format needs, and what the
             progress raises to cancel. None: this program does not write it.
+        in_camera: it tells places as the camera sees them: without a view they are left out.
     """
 
     name: str
@@ -40,3 +41,4 @@ class TrackFormat:
     recognises: Callable[[Path, bytes], bool]
     read: Read | None = None
     write: Write | None = None
+    in_camera: bool = False

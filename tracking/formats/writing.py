@@ -35,6 +35,7 @@ class Exported:
         labels: of tracks; the attribute "class" is what kind of thing it is, a person without one.
         view: the left camera over its floor; None where it is not known.
         counts_in_full: the tracks are truth: every row counts, however sure a tracker was of it.
+        dont_cares: but for rows of confidence 0, which a truth that was imported says not to count.
     """
 
     rows: Mapping[str, ParticleColumn]
@@ -46,6 +47,7 @@ class Exported:
     labels: Mapping[int, TrackLabel] = field(default_factory=dict)
     view: View | None = None
     counts_in_full: bool = False
+    dont_cares: bool = False
 
     @classmethod
     def of_table(cls, table: TrackTable, **known: Any) -> Exported:
@@ -97,7 +99,12 @@ class Exported:
         return self.labels.get(track, TrackLabel())
 
     def _in_full(self, rows: Columns) -> dict[str, NDArray[Any]]:
-        return dict(as_truth(rows) if self.counts_in_full else rows)
+        if not self.counts_in_full:
+            return dict(rows)
+        truth = dict(as_truth(rows))
+        if self.dont_cares:
+            truth["confidence"][rows["confidence"] == 0] = 0
+        return truth
 
 
 def as_truth(columns: Columns) -> Columns:

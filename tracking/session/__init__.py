@@ -6,6 +6,7 @@ from tracking.session.document import Session
 from tracking.session.edit_log import log_as_json, write_log_csv, write_log_json
 from tracking.session.errors import RecordingMissing
 from tracking.session.importing import (
+    IMPORTED,
     Importable,
     ImportOrigin,
     ImportWish,
@@ -26,6 +27,7 @@ from tracking.session.stamping import author_named
 from tracking.session.waiting import read_history
 
 __all__ = [
+    "IMPORTED",
     "Generation",
     "ImportOrigin",
     "ImportWish",

@@ -37,7 +37,7 @@ from tracking.tracks import (
 if TYPE_CHECKING:
     from tracking.recording import Recording
 
-TRACKER = "imported"
+IMPORTED = "imported"
 """What the run of imported tracks says its tracker is."""
 
 CLASS = "class"
@@ -135,7 +135,8 @@ def importable(
     found = _with_shares(found)
     if wish.as_new:
         found = _renumbered(found, known)
-    if filmed.view is not None and len(found.rows["x"]) and np.isnan(found.rows["x"]).all():
+    lacking = len(found.rows["x"]) > 0 and bool(np.isnan(found.rows["x"]).all())
+    if known is None and filmed.view is not None and lacking:
         rows = on_the_floor(found.rows, filmed.view)
         note = "places on the floor are told from the boxes' feet: the file has none"
         found = replace(found, rows=rows, notes=(*found.notes, note))
@@ -156,7 +157,7 @@ def session_of_import(recording: Recording, found: Importable, origin: ImportOri
     The run says what the file says but for keyframes, names and attributes: those are corrections.
     """
     run = Run(
-        tracker=TRACKER,
+        tracker=IMPORTED,
         settings=origin.as_json(),
         seed=0,
         frames=(0, recording.frame_count),

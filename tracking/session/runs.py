@@ -73,6 +73,11 @@ class StoredRun:
                 made=text_attribute(group, "made") if "made" in group.attrs else "",
             )
 
+    def tracker(self) -> str:
+        """The name of its tracker, without loading it. Raises SessionError as `load`."""
+        with opened(self.path) as file:
+            return text_attribute(file[f"runs/{self.number}"], "tracker")
+
     def copy_into(self, image: ImageFile, target: h5py.Group) -> None:
         """Copy the run as it is, packed bytes and all, into a group of another file.
 
@@ -235,6 +240,11 @@ class Runs(Sequence[Run]):
             raise EditError(f"run {number} is being saved; drop it when that is done")
         del self._held[number]
         self._loaded.pop(number, None)
+
+    def tracker_of(self, number: int) -> str:
+        """The name of a run's tracker; quick, the run need not be loaded."""
+        held = self._loaded.get(number, self._held[number])
+        return held.tracker if isinstance(held, Run) else held.tracker()
 
     def held(self) -> tuple[Run | StoredRun, ...]:
         """The runs as they are held, without loading any."""

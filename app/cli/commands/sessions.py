@@ -83,10 +83,20 @@ def import_tracks(
 ) -> None:
     """Take tracks made elsewhere into a session, with a report of rows that cannot be meant."""
     from app.cli.import_tracks import Order, run_import
-    from tracking.session import ImportWish
 
-    wish = ImportWish(thin, as_new, only_people)
-    order = Order(tracks, file_format, recording, eyes, out, into, wish, take_good, force)
+    order = Order(
+        tracks=tracks,
+        format=file_format,
+        recording=recording,
+        eyes=eyes,
+        out=out,
+        into=into,
+        thin_px=thin,
+        as_new=as_new,
+        only_people=only_people,
+        take_good=take_good,
+        force=force,
+    )
     run_import(order, as_json=json)
 
 

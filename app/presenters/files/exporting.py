@@ -8,7 +8,7 @@ from pathlib import Path
 from tracking.errors import OutputError, SessionError
 from tracking.formats import Exported, as_truth, begins_as_hdf5
 from tracking.geometry import View
-from tracking.session import Session
+from tracking.session import IMPORTED, Session
 from tracking.session.reading import check_file
 from tracking.tracks import Columns, Run, TrackTable
 
@@ -26,12 +26,15 @@ def exported_tracks(session: Session, run: int | None = None) -> Columns:
     return _run(session, run).tracks
 
 
-def exported(session: Session, run: int | None = None) -> Exported:
+def exported(session: Session, run: int | None = None, view: View | None = None) -> Exported:
     """The same rows with what is known of their footage; what is edited later is not in it.
+
+    Of a session that began as imported truth, rows that do not count (confidence 0) stay so.
+    view: the left camera over its floor, for formats that tell places as it sees them.
 
     Raises SessionError as `exported_tracks`.
     """
-    return exporting(session, run)()
+    return exporting(session, run, view)()
 
 
 def exporting(
@@ -48,6 +51,7 @@ def exporting(
     table = session.tracks.snapshot() if run is None else None
     own = None if run is None else _run(session, run)
     labels = dict(session.labels.tracks) if corrected else {}
+    dont_cares = corrected and _began_as_import(session)
 
     def put_together() -> Exported:
         whole = table if own is None else TrackTable(own.tracks)
@@ -61,6 +65,7 @@ def exporting(
             labels=labels,
             view=view,
             counts_in_full=corrected,
+            dont_cares=dont_cares,
         )
 
     return put_together
@@ -78,6 +83,11 @@ def refuse_to_lose(path: Path) -> None:
         except SessionError:
             return  # other tools' HDF5, which the user agreed to replace
         raise OutputError(f"{path} is a session and would be lost; choose another name")
+
+
+def _began_as_import(session: Session) -> bool:
+    adopted = session.adopted_run
+    return adopted is not None and session.runs.tracker_of(adopted) == IMPORTED
 
 
 def _run(session: Session, number: int) -> Run:

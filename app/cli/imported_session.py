@@ -1,0 +1,101 @@
+"""Imported tracks on their way into a session: a new one, or one that is there already."""
+
+from __future__ import annotations
+
+from contextlib import closing
+from dataclasses import asdict
+from pathlib import Path
+
+from app.cli.destination import check_file
+from app.cli.import_tracks import Source, show_bad_rows
+from app.cli.output import print_json, say
+from app.cli.recordings import opened
+from app.cli.track import refuse_to_lose
+from app.presenters.files.opening import known_recordings, remember_place
+from tracking.errors import SessionError
+from tracking.formats import Filmed, Imported
+from tracking.session import (
+    Importable,
+    ImportOrigin,
+    ImportWish,
+    RecordingMissing,
+    Session,
+    filmed_by,
+    importable,
+    session_of_import,
+    take_into,
+)
+from tracking.tracks import TrackTable
+
+
+def into_new_session(source: Source, read: Imported, out: Path) -> None:
+    """Make a session of the tracks, and tell what is in it."""
+    order = source.order
+    with opened(order.recording, order.eyes) as recording:
+        check_file(out)
+        refuse_to_lose(out, force=order.force)
+        found = _fitted(source, read, filmed_by(recording), None)
+        with closing(session_of_import(recording, found, _origin(source))) as session:
+            session.save(out)
+            remember_place(session, recording)
+    _tell(source, found, out, changed=True)
+
+
+def into_session(source: Source, read: Imported, into: Path) -> None:
+    """Take the tracks into a session that is there, as one edit, and tell what that was."""
+    with closing(Session.open(into)) as session:
+        if session.read_only:
+            why = session.why_read_only.removeprefix(f"{session.path}: ")
+            raise SessionError(f"{into} cannot be changed: {why}")
+        found = _fitted(source, read, _filmed(session), session.tracks)
+        entry = take_into(session, found, _origin(source))
+        if entry is not None:
+            session.save()
+    _tell(source, found, into, changed=entry is not None)
+
+
+def _origin(source: Source) -> ImportOrigin:
+    return ImportOrigin.of(source.order.tracks, source.format.name)
+
+
+def _filmed(session: Session) -> Filmed:
+    """What is known of a session's recording, also where that is out of reach."""
+    try:
+        with session.open_recording(known=known_recordings()) as recording:
+            return filmed_by(recording)
+    except RecordingMissing:
+        say("note: the recording is out of reach, and with it what camera and floor would tell")
+        footage = session.recording
+        return Filmed(footage.frame_count, footage.fps, footage.size)
+
+
+def _fitted(source: Source, read: Imported, filmed: Filmed, table: TrackTable | None) -> Importable:
+    """The tracks, as the recording's; rows beyond it are bad like any other."""
+    order = source.order
+    if source.format.in_camera and filmed.view is not None:
+        read = source.read(filmed)  # now places can be told
+    wish = ImportWish(order.thin_px, order.as_new, order.only_people)
+    found = importable(read, filmed, wish, table)
+    source.refuse_bad_rows(found.bad_rows, found.bad_count)
+    for note in found.notes:
+        say(f"note: {note}")
+    return found
+
+
+def _tell(source: Source, found: Importable, session: Path, *, changed: bool) -> None:
+    """What was imported; changed: whether it was news."""
+    rows, thinned = len(found.rows["frame"]), found.thinned
+    if source.as_json:
+        said = {"session": str(session), "tracks": found.tracks, "rows": rows, "changed": changed}
+        bad = source.report(found.bad_rows, found.bad_count)
+        print_json({**said, **bad, "thinned": asdict(thinned), "notes": list(found.notes)})
+        return
+    if found.bad_count:
+        show_bad_rows(source.order.tracks, found.bad_rows, found.bad_count)
+    say(f"{source.format.title}: {found.tracks} tracks, {rows} rows")
+    if thinned.tracks:
+        boxes = f"{thinned.boxes} boxes to {thinned.keyframes} keyframes"
+        say(f"{thinned.tracks} tracks thinned: {boxes}")
+    if not changed:
+        say("the session says so already; nothing was changed")
+    print(session)
