@@ -7,13 +7,10 @@ environment of its own, see `python -m tests.peers`.
 from __future__ import annotations
 
 import argparse
-import json
 import random
 import sys
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
@@ -21,9 +18,9 @@ import numpy as np
 
 from tests.peers.apart import COUNTS, Figures, differences
 from tests.peers.drawn_sequences import Sequence, drawn, tables
-from tests.peers.environments import MOTMETRICS, TRACKEVAL, Peer
+from tests.peers.environments import MOTMETRICS, TRACKEVAL
+from tests.peers.golden import told_by
 from tests.peers.motmetrics_names import motmetrics_figures
-from tests.peers.sequences import write_sequences
 from tests.peers.trackeval_names import trackeval_figures
 from tracking.scoring import BoxMatch, Conventions, FloorMatch, Match, Score, combined, score
 
@@ -97,16 +94,6 @@ def compared(whom: str, ours: dict[str, Figures], theirs: dict[str, Figures]) ->
         for (name, figure), far in apart.items()
         if far > (0.0 if figure in COUNTS else NEAR)
     ]
-
-
-def told_by(peer: Peer, script: str, sequences: dict[str, Sequence]) -> dict[str, Any]:
-    """A peer's figures by way of matching and sequence."""
-    with tempfile.TemporaryDirectory() as folder:
-        rows, figures = Path(folder) / "sequences.npz", Path(folder) / "figures.json"
-        write_sequences(rows, sequences)
-        peer.run(script, rows, figures)
-        told: dict[str, Any] = json.loads(figures.read_text(encoding="utf-8"))
-    return told
 
 
 if __name__ == "__main__":
