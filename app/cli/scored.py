@@ -11,7 +11,6 @@ from app.cli.ranges import typed_range
 from app.cli.tracks import Tracks, part_truth_beside, tracks_at, truth_at
 from tracking.errors import SettingsError
 from tracking.scoring import Match, Score, ScoringTable, score
-from tracking.scoring.challenge_truth import challenge_truth
 from tracking.scoring.parts import Rates, judge, rates_of, read_part_truth, tracked_parts
 from tracking.scoring.report import Footage, Subject
 
@@ -66,8 +65,7 @@ def score_of(result: Tracks, truth: Tracks, match: Match | None = None) -> Score
 
 def true_table(truth: Tracks) -> ScoringTable:
     """The rows of a truth; in a file `conf` 0 marks don't-cares, in a session nothing does."""
-    columns = challenge_truth(truth.columns) if truth.is_text else truth.columns
-    return ScoringTable.from_columns(columns, dont_cares=truth.is_text)
+    return ScoringTable.from_columns(truth.columns, dont_cares=truth.is_text)
 
 
 def table_of(result: Tracks) -> ScoringTable:

@@ -69,7 +69,7 @@ def compare(truth: ScoringTable, result: ScoringTable, match: Match) -> Comparis
     """Put the rows that count side by side.
 
     A result row that is matched with a don't-care (at the threshold, among all rows of the frame)
-    is dropped, then the don't-cares are.
+    is dropped, then all rows that do not count are.
     """
     match.require(truth, "truth")
     match.require(result, "result")
@@ -97,9 +97,10 @@ def _not_on_dont_cares(truth: ScoringTable, result: ScoringTable, match: Match) 
     frames = Frames.shared(truth, result)
     pairs = candidates(truth, result, frames, match)
     pairs = pairs.some(pairs.similarity >= match.threshold - EPS)
-    concerned = np.unique(pairs.frame[~truth.counted[pairs.rows.truth]])
+    dont_care = ~truth.counted if truth.dont_care is None else truth.dont_care
+    concerned = np.unique(pairs.frame[dont_care[pairs.rows.truth]])
     pairs = pairs.some(np.isin(pairs.frame, concerned))
     chosen = pairs.some(assign(pairs, pairs.similarity, frames))
     kept = np.ones(len(result), bool)
-    kept[chosen.rows.result[~truth.counted[chosen.rows.truth]]] = False
+    kept[chosen.rows.result[dont_care[chosen.rows.truth]]] = False
     return kept

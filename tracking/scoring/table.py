@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
+from tracking.scoring.challenge_classes import rows_that_count
 from tracking.tracks.columns import Columns
 
 Integers = NDArray[np.int64]
@@ -28,7 +29,8 @@ class ScoringTable:
         track: (n,) ids.
         box: (n, 4) left, top, width, height in pixels, 0-based; NaN where unknown.
         position: (n, 2) x, y on the floor in metres; NaN where unknown.
-        counted: (n,) False marks a don't-care.
+        counted: (n,) False for rows that are neither found nor missed.
+        dont_care: (n,) which of those take a result row that matches them away; None: all.
         confidence: (n,) how sure the tracker is; None where nobody says.
     """
 
@@ -38,6 +40,7 @@ class ScoringTable:
     position: Floats
     counted: Flags
     confidence: Floats | None = None
+    dont_care: Flags | None = None
 
     @classmethod
     def from_columns(cls, columns: Columns, *, dont_cares: bool = False) -> ScoringTable:
@@ -46,22 +49,24 @@ class ScoringTable:
         Args:
             columns: `frame, track, left, top, width, height` and, where known, `x, y` and
                 `confidence`.
-            dont_cares: rows with `confidence` 0 are don't-cares, as in MOT text used as truth.
+            dont_cares: rows with `confidence` 0 are don't-cares, as in MOT text used as truth;
+                see `rows_that_count` for truth with classes.
 
         Raises:
             FormatError: an id stands twice in one frame.
         """
         order = _by_frame(columns["frame"])
-        counted = np.ones(len(order), bool)
+        counted, ignored = np.ones(len(order), bool), None
         if dont_cares and "confidence" in columns:
-            counted = columns["confidence"][order] != 0
+            counted, ignored = rows_that_count(columns)
         table = cls(
             frame=columns["frame"][order].astype(np.int64),
             track=columns["track"][order].astype(np.int64),
             box=_stacked(columns, ("left", "top", "width", "height"), order),
             position=_stacked(columns, ("x", "y"), order),
-            counted=counted,
+            counted=counted[order],
             confidence=_column(columns, "confidence", order),
+            dont_care=None if ignored is None else ignored[order],
         )
         table._refuse_repeated()
         return table
@@ -79,6 +84,7 @@ class ScoringTable:
             self.position[kept],
             self.counted[kept],
             None if self.confidence is None else self.confidence[kept],
+            None if self.dont_care is None else self.dont_care[kept],
         )
 
     def within(self, start: int, stop: int) -> ScoringTable:
