@@ -15,7 +15,7 @@ from tracking.editing import Entry
 from tracking.progress import Progress
 from tracking.session import Generation, list_generations
 from tracking.session.older import read_generation
-from tracking.tracks import Columns, TrackTable
+from tracking.tracks import Columns, TrackTable, row_keys
 
 _LISTED = 6
 _PLACE = ("left", "top", "width", "height", "x", "y")
@@ -139,5 +139,4 @@ def _rows_apart(a: Columns, b: Columns) -> int:
 
 def _keys(columns: Columns) -> NDArray[np.int64]:
     """One number a person-frame."""
-    key: NDArray[np.int64] = columns["frame"].astype(np.int64) << 32 | columns["track"]
-    return key
+    return row_keys(columns["frame"], columns["track"])

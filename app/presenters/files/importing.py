@@ -236,11 +236,11 @@ def _rows_gone(change: Change | None) -> int:
     """How many rows an edit takes away without another one in their place."""
     if change is None:
         return 0
-    keys = [
+    was, will = (
         (side.rows["frame"].astype(np.int64) << 32) | side.rows["track"]
         for side in (change.before, change.after)
-    ]
-    return int(np.setdiff1d(*keys, assume_unique=True).size)
+    )
+    return len(np.setdiff1d(was, will, assume_unique=True))
 
 
 def _why_not(fitted: Fitted) -> str:

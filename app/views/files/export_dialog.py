@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from app.presenters.files.export_formats import ExportFormat
 from app.views.widgets.parts import quiet
 
-_LETTERS, _LINES = 62, 13
+_LETTERS, _MOST_LINES = 62, 14
 
 
 class ExportDialog(QDialog):
@@ -70,7 +70,10 @@ class ExportDialog(QDialog):
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{each.title}, {each.ending}")
         names = [each.name for each in self._formats]
         view.setCurrentRow(names.index(chosen) if chosen in names else 0)
-        view.setMinimumHeight(_LINES * (self.fontMetrics().height() + 6))
+        view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        view.setMinimumWidth(view.sizeHintForColumn(0) + 4 * view.frameWidth() + 24)
+        rows = min(view.count(), _MOST_LINES)
+        view.setMinimumHeight(rows * view.sizeHintForRow(0) + 2 * view.frameWidth() + 4)
         view.currentRowChanged.connect(self._tell)
         view.itemDoubleClicked.connect(self.accept)
         return view

@@ -108,12 +108,13 @@ class ImportDialog(QDialog):
         self._bad_title = heading("", self)
         self._bad = QTableWidget(0, 2, self)
         self._bad.setHorizontalHeaderLabels([self.tr("Where"), self.tr("Why")])
-        self._bad.setAccessibleName(self.tr("Rows that cannot be meant"))
+        self._bad.setAccessibleName(self.tr("Rows that cannot be used"))
         self._bad.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self._bad.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self._bad.setTabKeyNavigation(False)
         self._bad.setShowGrid(False)
         self._bad.verticalHeader().hide()
+        self._bad.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 5)
         header = self._bad.horizontalHeader()
         header.setHighlightSections(False)
         header.setDefaultAlignment(header.defaultAlignment().AlignLeft)
@@ -158,7 +159,8 @@ class ImportDialog(QDialog):
         """Show what would happen."""
         with QSignalBlocker(self._format):
             self._format.setCurrentIndex(self._names.index(format_name))
-        self._lines.setText("\n".join(scene.lines))
+        first, *others = scene.lines
+        self._lines.setText("\n".join((first, *(f"\u2022 {line}" for line in others))))
         self._notes.setText("\n".join(scene.notes))
         self._notes.setVisible(bool(scene.notes))
         self._only_people.setVisible(scene.classes)
@@ -169,7 +171,7 @@ class ImportDialog(QDialog):
     def _show_bad(self, scene: ImportScene) -> None:
         for widget in (self._bad_title, self._bad, self._takes_good):
             widget.setVisible(bool(scene.bad_count))
-        title = counted(scene.bad_count, "{n} row cannot be meant", "{n} rows cannot be meant")
+        title = counted(scene.bad_count, "{n} row cannot be used", "{n} rows cannot be used")
         more = scene.bad_count - len(scene.bad)
         told = self.tr("the first {0} are listed").format(len(scene.bad)) if more else ""
         self._bad_title.setText("; ".join(part for part in (title, told) if part))

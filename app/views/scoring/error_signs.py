@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import ceil
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPixmapCache
 
 from app.presenters.scoring.score_scene import ERROR_COLOURS
 from app.views.look.theme import Theme, current_theme
 from tracking.scoring import ErrorKind
 
 _ICON_PX = 12
+_HALO_PX = 4.0
 
 
 def error_colour(kind: ErrorKind, theme: Theme) -> QColor:
@@ -22,15 +24,44 @@ def error_colour(kind: ErrorKind, theme: Theme) -> QColor:
 def draw_signs(
     painter: QPainter, kind: ErrorKind, at: Sequence[QPointF], reach: float, theme: Theme
 ) -> None:
-    """Signs of one kind around some places: a cross for a switch, a bar parted in two for a
+    """Signs of one kind around some places, each on a halo of the ground.
 
-    fragmentation, a ring for a miss, a triangle for a false alarm; on a halo of the ground.
+    A cross stands for a switch, a bar parted in two for a fragmentation, a ring for a miss, a
+    triangle for a false alarm.
     """
-    for colour, width in ((theme.sunken, 4.0), (error_colour(kind, theme), 1.8)):
+    if not at:
+        return
+    device = painter.device()
+    ratio = device.devicePixelRatioF() if device is not None else 1.0
+    sign = _drawn(kind, round(reach, 1), theme, ratio)
+    half = QPointF(_side(reach) / 2, _side(reach) / 2)
+    for place in at:
+        painter.drawPixmap(place - half, sign)
+
+
+def _side(reach: float) -> int:
+    """Of the square a sign with its halo fits into."""
+    return 2 * ceil(reach + _HALO_PX)
+
+
+def _drawn(kind: ErrorKind, reach: float, theme: Theme, ratio: float) -> QPixmap:
+    """A sign drawn once: hundreds of them on a lane are then put down in a moment."""
+    key, kept = f"error {kind.name} {reach} {theme.name} {ratio}", QPixmap()
+    if QPixmapCache.find(key, kept):
+        return kept
+    side = _side(reach)
+    picture = QPixmap(QSize(side, side) * ratio)
+    picture.setDevicePixelRatio(ratio)
+    picture.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(picture)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for colour, width in ((theme.sunken, _HALO_PX), (error_colour(kind, theme), 1.8)):
         painter.setPen(QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        for place in at:
-            _draw_sign(painter, kind, place, reach)
+        _draw_sign(painter, kind, QPointF(side / 2, side / 2), reach)
+    painter.end()
+    QPixmapCache.insert(key, picture)
+    return picture
 
 
 def _draw_sign(painter: QPainter, kind: ErrorKind, at: QPointF, reach: float) -> None:
