@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracking.failure.features import NUMBERS, Floats, part_features
 from tracking.failure.past import states_before
 from tracking.failure.samples import Samples, no_samples, samples_from_rows
-from tracking.tracks import PARTS, Columns, PartLabel
+from tracking.tracks import PARTS, Columns, PartLabel, pairs_of, row_keys
 from tracking.tracks.on_part import MOST_FOREIGN, corners_of, corners_of_boxes, foreign_share
 
 _SAME_PX = 1e-3
@@ -38,21 +38,36 @@ class PartStates:
         """(k,) the row of each person and frame; -1 where there is none."""
         if not len(self.track):
             return np.full(len(track), -1)
-        own, asked = self.track << 32 | self.frame, track << 32 | frame
+        own, asked = row_keys(self.track, self.frame), row_keys(track, frame)
         at = np.minimum(np.searchsorted(own, asked), len(own) - 1)
         return np.where(own[at] == asked, at, -1)
 
 
 def part_states(parts: Columns, fps: float) -> PartStates:
     """The states in `PART_COLUMNS` rows of any order, at a frame rate; incomplete ones left out."""
-    keys = parts["track"].astype(np.int64) << 32 | parts["frame"].astype(np.int64)
-    known, row = np.unique(keys, return_inverse=True)
+    known, row = np.unique(row_keys(parts["track"], parts["frame"]), return_inverse=True)
     states = np.full((len(known), PARTS, NUMBERS), np.nan)
     values = np.stack([parts[name].astype(float) for name in _STATE], axis=1)
     values[:, 4:] *= fps
     states[row.reshape(-1), parts["part"]] = values
     whole = np.isfinite(states).all(axis=(1, 2))
-    return PartStates(known[whole] >> 32, known[whole] & 0xFFFFFFFF, states[whole])
+    return PartStates(*pairs_of(known[whole]), states[whole])
+
+
+def were_hidden(
+    track: NDArray[np.int64], frame: NDArray[np.int64], parts: Columns
+) -> NDArray[np.bool_]:
+    """(n,) where the tracker took a part of the person for occluded.
+
+    Nobody looks for failures there.
+
+    Args:
+        parts: `PART_COLUMNS`.
+    """
+    if "occluded" not in parts:
+        return np.zeros(len(track), bool)
+    hidden = parts["occluded"]
+    return np.isin(row_keys(track, frame), row_keys(parts["track"][hidden], parts["frame"][hidden]))
 
 
 def samples_of(

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.failure.detector import Detector
 from tracking.failure.features import Floats, part_features
-from tracking.failure.labelled import PartStates, part_states
+from tracking.failure.labelled import PartStates, part_states, were_hidden
 from tracking.failure.past import states_before
 from tracking.tracks import PARTS, Columns, PartKey
 
@@ -61,7 +61,7 @@ def suggest(
     """
     seen = part_states(parts, fps)
     scores = scores_of(seen, fps, detector)
-    scores[hidden_rows(seen, parts)] = np.nan
+    scores[were_hidden(seen.track, seen.frame, parts)] = np.nan
     unsure = np.abs(scores) / _spreads(detector)
     people = np.split(np.arange(len(seen.track)), np.flatnonzero(np.diff(seen.track)) + 1)
     by_part = [
@@ -84,15 +84,6 @@ def scores_of(seen: PartStates, fps: float, detector: Detector) -> Floats:
         for start in range(0, len(features), _BLOCK)
     ]
     return np.concatenate([np.zeros((0, PARTS)), *blocks])
-
-
-def hidden_rows(seen: PartStates, parts: Columns) -> NDArray[np.bool_]:
-    """(n,) where a part of the person was occluded: nobody looks for failures there."""
-    if "occluded" not in parts:
-        return np.zeros(len(seen.track), bool)
-    hidden = parts["occluded"]
-    keys = parts["track"][hidden].astype(np.int64) << 32 | parts["frame"][hidden]
-    return np.isin(seen.track << 32 | seen.frame, keys)
 
 
 def _spreads(detector: Detector) -> Floats:

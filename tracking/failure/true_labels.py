@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.failure.features import Floats
-from tracking.tracks import LARGEST_NUMBER, PARTS, Columns, PartLabel
+from tracking.failure.labelled import were_hidden
+from tracking.tracks import LARGEST_NUMBER, PARTS, Columns, PartLabel, row_keys
 from tracking.tracks.on_part import (
     LEAST_COVERED,
     MOST_FOREIGN,
@@ -77,7 +78,8 @@ def labels_from_truth(
     begun = _begun(pairs, parts)
     due = (pairs.frame - begun) % max(1, round(every_s * fps)) == 0
     on, off = _on(pairs), pairs.outside > MOST_FOREIGN + _CLEAR
-    kept = own & due & pairs.seen & ~_occluded(pairs, parts) & ~_elsewhere(pairs, own)
+    judged = ~were_hidden(pairs.track, pairs.frame, parts) & ~_elsewhere(pairs, own)
+    kept = own & due & pairs.seen & judged
     return [
         _label(parts, int(pairs.row[at]), bool(on[at])) for at in np.flatnonzero(kept & (on | off))
     ]
@@ -133,19 +135,10 @@ def _on(pairs: _Pairs) -> Flags:
     return (pairs.outside < MOST_FOREIGN - _CLEAR) & (pairs.covered >= LEAST_COVERED)
 
 
-def _occluded(pairs: _Pairs, parts: Columns) -> Flags:
-    """(k,) moments in which the tracker takes a part of the person for occluded."""
-    if "occluded" not in parts:
-        return np.zeros(len(pairs.row), bool)
-    hidden = parts["occluded"]
-    keys = parts["track"][hidden].astype(np.int64) << 32 | parts["frame"][hidden]
-    return np.isin(pairs.track << 32 | pairs.frame, keys)
-
-
 def _elsewhere(pairs: _Pairs, own: Flags) -> Flags:
     """(k,) moments in which all rectangles of the track lie on the parts of somebody else."""
     strange = _on(pairs) & ~own
-    moment = pairs.track << 32 | pairs.frame
+    moment = row_keys(pairs.track, pairs.frame)
     each = np.column_stack((moment, pairs.person))[strange]
     who, count = np.unique(each, axis=0, return_counts=True)
     return np.isin(moment, who[count == PARTS, 0])

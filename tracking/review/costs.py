@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import Floats, Rows, keys
+from tracking.review.evidence import Floats, Rows
+from tracking.tracks import row_keys
 
 _OWN_S = 1.0
 """A meeting this soon belongs to the same suspicion."""
@@ -24,8 +25,8 @@ def costs(key: Rows, meeting: Rows, tracks: Rows, frame: Rows, fps: float) -> Fl
 
 
 def _rows_of(key: Rows, meeting: Rows, track: Rows, frame: Rows, own: int) -> Floats:
-    start = np.searchsorted(key, keys(track, frame))
-    end = np.searchsorted(key, keys(track + 1, np.zeros_like(frame)))
+    start = np.searchsorted(key, row_keys(track, frame))
+    end = np.searchsorted(key, row_keys(track + 1, np.zeros_like(frame)))
     padded = np.append(np.searchsorted(key, meeting), len(key))
-    following = padded[np.searchsorted(meeting, keys(track, frame + own))]
+    following = padded[np.searchsorted(meeting, row_keys(track, frame + own))]
     return np.where(track > 0, np.minimum(end, following) - start, 0).astype(np.float64)

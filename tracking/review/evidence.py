@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.tracks import CLOTHES, Columns, Run, TrackTable
+from tracking.tracks import CLOTHES, Columns, Run, TrackTable, row_keys
 from tracking.tracks.run_rows import rows_in_run
 
 Floats = NDArray[np.float64]
@@ -32,7 +31,7 @@ class Evidence:
     """The rows of the table, one track behind the other, each track by frame.
 
     Attributes:
-        track, frame: (n,) int64. key: (n,) `track << 32 | frame`, ascending.
+        track, frame: (n,) int64. key: (n,) `row_keys` of both, ascending.
         place: (n, 2) m: on the floor, or, where few rows stand on one, the feet's pixels in units
             of a usual body; NaN where unknown.
         box: (n, 4) left, top, width, height in px. predicted: (n,). visibility: (n,) 0 to 1.
@@ -73,7 +72,7 @@ class Evidence:
 
     def row_from(self, track: Rows, frame: Rows) -> Rows:
         """(k,) the first row of each track in or after each frame, or the next track's first."""
-        return np.asarray(np.searchsorted(self.key, keys(track, frame)), np.int64)
+        return np.asarray(np.searchsorted(self.key, row_keys(track, frame)), np.int64)
 
     def later(self, rows: Rows, frames: int) -> Rows:
         """(k,) the same tracks' rows so many frames later, or earlier below 0; -1 for none."""
@@ -88,11 +87,6 @@ class Evidence:
     def frames_of(self, seconds: float) -> int:
         """So many seconds in frames, at least one."""
         return max(1, round(seconds * self.fps))
-
-
-def keys(track: NDArray[Any], frame: NDArray[Any]) -> Rows:
-    """(n,) one number for a track and a frame, in the order of tracks, then frames."""
-    return np.asarray((track.astype(np.int64) << 32) + frame)
 
 
 def gathered(table: TrackTable, run: Run | None, fps: float) -> Evidence:
@@ -124,7 +118,7 @@ def evidence_of(
     return Evidence(
         track=track,
         frame=frame,
-        key=keys(track, frame),
+        key=row_keys(track, frame),
         place=_places(columns, box, usual_px),
         box=box,
         predicted=columns["predicted"],

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.evidence import NAMES, Rows, keys
-from tracking.tracks import Columns, TrackTable
+from tracking.review.evidence import NAMES, Rows
+from tracking.tracks import Columns, TrackTable, row_keys
 
 AROUND_S = 8.0
 """So far around a block rows can tell about it: looks over seconds, ends and beginnings."""
@@ -24,7 +24,7 @@ class Footage:
     """All rows, one track behind the other, each track by frame.
 
     Attributes:
-        columns: `NAMES`. key: (n,) ascending, see `keys`. mark: (n,) a number mixed of all a row
+        columns: `NAMES`. key: (n,) ascending `row_keys`. mark: (n,) a number mixed of all a row
             holds.
         tracks: (t,) all ids. first, last: (t,) first and last row of each track.
         seen_before, seen_after: (n + 1,) the row seen last before each, and first from it on; -1
@@ -51,7 +51,7 @@ class Footage:
         seen = ~columns["predicted"]
         before = np.maximum.accumulate(np.append(-1, np.where(seen, row, -1)))
         after = np.minimum.accumulate(np.append(np.where(seen, row, count), count)[::-1])[::-1]
-        key = keys(track, columns["frame"])
+        key = row_keys(track, columns["frame"])
         return cls(columns, key, _marks(columns), first, ends, track[first], before, after)
 
     def length(self, stop: int, fps: float) -> int:
@@ -81,7 +81,7 @@ class Footage:
 
     def _rows_from(self, frame: int) -> Rows:
         """(t,) each track's first row in or after a frame."""
-        wanted = keys(self.tracks, np.full(len(self.tracks), max(frame, 0)))
+        wanted = row_keys(self.tracks, np.full(len(self.tracks), max(frame, 0)))
         return np.asarray(np.searchsorted(self.key, wanted), np.int64)
 
     def _frame(self, rows: Rows) -> Rows:

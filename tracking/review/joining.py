@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.evidence import keys
 from tracking.review.found import Found, peaks
+from tracking.tracks import row_keys
 
 Rows = NDArray[np.int64]
 Floats = NDArray[np.float64]
@@ -70,7 +70,7 @@ def stacked(found: Sequence[Found], weights: Sequence[float]) -> Reasons:
         strength=strength,
         figure=figure,
         # Small numbers, so that they fit a key beside a frame.
-        pair=np.unique(keys(higher, lower), return_inverse=True)[1],
+        pair=np.unique(row_keys(higher, lower), return_inverse=True)[1],
         weight=np.asarray(weights, np.float64)[number] * strength,
     )
 
@@ -130,11 +130,11 @@ def _near(
         members: rows, by pair and frame, and the column (n,) that tells them apart.
     """
     rows, column = members
-    ordered = np.argsort(keys(column[rows], reasons.frame[rows]), kind="stable")
+    ordered = np.argsort(row_keys(column[rows], reasons.frame[rows]), kind="stable")
     rows = rows[ordered]
-    known = keys(column[rows], reasons.frame[rows])
-    low = np.searchsorted(known, keys(wanted[leaders], reasons.frame[leaders] - near))
-    high = np.searchsorted(known, keys(wanted[leaders], reasons.frame[leaders] + near), "right")
+    known = row_keys(column[rows], reasons.frame[rows])
+    low = np.searchsorted(known, row_keys(wanted[leaders], reasons.frame[leaders] - near))
+    high = np.searchsorted(known, row_keys(wanted[leaders], reasons.frame[leaders] + near), "right")
     count = high - low
     within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
     return np.repeat(np.arange(len(leaders)), count), rows[np.repeat(low, count) + within]

@@ -8,7 +8,16 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.tracks import PART_COLUMNS, Columns, Run, TrackTable, between, empty
+from tracking.tracks import (
+    PART_COLUMNS,
+    Columns,
+    Run,
+    TrackTable,
+    between,
+    empty,
+    pairs_of,
+    row_keys,
+)
 from tracking.tracks.run_rows import rows_in_run
 
 Keys = NDArray[np.int64]
@@ -20,7 +29,7 @@ _REACH = 0.5
 
 
 def run_keys(rows: Columns, table: TrackTable, run: Run) -> Keys:
-    """(n,) which of a run's rows each row is by now: its track << 32, plus its frame; -1: none.
+    """(n,) which of a run's rows each row is by now: its `row_keys`, track first; -1: none.
 
     An edit that renames hands a row on as it is, and it is found by its values. One whose box was
     moved or drawn is, of those of the run's rows in its frame that nobody has, the nearest within
@@ -49,8 +58,8 @@ def ids_by_now(table: TrackTable, run: Run, frame: int) -> dict[int, int]:
     Tracks whose row was deleted are left out.
     """
     rows = table.of_frame(frame)
-    keys = (run_keys(rows, table, run) >> 32).tolist()
-    ids = zip(keys, rows["track"].tolist(), strict=True)
+    tracks, _ = pairs_of(run_keys(rows, table, run))
+    ids = zip(tracks.tolist(), rows["track"].tolist(), strict=True)
     return {track: now for track, now in ids if track > 0}
 
 
@@ -148,4 +157,4 @@ def _in_frames(columns: Columns, frames: NDArray[np.int32]) -> Columns:
 
 
 def _keys(columns: Columns) -> Keys:
-    return np.asarray((columns["track"].astype(np.int64) << 32) + columns["frame"])
+    return row_keys(columns["track"], columns["frame"])

@@ -44,6 +44,7 @@ from tracking.tracks.part_labels import (
     PartLabel,
     PartLabels,
 )
+from tracking.tracks.row_keys import pairs_of, row_keys
 from tracking.tracks.run import ParticleColumn, Particles, Run
 from tracking.tracks.table import TrackTable, check_known, next_track
 from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, checked_columns
@@ -100,4 +101,6 @@ __all__ = [
     "checked_columns",
     "empty",
     "next_track",
+    "pairs_of",
+    "row_keys",
 ]

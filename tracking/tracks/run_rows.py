@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.tracks.columns import Columns
+from tracking.tracks.row_keys import row_keys
 from tracking.tracks.run import Run
 
 Rows = NDArray[np.int64]
@@ -141,4 +142,4 @@ def _places_of(there: Rows, wanted: Rows) -> Rows:
 
 
 def _keys(columns: Columns) -> Rows:
-    return np.asarray((columns["track"].astype(np.int64) << 32) + columns["frame"])
+    return row_keys(columns["track"], columns["frame"])

@@ -19,6 +19,7 @@ from tracking.errors import EditError
 from tracking.tracks.columns import CORRECTED_COLUMNS, Columns, Source, empty
 from tracking.tracks.growing import ColumnInOrder, Growing
 from tracking.tracks.rewriting import Rewriting
+from tracking.tracks.row_keys import row_keys
 from tracking.tracks.run import ParticleColumn
 from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, checked_columns
 
@@ -241,8 +242,8 @@ class TrackTable:
 
     def _order(self) -> Slots:
         """The slots of all rows, by frame then track."""
-        frames = np.concatenate([self._base["frame"], self._tail["frame"]]).astype(np.int64)
-        order = np.argsort((frames << 32) | self._track, kind="stable")
+        frames = np.concatenate([self._base["frame"], self._tail["frame"]])
+        order = np.argsort(row_keys(frames, self._track), kind="stable")
         return order[self._track[order] > 0]
 
     # Slots

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.presenters.document.shown import ShownTracks, Spans
 from tracking.editing import Change
-from tracking.tracks import Columns
+from tracking.tracks import Columns, row_keys
 
 Range = tuple[int, int]
 
@@ -134,4 +134,4 @@ def within(rows: Columns, window: Range) -> Columns:
 
 def _keys(rows: Columns) -> NDArray[np.int64]:
     """(n,) one number for each frame and track."""
-    return (rows["frame"].astype(np.int64) << 32) | rows["track"]
+    return row_keys(rows["frame"], rows["track"])

@@ -16,7 +16,7 @@ from app.presenters.palette import colour_of_track
 from app.presenters.scenes import ChoiceRow, EditPreview, Proposal
 from app.presenters.words import counted, time_text, tr
 from tracking.editing import Change
-from tracking.tracks import Columns, TrackTable, next_track
+from tracking.tracks import Columns, TrackTable, next_track, pairs_of, row_keys
 
 _MOST_NAMED = 4
 _FAR_APART_M = 1.5
@@ -155,12 +155,11 @@ def rows_changed(
 
 def _places(rows: Columns) -> Places:
     """(n,) one number for each track and frame."""
-    places: Places = (rows["track"].astype(np.int64) << 32) | rows["frame"]
-    return places
+    return row_keys(rows["track"], rows["frame"])
 
 
 def _per_track(places: Places) -> dict[int, int]:
-    tracks, counts = np.unique(places >> 32, return_counts=True)
+    tracks, counts = np.unique(pairs_of(places)[0], return_counts=True)
     return dict(zip(tracks.tolist(), counts.tolist(), strict=True))
 
 

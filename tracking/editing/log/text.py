@@ -20,7 +20,7 @@ from tracking.editing.change import Change, State, no_rows, no_stretches
 from tracking.editing.log.label_text import labels_as_json, labels_from_json
 from tracking.editing.log.recent import RecentStates
 from tracking.errors import EditError
-from tracking.tracks import CORRECTED_COLUMNS, Columns, check_tracks
+from tracking.tracks import CORRECTED_COLUMNS, Columns, check_tracks, row_keys
 
 LARGEST_TEXT = 2**28
 """Characters: some three million rows that a tracker made."""
@@ -130,7 +130,7 @@ def stretches_in_text(text: str) -> list[tuple[int, int, int]]:
 
 
 def cells_in_text(text: str) -> NDArray[np.int64]:
-    """(n,) track << 32 | frame of the rows of a state's text, in order of frames, nothing else.
+    """(n,) `row_keys` of track and frame of the rows of a state's text, in order of frames.
 
     Raises EditError where it cannot be read.
     """
@@ -143,7 +143,7 @@ def cells_in_text(text: str) -> NDArray[np.int64]:
         raise EditError(f"an edit in the log cannot be read: {why}") from why
     # The first two columns.
     frame, track = np.frombuffer(plain, "<i4", 2 * count).reshape(2, count).astype(np.int64)
-    return (track << 32) | frame
+    return row_keys(track, frame)
 
 
 def _parts_of(text: str) -> dict[str, Any]:

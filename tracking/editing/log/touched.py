@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 
 from tracking.editing.change import Change, State
 from tracking.editing.label_state import LabelState
-from tracking.tracks import LARGEST_NUMBER, PART_NAMES, PartLabel, Source, TrackLabel
+from tracking.tracks import LARGEST_NUMBER, PARTS, PartLabel, Source, TrackLabel, pairs_of, row_keys
 
 Boxes = NDArray[np.int64]
 
 ROWS = 0
-_PARTS = tuple(range(1, 1 + len(PART_NAMES)))
+_PARTS = tuple(range(1, 1 + PARTS))
 """One kind for each body part."""
 _TRACK, _VERDICT, _OCCLUDER, _LINE, _REGION, _REVIEWED = range(4, 10)
 KINDS = 10
@@ -44,9 +44,9 @@ def touched(change: Change) -> Boxes:
 
 def meeting(boxes: Boxes, kinds: Boxes, of: Boxes, start: Boxes, end: Boxes) -> NDArray[np.bool_]:
     """(n,) which of many other boxes, given by columns, overlap one of an edit's own (k, 4)."""
-    own = boxes[:, 0] << 32 | boxes[:, 1]
+    own = row_keys(boxes[:, 0], boxes[:, 1])
     groups = np.unique(own)
-    others = kinds << 32 | of
+    others = row_keys(kinds, of)
     group = np.searchsorted(groups, others)
     there = group < len(groups)
     there[there] = groups[group[there]] == others[there]
@@ -87,7 +87,7 @@ def _rows(before: State, after: State) -> Iterator[Boxes]:
 
 def _cells(state: State, source: int | None = None) -> NDArray[np.int64]:
     """(n,) track and frame of every row, or those of one source, in one number, ascending."""
-    cells = state.rows["track"].astype(np.int64) << 32 | state.rows["frame"]
+    cells = row_keys(state.rows["track"], state.rows["frame"])
     return np.sort(cells if source is None else cells[state.rows["source"] == source])
 
 
@@ -103,9 +103,9 @@ def _boxes_of(kind: int, cells: NDArray[np.int64]) -> Boxes:
         return np.zeros((0, 4), np.int64)
     first = np.flatnonzero(np.concatenate([[True], np.diff(cells) != 1]))
     last = np.concatenate([first[1:], [len(cells)]]) - 1
-    frames = cells & 0xFFFFFFFF
+    tracks, frames = pairs_of(cells)
     kinds = np.full(len(first), kind)
-    return np.column_stack([kinds, cells[first] >> 32, frames[first], frames[last] + 1])
+    return np.column_stack([kinds, tracks[first], frames[first], frames[last] + 1])
 
 
 def _track_labels(before: State, after: State) -> Iterator[tuple[int, int, int, int]]:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracking.editing.change import Change, no_rows
 from tracking.editing.log.text import cells_in_text, stretches_in_text
 from tracking.editing.scope import Scope
-from tracking.tracks import Columns
+from tracking.tracks import Columns, pairs_of, row_keys
 
 Handed = tuple[int, int, int, int]
 Placed = tuple[int, int, int]
@@ -76,7 +76,7 @@ NO_TRACE = Trace()
 
 def cells_of(rows: Columns) -> NDArray[np.int64]:
     """(n,) track and frame of every row in one number."""
-    return (rows["track"].astype(np.int64) << 32) | rows["frame"].astype(np.int64)
+    return row_keys(rows["track"], rows["frame"])
 
 
 def parts_at_its_frame(kind: str, text: str, scope: Scope | None) -> bool:
@@ -96,12 +96,10 @@ def _tracks_of(handed: tuple[Handed, ...]) -> tuple[int, ...]:
 def _stretches(cells: NDArray[np.int64]) -> tuple[Placed, ...]:
     """The cells as the consecutive frames of each track."""
     if len(cells) <= 1:
-        return tuple(
-            (cell >> 32, cell & 0xFFFFFFFF, (cell & 0xFFFFFFFF) + 1) for cell in cells.tolist()
-        )
+        track, frame = (column.tolist() for column in pairs_of(cells))
+        return tuple(zip(track, frame, (at + 1 for at in frame), strict=True))
     cells = np.unique(cells)
     first = np.flatnonzero(np.append(True, np.diff(cells) != 1))
     last = np.append(first[1:], len(cells)) - 1
-    low, high = cells[first], cells[last] & 0xFFFFFFFF
-    columns = (low >> 32, low & 0xFFFFFFFF, high + 1)
+    columns = (*pairs_of(cells[first]), pairs_of(cells[last])[1] + 1)
     return tuple(zip(*(column.tolist() for column in columns), strict=True))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.tracks import Columns
+from tracking.tracks import Columns, row_keys
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -101,7 +101,7 @@ def same_keys(found: Columns, corrected: Columns) -> Indices:
 
 
 def _keys(rows: Columns) -> Indices:
-    return (rows["frame"].astype(np.int64) << 32) | rows["track"]
+    return row_keys(rows["frame"], rows["track"])
 
 
 def mates(found: Columns, corrected: Columns, own: Indices) -> tuple[Indices, Flags]:

@@ -13,7 +13,7 @@ from tracking.editing.log.history import Entry, History
 from tracking.editing.log.traces import NO_TRACE, Placed, Trace
 from tracking.editing.selection import stacked
 from tracking.editing.tracking_again.coverage import Coverage
-from tracking.tracks import LARGEST_NUMBER, Columns, Labels, Source, TrackTable
+from tracking.tracks import LARGEST_NUMBER, Columns, Labels, Source, TrackTable, row_keys
 
 Flags = NDArray[np.bool_]
 Integers = NDArray[np.integer]
@@ -51,8 +51,8 @@ class Protection:
         return joined_stretches(own)[:, 1:]
 
     def _inside(self, track: Integers, frame: Integers) -> Flags:
-        begins = _keys(self.stretches[:, 0], self.stretches[:, 1])
-        place = np.searchsorted(begins, _keys(track, frame), side="right") - 1
+        begins = row_keys(self.stretches[:, 0], self.stretches[:, 1])
+        place = np.searchsorted(begins, row_keys(track, frame), side="right") - 1
         if not len(begins):
             return np.zeros(len(frame), bool)
         found = self.stretches[place]
@@ -116,10 +116,6 @@ def stretches_of(track: Integers, frame: Integers) -> Stretches:
     """(k, 3) the consecutive frames of each track as stretches."""
     one = np.column_stack((track, frame, frame.astype(np.int64) + 1)).astype(np.int64)
     return joined_stretches(one)
-
-
-def _keys(track: Integers, frame: Integers) -> NDArray[np.int64]:
-    return (track.astype(np.int64) << 32) | frame.astype(np.int64)
 
 
 def _edited(history: History, margin: int) -> tuple[Stretches, list[Columns]]:

@@ -12,7 +12,7 @@ from scipy.sparse.csgraph import connected_components
 
 from tracking.editing.tracking_again.counterparts import mates, same_keys
 from tracking.editing.tracking_again.protection import Protection
-from tracking.tracks import Columns
+from tracking.tracks import Columns, pairs_of, row_keys
 
 Integers = NDArray[np.integer]
 Indices = NDArray[np.int64]
@@ -178,7 +178,7 @@ def _apart(track: Indices, since: Indices, number: Indices, frame: Integers, top
 
 def _borne_by_several(track: Indices, number: Indices) -> Indices:
     """The rows whose id more than one of the run's people bear."""
-    pairs = np.unique((track << 32) | number)
-    ids, count = np.unique(pairs >> 32, return_counts=True)
+    pairs = np.unique(row_keys(track, number))
+    ids, count = np.unique(pairs_of(pairs)[0], return_counts=True)
     several = ids[count > 1]
     return np.flatnonzero(np.isin(track, several)) if len(several) else several

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import keys
 from tracking.review.found import Found, of_pairs, peaks, ramp
 from tracking.review.material import Material
+from tracking.tracks import row_keys
 
 CLOSE_M = 0.5
 """People this near to each other have crossed or passed."""
@@ -19,7 +19,7 @@ def crossings(material: Material) -> Found:
     close = np.flatnonzero(near.distance_m <= CLOSE_M)
     one, other = near.first[close], near.second[close]
     distance = near.distance_m[close]
-    pair = keys(evidence.track[one], evidence.track[other])
+    pair = row_keys(evidence.track[one], evidence.track[other])
     best = peaks(pair, evidence.frame[one], -distance, evidence.frames_of(_APART_S))
     one, other, distance = one[best], other[best], distance[best]
     strength = 0.1 + 0.9 * ramp(distance, CLOSE_M, 0.0)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.review.appearance import EVERY_S, changed_over
-from tracking.review.evidence import keys
 from tracking.review.found import Found, of_pairs, peaks, ramp
 from tracking.review.material import Material
+from tracking.tracks import row_keys
 
 _APART_S = 1.5
 _FOR_NEAR = 0.3
@@ -26,6 +26,6 @@ def exchanges(material: Material) -> Found:
     first, second, frame, better = first[told], second[told], frame[told], better[told]
     # Of frames about as good the one in which they were nearest.
     value = better - _FOR_NEAR * near.distance_m[looked[told]]
-    best = peaks(keys(first, second), frame, value, evidence.frames_of(_APART_S))
+    best = peaks(row_keys(first, second), frame, value, evidence.frames_of(_APART_S))
     strength = ramp(better[best], _LOW, _HIGH)
     return of_pairs("exchange", first[best], second[best], frame[best], strength, better[best])

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import keys
 from tracking.review.found import Found, of_pairs, ramp
 from tracking.review.material import Material
+from tracking.tracks import row_keys
 
 _SHARED_M = 0.7
 _LEAST_S, _LONG_S = 0.1, 1.0
@@ -20,7 +20,7 @@ def shared_regions(material: Material) -> Found:
     close = np.flatnonzero(one_hidden & (near.distance_m <= _SHARED_M))
     first, second = evidence.track[near.first[close]], evidence.track[near.second[close]]
     frame = evidence.frame[near.first[close]]
-    pair = keys(first, second)
+    pair = row_keys(first, second)
     pause = evidence.frames_of(_PAUSE_S)
     parts = (np.diff(pair) != 0) | (np.diff(frame) > pause)
     final = np.flatnonzero(np.append(parts, np.ones(min(len(pair), 1), bool)))

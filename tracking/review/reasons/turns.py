@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import Evidence, Floats, Rows, keys
+from tracking.review.evidence import Evidence, Floats, Rows
 from tracking.review.found import Found, of_pairs, peaks, ramp
 from tracking.review.material import REACH_M, Material
 from tracking.review.reasons.jumps import steps_off
+from tracking.tracks import row_keys
 
 _STEP_S = 0.3
 """Over which a walk's direction is taken, before and after."""
@@ -31,7 +32,7 @@ def turns(material: Material) -> Found:
     told = np.flatnonzero(gain > _LOW_M)
     one, other, gain = one[told], other[told], gain[told]
     first, second, frame = evidence.track[one], evidence.track[other], evidence.frame[one]
-    best = peaks(keys(first, second), frame, gain, evidence.frames_of(_APART_S))
+    best = peaks(row_keys(first, second), frame, gain, evidence.frames_of(_APART_S))
     strength = ramp(gain[best], _LOW_M, _HIGH_M)
     return of_pairs("turn", first[best], second[best], frame[best], strength, gain[best])
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from tracking.errors import FormatError
 from tracking.scoring.parts.rectangles import Floats
-from tracking.scoring.parts.rows import PartTruth, Whole, by_person, keys
+from tracking.scoring.parts.rows import PartTruth, Whole, by_person
+from tracking.tracks import row_keys
 from tracking.tracks.on_part import corners_of_boxes
 from tracking.truth import TRUE_PARTS, VISIBILITY, read_true_parts, read_visibility
 
@@ -41,8 +42,8 @@ def _seen(path: Path, frame: Whole, person: Whole) -> Floats:
     if not path.exists():
         return np.ones(len(frame))
     true = read_visibility(path)
-    known = np.append(keys(true.frame, true.person), -1)
+    known = np.append(row_keys(true.frame, true.person), -1)
     share = np.append(true.share, 0.0)
-    asked = keys(frame, person)
+    asked = row_keys(frame, person)
     at = np.searchsorted(known[:-1], asked)
     return np.where(known[at] == asked, share[at], 0.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.scoring.parts.rectangles import Bools, Floats, bounding
-from tracking.tracks import PARTS
+from tracking.tracks import PARTS, pairs_of, row_keys
 
 Whole = NDArray[np.int64]
 
@@ -96,15 +96,10 @@ def by_person(
     frame: NDArray[Any], track: NDArray[Any], part: NDArray[Any], corners: Floats
 ) -> tuple[Whole, Whole, Floats]:
     """Rows of single parts as frame (n,), track (n,) and corners (n, 3, 4) of whole people."""
-    known, row = np.unique(keys(frame, track), return_inverse=True)
+    known, row = np.unique(row_keys(frame, track), return_inverse=True)
     parts = np.full((len(known), PARTS, 4), np.nan)
     parts[row.reshape(-1), part] = corners
-    return known >> 32, known & 0xFFFFFFFF, parts
-
-
-def keys(frame: NDArray[Any] | Iterable[int], track: NDArray[Any] | Iterable[int]) -> Whole:
-    """(n,) one number for each frame and person, sorted as they are."""
-    return np.asarray(frame, np.int64) << 32 | np.asarray(track, np.int64)
+    return *pairs_of(known), parts
 
 
 def _rows_within(frame: Whole, start: int, stop: int) -> slice:
