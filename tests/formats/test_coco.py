@@ -89,6 +89,7 @@ def test_frames_are_those_of_the_images_and_kinds_those_of_the_categories(tmp_pa
     assert found.columns["left"].tolist() == [0, 1.5, 4]
     assert found.labels == {2: TrackLabel(attributes={"class": "bicycle"})}
     assert found.size_px == (640, 480)
+    assert found.frames is None  # not every frame has an image
     assert found.bad_count == 0
 
 

@@ -152,8 +152,13 @@ class _File:
             labels=labels,
             fps=self._fps,
             size_px=self._size_px,
-            frames=max(self._images.values(), default=-1) + 1 or None,
+            frames=self._frames(),
         )
+
+    def _frames(self) -> int | None:
+        """How many the footage has, where there is an image of every one."""
+        whole = set(self._images.values()) == set(range(len(self._images)))
+        return len(self._images) if self._images and whole else None
 
     def _check(self) -> None:
         path = self._reading.path

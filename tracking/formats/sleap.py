@@ -53,7 +53,6 @@ def import_sleap(path: Path, _filmed: Filmed) -> Imported:
         rows,
         lambda row: f"track {track[row]}, frame {frame[row]}",
         labels=labels_of(names, "track_{}", first=0),
-        frames=points.shape[0] or None,
     )
 
 
