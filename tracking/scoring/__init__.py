@@ -16,8 +16,10 @@ from tracking.scoring.kappa import cohen_kappa
 from tracking.scoring.matching import BoxMatch, FloorMatch, Match
 from tracking.scoring.papers import People, PositionError
 from tracking.scoring.passages import PassageScore
+from tracking.scoring.per_distance import DistanceScore, per_distance_of
 from tracking.scoring.per_person import Followed, PersonScore, per_person, per_person_of
 from tracking.scoring.score import Score, score, score_of
+from tracking.scoring.sequences import SequenceScores, score_sequences
 from tracking.scoring.table import ScoringTable
 from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap
 
@@ -33,6 +35,7 @@ __all__ = [
     "Clear",
     "Conventions",
     "Disagreement",
+    "DistanceScore",
     "EitherMatch",
     "ErrorKind",
     "ErrorTable",
@@ -49,6 +52,7 @@ __all__ = [
     "PositionError",
     "Score",
     "ScoringTable",
+    "SequenceScores",
     "TrackMap",
     "agreement",
     "cohen_kappa",
@@ -57,8 +61,10 @@ __all__ = [
     "errors_of",
     "examine",
     "identity_errors",
+    "per_distance_of",
     "per_person",
     "per_person_of",
     "score",
     "score_of",
+    "score_sequences",
 ]
