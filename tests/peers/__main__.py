@@ -1,4 +1,4 @@
-"""Make the environments of other scorers: `python -m tests.peers [NAME...]`."""
+"""Make the environments of other programs: `python -m tests.peers [NAME...]`."""
 
 from __future__ import annotations
 

@@ -86,5 +86,12 @@ MOTMETRICS = Peer(
     "py-motmetrics", ("motmetrics==1.4.0", "numpy==1.26.4", "scipy==1.15.3", "pandas==2.2.3")
 )
 MOTRICS = Peer("motrics", ("motrics==0.3.0", "numpy==2.4.6"))
+# They read the files that are written here, or write files that are read here.
+DATUMARO = Peer("datumaro", ("datumaro==1.13.12",))
+PYCOCOTOOLS = Peer("pycocotools", ("pycocotools==2.0.11",))
+JUPEDSIM = Peer("jupedsim", ("jupedsim==1.4.2",))
+SLEAP_IO = Peer("sleap-io", ("sleap-io==0.9.5",))
 
-PEERS = {peer.name: peer for peer in (TRACKEVAL, MOTMETRICS, MOTRICS)}
+SCORERS = (TRACKEVAL, MOTMETRICS, MOTRICS)
+OTHER_TOOLS = (DATUMARO, PYCOCOTOOLS, JUPEDSIM, SLEAP_IO)
+PEERS = {peer.name: peer for peer in (*SCORERS, *OTHER_TOOLS)}

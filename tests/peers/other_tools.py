@@ -1,6 +1,7 @@
-"""What other tools read in files, said as JSON; run by their own environments: `TOOL FILE...`.
+"""What other tools read in files, said as JSON: `other_tools.py TOOL FILE...`.
 
-Rows are frame, track and a box (left, top, width, height) or a place (x, y).
+Each runs in its own environment. Rows are frame, track and a box (left, top, width, height) or a
+place (x, y).
 """
 
 from __future__ import annotations

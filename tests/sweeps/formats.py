@@ -1,8 +1,8 @@
-"""Other tools read what is written here, and the other way round: `peers.py [CASES] [SEED]`.
+"""Other tools read what is written here, and the other way round: `formats.py [CASES] [SEED]`.
 
-Each tool is installed into an environment of its own (build/peers), made when it is first needed.
-datumaro parses CVAT's XML, pycocotools the JSON, JuPedSim opens its SQLite files, and what sleap-io
-writes is read here. PedPy's part is in `make test`.
+Each tool runs in an environment of its own, see `python -m tests.peers`. datumaro parses CVAT's
+XML, pycocotools the JSON, JuPedSim opens its SQLite files, and what sleap-io writes is read here.
+PedPy's part is in `make test`.
 """
 
 from __future__ import annotations
@@ -10,24 +10,23 @@ from __future__ import annotations
 import argparse
 import json
 import random
-import subprocess
 import sys
 import tempfile
-import venv
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
 import numpy as np
 from numpy.typing import NDArray
 
+from tests.peers.environments import DATUMARO, JUPEDSIM, PYCOCOTOOLS, SLEAP_IO, Peer
 from tracking.formats import FORMATS
 from tracking.formats.reading import Filmed, with_all_columns
 from tracking.formats.writing import Exported, no_progress
 from tracking.tracks import TrackLabel, TrackTable
 
-ROOT = Path(__file__).parents[2]
-PROGRAM = Path(__file__).with_name("peer_programs.py")
 FRAMES, PEOPLE = 60, 12
 BOX = ("left", "top", "width", "height")
 Rows = list[list[Any]]
@@ -104,7 +103,7 @@ def rows_of(made: TrackTable, names: tuple[str, ...]) -> Rows:
 def check_written(
     format_: str,
     file: str,
-    packages: str,
+    peer: Peer,
     expected: Callable[[TrackTable], Rows],
     within: float = 1e-9,
 ) -> Callable[[Path, list[TrackTable]], Iterator[int]]:
@@ -113,11 +112,11 @@ def check_written(
     def check(folder: Path, made: list[TrackTable]) -> Iterator[int]:
         write = FORMATS[format_].write
         assert write is not None
-        places = [folder / packages / str(case) / file for case in range(len(made))]
+        places = [folder / peer.name / str(case) / file for case in range(len(made))]
         for place, each in zip(places, made, strict=True):
             place.parent.mkdir(parents=True)
             write(place, exported(each), no_progress)
-        for case, found in enumerate(told_by(packages, places)):
+        for case, found in enumerate(told_by(peer, places)):
             if not alike(found, expected(made[case]), within):
                 yield case
 
@@ -130,7 +129,7 @@ def check_sleap(folder: Path, made: list[TrackTable]) -> Iterator[int]:
     assert read is not None
     places = [folder / "sleap-io" / f"{case}.h5" for case in range(len(made))]
     (folder / "sleap-io").mkdir()
-    for case, said in enumerate(told_by("sleap-io", places)):
+    for case, said in enumerate(told_by(SLEAP_IO, places)):
         found = read(places[case], Filmed())
         columns = found.columns
         rows = zip(*(columns[name].tolist() for name in ("frame", "track", *BOX)), strict=True)
@@ -145,38 +144,20 @@ def alike(found: Rows, expected: Rows, within: float) -> bool:
     return bool(np.allclose(sorted(found), sorted(expected), rtol=0, atol=within))
 
 
-def told_by(packages: str, places: list[Path]) -> list[Rows]:
+def told_by(peer: Peer, places: list[Path]) -> list[Rows]:
     """What a tool reads of files, or has written into them, in its own environment."""
-    python = environment(packages)
-    command = [str(python), str(PROGRAM), packages, *map(str, places)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode:
-        raise SystemExit(f"{packages} failed:\n{done.stderr}")
-    rows: list[Rows] = json.loads(done.stdout.splitlines()[-1])
+    rows: list[Rows] = json.loads(peer.run("other_tools.py", peer.name, *places).splitlines()[-1])
     return rows
-
-
-def environment(packages: str) -> Path:
-    """The Python of an environment that has a tool; made once."""
-    folder = ROOT / "build" / "peers" / packages
-    python = folder / "bin" / "python"
-    ready = folder / "ready"
-    if not ready.exists():
-        venv.create(folder, with_pip=True, clear=True)
-        install = [str(python), "-m", "pip", "install", "--quiet", packages]
-        subprocess.run(install, check=True, stderr=subprocess.DEVNULL)
-        ready.touch()
-    return python
 
 
 CHECKS: dict[str, Callable[[Path, list[TrackTable]], Iterator[int]]] = {
     # It keeps edges in hundredths of a pixel.
     "datumaro parses CVAT's XML": check_written(
-        "cvat", "annotations.xml", "datumaro", boxed, within=0.0102
+        "cvat", "annotations.xml", DATUMARO, boxed, within=0.0102
     ),
-    "pycocotools parses the JSON": check_written("coco", "tracks.json", "pycocotools", boxed),
+    "pycocotools parses the JSON": check_written("coco", "tracks.json", PYCOCOTOOLS, boxed),
     "JuPedSim opens its SQLite files": check_written(
-        "jupedsim-sqlite", "tracks.sqlite", "jupedsim", placed
+        "jupedsim-sqlite", "tracks.sqlite", JUPEDSIM, placed
     ),
     "what sleap-io writes is read": check_sleap,
 }
