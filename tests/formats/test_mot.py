@@ -184,7 +184,7 @@ def test_a_folder_is_not_replaced_by_a_file(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["samples", "no-such"])
 def test_a_format_that_is_not_there_is_told(name: str) -> None:
-    with pytest.raises(FormatError, match=f"'{name}' is not built yet or unknown"):
+    with pytest.raises(FormatError, match=f"'{name}' is unknown"):
         format_named(name)
 
 

@@ -27,6 +27,9 @@ from tracking.tracks import Columns, Labels, Source, TrackLabel, TrackTable
 _SAME = 1e-6
 """Pixels or metres: text of other tools shifts numbers to and fro, which leaves dust."""
 
+_GRADES, _GRADE = np.array([0.0, 0.1, 0.5, 1.0], np.float32), 0.5
+"""Of visibility, where a tool tells it in grades, and how wide one is."""
+
 _PLACE, _VELOCITY = ("x", "y"), ("vx", "vy")
 
 _FEWEST = 3
@@ -56,6 +59,7 @@ def plan_import(
     source: str,
     *,
     view: View | None = None,
+    vouched: bool = False,
 ) -> Change:
     """Put tracks made elsewhere into the table: new ones are added, known ones become as they are.
 
@@ -69,12 +73,15 @@ def plan_import(
         told: what it says of whole tracks. source: what it is called, as the log tells it.
         view: the left camera over its floor: whose box moved without a place goes along with it;
             without a view that place is unknown.
+        vouched: a tracker's row that the file calls a keyframe becomes a person's also where
+            nothing else of it changed. Else it stays a tracker's: tools that know keyframes alone
+            have to call every row of a tracker one.
 
     Raises EditError where nothing would change.
     """
     ids = np.unique(rows["track"]).tolist()
     old = stacked(table.of_track(track) for track in ids if track in table)
-    goes, new = _merged(old, picked(rows, slice(None)), view)
+    goes, new = _merged(old, picked(rows, slice(None)), view, vouched=vouched)
     if view is not None and np.isnan(rows["x"]).all():
         new = on_the_floor(new, view)
     before, after = picked(old, goes), new
@@ -147,10 +154,10 @@ def on_the_floor(rows: Columns, view: View) -> Rows:
     return placed
 
 
-def _merged(old: Rows, new: Rows, view: View | None) -> tuple[Flags, Rows]:
+def _merged(old: Rows, new: Rows, view: View | None, *, vouched: bool) -> tuple[Flags, Rows]:
     """Which rows go, and the rows that come, with what only the old ones know."""
     was, will = _same_places(old, new)
-    same = _are_same(picked(old, was), picked(new, will))
+    same = _are_same(picked(old, was), picked(new, will), vouched=vouched)
     goes, comes = np.ones(len(old["frame"]), bool), np.ones(len(new["frame"]), bool)
     goes[was[same]] = comes[will[same]] = False
     changed = picked(new, will[~same])
@@ -167,14 +174,28 @@ def _same_places(old: Columns, new: Columns) -> tuple[NDArray[np.intp], NDArray[
     return was, will
 
 
-def _are_same(old: Columns, new: Columns) -> Flags:
+def _are_same(old: Columns, new: Columns, *, vouched: bool) -> Flags:
     """(n,) which new rows say nothing else than the old ones."""
     same = np.ones(len(old["frame"]), bool)
-    for name in (*SIDES, *_PLACE, "visibility"):
+    for name in (*SIDES, *_PLACE):
         same &= np.isnan(new[name]) | _near(old, new, name)
+    same &= ~_seen_otherwise(old, new)
     if new["source"].any():  # else the other tool knows no keyframes
-        same &= old["source"] == new["source"]
+        held = (old["source"] == Source.TRACKER) & (new["source"] == Source.PERSON) & (not vouched)
+        same &= held | (old["source"] == new["source"])
     return same
+
+
+def _seen_otherwise(old: Columns, new: Columns) -> Flags:
+    """(n,) where both sides know how much of a person is seen, and do not say the same.
+
+    Many tools know no more than whether somebody is occluded, or three grades of it; to them,
+    whose box is predicted is occluded.
+    """
+    told = new["visibility"][np.isfinite(new["visibility"])]
+    grades = np.isin(told, _GRADES).all()
+    apart = np.abs(new["visibility"] - old["visibility"]) > (_GRADE if grades else _SAME)
+    return np.asarray(apart & ~(old["predicted"] & (new["visibility"] == 0)))
 
 
 def _keep_what_is_known(old: Rows, new: Rows, view: View | None) -> None:

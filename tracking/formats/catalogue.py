@@ -47,7 +47,7 @@ def format_named(name: str) -> TrackFormat:
     """
     if name not in FORMATS:
         known = ", ".join(FORMATS)
-        raise FormatError(f"format {name!r} is not built yet or unknown; choose one of: {known}")
+        raise FormatError(f"format {name!r} is unknown; choose one of: {known}")
     return FORMATS[name]
 
 

@@ -168,19 +168,27 @@ def session_of_import(recording: Recording, found: Importable, origin: ImportOri
     )
     session = Session.create(recording, [run])
     if found.labels or (found.rows["source"] != Source.TRACKER).any():
-        take_into(session, found, origin)
+        take_into(session, found, origin, vouched=True)
     return session
 
 
-def take_into(session: Session, found: Importable, origin: ImportOrigin) -> Entry | None:
+def take_into(
+    session: Session, found: Importable, origin: ImportOrigin, *, vouched: bool = False
+) -> Entry | None:
     """Take imported tracks into a session as one edit; None where they say nothing else.
 
-    Tracks the file does not have stay as they are.
+    Tracks the file does not have stay as they are. vouched: see `plan_import`.
     """
     source, view = origin.file.source, found.view
     try:
         change = plan_import(
-            session.tracks, session.labels, found.rows, found.labels, source, view=view
+            session.tracks,
+            session.labels,
+            found.rows,
+            found.labels,
+            source,
+            view=view,
+            vouched=vouched,
         )
     except EditError:  # it says what is there already
         return None

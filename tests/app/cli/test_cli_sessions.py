@@ -244,8 +244,8 @@ def test_a_session_is_not_overwritten_by_an_export(trackwright: Trackwright, ses
     assert session.read_bytes() == before
 
 
-def test_a_format_to_come_is_told(trackwright: Trackwright, made: Path, tmp_path: Path) -> None:
-    words = ["export", made, "-o", tmp_path / "t.txt", "--format", "kitti"]
+def test_an_unknown_format_is_told(trackwright: Trackwright, made: Path, tmp_path: Path) -> None:
+    words = ["export", made, "-o", tmp_path / "t.txt", "--format", "mpeg"]
     status, _, err = trackwright(*words)
     assert status == 1
     assert "choose one of: mot" in err
