@@ -41,8 +41,11 @@ def paired(results: Sequence[Path], truth: Path) -> Pairing:
     other folder holds sequences: files, or such folders, that are named after them.
 
     Raises:
-        SettingsError: no names agree, or folders and files do not go together.
+        SettingsError: one is missing, no names agree, or folders and files do not go together.
     """
+    for path in (*results, truth):
+        if not path.exists():
+            raise SettingsError(f"cannot read {path}: No such file or directory; check the path")
     if truth.is_dir() and _truth_in(truth) is None:
         return _batch(results, truth)
     names = _short_names(results)
@@ -60,12 +63,11 @@ def _batch(results: Sequence[Path], truth: Path) -> Pairing:
         )
     folders = [path for path in results if path.is_dir() and not (path / RESULT).is_file()]
     files = [path for path in results if path not in folders]
-    by_name = {
-        name: _sequences(folder, truths=False)
-        for name, folder in zip(_short_names(folders), folders, strict=True)
-    }
-    if files:
-        by_name[_name_of(files[0].absolute().parent)] = _by_name([_result_at(f) for f in files])
+    found = [_sequences(folder, truths=False) for folder in folders]
+    if files:  # all of them together are one result
+        found.append(_by_name([_result_at(each) for each in files]))
+        folders = [*folders, files[0].absolute().parent]
+    by_name = dict(zip(_short_names(folders), found, strict=True))
     shared = sorted(set(truths).intersection(*by_name.values()))
     if not shared:
         raise SettingsError(_nothing_shared(truth, truths, by_name))
@@ -132,10 +134,11 @@ def _name_of(path: Path) -> str:
     """What a sequence or a result is called after."""
     whole = path.absolute()
     if whole.parts[-2:] == _CHALLENGE.parts:
-        return whole.parent.parent.name
-    if path.name in (RESULT, TRUTH):
-        return whole.parent.name
-    return path.stem if path.suffix.lower() in _ENDINGS else path.name
+        path = whole.parent.parent
+    elif path.name in (RESULT, TRUTH):
+        path = whole.parent
+    name = path.stem if path.suffix.lower() in _ENDINGS else path.name
+    return "".join(letter if letter.isprintable() else "?" for letter in name)
 
 
 def _short_names(paths: Sequence[Path]) -> list[str]:

@@ -10,7 +10,7 @@ _LIGHT = """
 _DARK = """
 --paper:#12161c; --ink:#e3e8ee; --faint:#9aa5b1; --line:#343c47; --panel:#1a2029;
 --c0:#6cb2ff; --c1:#ff7b72; --c2:#56d364; --c3:#c297ff; --c4:#e3b341; --good:#56d364;
---switch:#c297ff; --miss:#ff7b72; --alarm:#f0a94a; --fragment:#6cb2ff; --kept:#3f566f;
+--switch:#c297ff; --miss:#ff7b72; --alarm:#f0a94a; --fragment:#6cb2ff; --kept:#5b7a99;
 """
 
 DRAWN = """
@@ -74,6 +74,7 @@ margin:1rem 0}}
 .key svg{{width:1.1em;height:1.1em;min-width:0;vertical-align:-.15em;margin-right:.35em}}
 .row{{display:flex;flex-wrap:wrap;gap:1rem 2rem;align-items:flex-start}}
 .drawn{{overflow-x:auto;margin:.6rem 0}}
+.row>.drawn{{flex:1 1 24rem}}
 .drawn>svg{{display:block;width:100%;height:auto;min-width:44rem}}
 .drawn.narrow>svg{{min-width:0}}
 .pictures{{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,27rem),1fr));gap:1rem;

@@ -87,6 +87,35 @@ def test_nothing_named_alike_is_one_line(
     assert "truths A-01, B-02; results X; name them alike" in err
 
 
+def test_files_named_one_by_one_are_one_result_of_a_folder_of_truths(
+    trackwright: Trackwright, challenge: tuple[Path, Path]
+) -> None:
+    truths, tracker = challenge
+    files = sorted((tracker / "data").iterdir())
+    said = json.loads(trackwright("score", *files, "--truth", truths, "--json")[1])
+    assert list(said["sequences"]) == ["A-01", "B-02"]
+    both = json.loads(trackwright("score", *files, tracker, "--truth", truths, "--json")[1])
+    assert len(both["results"]) == 2
+    assert all(one["combined"]["frames"] == 80 for one in both["results"].values())
+
+
+def test_what_is_missing_or_called_alike_is_one_line(
+    trackwright: Trackwright, challenge: tuple[Path, Path]
+) -> None:
+    truths, tracker = challenge
+    (tracker / "data" / "A-01.csv").write_text("x")
+    for words, reason in (
+        ((tracker / "gone", "--truth", truths), "gone: No such file or directory"),
+        ((tracker, "--truth", truths / "gone"), "gone: No such file or directory"),
+        ((tracker, "--truth", truths), "are both called A-01; remove one"),
+        ((tracker, "--truth", truths / "A-01"), "the truth is one sequence"),
+        ((tracker, "--truth", tracker / "data" / "A-01.txt"), "the truth is one sequence"),
+    ):
+        status, out, err = trackwright("score", *words)
+        assert (status, out, err.count("\n")) == (1, "", 1)
+        assert reason in err
+
+
 def test_several_results_are_compared_under_names_that_differ(
     trackwright: Trackwright, single: tuple[Path, Path, Path], tmp_path: Path
 ) -> None:

@@ -125,11 +125,12 @@ def _people(finding: Finding, shown: list[int], clock: Clock) -> Iterator[Elemen
     there = Stretches.of(truth.frame + subject.start, truth.track, truth.box[:, :2])
     missed = found.of_kind(ErrorKind.MISS)
     lost = Stretches.of(missed.frame, missed.truth, missed.box[:, :2])
-    single = found.rows(np.isin(found.kind, _SINGLE))
+    few = [kind for kind in reversed(_SINGLE) if found.count(kind) <= _MOST_MARKS]
+    single = found.rows(np.isin(found.kind, few))
     for number, person in enumerate(shown):
         row = [*_presence(person, there, lost, clock)]
         own = single.rows(single.truth == person)
-        for kind in reversed(_SINGLE):
+        for kind in few:
             row += _instants(kind, own.of_kind(kind), clock, _ROW / 2)
         label = element("text", f"person {person}", x=-10, y=_ROW - 3, text_anchor="end")
         label.set("class", "small")
@@ -144,6 +145,8 @@ def _presence(person: int, there: Stretches, lost: Stretches, clock: Clock) -> I
             x = clock.axis.place(start)
             width = max(clock.axis.place(stop) - x, 0.8)
             bar = element("rect", x=x, y=2, width=width, height=_ROW - 4, class_=look)
+            if frames < stop - start:  # the fewer of them, the fainter
+                bar.set("fill-opacity", f"{max(frames / (stop - start), 0.15):.2f}")
             often = "" if frames == stop - start else f" in {frames} of these"
             bar.append(
                 element("title", f"person {person} {what}, {clock.says(start, stop)}{often}")
