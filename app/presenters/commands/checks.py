@@ -82,6 +82,11 @@ def trackable(now: Situation) -> str:
     return recording(now) or ("" if now.can_track else now.why_no_tracking)
 
 
+def scored(now: Situation) -> str:
+    """Tracks must have been compared with a truth."""
+    return recording(now) or ("" if now.scored else tr("score against a truth first (Shift+S)"))
+
+
 def two_eyes(now: Situation) -> str:
     """The recording must have two eyes."""
     return recording(now) or ("" if now.stereo else tr("the recording has one camera"))

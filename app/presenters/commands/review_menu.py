@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import editable, recording, session, trackable
+from app.presenters.commands.checks import editable, recording, scored, session, trackable
 from app.presenters.commands.command import Command, Situation
 from app.presenters.words import tr
 
@@ -50,11 +50,6 @@ def _tracked(now: Situation) -> str:
 def _with_truth(now: Situation) -> str:
     """There must be tracks, and a truth beside the recording."""
     return session(now) or ("" if now.truth else tr("the recording has no truth.txt"))
-
-
-def _scored(now: Situation) -> str:
-    """Tracks must have been compared with a truth."""
-    return recording(now) or ("" if now.scored else tr("score against a truth first (Shift+S)"))
 
 
 COMMANDS: Final = (
@@ -109,12 +104,12 @@ COMMANDS: Final = (
         recording,
         separated=True,
     ),
-    Command("review.next_error", "Review", "Next error against the truth", ("F4",), _scored),
+    Command("review.next_error", "Review", "Next error against the truth", ("F4",), scored),
     Command(
         "review.previous_error",
         "Review",
         "Previous error against the truth",
         ("Shift+F4",),
-        _scored,
+        scored,
     ),
 )

@@ -52,6 +52,16 @@ def _listed(each: TrackFormat) -> ExportFormat:
 
 def proposed_name(recording: str, each: ExportFormat) -> str:
     """What a file of the recording's tracks is called at first, e.g. "lobby-tracks.csv"."""
+    return f"{_begun(recording)}tracks{each.ending}"
+
+
+def proposed_folder(recording: str) -> str:
+    """What the folder of a report on a recording is called, e.g. "lobby-score"."""
+    return f"{_begun(recording)}score"
+
+
+def _begun(recording: str) -> str:
+    """A recording's name as files may begin with it; "" where nothing of it may."""
     plain = "".join(letter if letter.isalnum() or letter in "-_" else "-" for letter in recording)
     stem = "-".join(part for part in plain.split("-") if part)
-    return f"{stem}-tracks{each.ending}" if stem else f"tracks{each.ending}"
+    return f"{stem}-" if stem else ""

@@ -14,7 +14,7 @@ from tracking.errors import EditError, FormatError
 from tracking.formats import FORMATS, Filmed, Imported, TrackFormat, format_of
 from tracking.progress import Progress
 from tracking.session import Importable, ImportOrigin, ImportWish, importable
-from tracking.tracks import Labels, TrackTable
+from tracking.tracks import Labels, TrackTable, row_keys
 
 USUAL_TOLERANCE_PX = 2.0
 _STEPS = 2
@@ -237,8 +237,7 @@ def _rows_gone(change: Change | None) -> int:
     if change is None:
         return 0
     was, will = (
-        (side.rows["frame"].astype(np.int64) << 32) | side.rows["track"]
-        for side in (change.before, change.after)
+        row_keys(side.rows["frame"], side.rows["track"]) for side in (change.before, change.after)
     )
     return len(np.setdiff1d(was, will, assume_unique=True))
 

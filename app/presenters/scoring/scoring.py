@@ -242,7 +242,7 @@ class ScoringPresenter:
             moved=self._moves.words(session.history if session is not None else None),
             errors=self._choices(),
             doing=doing,
-            message=self._message(),
+            message=self.why_nothing,
             notes=scored.truth.notes if scored is not None else (),
         )
 
@@ -274,7 +274,9 @@ class ScoringPresenter:
             for kind in ERROR_COLOURS
         )
 
-    def _message(self) -> str:
+    @property
+    def why_nothing(self) -> str:
+        """Why nothing is scored, and what to do; "" where something is, or will be."""
         if not self._document.tracks.ids:
             return tr("Track the recording first (Ctrl+T): its tracks are scored then.")
         if self.source is None:

@@ -11,11 +11,12 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.counting.subject import Counted
 from app.presenters.document.document import Document
 from app.presenters.files import opening
-from app.presenters.files.export_formats import export_formats, proposed_name
+from app.presenters.files.export_formats import export_formats, proposed_folder, proposed_name
 from app.presenters.files.exporting import exporting, refuse_to_lose
+from app.presenters.scoring.reporting import reporting
 from app.presenters.words import tr
 from app.views.files.export_dialog import ExportDialog
-from app.views.widgets.questions import choose_new_file
+from app.views.widgets.questions import choose_file, choose_new_file
 from app.views.widgets.work import Work
 from tracking.counting import write_counts
 from tracking.editing import History
@@ -94,6 +95,25 @@ class Exporting(QObject):
             return tr("Beside it: {files}", files=", ".join(others)) if others else ""
 
         self._write(path, work)
+
+    def ask_report(self) -> None:
+        """Ask for a folder and put a report of the score into one of its own there."""
+        title = tr("The folder in which the report gets one of its own")
+        choose_file(self._window, title, "", self.report_in, folder=True)
+
+    def report_in(self, place: Path) -> None:
+        """Write a report of the score as it was worked out last."""
+        desk = self._window.desk
+        scored = desk.scoring.presenter.scored if desk is not None else None
+        if desk is None or scored is None:
+            return
+        presenter, document = desk.scoring.presenter, desk.document
+        held = presenter.held(scored.subject)
+        name = presenter.scene("").results[scored.subject.whose + 1]
+        folder = place / proposed_folder(document.recording.name)
+        work = reporting(document, scored, held, name, folder)
+        told = lambda page: self.said.emit(tr("Report: {path}", path=page))  # noqa: E731
+        self._work.run(tr("Writing the report"), work, told)
 
     def ask_log(self) -> None:
         """Ask for a place and write the log of edits."""

@@ -28,13 +28,15 @@ class ScorePanel(Panel):
     """Draws a :class:`ScoreScene`; hidden without one.
 
     Signals:
-        closed(): the button at the right. truth_chosen(int), result_chosen(int): of the lists.
+        closed(): the button at the right. report_asked(): a report for others.
+        truth_chosen(int), result_chosen(int): of the lists.
         floor_chosen(bool): by distance on the floor. threshold_chosen(float): overlap or metres.
         kind_shown(object, bool): a kind of error is to be shown or not.
         next_asked(int): 1 the next error, -1 the one before.
     """
 
     closed = Signal()
+    report_asked = Signal()
     truth_chosen = Signal(int)
     result_chosen = Signal(int)
     floor_chosen = Signal(bool)
@@ -78,6 +80,12 @@ class ScorePanel(Panel):
             button = IconButton(drawing, name, key, self)
             button.clicked.connect(lambda _=False, step=step: self.next_asked.emit(step))
             self.add_to_heading(button)
+        self._report = QToolButton(self)
+        self._report.setText(self.tr("Report..."))
+        self._report.setToolTip(self.tr("A page of it all, for others, in a folder"))
+        self._report.setProperty("outlined", True)
+        self._report.clicked.connect(self.report_asked)
+        self.add_to_heading(self._report)
         close = IconButton("close", self.tr("Hide the score"), "Shift+S", self)
         close.clicked.connect(self.closed)
         self.add_to_heading(close)
@@ -154,6 +162,7 @@ class ScorePanel(Panel):
         self._say(self._notes, "\n".join(scene.notes))
         self._say(self._moved, scene.moved)
         self.table.setVisible(bool(scene.rows))
+        self._report.setEnabled(bool(scene.rows))
         self.table.show_scene(scene)
         for choice in scene.errors:
             self._show_kind(choice)

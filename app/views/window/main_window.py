@@ -112,6 +112,7 @@ class MainWindow(QMainWindow):
         self.workspace.curves.closed.connect(lambda: self.run_command("view.curves"))
         self.workspace.counting.closed.connect(lambda: self.run_command("view.counting"))
         self.workspace.counting.save_asked.connect(lambda: self.run_command("file.export_counts"))
+        self.workspace.score.report_asked.connect(lambda: self.run_command("file.export_report"))
         self.workspace.score.closed.connect(lambda: self.run_command("view.score"))
         self.workspace.transport.tracker_clicked.connect(lambda: self.run_command("tracks.track"))
         self.files.changed.connect(self.refresh)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 from correcting_desk import opened_desk
 from PySide6.QtCore import Qt
@@ -49,6 +51,13 @@ def test_the_truth_can_be_drawn_without_the_panel(window, desk, press, qtbot):
     at_rest(desk, qtbot)
     assert window.workspace.left._truth.people
     assert not window.workspace.score.isVisible()
+
+
+def test_without_tracks_it_is_said_what_to_do(window, qtbot, tiny_recording):
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: window.desk is not None)
+    window.run_command("view.truth")
+    assert "Track the recording first" in window.statusBar().currentMessage()
 
 
 def test_keys_go_from_error_to_error(window, scored, press, qtbot):
@@ -106,3 +115,16 @@ def test_pairing_by_places_scores_anew(window, scored, qtbot):
     qtbot.wait(5)
     lanes = window.workspace.timeline.errors._scene.lanes
     assert ErrorKind.MISS not in [lane.kind for lane in lanes]
+
+
+def test_a_report_is_written_into_a_folder_of_its_own(window, scored, qtbot, tmp_path):
+    place = tmp_path / "reports"
+    place.mkdir()
+    window.files.exporting.report_in(place)
+    qtbot.waitUntil(lambda: not window.work.busy, timeout=30_000)
+    (folder,) = place.iterdir()
+    told = json.loads((folder / "report.json").read_text())
+    mota = scored.scoring.presenter.scored.whole.clear.mota
+    assert f'"MOTA": {mota}' in json.dumps(told)
+    assert "Corrected tracks" in (folder / "report.html").read_text()
+    assert str(folder / "report.html") in window.statusBar().currentMessage()

@@ -52,6 +52,14 @@ def _toggle_score(desk: Desk) -> None:
     desk.set_pictured(replace(desk.pictured, score=on, truth=on))
 
 
+def _toggle_truth(desk: Desk) -> None:
+    """Truth and errors, and where there are none why."""
+    _toggle("truth")(desk)
+    why = desk.scoring.presenter.why_nothing
+    if why and desk.pictured.truth:
+        desk.said.emit(why)
+
+
 VIEWING: dict[str, OnDesk] = {
     "view.left": lambda desk: desk.set_eyes("left"),
     "view.both": lambda desk: desk.set_eyes("both"),
@@ -76,7 +84,7 @@ VIEWING: dict[str, OnDesk] = {
     "view.curves": _toggle("curves"),
     "view.counts": _toggle("counts"),
     "view.score": _toggle_score,
-    "view.truth": _toggle("truth"),
+    "view.truth": _toggle_truth,
     "view.counting": _toggle("counting"),
     "view.flow_map": _toggle("flow_map"),
     "view.tracklets": _toggle_bodies("tracklets"),

@@ -24,6 +24,7 @@ def of_the_window(window: MainWindow) -> dict[str, Callable[[], None]]:
         "file.save_as": files.saving.save_as,
         "file.import": files.importing.ask,
         "file.export": files.exporting.ask_tracks,
+        "file.export_report": files.exporting.ask_report,
         "file.export_counts": files.exporting.ask_counts,
         "file.export_log": files.exporting.ask_log,
         "file.author": files.author.ask,
