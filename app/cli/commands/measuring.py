@@ -16,7 +16,7 @@ def score(
     results: Annotated[
         list[Path],
         typer.Argument(
-            metavar="RESULT...",
+            metavar="RESULT",
             help="Sessions or files of tracks; or folders with one for each recording.",
         ),
     ],
@@ -43,7 +43,7 @@ def score(
     ] = None,
     ranges: Annotated[
         list[str] | None,
-        typer.Option("--range", help="A:B: measure these by themselves, too; may be repeated."),
+        typer.Option("--range", help="A:B, measured by itself, too; may be repeated."),
     ] = None,
     per_person: Annotated[
         bool, typer.Option("--per-person", help="A row for each person of the truth.")
