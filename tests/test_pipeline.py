@@ -174,6 +174,14 @@ def test_one_camera_is_tracked_by_body_parts_and_not_in_stereo(rendered: Path):
             track(alone, "stereo-direction")
 
 
+def test_a_tracker_that_times_its_stages_tells_them_beside_the_others(rendered: Path):
+    with open_recording(rendered / "left.mp4") as alone, track(alone, frames=(0, 2)) as tracking:
+        list(tracking)
+    spent_s = tracking.stage_s
+    inner = [spent_s[f"tracker_{name}"] for name in ("filters", "failures", "births", "boxes")]
+    assert 0 < sum(inner) <= spent_s["tracker"]
+
+
 def test_two_cameras_without_calibration_are_tracked_by_one(rendered: Path, tmp_path: Path):
     for eye in ("left.mp4", "right.mp4"):
         shutil.copy(rendered / eye, tmp_path / eye)

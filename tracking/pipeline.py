@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from functools import partial
 from types import TracebackType
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +28,7 @@ from tracking.trackers import (
     settings_values,
     tracker_named,
 )
+from tracking.trackers.stages import Stages
 from tracking.tracks.columns import (
     DETECTION_COLUMNS,
     PART_COLUMNS,
@@ -41,8 +41,6 @@ from tracking.tracks.columns import (
     empty,
 )
 from tracking.tracks.run import Particles, Run
-
-T = TypeVar("T")
 
 BACKGROUND_SAMPLES = 15
 """Frames spread over the recording that the background is learnt from before the first step."""
@@ -101,7 +99,6 @@ class Tracking:
     Attributes:
         frames: half-open range being tracked. done: frames of it tracked so far.
         observation: what was seen in the last frame, with its overlays; None before the first.
-        stage_s: seconds spent so far in "learn", "decode", "perception" and "tracker".
     """
 
     def __init__(
@@ -117,7 +114,7 @@ class Tracking:
         self.frames = frames
         self.done = 0
         self.observation: Observation | None = None
-        self.stage_s = {"learn": 0.0, "decode": 0.0, "perception": 0.0, "tracker": 0.0}
+        self._stages = Stages("learn", "decode", "perception", "tracker")
         self._recording = recording
         self._spec = spec
         self._settings = settings
@@ -162,6 +159,15 @@ class Tracking:
         )
 
     @property
+    def stage_s(self) -> dict[str, float]:
+        """Seconds spent so far in "learn", "decode", "perception" and "tracker".
+
+        Of a tracker that tells its own stages those, too: "tracker_filters" and so on.
+        """
+        inner: Mapping[str, float] = getattr(self._tracker, "stage_s", {})
+        return {**self._stages.spent_s, **{f"tracker_{name}": s for name, s in inner.items()}}
+
+    @property
     def notes(self) -> tuple[str, ...]:
         """What the user should be told of the frames tracked so far, a line each."""
         told = self._tracker.notes if self._tracker is not None else ()
@@ -172,26 +178,21 @@ class Tracking:
         return (*told, swapped)
 
     def _work(self) -> Generator[StepResult]:
+        timed = self._stages.timed
         perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
         self._tracker = tracker
-        self._timed("learn", _learn, perception, self._recording)
+        timed("learn", _learn, perception, self._recording)
         if self._resume is not None:
             seen = (perception.observe(self._recording.read(n)) for n in self._resume.looks)
-            self._timed("learn", tracker.resume, self._resume, seen)
+            timed("learn", tracker.resume, self._resume, seen)
         pictures = self._recording.frames(*self.frames)
-        while (frame := self._timed("decode", next, pictures, None)) is not None:
-            self.observation = self._timed("perception", perception.observe, frame)
+        while (frame := timed("decode", next, pictures, None)) is not None:
+            self.observation = timed("perception", perception.observe, frame)
             self._ranged.add(self.observation.overlays)
-            result = self._timed("tracker", tracker.step, self.observation)
+            result = timed("tracker", tracker.step, self.observation)
             self._results.append(result)
             self.done += 1
             yield result
-
-    def _timed(self, stage: str, work: Callable[..., T], *args: Any) -> T:
-        began = time.perf_counter()
-        done = work(*args)
-        self.stage_s[stage] += time.perf_counter() - began
-        return done
 
 
 def background_samples(recording: Recording) -> list[StereoFrame]:

@@ -67,11 +67,11 @@ def _steps(tracking: Tracking) -> tuple[list[float], dict[str, list[float]], lis
     spent_s: list[float] = []
     stages_s: dict[str, list[float]] = {"decode": [], "perception": [], "tracker": []}
     people: list[int] = []
-    before, begun = dict(tracking.stage_s), time.process_time()
+    before, begun = tracking.stage_s, time.process_time()
     for result in tracking:
         spent_s.append(time.process_time() - begun)
         for stage, each in stages_s.items():
             each.append(tracking.stage_s[stage] - before[stage])
         people.append(len(result.tracks["track"]))
-        before, begun = dict(tracking.stage_s), time.process_time()
+        before, begun = tracking.stage_s, time.process_time()
     return spent_s, stages_s, people

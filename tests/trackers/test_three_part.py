@@ -22,6 +22,7 @@ from tracking.failure import Judgement
 from tracking.trackers import Observation, StepResult, occluders_as_setting
 from tracking.trackers.occluders import occluders_from
 from tracking.trackers.three_part import ThreePartSettings, WholeBodySettings
+from tracking.trackers.three_part.claims import claims_of
 from tracking.trackers.three_part.followed import Layout
 from tracking.trackers.three_part.tracker import Camera, PartTracker
 from tracking.tracks import Occluder
@@ -233,3 +234,26 @@ def test_no_fewest_particles_above_the_most() -> None:
     with pytest.raises(SettingsError, match="2000 is more than most_particles, 1000"):
         ThreePartSettings(least_particles=2000)
     assert WholeBodySettings(least_particles=1000).most_particles == 1000
+
+
+def test_whose_regions_are_whose_is_worked_out_once_for_each_place_of_the_parts(monkeypatch):
+    asked = []
+    monkeypatch.setattr(
+        "tracking.trackers.three_part.frame.claims_of",
+        lambda *places: asked.append(0) or claims_of(*places),
+    )
+    by = tracker()
+    looks = []
+    for each in observations([walker()], 12):
+        asked.clear()
+        by.step(each)
+        looks.append(len(asked))
+    # As predicted, as weighed, and drawn to the silhouette.
+    assert looks[-1] == 3
+
+
+def test_the_stages_of_a_step_are_timed():
+    by = tracker()
+    by.step(next(observations([walker()], 1)))
+    assert set(by.stage_s) == {"filters", "failures", "births", "boxes"}
+    assert all(spent_s > 0 for spent_s in by.stage_s.values())

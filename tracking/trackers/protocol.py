@@ -74,7 +74,11 @@ class Perception(Protocol):
 
 
 class Tracker(Protocol):
-    """Follows people over observations; holds the particles."""
+    """Follows people over observations; holds the particles.
+
+    One that tells where the time of its steps goes has `stage_s`, too: seconds spent so far by
+    stage.
+    """
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Before the first step: go on with people as corrected.

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tracking.failure import Detector
 from tracking.geometry import View
-from tracking.people import Detections, Observation
-from tracking.people.parts import ycbcr
+from tracking.people import Observation
 from tracking.trackers.occluders import Polygons
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.resuming import Resume
+from tracking.trackers.stages import Stages
 from tracking.trackers.three_part import births
 from tracking.trackers.three_part.adjustment import Scene, adjusted, clear_failures
 from tracking.trackers.three_part.appearance import looked_at, resemblance
@@ -27,7 +26,6 @@ from tracking.trackers.three_part.bodies import (
 from tracking.trackers.three_part.claims import (
     Claims,
     both_in_one,
-    claims_of,
     own_boxes,
     seen_taller,
     seen_whole,
@@ -36,7 +34,16 @@ from tracking.trackers.three_part.claims import (
 )
 from tracking.trackers.three_part.detectors import NO_DETECTOR
 from tracking.trackers.three_part.finding import found_again
-from tracking.trackers.three_part.followed import Flags, Followed, Indices, Layout, nobody, together
+from tracking.trackers.three_part.followed import (
+    Flags,
+    Floats,
+    Followed,
+    Indices,
+    Layout,
+    nobody,
+    together,
+)
+from tracking.trackers.three_part.frame import Frame
 from tracking.trackers.three_part.learning import colours_learnt, places_learnt, poses_learnt
 from tracking.trackers.three_part.moving import carried, moved, weighed
 from tracking.trackers.three_part.occlusion import (
@@ -58,7 +65,6 @@ from tracking.trackers.three_part.starting import (
 from tracking.trackers.three_part.watching import Watch
 from tracking.tracks import HIP_LEG
 
-Picture = NDArray[np.uint8]
 _STOOPED, _STRETCHED = 0.6, 1.1
 """Lowest and highest somebody's box is, in heights of them upright."""
 _MISSED_S = 0.2
@@ -116,11 +122,17 @@ class PartTracker:
         self._newcomers = births.Newcomers()
         self._last_id = 0
         self._time_s: float | None = None
+        self._stages = Stages("filters", "failures", "births", "boxes")
 
     @property
     def settings(self) -> WholeBodySettings:
         """The settings in force."""
         return self._settings
+
+    @property
+    def stage_s(self) -> Mapping[str, float]:
+        """Seconds spent so far in the stages of steps; colours and columns are the rest."""
+        return self._stages.spent_s
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -136,66 +148,63 @@ class PartTracker:
 
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""
-        assert observation.picture is not None, "perception of one camera hands the picture on"
-        picture = ycbcr(observation.picture)
-        time_s, seen = observation.time_s, observation.people
-        elapsed_s = 0.0 if self._time_s is None else time_s - self._time_s
-        self._time_s = time_s
-        people = self._filtered(seen, picture, elapsed_s)
-        people = self._put_right(people, seen, picture, elapsed_s)
-        claims = claims_of(people.rectangles, seen)
-        people = colours_learnt(people, picture, claims, self._put_back(people), self._settings)
-        people = self._aged(people, claims, elapsed_s)
-        people = self._with_newcomers(people, claims, seen, picture, elapsed_s)
-        people, shown = self._seen(people, seen, elapsed_s)
-        self._watch.remember(time_s, people)
+        frame, timed = Frame(observation, self._time_s), self._stages.timed
+        self._time_s = frame.time_s
+        people = timed("filters", self._filtered, frame)
+        people = timed("failures", self._put_right, people, frame)
+        claims, wrong = frame.claims(people), self._put_back(people)
+        people = colours_learnt(people, frame.picture, claims, wrong, self._settings)
+        people = self._aged(people, claims, frame.elapsed_s)
+        people = timed("births", self._with_newcomers, people, frame)
+        people, shown = timed("boxes", self._seen, people, frame)
+        self._watch.remember(frame.time_s, people)
         self._people = people
         layout, settings = self._layout, self._settings
         return step_result(
             observation, people, shown, layout, self._camera.fps, settings.kept_particles
         )
 
-    def _filtered(self, seen: Detections, picture: Picture, elapsed_s: float) -> Followed:
+    def _filtered(self, frame: Frame) -> Followed:
         """Everybody one frame on."""
         before, settings, layout = self._people, self._settings, self._layout
-        people = moved(before, elapsed_s, settings, layout, self._random)
-        people = self._hidden(people, seen, picture)
-        people = weighed(people, before, picture, elapsed_s, settings, layout, self._random)
+        people = self._hidden(moved(before, frame.elapsed_s, settings, layout, self._random), frame)
+        people = weighed(
+            people, before, frame.picture, frame.elapsed_s, settings, layout, self._random
+        )
         if not self._aids.body_rules:
             return people
         return people.replace(state=carried(people.state, people.pose, people.occluded))
 
-    def _hidden(self, people: Followed, seen: Detections, picture: Picture) -> Followed:
+    def _hidden(self, people: Followed, frame: Frame) -> Followed:
         """The people with who touches whom and who is hidden, at the places predicted."""
-        alike = resemblance(looked_at(picture, people.rectangles), people.model) - people.usual
-        claims = claims_of(people.rectangles, seen)
+        look = looked_at(frame.picture, people.rectangles)
+        alike = resemblance(look, people.model) - people.usual
+        claims = frame.claims(people)
         box = outlined_boxes(people.rectangles, people.outline)
         tall = np.clip(box[:, 3], _STOOPED * people.height, _STRETCHED * people.height)
         foot = box[:, 1] + tall
         hidden, touching = behind_others(
             people.rectangles, alike, foot, people.height, people.hidden
         )
-        hidden &= ~seen_whole(claims, seen, people.height)[:, None]
+        hidden &= ~seen_whole(claims, frame.seen, people.height)[:, None]
         if self._camera.occluders:
             cover = shares_on(self._cover, people.rectangles)
             hidden |= behind_what_is_drawn(cover, claims.support)
         return people.replace(occluded=hidden, touching=touching)
 
-    def _put_right(
-        self, people: Followed, seen: Detections, picture: Picture, elapsed_s: float
-    ) -> Followed:
+    def _put_right(self, people: Followed, frame: Frame) -> Followed:
         """Failures judged and, where that is wanted, adjusted."""
         if self._layout.parts == 1:
             return people
-        aids, claims = self._aids, claims_of(people.rectangles, seen)
+        aids, seen, picture = self._aids, frame.seen, frame.picture
         if aids.follow_silhouettes:
-            people = drawn_home(people, seen, claims, picture, elapsed_s, self._layout)
-        time_s = self._time_s or 0.0
-        said = self._watch.judge(time_s, people, ~people.hidden)
+            claims = frame.claims(people)
+            people = drawn_home(people, seen, claims, picture, frame.elapsed_s, self._layout)
+        said = self._watch.judge(frame.time_s, people, ~people.hidden)
         people = people.replace(failed=said.failed, score=said.score)
         if not aids.adjust:
             return people
-        scene = Scene(seen, claims_of(people.rectangles, seen), picture)
+        scene = Scene(seen, frame.claims(people), picture)
         failed = said.failed.copy()
         if aids.body_rules:
             failed |= clear_failures(people, scene)
@@ -224,58 +233,60 @@ class PartTracker:
             age_s=people.age_s + elapsed_s,
         )
 
-    def _with_newcomers(
-        self,
-        people: Followed,
-        claims: Claims,
-        seen: Detections,
-        picture: Picture,
-        elapsed_s: float,
-    ) -> Followed:
+    def _with_newcomers(self, people: Followed, frame: Frame) -> Followed:
         """The lost found again or let go, and newcomers begun."""
+        seen, picture, claims = frame.seen, frame.picture, frame.claims(people)
         boxes = outlined_boxes(people.rectangles, people.outline)
         free = births.free_regions(seen, claims, own_boxes(boxes, claims, seen))
         free = births.without_pieces(free, seen, boxes, people.height)
         if self._aids.find_again:
-            lost = people.missed_s > _MISSED_S
-            two = sharing(claims, seen) & ~lost
-            places, free = found_again(people, boxes, lost, two, seen, free, picture, self._layout)
-            people = begun_anew(people, places, picture, self._layout, self._random)
-            again = all_seen(places)
-            people = people.replace(missed_s=np.where(again, 0.0, people.missed_s))
+            people, free = self._found_again(people, frame, boxes, free)
         boxes = outlined_boxes(people.rectangles, people.outline)
         kept = births.still_there(people, boxes, self._camera.size, self._settings)
-        people = people.select(np.flatnonzero(kept), self._layout.filters)
-        self._newcomers = births.waited_for(self._newcomers, seen, free, elapsed_s)
+        if not kept.all():
+            people = people.select(np.flatnonzero(kept), self._layout.filters)
+        self._newcomers = births.waited_for(self._newcomers, seen, free, frame.elapsed_s)
         ready = births.somebody(self._newcomers, seen, free, self._settings)
         rectangles = regions_rectangles(seen, free[ready], picture, self._layout)
         ready, rectangles = ready[all_seen(rectangles)], rectangles[all_seen(rectangles)]
         if not len(ready):
             return people
-        people = self._parted(people, seen, free[ready], picture)
+        people = self._parted(people, frame, free[ready])
         track = np.arange(self._last_id + 1, self._last_id + 1 + len(ready), dtype=np.int32)
         self._last_id += len(ready)
         pace = self._newcomers.pace[ready]
         new = begun(track, rectangles, pace, picture, self._layout, self._random)
         return together(people, new)
 
-    def _parted(
-        self, people: Followed, seen: Detections, new: Indices, picture: Picture
-    ) -> Followed:
+    def _found_again(
+        self, people: Followed, frame: Frame, boxes: Floats, free: Indices
+    ) -> tuple[Followed, Indices]:
+        """The people, those lost who came up again begun there; the regions still free."""
+        lost = people.missed_s > _MISSED_S
+        two = sharing(frame.claims(people), frame.seen) & ~lost
+        places, free = found_again(
+            people, boxes, lost, two, frame.seen, free, frame.picture, self._layout
+        )
+        people = begun_anew(people, places, frame.picture, self._layout, self._random)
+        again = all_seen(places)
+        return people.replace(missed_s=np.where(again, 0.0, people.missed_s)), free
+
+    def _parted(self, people: Followed, frame: Frame, new: Indices) -> Followed:
         """The people, those begun as one with somebody now seen beside them begun anew alone."""
-        rows = both_in_one(claims := claims_of(people.rectangles, seen), new)
+        claims = frame.claims(people)
+        rows = both_in_one(claims, new)
         if not self._aids.find_again or not len(rows):
             return people
-        own = regions_rectangles(seen, claims.region[rows], picture, self._layout)
+        own = regions_rectangles(frame.seen, claims.region[rows], frame.picture, self._layout)
         rows, own = rows[all_seen(own)], own[all_seen(own)]
         places = np.full(people.rectangles.shape, np.nan)
         places[rows] = own
-        people = begun_anew(people, places, picture, self._layout, self._random)
+        people = begun_anew(people, places, frame.picture, self._layout, self._random)
         return known_anew(people, rows)
 
-    def _seen(self, people: Followed, seen: Detections, elapsed_s: float) -> tuple[Followed, Shown]:
+    def _seen(self, people: Followed, frame: Frame) -> tuple[Followed, Shown]:
         """The people with outlines and places brought up to date, and what is shown of them."""
-        claims = claims_of(people.rectangles, seen)
+        seen, elapsed_s, claims = frame.seen, frame.elapsed_s, frame.claims(people)
         own = np.append(seen.box, np.zeros((1, 4)), axis=0)[claims.region]
         cut = np.append(seen.truncated, True)[claims.region]
         alone = claims.alone & ~people.hidden

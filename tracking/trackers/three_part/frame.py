@@ -1,0 +1,35 @@
+"""One frame as the tracker of parts looks at it."""
+
+from __future__ import annotations
+
+from tracking.people import Detections, Observation
+from tracking.people.parts import ycbcr
+from tracking.trackers.three_part.claims import Claims, claims_of
+from tracking.trackers.three_part.followed import Floats, Followed
+
+
+class Frame:
+    """What is seen in a frame, and whose it is.
+
+    Attributes:
+        seen: the regions. picture: (height, width, 3) of `ycbcr`.
+        time_s: since the recording began. elapsed_s: since the frame before; 0 in the first.
+    """
+
+    def __init__(self, observation: Observation, before_s: float | None) -> None:
+        """Look at an observation; before_s: the time of the one before, None in the first frame."""
+        assert observation.picture is not None, "perception of one camera hands the picture on"
+        self.seen: Detections = observation.people
+        self.picture = ycbcr(observation.picture)
+        self.time_s = observation.time_s
+        self.elapsed_s = 0.0 if before_s is None else observation.time_s - before_s
+        self._claims: tuple[Floats, Claims] | None = None
+
+    def claims(self, people: Followed) -> Claims:
+        """Which regions are whose; worked out anew only where parts stand elsewhere than before.
+
+        The columns of `Followed` are never changed in place: the same array is the same places.
+        """
+        if self._claims is None or self._claims[0] is not people.state:
+            self._claims = people.state, claims_of(people.rectangles, self.seen)
+        return self._claims[1]
