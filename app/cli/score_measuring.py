@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
 from app.cli.output import progress
 from app.cli.ranges import typed_range
+from app.cli.score_passages import with_passages
 from app.cli.score_pictures import filmed
 from app.cli.scored import Loaded, loaded, part_rates, tell_oddities
 from app.cli.sequences import Pairing
@@ -26,6 +27,7 @@ from tracking.scoring.report import (
     place_picture,
     switch_pictures,
 )
+from tracking.tracks import CountingLine
 
 _LONG_BYTES = 16 << 20
 _END = 10**9
@@ -39,7 +41,8 @@ class Asked:
         results, truth: files or folders.
         match: "box" or "floor". radius_m: for the floor. conventions: a name of `Conventions`.
         frames: A:B; None: all. ranges: A:B each, measured by themselves.
-        per_person: a row each. report: a folder; None: none.
+        per_person: a row each. lines: over which passages are counted; none: those in sessions.
+        report: a folder; None: none.
         allow_outside: a recording outside of its session's folder may be opened.
     """
 
@@ -51,6 +54,7 @@ class Asked:
     frames: str | None = None
     ranges: tuple[str, ...] = ()
     per_person: bool = False
+    lines: tuple[CountingLine, ...] = ()
     report: Path | None = None
     allow_outside: bool = False
 
@@ -129,12 +133,16 @@ def _measure(
             tell(number)
             try:
                 if not asked.is_detailed:
-                    measured.scores[result][subject.name] = yardstick.score(subject, result)
+                    score = yardstick.score(subject, result)
+                    score = with_passages(score, one, result, asked.lines)
+                    measured.scores[result][subject.name] = score
                     continue
                 finding = finding_of(subject, result, yardstick)
             except FormatError as error:
                 raise FormatError(f"{result} on {subject.name}: {error}") from error
-            measured.scores[result][subject.name] = finding.score
+            score = with_passages(finding.score, one, result, asked.lines)
+            finding = replace(finding, score=score)
+            measured.scores[result][subject.name] = score
             measured.findings.append(finding)
             if asked.report is not None:
                 measured.shown[finding] = _shown(finding, why_none)

@@ -11,7 +11,7 @@ from tracking.errors import FormatError
 from tracking.formats import Filmed, format_of, read_mot
 from tracking.formats.reading import Reading
 from tracking.formats.seqinfo import sequence_of
-from tracking.tracks import Columns
+from tracking.tracks import Columns, CountingLine
 from tracking.truth import TRUE_PARTS
 
 _TRUTH = "truth.txt"
@@ -29,6 +29,7 @@ class Tracks:
         parts: of the people's bodies, where the tracks are a session's whose tracker followed them.
         tracked: half-open range of frames a session's tracker went over; None where nobody knows.
         fps, size_px: of the recording, where the file tells.
+        lines: counting lines drawn in a session.
     """
 
     columns: Columns
@@ -39,6 +40,7 @@ class Tracks:
     tracked: tuple[int, int] | None = None
     fps: float | None = None
     size_px: tuple[int, int] | None = None
+    lines: tuple[CountingLine, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +131,7 @@ def _of_session(path: Path) -> Tracks:
             tracked=tracked,
             fps=footage.fps,
             size_px=footage.size,
+            lines=tuple(session.labels.lines),
         )
 
 

@@ -48,6 +48,16 @@ def score(
     per_person: Annotated[
         bool, typer.Option("--per-person", help="A row for each person of the truth.")
     ] = False,
+    line: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="NAME:x1,y1:x2,y2 on the floor, m: compare the passages over it.",
+            show_default="drawn in the session",
+        ),
+    ] = None,
+    picture_line: Annotated[
+        list[str] | None, typer.Option(help="NAME:u1,v1:u2,v2: the same in the picture, px.")
+    ] = None,
     report: Annotated[
         Path | None,
         typer.Option(help="A folder for a report: a page, and the same as Markdown and JSON."),
@@ -64,6 +74,7 @@ def score(
     """Measure results against truth."""
     from app.cli.score import run_score
     from app.cli.score_measuring import Asked
+    from app.cli.score_passages import lines_named
 
     asked = Asked(
         results=tuple(results),
@@ -74,6 +85,7 @@ def score(
         frames=frames,
         ranges=tuple(ranges or ()),
         per_person=per_person,
+        lines=lines_named(line or (), picture_line or ()),
         report=report,
         allow_outside=allow_outside,
     )

@@ -166,6 +166,22 @@ def test_definitions_of_another_program_can_be_asked_for(
     assert found == [1.0, 0.0]
 
 
+def test_passages_over_a_line_are_compared_with_those_that_happened(
+    trackwright: Trackwright, single: tuple[Path, Path, Path]
+) -> None:
+    truth, right, switched = single
+    (truth.parent / "seqinfo.ini").write_text("[Sequence]\nframeRate=10\nseqLength=40\n")
+    words = ["score", right, switched, "--truth", truth, "--line", "door:1.05,0:1.05,9", "--json"]
+    said = json.loads(trackwright(*words)[1])["results"]
+    assert said["right"]["passages"]["door"]["hit"] == 1
+    assert said["switched"]["passages"]["door"] == {
+        "happened": 1, "found": 1, "hit": 1, "recall": 1.0, "precision": 1.0,
+    }  # fmt: skip
+    (truth.parent / "seqinfo.ini").unlink()
+    status, _, err = trackwright(*words)
+    assert (status, err.splitlines()[-1].count("frames a second")) == (1, 1)
+
+
 def test_a_report_is_written_beside_what_is_printed(
     trackwright: Trackwright, challenge: tuple[Path, Path], tmp_path: Path
 ) -> None:
