@@ -14,10 +14,22 @@ from app.cli.drawn import line_of, refuse_repeated, region_of
 from app.cli.option_groups import InPicture, OnFloor
 from app.cli.output import print_json, say
 from app.presenters.files.exporting import exported_tracks
-from tracking.counting import Counts, How, LineCount, Occupancy, count, write_counts
-from tracking.errors import CountingError
+from tracking.counting import (
+    Counts,
+    CountSettings,
+    LineCount,
+    NotOnFloorError,
+    Occupancy,
+    count,
+    write_counts,
+)
+from tracking.errors import CountingError, SettingsError
 from tracking.session import Session
+from tracking.settings import settings_from
 from tracking.tracks import CountingLine, Region
+
+_OPTIONS = {"step_s": "--step", "jitter_m": "--jitter", "jitter_px": "--jitter-px"}
+"""How each setting is typed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +46,13 @@ class Places:
 
 
 def run_count(
-    path: Path, named: Places, how: How, run: int | None, csv: Path | None, *, as_json: bool
+    path: Path,
+    named: Places,
+    settings: CountSettings,
+    run: int | None,
+    csv: Path | None,
+    *,
+    as_json: bool,
 ) -> None:
     """Print the counts; with csv the steps go into that file."""
     if csv is not None:
@@ -45,15 +63,22 @@ def run_count(
         columns = exported_tracks(session, run)
         try:
             counts = count(
-                columns, recording.fps, recording.frame_count, places.lines, places.regions, how
+                columns,
+                recording.fps,
+                recording.frame_count,
+                places.lines,
+                places.regions,
+                settings,
             )
+        except NotOnFloorError as error:
+            to_do = f"{error.to_do} (--picture-line, --picture-region)"
+            raise NotOnFloorError(f"{path}: {error.reason}", to_do) from error
         except CountingError as error:
-            told = str(error).replace("in the picture", "in the picture (--picture-line, -region)")
-            raise CountingError(f"{path}: {told}") from error
+            raise CountingError(f"{path}: {error.reason}", error.to_do) from error
     _say_what(places, run)
     if csv is not None:
         write_counts(csv, counts)
-        say(f"{len(counts.steps)} steps of {how.step_s:g} s: {csv}")
+        say(f"{len(counts.steps)} steps of {settings.step_s:g} s: {csv}")
     if as_json:
         print_json(counts_as_json(counts))
     else:
@@ -66,8 +91,8 @@ def places_named(floor: OnFloor, picture: InPicture) -> Places:
     over += [line_of(text, in_picture=True) for text in picture.picture_line or ()]
     within = [region_of(text, in_picture=False) for text in floor.region or ()]
     within += [region_of(text, in_picture=True) for text in picture.picture_region or ()]
-    refuse_repeated(over, "--line")
-    refuse_repeated(within, "--region")
+    refuse_repeated(over, "line")
+    refuse_repeated(within, "region")
     return Places(tuple(over), tuple(within))
 
 
@@ -141,9 +166,12 @@ def _table(headings: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
     ]
 
 
-def how_of(step_s: float, jitter_m: float, jitter_px: float) -> How:
-    """Raises BadParameter for a step or a distance that is none."""
-    for value, option in ((step_s, "--step"), (jitter_m, "--jitter"), (jitter_px, "--jitter-px")):
-        if not 0 <= value < float("inf") or (option == "--step" and value == 0):
-            raise typer.BadParameter(f"{value:g} is no length", param_hint=option)
-    return How(step_s, jitter_m, jitter_px)
+def count_settings(step_s: float, jitter_m: float, jitter_px: float) -> CountSettings:
+    """What was typed. Raises BadParameter for a step or a distance that cannot be."""
+    typed = {"step_s": step_s, "jitter_m": jitter_m, "jitter_px": jitter_px}
+    for name, value in typed.items():
+        try:
+            settings_from(CountSettings, {name: value})
+        except SettingsError as error:
+            raise typer.BadParameter(str(error), param_hint=_OPTIONS[name]) from error
+    return CountSettings(**typed)

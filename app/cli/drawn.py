@@ -31,12 +31,18 @@ def region_of(text: str, *, in_picture: bool) -> Region:
     return _checked(Region(name, corners, in_picture), check_region, option)
 
 
-def refuse_repeated(drawn: Sequence[CountingLine] | Sequence[Region], option: str) -> None:
-    """Raises BadParameter where a name stands twice: results are told by name."""
-    names = [item.name for item in drawn]
-    for name in names:
-        if names.count(name) > 1:
-            raise _misuse(f"{name!r} is named twice; give each a name of its own", option)
+def refuse_repeated(drawn: Sequence[CountingLine] | Sequence[Region], what: str) -> None:
+    """Raises BadParameter where a name stands twice: results are told by name.
+
+    Args:
+        what: "line" or "region", by which the options are called.
+    """
+    names: set[str] = set()
+    for item in drawn:
+        if item.name in names:
+            option = f"--picture-{what}" if item.in_picture else f"--{what}"
+            raise _misuse(f"{item.name!r} is named twice; give each a name of its own", option)
+        names.add(item.name)
 
 
 def _parted(text: str, option: str) -> tuple[str, _Corners]:

@@ -21,7 +21,7 @@ def lines_named(floor: Sequence[str], picture: Sequence[str]) -> tuple[CountingL
     """The lines that were typed. Raises BadParameter where something is none."""
     lines = [line_of(text, in_picture=False) for text in floor]
     lines += [line_of(text, in_picture=True) for text in picture]
-    refuse_repeated(lines, "--line")
+    refuse_repeated(lines, "line")
     return tuple(lines)
 
 

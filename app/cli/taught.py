@@ -38,7 +38,9 @@ def _source(path: Path, how: How) -> Source:
         raise RecordingMissing(f"{path}: {with_advice(missing, how.allow_outside)}") from missing
 
 
-def with_advice(missing: Exception, allow_outside: bool) -> str:
-    """Why a recording is missing, and what can be done for `train`, which takes no other place."""
+def with_advice(error: Exception, allow_outside: bool) -> str:
+    """The message of an error; how to find a recording as a command that takes no place for it."""
+    if not isinstance(error, RecordingMissing):
+        return str(error)
     way = "put it beside the session" if allow_outside else "allow it (--allow-outside)"
-    return str(missing).replace("name its place (--recording PATH)", way)
+    return str(error.advising(way))

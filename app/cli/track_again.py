@@ -118,8 +118,7 @@ def _opened(again: Again) -> Iterator[tuple[Session, Recording]]:
     try:
         opening = open_path(again.session, again.recording, options)
     except RecordingMissing as missing:
-        named = str(missing).replace("(--recording PATH)", "(track RECORDING --again ...)")
-        raise RecordingMissing(named) from missing
+        raise missing.advising("name its place (track RECORDING --again ...)") from missing
     with closing(opening) as opened:
         session = opened.document.session
         assert session is not None

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from app.cli.destination import is_session
 from tracking.errors import FormatError
-from tracking.formats import Filmed, format_of, read_mot
+from tracking.formats import Filmed, TrackFormat, format_of, read_mot
 from tracking.formats.reading import Reading
 from tracking.formats.seqinfo import sequence_of
 from tracking.tracks import Columns, CountingLine
@@ -65,9 +65,11 @@ def tracks_at(path: Path) -> Tracks:
     """
     if path.is_dir():
         raise FormatError(f"{path} is a folder; name a session or MOT text in it")
-    if is_session(path):
+    wanted = _format_of(path)
+    if wanted is None and is_session(path):
         return _of_session(path)
-    return _of_file(path)
+    # What nobody knows is read as MOT text, which says what is wrong with it.
+    return _of_mot(path) if wanted is None else _of_file(path, wanted)
 
 
 def truth_at(path: Path) -> Tracks:
@@ -80,17 +82,22 @@ def truth_at(path: Path) -> Tracks:
         return tracks_at(path)
     if not (path / _TRUTH).is_file():
         raise FormatError(f"{path} has no {_TRUTH}; name a session or MOT text as truth")
-    return _of_file(path / _TRUTH)
+    return _of_mot(path / _TRUTH)
 
 
-def _of_file(path: Path) -> Tracks:
-    """The tracks of a file of another tool; what nobody recognises is read as MOT text."""
+def _format_of(path: Path) -> TrackFormat | None:
+    """The format of a file of another tool; None for MOT text, sessions and what nobody knows."""
     try:
         wanted = format_of(path)
     except FormatError:
-        return _of_mot(path)
-    if wanted.read is None or wanted.name.startswith("mot"):
-        return _of_mot(path)
+        return None
+    return None if wanted.name.startswith("mot") else wanted
+
+
+def _of_file(path: Path, wanted: TrackFormat) -> Tracks:
+    """The tracks of a file of another tool."""
+    if wanted.read is None:
+        raise FormatError(f"{path} is {wanted.title}, which is not read here; export it anew")
     found = wanted.read(path, Filmed())
     if found.bad_count:
         first = found.bad_rows[0]

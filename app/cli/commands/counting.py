@@ -28,7 +28,7 @@ def count(
     json: options.Json = False,
 ) -> None:
     """Count people: passages over lines and people inside regions, in steps of time."""
-    from app.cli.count import how_of, places_named, run_count
+    from app.cli.count import count_settings, places_named, run_count
 
-    how = how_of(step, floor.jitter, picture.jitter_px)
-    run_count(session, places_named(floor, picture), how, run, csv, as_json=json)
+    settings = count_settings(step, floor.jitter, picture.jitter_px)
+    run_count(session, places_named(floor, picture), settings, run, csv, as_json=json)

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import json
+from contextlib import closing
 from pathlib import Path
 
 import pytest
 from command_line import Trackwright
+
+from tracking.editing import plan_lines
+from tracking.session import Session
+from tracking.tracks import CountingLine
 
 
 def _rows(track: int, frames: range, left: float = 10.0, conf: float = 1) -> str:
@@ -182,6 +187,23 @@ def test_passages_over_a_line_are_compared_with_those_that_happened(
     assert (status, err.splitlines()[-1].count("frames a second")) == (1, 1)
 
 
+def test_lines_drawn_in_a_session_count_where_places_are_known(
+    trackwright: Trackwright, session: Path, tmp_path: Path
+) -> None:
+    with closing(Session.open(session)) as opened:
+        line = CountingLine("gate", (-20.0, 4.0), (20.0, 4.0))
+        opened.apply(plan_lines(opened.labels, [line]))
+        opened.save()
+    said = json.loads(trackwright("score", session, "--truth", session, "--json")[1])
+    gate = said["passages"]["gate"]
+    assert gate["happened"] == gate["found"] == gate["hit"]
+    boxes = tmp_path / "boxes.txt"
+    boxes.write_text("1,1,10,10,20,40,1,-1,-1,-1\n")
+    status, out, err = trackwright("score", boxes, "--truth", session, "--json")
+    assert (status, json.loads(out)["passages"]) == (0, {})
+    assert "no passages of boxes" in err
+
+
 def test_a_report_is_written_beside_what_is_printed(
     trackwright: Trackwright, challenge: tuple[Path, Path], tmp_path: Path
 ) -> None:
@@ -214,6 +236,20 @@ def test_switches_are_shown_from_the_sessions_recording(
     switches = json.loads(out)["results"]["broken"]["id_switches"]
     assert page.count("<figure>") >= switches > 0
     assert "the camera" in page
+
+
+def test_files_of_other_tools_are_scored_as_they_are(
+    trackwright: Trackwright, session: Path, tmp_path: Path
+) -> None:
+    for name, ending in (("cvat", "xml"), ("pedpy-h5", "h5"), ("csv", "csv")):
+        out = tmp_path / f"elsewhere.{ending}"
+        assert trackwright("export", session, "-o", out, "--format", name)[0] == 0
+        words = ["score", out, "--truth", session, "--json", "--match", "floor"]
+        if name == "cvat":
+            words = words[:-2]
+        said = json.loads(trackwright(*words)[1])
+        assert (said["misses"], said["false_positives"], said["id_switches"]) == (0, 0, 0)
+        assert said["matches"] > 0
 
 
 def test_an_empty_side_is_told_in_a_line(
