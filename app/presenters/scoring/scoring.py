@@ -134,16 +134,25 @@ class ScoringPresenter:
         source = self.source
         if source is None or not self._document.tracks.ids:
             return None
+        version = version_of(self._document, self.whose)
         frames = self._frames
+        if self._document.is_live and self.whose == SHOWN:
+            frames = self._whole_seconds(frames)
         visible = max(self.visible[0], frames[0]), min(self.visible[1], frames[1])
         return ScoreSubject(
             source=source,
             whose=self.whose,
-            version=version_of(self._document, self.whose),
+            version=version,
             matching=self.choice.matching,
             frames=frames,
             visible=visible if visible[0] < visible[1] else frames,
         )
+
+    def _whole_seconds(self, frames: Range) -> Range:
+        """What a tracker at work has been through, told anew once for each second of it."""
+        fps = self._document.recording.fps
+        seconds = int((frames[1] - frames[0]) / fps)
+        return frames[0], frames[0] + max(1, round(seconds * fps))
 
     def held(self, subject: ScoreSubject) -> Held:
         """Takes hold of what scoring a subject needs."""

@@ -78,15 +78,19 @@ class Scoring(QObject):
     def draw(self, instant: Instant, pictured: Pictured, eyes: str) -> None:
         """Show an instant; what is missing for it is scored."""
         self._on = pictured.score or pictured.truth
-        subject = self.presenter.wanted() if self._on else None
-        if subject is not None:
-            self._search.ask(subject)
-        doing = tr("Scoring...") if self._search.busy and subject is not None else ""
+        doing = tr("Scoring...") if self._ask() and self._search.busy else ""
         self._workspace.score.show_scene(self.presenter.scene(doing) if pictured.score else None)
         if self._on:
             self._draw_truth(instant, pictured, eyes)
         else:
             self._show_nothing()
+
+    def _ask(self) -> bool:
+        """Have scored what is wanted; whether there is anything to be."""
+        subject = self.presenter.wanted() if self._on else None
+        if subject is not None:
+            self._search.ask(subject)
+        return subject is not None
 
     def _draw_truth(self, instant: Instant, pictured: Pictured, eyes: str) -> None:
         view, people = self._workspace, self.presenter.people
@@ -181,5 +185,4 @@ class Scoring(QObject):
         """The timeline shows other frames."""
         first = int(axis.start)
         self.presenter.visible = (first, max(first + 1, round(axis.start + axis.frames)))
-        if self._on:
-            self.changed.emit()
+        self._ask()

@@ -1,7 +1,7 @@
 import logging
 
 from app.presenters.explaining import explain
-from tracking.errors import SessionError
+from tracking.errors import FormatError, SessionError
 
 
 def test_errors_raised_on_purpose_speak_for_themselves():
@@ -19,3 +19,9 @@ def test_a_bug_is_logged_with_where_it_came_from_and_told_as_one(caplog):
     assert said.startswith("A bug in trackwright: KeyError: 'frame'.")
     assert "safe on disk" in said
     assert caplog.records[0].exc_info[0] is KeyError
+
+
+def test_options_of_the_command_line_are_left_out():
+    error = FormatError("the truth has no boxes; match by floor distance (--match floor)")
+    assert explain(error) == "the truth has no boxes; match by floor distance"
+    assert explain(FormatError("name one with --format: mot, csv")) == "name one: mot, csv"

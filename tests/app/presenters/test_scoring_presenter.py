@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from two_people import steps
 
 from app.presenters.document.document import Document
 from app.presenters.scenes import Eye
@@ -168,3 +169,21 @@ def test_lanes_stay_the_same_while_the_errors_do(presenter):
     assert presenter.lanes() is before
     for lane in before.lanes:
         assert int(lane.density.sum()) == lane.count
+
+
+def test_while_a_tracker_is_at_work_whole_seconds_of_it_are_scored(presenter, document):
+    document.begin_live()
+    document.take_live(steps()[:30])
+    scored = score_now(presenter)
+    fps = document.recording.fps
+    assert scored.subject.frames == (0, int(int(30 / fps) * fps))
+    assert scored.whole.frames == scored.subject.frames[1]
+    before = presenter.wanted()
+    document.take_live(steps()[30:31])
+    assert presenter.wanted() == before
+    document.end_live()
+    assert presenter.wanted().frames == document.tracks.frames
+
+
+def test_without_tracks_there_is_nothing_to_score(document):
+    assert ScoringPresenter(Document(document.recording)).wanted() is None
