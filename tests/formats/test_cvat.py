@@ -202,7 +202,7 @@ BOMBS = [
     '<!DOCTYPE a SYSTEM "file:///etc/passwd"><annotations/>',
     "<annotations>" + "<a>" * 100_000,
     "<annotations>" + "a" * 200_000 + "</annotations>",
-    '<annotations><track id="1" label="' + "a" * 200_000 + '"/></annotations>',
+    '<annotations><track id="1" label="' + "a" * 2_000_000 + '"/></annotations>',
     "<annotations><" + "a" * 3_000_000,
     "<annotations><track>",
     "<annotations>&undefined;</annotations>",

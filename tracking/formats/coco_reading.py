@@ -58,8 +58,8 @@ class _File:
         self._tracks: dict[int, dict[str, Any]] = {}
         self._fps: float | None = None
         self._size_px: tuple[int, int] | None = None
-        self._whole = {name: array("q") for name in ("at", "image", "track", "kind")}
-        self._numbers = {name: array("d") for name in (*BOX, "confidence")}
+        self._whole = array("q")  # of each annotation: which it is, its image, track and kind
+        self._boxes, self._confidence = array("d"), array("d")
         self._untracked = 0
 
     def take(self, member: str, at: int, value: Any) -> None:
@@ -113,39 +113,41 @@ class _File:
             self._kinds[number] = str(category.get("name", ""))
 
     def _take_annotations(self, at: int, row: Mapping[str, Any]) -> None:
-        track = _whole(row.get("track_id", row.get("instance_id")))
-        image, box = _whole(row.get("image_id")), row.get("bbox")
-        self._untracked += "track_id" not in row and "instance_id" not in row
+        said = row.get("track_id")
+        if said is None:
+            said = row.get("instance_id")
+            self._untracked += said is None
+        track, image, box = _whole(said), _whole(row.get("image_id")), row.get("bbox")
         if track is None or image is None:
             self._reading.bad(f"annotations[{at}]", "its track_id or image_id is no whole number")
             return
-        if not (isinstance(box, list) and len(box) == 4 and all(map(_is_number, box))):
+        numbers = _numbers_of(box)
+        if numbers is None:
             self._reading.bad(f"annotations[{at}]", "its bbox is not four numbers")
             return
         kind = _whole(row.get("category_id"))
-        whole = (at, image, track, -1 if kind is None else kind)
-        for integers, number in zip(self._whole.values(), whole, strict=True):
-            integers.append(number)
-        numbers = (*box, _confidence_of(row))
-        for floats, value in zip(self._numbers.values(), numbers, strict=True):
-            floats.append(value)
+        self._whole.extend((at, image, track, -1 if kind is None else kind))
+        self._boxes.extend(numbers)
+        self._confidence.append(_confidence_of(row))
 
     def imported(self) -> Imported:
         """The tracks."""
         self._check()
-        whole = {name: np.array(column, np.int64) for name, column in self._whole.items()}
-        frame = np.array([self._images.get(image, -1) for image in self._whole["image"]], np.int64)
+        at, image, track, kind = np.array(self._whole, np.int64).reshape(-1, 4).T
+        frame = np.array([self._images.get(number, -1) for number in image.tolist()], np.int64)
         known = frame >= 0
         for row in np.flatnonzero(~known).tolist():
             what = "has no image of the file" if self._images else "is of a file without images"
-            self._reading.bad(f"annotations[{self._whole['at'][row]}]", what)
+            self._reading.bad(f"annotations[{at[row]}]", what)
+        boxes = np.array(self._boxes).reshape(-1, len(BOX))[known]
         rows: dict[str, NDArray[Any]] = {
             "frame": frame[known],
-            "track": self._reading.ids_from_zero(whole["track"][known]),
-            **{name: np.array(column)[known] for name, column in self._numbers.items()},
+            "track": self._reading.ids_from_zero(track[known]),
+            **dict(zip(BOX, boxes.T, strict=True)),
+            "confidence": np.array(self._confidence)[known],
         }
-        places = whole["at"][known]
-        labels = self._labels(whole["track"][known], rows["track"], whole["kind"][known])
+        places = at[known]
+        labels = self._labels(track[known], rows["track"], kind[known])
         return self._reading.imported(
             rows,
             lambda row: f"annotations[{places[row]}]",
@@ -166,7 +168,7 @@ class _File:
             raise FormatError(
                 f"{path} holds tracks of {len(self._videos)} videos; keep those of one of them"
             )
-        if self._untracked and not self._whole["at"]:
+        if self._untracked and not self._whole:
             raise FormatError(f"{path} holds detections without track_id, no tracks; track first")
 
     def _labels(
@@ -215,14 +217,20 @@ def _size_of(known: Mapping[str, Any]) -> tuple[int, int] | None:
 
 def _whole(value: Any) -> int | None:
     """A whole number that fits; None for everything else."""
-    if isinstance(value, float) and value.is_integer():
+    if type(value) is float and value.is_integer():
         value = int(value)
-    if isinstance(value, bool) or not isinstance(value, int):
-        return None
-    return value if abs(value) <= LARGEST_NUMBER else None
+    return value if type(value) is int and abs(value) <= LARGEST_NUMBER else None
 
 
 def _is_number(value: Any) -> bool:
-    if isinstance(value, int) and not isinstance(value, bool):
-        return abs(value) < _LARGEST
-    return isinstance(value, float)
+    return type(value) is float or (type(value) is int and abs(value) < _LARGEST)
+
+
+def _numbers_of(box: Any) -> array[float] | None:
+    """Four numbers; None for everything else."""
+    if type(box) is not list or len(box) != len(BOX):
+        return None
+    try:
+        return array("d", box)
+    except (TypeError, OverflowError):
+        return None

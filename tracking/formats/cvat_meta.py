@@ -25,7 +25,7 @@ class Meta:
 
     def end(self, inside: Sequence[str], name: str, text: str) -> None:
         """An element ended inside others."""
-        parent = inside[-1] if inside else ""
+        parent, text = inside[-1] if inside else "", text.strip()
         if name == "task":
             self.tasks += 1
         elif parent in ("task", "job"):

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from pathlib import Path
-
-import numpy as np
 
 from tracking.errors import FormatError
 from tracking.formats.cvat_meta import Meta
@@ -19,7 +18,7 @@ MEMBER = "annotations.xml"
 _START = re.compile(
     rb"(\xef\xbb\xbf)?\s*(<\?xml[^>]*\?>\s*)?(<!--.*?-->\s*)*<annotations[\s>]", re.S
 )
-_WHOLE = re.compile(r"\d{1,18}")
+_MOST_DIGITS = 18
 _OTHER_SHAPES = frozenset(
     {"polygon", "polyline", "points", "cuboid", "ellipse", "mask", "skeleton"}
 )
@@ -76,7 +75,7 @@ class _File:
         if self._track is None:
             self.meta.end(self._open, name, text)
         elif name == "attribute":
-            self._track.attributes.setdefault(self._attribute, text)
+            self._track.attributes.setdefault(self._attribute, text.strip())
         elif name == "track":
             self.tracks.add(self._track)
             self._track = None
@@ -101,27 +100,27 @@ class _File:
             self._reading.bad(f"line {line}", reason)
 
 
-def _row(track: CvatTrack, attributes: Mapping[str, str], line: int) -> str:
+def _row(track: CvatTrack, said: Mapping[str, str], line: int) -> str:
     """Add a box to its track; says why it cannot be meant where it cannot."""
-    frame = attributes.get("frame", "").strip()
-    if not _WHOLE.fullmatch(frame):
+    frame = said.get("frame", "")
+    if not (frame.isascii() and frame.isdigit() and len(frame) < _MOST_DIGITS):
         return f"the frame {frame[:20]!r} is not a whole number from 0 on"
     if int(frame) >= MAX_FRAME:
         return f"the frame number is not one of {MAX_FRAME} frames"
     try:
-        sides = [float(attributes[name]) for name in BOX_NUMBERS]
-        turned = float(attributes.get("rotation", 0.0))
+        sides = (
+            float(said["xtl"]),
+            float(said["ytl"]),
+            float(said["xbr"]),
+            float(said["ybr"]),
+        )
+        turned = float(said["rotation"]) % 360 if "rotation" in said else 0.0
     except (KeyError, ValueError):
         return f"{', '.join(BOX_NUMBERS)} are not four numbers"
-    if not np.isfinite(sides).all():
+    if not math.isfinite(sum(sides)):
         return "a value is not a finite number"
-    if turned % 360:
+    if turned:
         return f"the box is turned by {turned:g} degrees; boxes stand upright here"
-    track.rows(
-        (int(frame), line, *(attributes.get(name, unsaid) == "1" for name, unsaid in _FLAGS)), sides
-    )
+    outside, occluded = said.get("outside") == "1", said.get("occluded") == "1"
+    track.rows((int(frame), line, outside, occluded, said.get("keyframe", "1") == "1"), sides)
     return ""
-
-
-_FLAGS = (("outside", "0"), ("occluded", "0"), ("keyframe", "1"))
-"""With what holds where the box does not say it."""

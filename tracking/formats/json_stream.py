@@ -19,6 +19,9 @@ LONGEST_ELEMENT = 4 << 20
 
 _PIECE = 1 << 20
 _SPACE = " \t\r\n"
+_BETWEEN = "},"
+_SOME = 1000
+"""So many elements are read one by one where they could not be read together."""
 
 
 def elements_of(path: Path, wanted: Collection[str]) -> Iterator[tuple[str, int, Any]]:
@@ -50,6 +53,8 @@ class _Text:
         self._path, self._stream = path, stream
         self._held, self._at, self._before = "", 0, 0
         self._decoder = json.JSONDecoder(parse_constant=_unknown)
+        self._decode = self._decoder.decode
+        self._one_by_one = 0
 
     def members(self, wanted: Collection[str]) -> Iterator[tuple[str, int, Any]]:
         """See `elements_of`."""
@@ -78,10 +83,30 @@ class _Text:
             return
         at = 0
         while True:
-            yield at, self._value()
-            at += 1
+            for value in self._values():
+                yield at, value
+                at += 1
             if self._take(",", "]") == "]":
                 return
+
+    def _values(self) -> list[Any]:
+        """The next elements of an array, many at once where they are objects of a usual length.
+
+        What is held is cut behind the last object in it that a comma follows. Where that comma is
+        not the array's own, there is no JSON before it: then elements are read one by one.
+        """
+        self._sign()
+        cut = self._held.rfind(_BETWEEN, self._at)
+        if self._one_by_one or cut < 0:
+            self._one_by_one -= self._one_by_one > 0
+            return [self._value()]
+        try:
+            values: list[Any] = self._decode(f"[{self._held[self._at : cut + 1]}]")
+        except (ValueError, RecursionError):
+            self._one_by_one = _SOME
+            return [self._value()]
+        self._at = cut + 1
+        return values
 
     def _sign(self) -> str:
         """The next character that is no space; "" at the end."""

@@ -8,25 +8,26 @@ from __future__ import annotations
 
 import zipfile
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import IO, Protocol
+from xml.parsers.expat import XMLParserType
 from xml.sax import SAXException, SAXParseException
 from xml.sax.handler import ContentHandler
-from xml.sax.xmlreader import AttributesImpl
 
 from defusedxml import DefusedXmlException
-from defusedxml.sax import make_parser
+from defusedxml.expatreader import DefusedExpatParser
 
 from tracking.errors import FormatError
 
 MOST_BYTES = 4 << 30
 _PIECE = 1 << 18
 _DEEPEST = 32
-_MOST_ATTRIBUTES = 64
 _LONGEST = 1 << 16
-"""Characters of one element's text, and of its attributes together."""
+"""Characters of one element's text."""
+_LONGEST_ELEMENT = 1 << 19
+"""Bytes of one element's name and attributes."""
 ZIP = b"PK\x03\x04"
 
 
@@ -37,7 +38,7 @@ class Elements(Protocol):
         """An element begins, on that line of the file."""
 
     def end(self, name: str, text: str) -> None:
-        """An element ends; text: what stood in it directly."""
+        """An element ends; text: what stood in it, if no other element did."""
 
 
 def parse(path: Path, elements: Elements, member: str) -> None:
@@ -50,9 +51,7 @@ def parse(path: Path, elements: Elements, member: str) -> None:
     Raises FormatError where the file is missing, too large, no XML, or holds what is not taken;
     what `elements` raises is passed on.
     """
-    parser = make_parser()
-    parser.forbid_dtd = True
-    parser.setContentHandler(_Handler(path, elements, lambda: int(parser.getLineNumber() or 0)))
+    parser = _Parser(path, elements)
     try:
         with _opened(path, member) as stream:
             read = 0
@@ -63,6 +62,7 @@ def parse(path: Path, elements: Elements, member: str) -> None:
                         f"{path} is larger than {MOST_BYTES >> 30} GB; split it first"
                     )
                 parser.feed(piece)
+                parser.check_waiting(read)
             if not read:
                 raise FormatError(f"{path} is empty; export it again")
             parser.close()
@@ -91,38 +91,64 @@ def _opened(path: Path, member: str) -> AbstractContextManager[IO[bytes]]:
         ) from error
 
 
-class _Handler(ContentHandler):
-    def __init__(self, path: Path, elements: Elements, line: Callable[[], int]) -> None:
-        super().__init__()
-        self._path, self._elements, self._line = path, elements, line
-        self._texts: list[list[str]] = []
-        self._length = 0
+class _Text(ContentHandler):
+    """The text that stands in the innermost element."""
 
-    def startElement(self, name: str, attrs: AttributesImpl[str]) -> None:  # noqa: N802
-        """See the base."""
-        if len(self._texts) >= _DEEPEST:
-            raise self._refused("elements are nested deeper than any of these files'")
-        self._texts.append([])
+    def __init__(self) -> None:
+        super().__init__()
+        self._pieces: list[str] = []
         self._length = 0
-        attributes = dict(attrs.items())
-        size = sum(map(len, attributes.values()))
-        if len(attributes) > _MOST_ATTRIBUTES or size > _LONGEST or len(name) > _LONGEST:
-            raise self._refused("an element has more attributes than any of these files'")
-        self._elements.start(name, attributes, self._line())
 
     def characters(self, content: str) -> None:
         """See the base."""
-        if not self._texts:
-            return
         self._length += len(content)
-        if self._length > _LONGEST:
-            raise self._refused("an element has more text than any of these files'")
-        self._texts[-1].append(content)
+        if self._length <= _LONGEST:
+            self._pieces.append(content)
 
-    def endElement(self, name: str) -> None:  # noqa: N802
-        """See the base."""
+    def taken(self) -> str | None:
+        """The text since the last call; None where it was too long."""
+        text = "".join(self._pieces) if self._length <= _LONGEST else None
+        self._pieces.clear()
         self._length = 0
-        self._elements.end(name, "".join(self._texts.pop()).strip())
+        return text
+
+
+class _Parser(DefusedExpatParser):
+    """Hands elements on as they come; what they hold is gone when they end."""
+
+    _parser: XMLParserType
+
+    def __init__(self, path: Path, elements: Elements) -> None:
+        super().__init__(forbid_dtd=True)
+        self._path, self._elements = path, elements
+        self._text = _Text()
+        self._depth = 0
+        self.setContentHandler(self._text)
+
+    def start_element(self, name: str, attrs: Mapping[str, str]) -> None:
+        """See the base."""
+        self._depth += 1
+        if self._depth > _DEEPEST:
+            raise self._refused("elements are nested deeper than any of these files'")
+        self._text.taken()
+        self._elements.start(name, attrs, self._parser.CurrentLineNumber)
+
+    def end_element(self, name: str) -> None:
+        """See the base."""
+        self._depth -= 1
+        self._elements.end(name, self._take_text())
+
+    def check_waiting(self, read: int) -> None:
+        """Refuse an element that is longer than any, before all of it is in memory."""
+        if read - self._parser.CurrentByteIndex > _LONGEST_ELEMENT + _PIECE:
+            raise self._refused("an element has more attributes than any of these files'")
+
+    def _take_text(self) -> str:
+        text = self._text.taken()
+        if text is None:
+            raise self._refused("an element has more text than any of these files'")
+        return text
 
     def _refused(self, reason: str) -> FormatError:
-        return FormatError(f"{self._path}, line {self._line()}: {reason}; export it again")
+        line = self._parser.CurrentLineNumber
+        return FormatError(f"{self._path}, line {line}: {reason}; export it again")
