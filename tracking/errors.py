@@ -6,9 +6,25 @@ library below raises is converted at the boundary where it is called.
 
 from __future__ import annotations
 
+from typing import Self
+
 
 class TrackwrightError(Exception):
-    """Root of all errors a user can do something about."""
+    """Root of all errors a user can do something about.
+
+    Attributes:
+        reason: what is wrong, and where.
+        to_do: what to do about it, for whoever knows another way; "" where the reason says it all.
+    """
+
+    def __init__(self, reason: str = "", to_do: str = "") -> None:
+        """The message is the reason, then what to do."""
+        super().__init__(f"{reason}; {to_do}" if to_do else reason)
+        self.reason, self.to_do = reason, to_do
+
+    def advising(self, to_do: str) -> Self:
+        """The same error with something else to do about it."""
+        return type(self)(self.reason, to_do)
 
 
 class RecordingError(TrackwrightError):

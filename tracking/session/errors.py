@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tracking.errors import SessionError
 
-NAME_ITS_PLACE = "; name its place (--recording PATH)"
+NAME_ITS_PLACE = "name its place (--recording PATH)"
 """What can be done about a missing recording on the command line."""
 
 
@@ -13,8 +13,3 @@ class RecordingMissing(SessionError):  # noqa: N818 - reads as what it is, where
 
     The session itself is whole: tracks, labels and edits are there, only pictures are not.
     """
-
-    @property
-    def reason(self) -> str:
-        """Why, without what can be typed about it, for whoever offers another way."""
-        return str(self).removesuffix(NAME_ITS_PLACE)

@@ -76,7 +76,7 @@ def find_recording(
             recording.close()
             failures.append(f"what stands at {place} is another one")
         problems += failures
-    raise RecordingMissing(_missing(reference, problems))
+    raise RecordingMissing(_missing(reference, problems), NAME_ITS_PLACE)
 
 
 def _places(
@@ -204,7 +204,7 @@ def _missing(reference: RecordingReference, problems: Sequence[str]) -> str:
     else:
         was = f"is at {reference.path}, outside the session's folder, and is not opened unasked"
         problem = f"; {problems[0]}" if problems else ""
-    return f'recording "{reference.name}" {was}{problem}{NAME_ITS_PLACE}'
+    return f'recording "{reference.name}" {was}{problem}'
 
 
 def _name(reference: RecordingReference) -> str:
