@@ -10,7 +10,7 @@ from walks import crowd, together, walk, walk_at
 
 from tracking.counting import (
     CountingLine,
-    How,
+    CountSettings,
     Paths,
     Region,
     Steps,
@@ -145,7 +145,7 @@ def test_a_step_shorter_than_a_frame_is_refused(step_s: float) -> None:
 @given(st.integers(0, 30), st.sampled_from([0.1, 0.25, 0.5, 0.7, 3.0]))
 def test_the_steps_of_a_line_sum_to_its_passages(seed: int, step_s: float) -> None:
     lines = [CountingLine("a", (0, -3), (0, 3)), CountingLine("b", (-3, 0.5), (3, 0))]
-    found = count(crowd(seed), 10.0, 130, lines, how=How(step_s))
+    found = count(crowd(seed), 10.0, 130, lines, settings=CountSettings(step_s))
     for number, of_line in enumerate(found.lines):
         assert of_line.totals == found.passages.of_line(number).totals
         assert len(of_line.forward) == len(found.steps)

@@ -1,7 +1,14 @@
 """Counting people: passages over lines, people inside regions, density and speed in time."""
 
 from tracking.counting.comparison import LATEST_S, Hits, compare_passages
-from tracking.counting.counts import Counts, How, LineCount, check_countable, count
+from tracking.counting.counts import (
+    Counts,
+    CountSettings,
+    LineCount,
+    NotOnFloorError,
+    check_countable,
+    count,
+)
 from tracking.counting.flow_map import CELL_M, FlowMap, flow_map
 from tracking.counting.occupancy import Occupancy, density_of, occupancy
 from tracking.counting.passages import Passages, passages, passages_of_line
@@ -18,12 +25,13 @@ __all__ = [
     "LATEST_S",
     "PAPER_STEP_S",
     "WINDOW_S",
+    "CountSettings",
     "CountingLine",
     "Counts",
     "FlowMap",
     "Hits",
-    "How",
     "LineCount",
+    "NotOnFloorError",
     "Occupancy",
     "Passages",
     "Paths",

@@ -13,21 +13,31 @@ from tracking.counting.passages import Passages, passages
 from tracking.counting.paths import Integers
 from tracking.counting.steps import PAPER_STEP_S, Steps
 from tracking.errors import CountingError
+from tracking.setting import setting
 from tracking.tracks.labels import CountingLine, Region
 
 
 @dataclass(frozen=True, slots=True)
-class How:
-    """How people are counted.
+class CountSettings:
+    """How people are counted; see `passages` for the jitter."""
 
-    Attributes:
-        step_s: length of a step.
-        jitter_m, jitter_px: see `passages`.
-    """
+    step_s: float = setting(PAPER_STEP_S, "s", (0.001, 3600.0), "How long a step of time is.")
+    jitter_m: float = setting(
+        0.0,
+        "m",
+        (0.0, 5.0),
+        "Passing to and fro within this distance of a line on the floor is no passage.",
+    )
+    jitter_px: float = setting(
+        0.0,
+        "px",
+        (0.0, 500.0),
+        "Passing to and fro within this distance of a line in the picture is no passage.",
+    )
 
-    step_s: float = PAPER_STEP_S
-    jitter_m: float = 0.0
-    jitter_px: float = 0.0
+
+class NotOnFloorError(CountingError):
+    """What is to be counted lies on the floor, and nobody knows where people are there."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,13 +64,13 @@ class Counts:
     """What was counted.
 
     Attributes:
-        steps: how time is cut. how: in which way it was counted.
+        steps: how time is cut. settings: in which way it was counted.
         lines, regions: in the order they were asked for.
         passages: each of them; `line` is the number in lines.
     """
 
     steps: Steps
-    how: How
+    settings: CountSettings
     lines: tuple[LineCount, ...]
     regions: tuple[Occupancy, ...]
     passages: Passages
@@ -72,7 +82,7 @@ def count(
     frame_count: int,
     lines: Sequence[CountingLine] = (),
     regions: Sequence[Region] = (),
-    how: How | None = None,
+    settings: CountSettings | None = None,
 ) -> Counts:
     """Passages over lines and people inside regions, of any tracker's or corrected tracks.
 
@@ -83,17 +93,17 @@ def count(
     Raises:
         CountingError: see `check_countable`, `passages` and `occupancy`.
     """
-    how = how if how is not None else How()
+    settings = settings if settings is not None else CountSettings()
     check_countable(columns, lines, regions)
     frames = np.asarray(columns["frame"])
     stop = max(frame_count, int(frames.max(initial=-1)) + 1)
-    steps = Steps.of(stop, fps, how.step_s)
-    found = passages(columns, fps, lines, jitter_m=how.jitter_m, jitter_px=how.jitter_px)
+    steps = Steps.of(stop, fps, settings.step_s)
+    found = passages(columns, fps, lines, jitter_m=settings.jitter_m, jitter_px=settings.jitter_px)
     of_lines = tuple(
         _by_step(line, found.of_line(number), steps) for number, line in enumerate(lines)
     )
-    of_regions = occupancy(columns, fps, regions, stop, step_s=how.step_s)
-    return Counts(steps, how, of_lines, of_regions, found)
+    of_regions = occupancy(columns, fps, regions, stop, step_s=settings.step_s)
+    return Counts(steps, settings, of_lines, of_regions, found)
 
 
 def check_countable(
@@ -101,16 +111,16 @@ def check_countable(
 ) -> None:
     """Refuse to count on the floor people of whom no place on the floor is known.
 
-    Raises CountingError, which names what was drawn there.
+    Raises NotOnFloorError, which names what was drawn there.
     """
     drawn: tuple[CountingLine | Region, ...] = (*lines, *regions)
     on_floor = [item.name for item in drawn if not item.in_picture]
     if not on_floor or not len(np.asarray(columns["frame"])):
         return
     if "x" not in columns or not np.isfinite(np.asarray(columns["x"], np.float64)).any():
-        raise CountingError(
-            f"{on_floor[0]!r} lies on the floor, where these tracks have no places: name the "
-            "recording's calibration and track again, or draw it in the picture"
+        raise NotOnFloorError(
+            f"{on_floor[0]!r} lies on the floor, where these tracks have no places",
+            "name the recording's calibration and track again, or draw it in the picture",
         )
 
 

@@ -1,6 +1,7 @@
 """The published trackers, a module each, behind one protocol."""
 
 from tracking.people.observation import Observation, Overlays
+from tracking.settings import SettingField, settings_fields, settings_from, settings_values
 from tracking.trackers.catalogue import (
     TRACKERS,
     TrackerSpec,
@@ -14,7 +15,6 @@ from tracking.trackers.catalogue import (
 from tracking.trackers.occluders import occluders_as_setting
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
 from tracking.trackers.resuming import Resume
-from tracking.trackers.settings import SettingField, settings_fields, settings_from, settings_values
 from tracking.trackers.smoothing import smoothed
 
 __all__ = [

@@ -10,11 +10,11 @@ from typing import Any
 from tracking.errors import CalibrationError, RecordingError, SettingsError
 from tracking.geometry import View
 from tracking.recording import Recording
+from tracking.settings import settings_from_text, settings_values
 from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.flow import FlowSettings, build_flow
 from tracking.trackers.flow import finished as flow_finished
 from tracking.trackers.protocol import Perception, Tracker
-from tracking.trackers.settings import settings_from_text, settings_values
 from tracking.trackers.smoothing import smoothed
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
 from tracking.trackers.three_part import (

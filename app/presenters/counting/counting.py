@@ -22,7 +22,7 @@ from app.presenters.document.setting import Instant
 from app.presenters.explaining import explain
 from app.presenters.labelling.labelling_scene import LINE_COLOUR, REGION_COLOUR, Tool
 from app.presenters.words import tr
-from tracking.counting import PAPER_STEP_S, How, Occupancy, density_of
+from tracking.counting import PAPER_STEP_S, CountSettings, Occupancy, density_of
 from tracking.tracks import Columns, CountingLine, Labels, Region, between
 
 
@@ -31,12 +31,12 @@ class CountingChoice:
     """What the user has chosen.
 
     Attributes:
-        whose: `SHOWN` or a run's number. how: the way of counting.
+        whose: `SHOWN` or a run's number. settings: how it is counted.
         picked: the name of what is plotted, and whether it is a line; None: the first there is.
     """
 
     whose: int = SHOWN
-    how: How = field(default_factory=How)
+    settings: CountSettings = field(default_factory=CountSettings)
     picked: tuple[bool, str] | None = None
 
 
@@ -46,7 +46,7 @@ class CountingPresenter:
     def __init__(self, document: Document) -> None:
         self._document = document
         shortest_s = least_step_s(document.recording.fps)
-        self.choice = CountingChoice(how=How(step_s=max(PAPER_STEP_S, shortest_s)))
+        self.choice = CountingChoice(settings=CountSettings(max(PAPER_STEP_S, shortest_s)))
         self.counted: Counted | None = None
         self._refused: tuple[Subject, str] | None = None
         self._tallies: Tallies | None = None
@@ -67,7 +67,7 @@ class CountingPresenter:
         mapped = mapped and self._document.recording.view is not None
         whose = self.whose
         version = version_of(self._document, whose)
-        return Subject(whose, version, labels.lines, labels.regions, choice.how, mapped)
+        return Subject(whose, version, labels.lines, labels.regions, choice.settings, mapped)
 
     @property
     def whose(self) -> int:
@@ -126,10 +126,10 @@ class CountingPresenter:
             picked=picked,
             tracks=self._whose(),
             whose=self.whose + 1,
-            step_s=choice.how.step_s,
+            step_s=choice.settings.step_s,
             least_step_s=least_step_s(document.recording.fps),
-            jitter_m=choice.how.jitter_m,
-            jitter_px=choice.how.jitter_px,
+            jitter_m=choice.settings.jitter_m,
+            jitter_px=choice.settings.jitter_px,
             jitters=self._jitters,
             plots=self._plots_of(rows, picked),
             counts=self._shown.counts if self._shown is not None else None,

@@ -10,8 +10,8 @@ from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
 from tracking.counting import (
     CountingLine,
     Counts,
+    CountSettings,
     FlowMap,
-    How,
     Occupancy,
     Region,
     check_countable,
@@ -36,7 +36,7 @@ class Subject:
 
     Attributes:
         whose: `SHOWN` or a run's number. version: tells these tracks from others.
-        lines, regions: in the order of the labels. how: see `How`.
+        lines, regions: in the order of the labels. settings: see `CountSettings`.
         mapped: the flow map is asked for, too.
     """
 
@@ -44,7 +44,7 @@ class Subject:
     version: Version
     lines: tuple[CountingLine, ...]
     regions: tuple[Region, ...]
-    how: How
+    settings: CountSettings
     mapped: bool = False
 
     @property
@@ -142,7 +142,7 @@ def worked_out(
     without = {one for one, _ in left_out}
     lines = [line for line in subject.lines if line not in without]
     regions = [region for region in subject.regions if region not in without]
-    counts = count(columns, fps, length.frame_count, lines, regions, subject.how)
+    counts = count(columns, fps, length.frame_count, lines, regions, subject.settings)
     report(2, 3)
     flow = flow_map(columns, fps, length.frames, bounds=bounds) if subject.mapped else None
     return Counted(subject, counts, flow, left_out)

@@ -113,15 +113,17 @@ class Counting(QObject):
         self.changed.emit()
 
     def _choose_step(self, step_s: float) -> None:
-        self.presenter.choice.how = replace(self.presenter.choice.how, step_s=step_s)
-        self.changed.emit()
+        self._settle(step_s=step_s)
 
     def _choose_jitter(self, jitter_m: float) -> None:
-        self.presenter.choice.how = replace(self.presenter.choice.how, jitter_m=jitter_m)
-        self.changed.emit()
+        self._settle(jitter_m=jitter_m)
 
     def _choose_jitter_px(self, jitter_px: float) -> None:
-        self.presenter.choice.how = replace(self.presenter.choice.how, jitter_px=jitter_px)
+        self._settle(jitter_px=jitter_px)
+
+    def _settle(self, **values: float) -> None:
+        """Count in another way from now on."""
+        self.presenter.choice.settings = replace(self.presenter.choice.settings, **values)
         self.changed.emit()
 
     def _tell_copied(self, steps: int) -> None:

@@ -20,8 +20,11 @@ from app.views.counting.steps_table import StepsTable
 from app.views.counting.tally_list import TallyList
 from app.views.look.icons import IconButton
 from app.views.widgets.parts import Panel, quiet
+from tracking.counting import CountSettings
+from tracking.settings import settings_fields
 
-_LONGEST_STEP_S, _WIDEST_JITTER_M, _WIDEST_JITTER_PX = 3600.0, 5.0, 500.0
+_MOST = {field.name: field.range[1] for field in settings_fields(CountSettings) if field.range}
+"""The largest value of each setting."""
 
 
 class CountingPanel(Panel):
@@ -77,18 +80,18 @@ class CountingPanel(Panel):
         self._whose.setMinimumWidth(10 * self.fontMetrics().averageCharWidth())
         line.addWidget(self._whose, 1)
         self._step = self._number(
-            self.tr("Step"), self.tr("How long a step is"), _LONGEST_STEP_S, " s"
+            self.tr("Step"), self.tr("How long a step is"), _MOST["step_s"], " s"
         )
         self._jitter = self._number(
             self.tr("Jitter"),
             self.tr("Passing to and fro within this distance of a line on the floor is no passage"),
-            _WIDEST_JITTER_M,
+            _MOST["jitter_m"],
             " m",
         )
         self._jitter_px = self._number(
             self.tr("Jitter in the picture"),
             self.tr("Passing to and fro within this distance of a line in the picture is none"),
-            _WIDEST_JITTER_PX,
+            _MOST["jitter_px"],
             " px",
         )
         self._jitter_px.setDecimals(1)

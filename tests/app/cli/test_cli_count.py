@@ -162,12 +162,12 @@ def test_lines_in_the_picture_need_no_calibration(
         (["--line", "gate:0,4:0,inf"], "is no place"),
         (["--line", ":0,4:0,6"], "needs a name"),
         (["--line", GATE, "--line", GATE], "named twice"),
-        (["--line", GATE, "--picture-line", GATE], "named twice"),
+        (["--line", GATE, "--picture-line", GATE], "--picture-line: 'gate' is named twice"),
         (["--region", "hall:0,0:1,1"], "three or more corners"),
         (["--region", "hall:0,0:1,1:1,0:0,1"], "edges cross"),
-        (["--line", GATE, "--step", "0"], "0 is no length"),
-        (["--line", GATE, "--step", "nan"], "nan is no length"),
-        (["--line", GATE, "--jitter", "-1"], "-1 is no length"),
+        (["--line", GATE, "--step", "0"], "step_s=0.0: must be a number from 0.001 to 3600 s"),
+        (["--line", GATE, "--step", "nan"], "step_s=nan: must be a number"),
+        (["--line", GATE, "--jitter", "-1"], "jitter_m=-1.0: must be a number from 0 to 5 m"),
     ],
 )
 def test_what_cannot_be_meant_is_misuse(

@@ -167,9 +167,12 @@ def test_the_newest_of_several_changes_wins(window, counted, qtbot):
     for step_s in (0.25, 1.0, 2.0):
         panel.step_chosen.emit(step_s)
     panel.jitter_chosen.emit(0.1)
-    qtbot.waitUntil(lambda: desk.counting.counts.how.step_s == 2.0)
+    qtbot.waitUntil(lambda: desk.counting.counts.settings.step_s == 2.0)
     at_rest(desk, qtbot)
-    assert (desk.counting.counts.how.step_s, desk.counting.counts.how.jitter_m) == (2.0, 0.1)
+    assert (desk.counting.counts.settings.step_s, desk.counting.counts.settings.jitter_m) == (
+        2.0,
+        0.1,
+    )
     assert panel._step.value() == 2.0
 
 
@@ -262,7 +265,7 @@ def test_who_trembles_at_a_line_in_the_picture_is_left_out_by_choice(window, cou
     assert panel._jitter_px.isVisible()
     assert not panel._jitter.isVisible()
     panel._jitter_px.setValue(12.0)
-    qtbot.waitUntil(lambda: desk.counting.counts.how.jitter_px == 12.0)
+    qtbot.waitUntil(lambda: desk.counting.counts.settings.jitter_px == 12.0)
 
 
 def test_exporting_nothing_is_told(window, desk, qtbot):

@@ -1,6 +1,7 @@
-"""Settings of a tracker: told by their dataclass, read from text, checked at the door.
+"""Settings told by their dataclass, read from text, checked at the door.
 
-A tracker's settings are a frozen dataclass of `tracking.setting.setting` fields.
+The settings of a tracker, or of counting, are a frozen dataclass of `tracking.setting.setting`
+fields.
 A field may itself be such a dataclass (the settings of an earlier stage); its fields are then
 named with a dot, e.g. `people.least_height_m`. The form, the command line and the checks below
 all come from that one description.
