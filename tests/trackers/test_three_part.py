@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -257,3 +258,13 @@ def test_the_stages_of_a_step_are_timed():
     by.step(next(observations([walker()], 1)))
     assert set(by.stage_s) == {"filters", "failures", "births", "boxes"}
     assert all(spent_s > 0 for spent_s in by.stage_s.values())
+
+
+def test_a_camera_that_moved_is_told() -> None:
+    by = tracker(adjust=False)
+    for seen in observations([], 60):
+        assert by.notes == ()
+        pushed = (6, 10) if seen.frame > 20 else (0, 0)
+        by.step(replace(seen, picture=np.roll(seen.picture, pushed, axis=(0, 1))))
+    (line,) = by.notes
+    assert line.startswith("the camera moved at about frame 39: three-part needs a fixed one")

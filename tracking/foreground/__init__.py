@@ -1,6 +1,7 @@
-"""Foreground: the background learnt and subtracted, shadows removed."""
+"""Foreground: the background learnt and subtracted, shadows removed, the camera watched."""
 
 from tracking.foreground.background import BackgroundModel, Subtraction
+from tracking.foreground.camera_watch import CameraWatch
 from tracking.foreground.ramp import RampSettings, ramp
 from tracking.foreground.settings import ForegroundSettings
 from tracking.foreground.shade import ShadeColour
@@ -10,6 +11,7 @@ from tracking.foreground.shadow_weights import ShadowWeights
 __all__ = [
     "PERHAPS",
     "BackgroundModel",
+    "CameraWatch",
     "ForegroundSettings",
     "RampSettings",
     "ShadeColour",

@@ -7,7 +7,6 @@ import pytest
 from flow_scenes import SIZE, floor_picture
 from numpy.typing import NDArray
 
-from tracking.trackers.flow.camera_moves import CameraWatch
 from tracking.trackers.flow.following import PointFollower
 from tracking.trackers.flow.settings import PointSettings
 
@@ -78,29 +77,3 @@ def test_ids_are_ascending_and_never_given_out_again(follower: PointFollower) ->
 
 def test_a_picture_without_corners_has_no_points(follower: PointFollower) -> None:
     assert len(follower.step(np.full(SIZE[::-1], 90, np.uint8), None)) == 0
-
-
-def test_a_camera_that_was_moved_is_noticed_once() -> None:
-    watch = CameraWatch(fps=1.0)
-    shifts = [(0, 0)] * 4 + [(9, -12)] * 4
-    assert [watch.moved(grey(shift=shift)) for shift in shifts] == [False] * 4 + [True] + 3 * [
-        False
-    ]
-
-
-def test_a_camera_that_stands_still_in_changing_light_is_not_moved() -> None:
-    watch = CameraWatch(fps=1.0)
-    for number in range(8):
-        light = 1.0 - 0.03 * number
-        assert not watch.moved((grey() * light).astype(np.uint8))
-
-
-def test_something_that_crosses_half_the_picture_is_no_moved_camera() -> None:
-    watch = CameraWatch(fps=1.0)
-    other = grey(seed=5)
-    for number in range(8):
-        picture = grey().copy()
-        picture[:, 40 * number : 40 * number + 250] = np.roll(other, 40 * number, axis=1)[
-            :, 40 * number : 40 * number + 250
-        ]
-        assert not watch.moved(picture)

@@ -8,9 +8,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.foreground import CameraWatch
 from tracking.geometry import View
 from tracking.people import Observation
-from tracking.trackers.flow.camera_moves import CameraWatch
 from tracking.trackers.flow.clustered import ClusteredPeople
 from tracking.trackers.flow.floor import Floor
 from tracking.trackers.flow.following import PointFollower
@@ -55,8 +55,7 @@ class FlowTracker:
         self._people: HeldPeople | ClusteredPeople = kind(
             settings, table.scaled(box.bodies), self._floor
         )
-        self._watch = CameraWatch(fps)
-        self._moved: int | None = None
+        self._camera = CameraWatch(fps)
         self._time_s: float | None = None
 
     @property
@@ -67,11 +66,12 @@ class FlowTracker:
     @property
     def notes(self) -> tuple[str, ...]:
         """What the user should be told, a line each."""
-        if self._moved is None:
+        if self._camera.moved_at is None:
             return ()
         return (
-            f"frame {self._moved}: the camera was moved: places on the floor, and counts, are "
-            "wrong from there on; cut the recording there and measure height and tilt again",
+            f"frame {self._camera.moved_at}: the camera was moved: places on the floor, and "
+            "counts, are wrong from there on; cut the recording there and measure height and tilt "
+            "again",
         )
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
@@ -101,8 +101,7 @@ class FlowTracker:
         elapsed_s = 0.0 if self._time_s is None else observation.time_s - self._time_s
         self._time_s = observation.time_s
         grey = np.asarray(cv2.cvtColor(observation.picture, cv2.COLOR_BGR2GRAY), np.uint8)
-        if self._watch.moved(grey) and self._moved is None:
-            self._moved = observation.frame
+        self._camera.look(observation.frame, grey)
         mask = observation.mask
         seek = mask if self._settings.points.foreground_only else None
         tracklets = self._follower.step(grey, seek)

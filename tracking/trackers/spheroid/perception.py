@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.foreground import (
     BackgroundModel,
+    CameraWatch,
     ForegroundSettings,
     RampSettings,
     ShadowWeights,
@@ -20,7 +21,6 @@ from tracking.foreground import (
 from tracking.geometry import FlatView, View
 from tracking.people import Detections, Observation, Overlays
 from tracking.recording.frame import Image, StereoFrame
-from tracking.trackers.spheroid.steadiness import Steadiness
 
 Picture = NDArray[np.uint8]
 
@@ -78,7 +78,7 @@ class SpheroidPerception:
         ramp_settings: RampSettings | None = None,
     ) -> None:
         self.flat = FlatView(view, -(-view.camera.width // _WIDEST_PX))
-        self.steadiness = Steadiness(fps)
+        self.camera = CameraWatch(fps)
         self._background = BackgroundModel(fps, foreground)
         self._shadows = ShadowWeights()
         self._ramp = ramp_settings or RampSettings()
@@ -93,7 +93,7 @@ class SpheroidPerception:
         """What is seen in the frame. Frames come in order."""
         self._remember()
         seen = self._background.subtract(self._working(frame.left))
-        self.steadiness.look(frame.number, seen.picture)
+        self.camera.look(frame.number, seen.picture)
         weight = self._shadows.weigh(seen)
         flat = self.flat.flatten(self._weighed(seen, weight))
         self._last, self._told = seen, None

@@ -86,8 +86,8 @@ def sums_inside(windows: Sequence[Window], outlines: Ellipses) -> Inside:
     Args:
         windows: (people). outlines: (people, hypotheses).
     """
-    if 0 in outlines.shape:
-        return Inside(np.zeros(outlines.shape), np.zeros(outlines.shape))
+    if 0 in outlines.shape or not any(one.sums.size for one in windows):
+        return Inside(np.zeros(outlines.shape), np.zeros(outlines.shape))  # nobody is in sight
     flat = np.concatenate([one.sums.ravel() for one in windows])
     lines = _lines(windows, outlines)
     total = np.concatenate(

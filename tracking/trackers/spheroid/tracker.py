@@ -103,7 +103,6 @@ class SpheroidTracker:
         self._candidates = births.Candidates.none()
         self._last_id = 0
         self._time_s: float | None = None
-        self._first: int | None = None  # frame of the run
         self._next_look_s = self._next_ghosts_s = -np.inf
 
     @property
@@ -114,15 +113,7 @@ class SpheroidTracker:
     @property
     def notes(self) -> tuple[str, ...]:
         """What the user should be told, a line each."""
-        moved_at = self._perception.steadiness.moved_at
-        if moved_at is None:
-            return ()
-        first = moved_at if self._first is None else self._first
-        before = f"; track the frames before with --frames {first}:{moved_at}"
-        return (
-            f"the camera moved at about frame {moved_at}: spheroid needs a fixed one, do not rely "
-            f"on what it says from there{before if first < moved_at else ''}",
-        )
+        return self._perception.camera.told("spheroid")
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""
@@ -135,8 +126,6 @@ class SpheroidTracker:
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""
         assert isinstance(observation, FlatObservation), "spheroids step on flat observations"
-        if self._first is None:
-            self._first = observation.frame
         time_s = observation.time_s
         elapsed_s = 0.0 if self._time_s is None else time_s - self._time_s
         self._time_s = time_s

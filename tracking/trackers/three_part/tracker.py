@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracking.failure import Detector
+from tracking.foreground import CameraWatch
 from tracking.geometry import View
 from tracking.people import Observation
 from tracking.trackers.occluders import Polygons
@@ -117,6 +118,7 @@ class PartTracker:
         self._random = np.random.default_rng(seed)
         self._aids = settings.aids
         self._watch = Watch(detector)
+        self._fixed = CameraWatch(camera.fps)
         self._cover = covered_mask(camera.occluders, camera.size[::-1])
         self._people = nobody(layout)
         self._newcomers = births.Newcomers()
@@ -138,7 +140,7 @@ class PartTracker:
     def notes(self) -> tuple[str, ...]:
         """What the user should be told, a line each."""
         missing = self._aids.adjust and self._watch.detector is None
-        return (NO_DETECTOR,) if missing else ()
+        return (*((NO_DETECTOR,) if missing else ()), *self._fixed.told("three-part"))
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""
@@ -150,6 +152,7 @@ class PartTracker:
         """Take one frame further."""
         frame, timed = Frame(observation, self._time_s), self._stages.timed
         self._time_s = frame.time_s
+        self._fixed.look(observation.frame, frame.picture[..., 0])
         people = timed("filters", self._filtered, frame)
         people = timed("failures", self._put_right, people, frame)
         claims, wrong = frame.claims(people), self._put_back(people)

@@ -1,0 +1,174 @@
+"""Whether a camera still stands as it did: marks of the scene looked for again."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Picture = NDArray[np.uint8]
+Points = NDArray[np.float32]
+
+_EVERY_S = 1.0
+_WIDE_PX = 320
+"""Width of the pictures compared; narrower ones stay as they are."""
+_EVENED_PX, _FAINT = 9, 2.0
+"""Side of the squares in which contrast is evened out, and what is noise there, grey levels."""
+_MARKS, _APART_PX = 80, 12
+_WINDOW = (21, 21)
+_LEVELS = 2
+_RETURN_PX = 0.7
+"""A mark followed there and back must end so near to where it began."""
+_LEFT = 0.4
+"""New marks are taken when fewer of them are found: people who stay, or light, changed the rest."""
+_MOVED_PX, _ALIKE_PX = 1.0, 0.75
+_SHARE, _OUTWEIGH = 0.25, 2.0
+"""Of all marks so many must have moved as one picture does, shifted, turned and scaled, and so many
+times as many as stay where they were: people hide most of the marks, a camera leaves none."""
+_LOOKS = 2
+"""It must stand otherwise in so many looks on end: people walk on."""
+
+
+class CameraWatch:
+    """Marks of the scene, and about once a second where they are now.
+
+    People cover some of the marks and never move most of them as one; a camera that was pushed, or
+    turns slowly, does. Light that changes moves nothing.
+
+    Attributes:
+        first: the first frame looked at; None before.
+        moved_at: the frame in which the camera was found to stand otherwise; None while it does
+            not.
+    """
+
+    def __init__(self, fps: float) -> None:
+        """`fps`: frames a second."""
+        self.first: int | None = None
+        self.moved_at: int | None = None
+        self._every = max(1, round(_EVERY_S * fps))
+        self._count = 0
+        self._seen_moved: list[int] = []
+        self._before: Picture | None = None
+        self._marks: Points = np.zeros((0, 1, 2), np.float32)
+
+    def look(self, frame: int, picture: Picture) -> None:
+        """Take notice of the next frame; only every so-manieth is looked at closely.
+
+        Args:
+            picture: (height, width) or (height, width, 3) uint8.
+        """
+        if self.first is None:
+            self.first = frame
+        self._count += 1
+        if self._before is None:
+            self._take(_evened(picture))
+            return
+        if self.moved_at is not None or self._count % self._every:
+            return
+        now = _evened(picture)
+        found, stayed, moved = self._counts(self._before, now)
+        if moved >= _SHARE * _MARKS and moved > _OUTWEIGH * stayed:
+            self._seen_moved.append(frame)
+            if len(self._seen_moved) == _LOOKS:
+                self.moved_at = self._seen_moved[0]
+            return
+        self._seen_moved.clear()
+        if found < _LEFT * len(self._marks):
+            self._take(now)
+
+    def told(self, tracker: str) -> tuple[str, ...]:
+        """What the user of a tracker should know, a line; nothing while the camera stands still."""
+        if self.moved_at is None or self.first is None:
+            return ()
+        before = f"; track the frames before with --frames {self.first}:{self.moved_at}"
+        return (
+            f"the camera moved at about frame {self.moved_at}: {tracker} needs a fixed one, do "
+            f"not rely on what it says from there{before}",
+        )
+
+    def _take(self, now: Picture) -> None:
+        """Take new marks."""
+        self._before = now
+        marks = cv2.goodFeaturesToTrack(now, _MARKS, 0.02, _APART_PX)
+        none = np.zeros((0, 1, 2), np.float32)
+        self._marks = none if marks is None else np.asarray(marks, np.float32)
+
+    def _counts(self, before: Picture, now: Picture) -> tuple[int, int, int]:
+        """How many marks are found near by, are where they were, and moved as one picture does.
+
+        Marks are looked for near by, and where the picture would be if it was shifted only: over
+        a plain floor small windows are lost sooner.
+        """
+        if len(self._marks) == 0:
+            return 0, 0, 0
+        still = np.zeros(2, np.float32)
+        starts, ends = _found_again(before, now, self._marks, still)
+        stayed = int((np.hypot(*(ends - starts).T) < _ALIKE_PX).sum())
+        moved = _moved_as_one(starts, ends)
+        shift = _shift_of_most(before, now)
+        if np.hypot(*shift) > _MOVED_PX:
+            moved = max(moved, _moved_as_one(*_found_again(before, now, self._marks, shift)))
+        return len(starts), stayed, moved
+
+
+def _evened(picture: Picture) -> Picture:
+    """A small grey picture in which contrast is the same everywhere, and light says nothing."""
+    light = picture if picture.ndim == 2 else cv2.extractChannel(picture, 1)
+    shrink = min(1.0, _WIDE_PX / light.shape[1])
+    size = (round(light.shape[1] * shrink), max(2, round(light.shape[0] * shrink)))
+    small = cv2.resize(light, size, interpolation=cv2.INTER_AREA).astype(np.float32)
+    square = (_EVENED_PX, _EVENED_PX)
+    detail = small - cv2.blur(small, square)
+    strength = np.sqrt(cv2.blur(detail * detail, square)) + np.float32(_FAINT)
+    return np.asarray(np.clip(128 + 45 * detail / strength, 0, 255), np.uint8)
+
+
+def _shift_of_most(before: Picture, now: Picture) -> Points:
+    """(2,) px by which most of a picture is shifted, if it is."""
+    window = cv2.createHanningWindow((now.shape[1], now.shape[0]), cv2.CV_32F)
+    one, other = (np.asarray(each, np.float32) - 128 for each in (before, now))
+    return np.array(cv2.phaseCorrelate(one, other, window)[0], np.float32)
+
+
+def _found_again(
+    before: Picture, now: Picture, marks: Points, shift: Points
+) -> tuple[Points, Points]:
+    """Where marks that are found again were and are, (k, 2) px each.
+
+    Args:
+        shift: (2,) px by which they are thought to have moved.
+    """
+    there, found = _followed(before, now, marks, marks + shift)
+    back, again = _followed(now, before, there, there - shift)
+    near = np.hypot(*(back - marks)[:, 0].T) < _RETURN_PX
+    good = found & again & near
+    return marks[good, 0], there[good, 0]
+
+
+def _followed(
+    before: Picture, now: Picture, points: Points, guess: Points
+) -> tuple[Points, NDArray[np.bool_]]:
+    there, state, _ = cv2.calcOpticalFlowPyrLK(
+        before,
+        now,
+        points,
+        guess.copy(),
+        winSize=_WINDOW,
+        maxLevel=_LEVELS,
+        flags=cv2.OPTFLOW_USE_INITIAL_FLOW,
+    )
+    return np.asarray(there, np.float32), state[:, 0] > 0
+
+
+def _moved_as_one(start: Points, end: Points) -> int:
+    """How many marks agree that the picture as a whole is elsewhere."""
+    if len(start) < 3:
+        return 0
+    _, alike = cv2.estimateAffinePartial2D(
+        start, end, method=cv2.RANSAC, ransacReprojThreshold=_ALIKE_PX
+    )
+    of_one = alike.ravel() > 0
+    if not of_one.any():
+        return 0
+    shift = np.hypot(*(end - start)[of_one].T)
+    return int(of_one.sum()) if np.median(shift) > _MOVED_PX else 0
