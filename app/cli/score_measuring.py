@@ -11,7 +11,6 @@ from pathlib import Path
 from app.cli.output import progress
 from app.cli.ranges import typed_range
 from app.cli.score_passages import with_passages
-from app.cli.score_pictures import filmed
 from app.cli.scored import Loaded, loaded, part_rates, tell_oddities
 from app.cli.sequences import Pairing
 from tracking.errors import FormatError, SettingsError
@@ -155,6 +154,8 @@ def _footage(asked: Asked, one: Loaded) -> Iterator[tuple[Subject, str]]:
     if asked.report is None:
         yield one.subject, ""
         return
+    from app.cli.score_pictures import filmed  # brings what reads recordings
+
     with filmed(one, allow_outside=asked.allow_outside) as (subject, why_none):
         yield subject, why_none
 

@@ -9,7 +9,6 @@ from pathlib import Path
 
 from app.cli.destination import is_session
 from app.cli.scored import Loaded
-from app.cli.taught import with_advice
 from tracking.errors import TrackwrightError
 from tracking.recording import MANIFEST_NAME, Recording, open_recording
 from tracking.scoring.report import Footage, Subject
@@ -31,7 +30,7 @@ def filmed(one: Loaded, *, allow_outside: bool) -> Iterator[tuple[Subject, str]]
             try:
                 recording = opened(stack)
             except TrackwrightError as error:
-                reason = with_advice(error, allow_outside)
+                reason = _advised(error, allow_outside=allow_outside)
                 continue
             yield replace(one.subject, footage=_footage(recording, one.subject.footage)), ""
             return
@@ -60,6 +59,13 @@ def _of_session(path: Path, *, allow_outside: bool) -> Callable[[ExitStack], Rec
         return stack.enter_context(session.open_recording(allow_outside=allow_outside))
 
     return opened
+
+
+def _advised(error: TrackwrightError, *, allow_outside: bool) -> str:
+    """Why there is no recording, and what can be done about it here."""
+    from app.cli.taught import with_advice  # brings sessions, too
+
+    return with_advice(error, allow_outside)
 
 
 def _footage(recording: Recording, told: Footage) -> Footage:

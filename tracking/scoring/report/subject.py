@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
-from tracking.geometry import View
-from tracking.recording import StereoFrame
 from tracking.scoring.table import ScoringTable
+
+if TYPE_CHECKING:  # scores without pictures do without what reads them
+    from tracking.geometry import View
+    from tracking.recording import StereoFrame
 
 
 class Pictures(Protocol):

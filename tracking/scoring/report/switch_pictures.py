@@ -4,31 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-import cv2
 import numpy as np
 
 from tracking.errors import RecordingError
-from tracking.recording import Image
 from tracking.scoring.errors import ErrorKind, ErrorTable
 from tracking.scoring.report.findings import Finding
 from tracking.scoring.report.subject import Subject
 from tracking.scoring.table import Floats, ScoringTable
 
+if TYPE_CHECKING:
+    from tracking.recording import Image
+
 MOST_SWITCHES = 24
 """Of one result on one sequence."""
 
-_WIDTH, _HEIGHT = 400, 300
+_SHAPE = 4 / 3
+"""Width over height of what is cut out."""
 _AROUND = 0.6
 """How much is seen around the boxes, in their own size."""
 _LEAST_PX = 96.0
-_QUALITY = 82
 _PLACE_PX = 640
-_TRUTH, _BEFORE, _AFTER = (255, 255, 255), (0, 159, 230), (233, 180, 86)
+_BEFORE, _AFTER = (0, 159, 230), (233, 180, 86)
 """BGR; told apart by the colour-blind, too."""
 _BODY_M = (1.7, 0.6)
-_FONT, _LETTERS = 0.45, 18
-"""Size of letters, and height of a line of them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,10 +86,12 @@ def _pictures(finding: Finding, found: ErrorTable, row: int) -> Iterator[SwitchP
     every = np.array([box for pair in boxes for box in pair])
     if np.isnan(every).any():
         return
+    from tracking.scoring.report.painting import painted  # brings OpenCV
+
     images = [_image(subject, frame) for frame, _, _ in instants]
     window = _window(every, images[0].shape) if images[0] is not None else None
     made = [
-        _drawn(image, window, pair, (f"person {person}", f"track {number}"), colour)
+        painted(image, window, pair, (f"person {person}", f"track {number}"), colour)
         for image, pair, (_, number, colour) in zip(images, boxes, instants, strict=True)
         if image is not None and window is not None
     ]
@@ -126,45 +128,10 @@ def _window(boxes: Floats, shape: tuple[int, ...]) -> tuple[int, int, int, int]:
     low, high = corners.min(axis=0), corners.max(axis=0)
     middle = (low + high) / 2
     wide, tall = np.maximum((high - low) * (1 + _AROUND), _LEAST_PX)
-    tall = max(tall, wide * _HEIGHT / _WIDTH)
-    size = np.minimum([tall * _WIDTH / _HEIGHT, tall], [columns, rows])
+    tall = max(tall, wide / _SHAPE)
+    size = np.minimum([tall * _SHAPE, tall], [columns, rows])
     left, top = np.clip(middle - size / 2, 0, np.array([columns, rows]) - size)
     return int(left), int(top), int(size[0]), int(size[1])
-
-
-def _drawn(
-    image: Image,
-    window: tuple[int, int, int, int],
-    boxes: tuple[Floats, Floats],
-    names: tuple[str, str],
-    colour: tuple[int, int, int],
-) -> bytes:
-    """The piece with the truth's box and the result's, as JPEG."""
-    left, top, width, height = window
-    scale = min(_WIDTH / width, _HEIGHT / height)
-    piece = image[top : top + height, left : left + width]
-    way = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
-    piece = np.asarray(cv2.resize(piece, None, fx=scale, fy=scale, interpolation=way), np.uint8)
-    for box, name, look in zip(boxes, names, (_TRUTH, colour), strict=True):
-        corners = np.array([box[:2], box[:2] + box[2:]]) - (left, top)
-        (x0, y0), (x1, y1) = (scale * corners).round().astype(int).tolist()
-        cv2.rectangle(piece, (x0, y0), (x1, y1), (0, 0, 0), 4)
-        cv2.rectangle(piece, (x0, y0), (x1, y1), look, 2)
-        at = (x0, y0 - _LETTERS if look == _TRUTH else y1)
-        _label(piece, name, at, look)
-    done, data = cv2.imencode(".jpg", piece, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
-    return data.tobytes() if done else b""
-
-
-def _label(piece: Image, text: str, at: tuple[int, int], colour: tuple[int, int, int]) -> None:
-    """A name on a ground of its own, moved so that it lies in the picture."""
-    (width, _), _ = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, _FONT, 1)
-    rows, columns = piece.shape[:2]
-    x = min(max(at[0], 0), max(columns - width - 6, 0))
-    y = min(max(at[1], 0), rows - _LETTERS)
-    cv2.rectangle(piece, (x, y), (x + width + 6, y + _LETTERS), colour, cv2.FILLED)
-    place = (x + 3, y + _LETTERS - 5)
-    cv2.putText(piece, text, place, cv2.FONT_HERSHEY_SIMPLEX, _FONT, (0, 0, 0), 1, cv2.LINE_AA)
 
 
 def place_picture(subject: Subject) -> bytes | None:
@@ -172,7 +139,6 @@ def place_picture(subject: Subject) -> bytes | None:
     image = _image(subject, subject.start)
     if image is None:
         return None
-    scale = min(1.0, _PLACE_PX / image.shape[1])
-    image = np.asarray(cv2.resize(image, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA))
-    done, data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
-    return data.tobytes() if done else None
+    from tracking.scoring.report.painting import shrunk
+
+    return shrunk(image, _PLACE_PX)
