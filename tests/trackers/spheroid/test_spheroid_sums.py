@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -65,6 +67,17 @@ def test_scores_by_running_sums_are_those_of_a_plain_double_loop(
         for j in range(2):
             plain = _plain_score(ramp, counted, _one(seen, k, j), _one(region, k, j))
             assert abs(found[k, j] - plain) < 1e-9
+
+
+def test_where_nobody_is_in_the_picture_nothing_lies_inside() -> None:
+    flat = FlatView(view(4.0, 45.0))
+    away = np.array([[[40.0, 3.0], [41.0, 3.0]]])
+    seen = standing_ellipses(flat.projection, away, np.full((1, 2), 1.7), 0.25)
+    nothing = np.zeros((0, SHAPE[1]), np.uint8)
+    empty = window(nothing, nothing > 0, 0, 0)
+    found = sums_inside([replace(empty, sums=empty.sums[:, :0])], seen)
+    assert not found.ramp.any()
+    assert not found.area.any()
 
 
 def test_what_lies_out_of_the_picture_or_nowhere_does_not_count() -> None:
