@@ -18,6 +18,7 @@ GROUPS = (
     "parts",
     "spheroid",
     "flow",
+    "formats",
 )
 
 _ELSEWHERE = {"parts": "parts.speed", "spheroid": "spheroid_speed", "flow": "flow_speed"}

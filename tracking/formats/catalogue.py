@@ -59,6 +59,8 @@ def format_of(path: Path) -> TrackFormat:
     """
     if path.is_dir():
         raise FormatError(f"{path} is a folder; name the file with the tracks")
+    if not path.is_file() and path.exists():
+        raise FormatError(f"{path} is no file that can be read twice; save it first")
     try:
         with path.open("rb") as stream:
             head = stream.read(HEAD_BYTES)

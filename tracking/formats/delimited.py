@@ -19,7 +19,11 @@ MAX_BYTES = 1 << 30
 LONGEST_LINE = 1 << 16
 """A longer one holds no row of tracks."""
 
+MOST_ROWS = 20_000_000
+"""Twice as many as the longest sessions have."""
+
 _PIECE_BYTES = 1 << 22
+_MOST_EMPTY = 100_000
 _FEW = 32
 """So many lines are looked at one by one where one of them cannot be read."""
 
@@ -44,6 +48,8 @@ def pieces_of(path: Path) -> Iterator[Piece]:
     """
     first, rest = 1, b""
     try:
+        if not path.is_file() and path.exists():
+            raise FormatError(f"{path} is no file that can be read twice; save it first")
         if path.stat().st_size > MAX_BYTES:
             raise FormatError(f"{path} is larger than {MAX_BYTES >> 20} MB; split it first")
         with path.open("rb") as stream:
@@ -122,6 +128,7 @@ class NumberRows:
         """
         tables: list[NDArray[np.float64]] = []
         places: list[NDArray[np.int64]] = []
+        rows = empty = 0
         for piece in pieces:
             filled = [at for at, line in enumerate(piece.lines) if line and not line.isspace()]
             lines = [piece.lines[at] for at in filled]
@@ -129,10 +136,19 @@ class NumberRows:
             for table, first, stop in self._read(lines, numbers, 0, len(lines)):
                 tables.append(table)
                 places.append(numbers[first:stop])
+            rows, empty = rows + len(lines), empty + len(piece.lines) - len(lines)
+            self._check_size(rows, empty)
         if not tables:
             self._refuse_nothing()
             return np.zeros((0, self._width or self._shape.least)), np.zeros(0, np.int64)
         return np.concatenate(tables), np.concatenate(places)
+
+    def _check_size(self, rows: int, empty: int) -> None:
+        path = self._reading.path
+        if rows > MOST_ROWS:
+            raise FormatError(f"{path} has more than {MOST_ROWS} rows; split it first")
+        if empty > max(rows, _MOST_EMPTY):
+            raise FormatError(f"{path} is hardly more than empty lines; is it {self._shape.what}?")
 
     def _read(
         self, lines: list[str], numbers: NDArray[np.int64], first: int, stop: int

@@ -16,8 +16,10 @@ from tracking.formats.kitti_reading import import_kitti
 from tracking.formats.kitti_writing import export_kitti
 from tracking.formats.track_format import TrackFormat
 
+_NUMBER = rb"[-+]?(?:nan|inf|[\d.]+(?:e[-+]?\d+)?)"
 _FIRST_LINE = re.compile(
-    rb"\d{1,9}[ \t]+-?\d{1,10}[ \t]+[A-Za-z_]{1,40}(?:[ \t]+[\d.eE+-]{1,40}){14,15}[ \t\r]*"
+    rb"%b[ \t]+%b[ \t]+[a-z_]{1,40}(?:[ \t]+%b){14,15}[ \t\r]*" % (_NUMBER, _NUMBER, _NUMBER),
+    re.IGNORECASE,
 )
 
 

@@ -85,7 +85,9 @@ class Exported:
         self, report: Progress = no_progress
     ) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
         """Each track, ascending, with its rows by frame."""
-        table = self.table or TrackTable({n: np.asarray(c) for n, c in self.rows.items()})
+        table = self.table
+        if table is None:
+            table = TrackTable({name: column[0 : len(self)] for name, column in self.rows.items()})
         done, count = 0, len(self)
         for track in table.track_ids:
             report(done, count)
