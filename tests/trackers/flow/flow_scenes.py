@@ -40,7 +40,8 @@ def clothes(seed: int) -> Picture:
     """A board with what somebody wears, (170, 40, 3): spots that differ from the floor's."""
     random = np.random.default_rng(seed)
     spots = random.integers(0, 2, (34, 8, 1)) * 190 + random.integers(0, 40, (34, 8, 3))
-    return cv2.resize(spots.astype(np.uint8), (40, 170), interpolation=cv2.INTER_NEAREST)
+    board = cv2.resize(spots.astype(np.uint8), (40, 170), interpolation=cv2.INTER_NEAREST)
+    return np.asarray(board, np.uint8)
 
 
 def drawn(floor: Picture, view: View, people: Sequence[tuple[float, float, int]]) -> Picture:
@@ -65,7 +66,8 @@ def straight(
     start: tuple[float, float], pace: tuple[float, float], frames: int
 ) -> NDArray[np.float64]:
     """(frames, 2) m along a straight line at a constant pace in m/s."""
-    return np.asarray(start) + np.arange(frames)[:, None] / FPS * np.asarray(pace)
+    way = np.arange(frames)[:, None] / FPS * np.asarray(pace, np.float64)
+    return np.asarray(np.asarray(start) + way, np.float64)
 
 
 def tracked(

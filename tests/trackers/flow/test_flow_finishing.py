@@ -114,7 +114,7 @@ def test_of_two_who_walk_abreast_each_goes_on_as_who_they_are() -> None:
 
 def test_ways_are_led_back_and_on() -> None:
     found = finished(run_of((1, range(30, 50), *ONE)), VIEW, FPS).tracks
-    assert (found["frame"].min(), found["frame"].max()) == (10, 69)
+    assert (found["frame"].min(), found["frame"].max()) == (15, 64)
     assert found["y"] == pytest.approx(12.0 - 0.12 * found["frame"], abs=0.02)
     seen = (found["frame"] >= 30) & (found["frame"] < 50)
     assert found["predicted"].tolist() == (~seen).tolist()

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tracking.geometry import View
 from tracking.trackers.flow.pieces import Ends, ends, joined
 from tracking.trackers.flow.result import BODY_WIDTH_M
+from tracking.trackers.flow.retelling import retold
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.smoothing import smoothed
 from tracking.tracks.columns import TRACK_COLUMNS, Columns
@@ -18,8 +19,8 @@ from tracking.tracks.run import Run
 Floats = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
-_LED_S = 2.0
-"""How long people are thought to have walked on before they were found and after they were lost."""
+_USUAL_LED_S = 1.5
+"""Of runs made before there was a setting for it."""
 _LEAST_LED_S = 1.0
 _LEAST_M_S, _LEAST_WAY_M = 0.5, 0.8
 """Who was followed for less, or is slower, or has come less far, leads nowhere."""
@@ -33,6 +34,7 @@ def finished(run: Run, view: View, fps: float, given: Columns | None = None) -> 
 
     Beyond [Yoneji2013], which counts frame by frame. In a crowd people are found late and lost
     early, behind others; whoever walked on was there before and after:
+        - people are those whose ways explain the tracklets over all their time, see `retold`;
         - pieces that lead from one to the other are one track;
         - where a track has no rows in between, the person walked straight;
         - paths are smoothed, see `trackers.smoothed`;
@@ -44,10 +46,11 @@ def finished(run: Run, view: View, fps: float, given: Columns | None = None) -> 
     """
     if not run.settings.get("hold"):
         return smoothed(run, view, fps, given)
-    run = joined(run, fps)
+    run = joined(retold(run, view, fps), fps)
     run = replace(run, tracks=_without_gaps(run.tracks, view, fps))
     run = smoothed(run, view, fps, given, memory_s=_MEMORY_S)
-    return replace(run, tracks=_led(run.tracks, run.frames, view, fps))
+    led_s = float(run.settings.get("led_s", _USUAL_LED_S))
+    return replace(run, tracks=_led(run.tracks, run.frames, view, fps, led_s))
 
 
 def _without_gaps(tracks: Columns, view: View, fps: float) -> Columns:
@@ -65,7 +68,7 @@ def _without_gaps(tracks: Columns, view: View, fps: float) -> Columns:
     return _with(tracks, added)
 
 
-def _led(tracks: Columns, frames: tuple[int, int], view: View, fps: float) -> Columns:
+def _led(tracks: Columns, frames: tuple[int, int], view: View, fps: float, led_s: float) -> Columns:
     """With the ways led back to before their beginning and on after their end."""
     order = np.lexsort((tracks["frame"], tracks["track"]))
     pieces = np.split(order, np.flatnonzero(np.diff(tracks["track"][order])) + 1)
@@ -73,7 +76,8 @@ def _led(tracks: Columns, frames: tuple[int, int], view: View, fps: float) -> Co
     name = np.array([tracks["track"][rows[0]] for rows in pieces], np.int64)
     for last in (False, True):
         end = ends(tracks, pieces, fps, last=last)
-        added = _line(end, name, frames, view, fps, 1 if last else -1)
+        steps = np.arange(1, round(led_s * fps) + 1) * (1 if last else -1)
+        added = _line(end, name, frames, view, fps, steps)
         tracks = _with(tracks, added)
         pieces = _found_again(tracks, name)
     return tracks
@@ -94,10 +98,14 @@ def _found_again(tracks: Columns, name: NDArray[np.int64]) -> list[Rows]:
 
 
 def _line(
-    end: Ends, name: NDArray[np.int64], frames: tuple[int, int], view: View, fps: float, way: int
+    end: Ends,
+    name: NDArray[np.int64],
+    frames: tuple[int, int],
+    view: View,
+    fps: float,
+    steps: NDArray[np.int64],
 ) -> Columns:
-    """Rows along straight lines from ends, forwards or backwards, until they leave the picture."""
-    steps = np.arange(1, round(_LED_S * fps) + 1) * way
+    """Rows along straight lines, so many frames from ends, until they leave the picture."""
     frame = np.rint(end.time_s * fps).astype(np.int64)[:, None] + steps
     place = end.place[:, None] + (steps / fps)[:, None] * end.pace[:, None]
     flat = place.reshape(-1, 2)

@@ -26,8 +26,8 @@ from tracking.tracks.columns import (
 Floats = NDArray[np.float64]
 
 BODY_WIDTH_M = 0.55
-_CHEST_M = 1.1
-_PLENTY = 8
+CHEST_M = 1.1
+PLENTY = 8
 """Tracklets with which somebody is as sure as can be."""
 
 
@@ -61,7 +61,7 @@ def step_result(
 def _tracks(
     frame: int, walkers: Walkers, seen: NDArray[np.bool_], box: Floats, view: View
 ) -> Columns:
-    sure = np.minimum(walkers.count / _PLENTY, 1.0)
+    sure = np.minimum(walkers.count / PLENTY, 1.0)
     values = {
         "frame": np.full(len(walkers), frame),
         "track": walkers.track,
@@ -71,7 +71,7 @@ def _tracks(
         "vx": walkers.pace[:, 0],
         "vy": walkers.pace[:, 1],
         "confidence": np.where(seen, sure, 0.0),
-        "visibility": np.where(seen, _inside(box, view), 0.0),
+        "visibility": np.where(seen, shown_share(box, view), 0.0),
         "predicted": ~seen,
     }
     return typed(values, TRACK_COLUMNS)
@@ -83,7 +83,7 @@ def _detections(frame: int, walkers: Walkers, seen: NDArray[np.bool_], box: Floa
         **box_columns(box),
         "x": walkers.place[:, 0],
         "y": walkers.place[:, 1],
-        "z": np.full(len(walkers), _CHEST_M),
+        "z": np.full(len(walkers), CHEST_M),
         "track": walkers.track,
     }
     return {name: column[seen] for name, column in typed(values, DETECTION_COLUMNS).items()}
@@ -100,7 +100,7 @@ def _tracklets(tracklets: Tracklets, owner: NDArray[np.int32]) -> Columns:
     return typed(values, TRACKLET_COLUMNS)
 
 
-def _inside(box: Floats, view: View) -> Floats:
+def shown_share(box: Floats, view: View) -> Floats:
     """(m,) share of the boxes that lies in the picture."""
     low, high = box[:, :2], box[:, :2] + box[:, 2:]
     edge = np.array(view.camera.size, np.float64) - 0.5

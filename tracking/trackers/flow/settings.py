@@ -110,6 +110,13 @@ class FlowSettings:
     silhouettes: bool = setting(
         True, "", None, "with hold: draw people to where their bodies fill the foreground"
     )
+    led_s: float = setting(
+        1.5,
+        "s",
+        (0.0, 10.0),
+        "time people are thought to have walked on, in a finished run, before they were found and "
+        "after they were lost; counts with hold only",
+    )
     smooth: bool = setting(
         True, "", None, "look a finished run over from both ends: smoother paths and boxes"
     )
