@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from people_of_one_colour import view
 
@@ -45,6 +45,7 @@ def _plain_score(ramp: np.ndarray, counted: np.ndarray, own, region) -> float:
 
 @settings(max_examples=12, deadline=None)
 @given(st.lists(places, min_size=2, max_size=3), st.floats(20.0, 90.0), st.integers(0, 99))
+@example([(0.0, 0.0), (0.0, -2.0)], 70.0, 73)
 def test_scores_by_running_sums_are_those_of_a_plain_double_loop(
     xy: list[tuple[float, float]], tilt: float, seed: int
 ) -> None:

@@ -9,7 +9,13 @@ import numpy as np
 from tracking.geometry import Ellipses, FlatView
 from tracking.people.boxes import standing_boxes
 from tracking.trackers.spheroid.followed import Floats, Followed
-from tracking.trackers.spheroid.judging import Evidence, bounds, enlarged, silhouette
+from tracking.trackers.spheroid.judging import (
+    Evidence,
+    bounds,
+    enlarged,
+    others_cover,
+    silhouette,
+)
 
 _WIDTH_M = 0.46
 """Of a body as the picture shows it, arms and stride included."""
@@ -78,11 +84,12 @@ def _measured(outlines: Ellipses, evidence: Evidence) -> Floats:
     wide = enlarged(outlines, _REACH)
     shape = evidence.ramp.shape
     reach, own = wide.polygons(40), outlines.polygons(40)
+    boxes = np.column_stack(bounds(outlines, shape))
     found = np.full((len(outlines.u), 4), np.nan)
     for k, (left, top, right, bottom) in enumerate(zip(*bounds(wide, shape), strict=True)):
         part = np.s_[top:bottom, left:right]
         size = (bottom - top, right - left)
-        others = evidence.cover[part] - silhouette(size, own[k], left, top)
+        others = others_cover(evidence.cover, (left, top, right, bottom), own[k], boxes[k])
         body = (evidence.ramp[part] > _FOREGROUND) & (others == 0)
         body &= silhouette(size, reach[k], left, top) > 0
         columns = np.flatnonzero(body.sum(axis=0) >= _FEWEST_PX)

@@ -112,18 +112,40 @@ def windows_of(evidence: Evidence, reach: Ellipses, own: Ellipses, lines: int) -
             which is part of the cover. lines: most in a silhouette, 0: as many as it has.
     """
     shape = evidence.ramp.shape
-    corners = own.polygons(_CORNERS)
+    corners, boxes = own.polygons(_CORNERS), np.column_stack(bounds(own, shape))
     top, bottom = own.rows()
     tall = np.nan_to_num(bottom - top, nan=0.0)
     windows = []
     for k, (left, up, right, down) in enumerate(zip(*bounds(reach, shape), strict=True)):
         part = np.s_[up:down, left:right]
-        others = evidence.cover[part] - silhouette((down - up, right - left), corners[k], left, up)
+        others = others_cover(evidence.cover, (left, up, right, down), corners[k], boxes[k])
         counted = evidence.counted[part] & (others == 0)
         step = max(1, int(np.ceil(tall[k] / lines))) if lines else 1
         step = min(step, max(int(down - up), 1))
         windows.append(window(evidence.ramp[part], counted, int(left), int(up), step))
     return windows
+
+
+def others_cover(
+    cover: Picture, part: tuple[int, int, int, int], outline: Floats, box: NDArray[np.intp]
+) -> Picture:
+    """(height, width) uint8, how many other people's silhouettes lie in a part of the picture.
+
+    The own one is drawn in the box in which `covered` drew it: elsewhere its edge, where it leaves
+    the picture, may be a pixel off.
+
+    Args:
+        cover: everybody's. part: left, top, right, bottom. outline: (corners, 2) px of the own
+            silhouette. box: (4,) its `bounds`.
+    """
+    left, top, right, bottom = (int(side) for side in box)
+    own = silhouette((bottom - top, right - left), outline, left, top)
+    others = cover[part[1] : part[3], part[0] : part[2]].copy()
+    low_u, low_v = max(left, part[0]), max(top, part[1])
+    high_u, high_v = max(min(right, part[2]), low_u), max(min(bottom, part[3]), low_v)
+    shared = own[low_v - top : high_v - top, low_u - left : high_u - left]
+    others[low_v - part[1] : high_v - part[1], low_u - part[0] : high_u - part[0]] -= shared
+    return others
 
 
 def judged(windows: list[Window], hypotheses: Ellipses, regions: Ellipses) -> Judgement:
