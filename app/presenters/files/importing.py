@@ -18,6 +18,7 @@ from tracking.tracks import Labels, TrackTable, row_keys
 
 USUAL_TOLERANCE_PX = 2.0
 _STEPS = 2
+_OF_SESSIONS = {".h5", ".hdf5"}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -80,6 +81,12 @@ class ImportScene:
 def readable() -> tuple[TrackFormat, ...]:
     """The formats that are read."""
     return tuple(each for each in FORMATS.values() if each.read is not None)
+
+
+def holds_tracks_alone(path: Path) -> bool:
+    """Whether a file's name says that it is of tracks, and neither a recording nor a session."""
+    endings = {end for each in readable() for end in each.extensions} - _OF_SESSIONS
+    return path.suffix.lower() in endings
 
 
 def read_tracks(

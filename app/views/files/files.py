@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, QUrl, Signal
 from app.presenters.files import opening
 from app.presenters.files.demonstration import Demonstration
 from app.presenters.files.first_page import first_page
+from app.presenters.files.importing import holds_tracks_alone
 from app.presenters.files.opening import Opened
 from app.presenters.scenes import WelcomeScene
 from app.presenters.words import tr
@@ -95,9 +96,11 @@ class Files(QObject):
         choose_file(self._window, tr("Open folder"), "", self.open_path, folder=True)
 
     def open_dropped(self, urls: Sequence[QUrl]) -> None:
-        """Open the first of some files that were dropped."""
+        """Open the first of some files that were dropped; tracks go into the recording shown."""
         paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
-        if paths:
+        if paths and self.desk is not None and holds_tracks_alone(paths[0]):
+            self.importing.read(paths[0])
+        elif paths:
             self.open_path(paths[0])
 
     def open_path(

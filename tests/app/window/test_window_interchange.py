@@ -7,7 +7,7 @@ import threading
 import numpy as np
 import pytest
 from correcting_desk import opened_desk
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QUrl
 
 from app.presenters.files.export_formats import export_formats
 from app.presenters.files.exporting import exported
@@ -97,6 +97,15 @@ def test_imported_tracks_are_one_edit_that_is_undone_at_once(window, desk, qtbot
     after = document.session.tracks.columns()
     for name, column in before.items():
         np.testing.assert_array_equal(after[name], column)
+
+
+def test_a_file_of_tracks_that_is_dropped_is_imported(window, desk, qtbot, tmp_path):
+    path = tmp_path / "theirs.txt"
+    path.write_text("1,500,5,50,30,60,1,-1,-1,-1\n")
+    window.files.open_dropped([QUrl.fromLocalFile(str(path))])
+    qtbot.waitUntil(lambda: window.findChild(ImportDialog) is not None, timeout=20_000)
+    assert window.desk is desk
+    window.findChild(ImportDialog).reject()
 
 
 def test_bad_rows_are_listed_and_the_good_ones_taken_only_on_a_word(window, desk, qtbot, tmp_path):
