@@ -1,44 +1,104 @@
-"""How long all measures of a result take: fifteen people over a minute and a half."""
+"""How long all measures of a result take, beside other scorers: 20 people over 10,000 frames."""
 
 from __future__ import annotations
 
-import time
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
 
 import numpy as np
 
-from tracking.scoring import BoxMatch, ScoringTable, score
+from tests.peers.environments import HERE, MOTRICS, TRACKEVAL, Peer
+from tests.peers.sequences import write_sequences
 
-PEOPLE, FRAMES = 15, 1800
-_REPEATS = 5
+PEOPLE, FRAMES = 20, 10_000
+_ROUNDS = 5
+_SAME = 1e-9
+
+Run = dict[str, float]
+"""`seconds` of processor time, `peak_kib` of the process, and MOTA, IDF1 and HOTA."""
 
 
-def walkers(seed: int, noise_px: float) -> ScoringTable:
-    """People who walk on circles that cross; the result's boxes are noisy and two ids change."""
-    frame = np.repeat(np.arange(FRAMES, dtype=np.int32), PEOPLE)
-    person = np.tile(np.arange(1, PEOPLE + 1, dtype=np.int32), FRAMES)
+def walkers(people: int, frames: int) -> tuple[np.ndarray, np.ndarray]:
+    """People on circles that cross, and a tracker that misses, mistakes and imagines some."""
+    generator = np.random.default_rng(20)
+    frame = np.repeat(np.arange(frames), people)
+    person = np.tile(np.arange(1, people + 1), frames)
     angle = frame * (0.002 + 0.0005 * person) + person
-    noise = np.random.default_rng(seed).normal(0.0, noise_px, (2, len(frame)))
-    changed = (noise_px > 0) & (frame > FRAMES // 2) & (person <= 2)
-    columns = {
-        "frame": frame,
-        "track": np.where(changed, 3 - person, person).astype(np.int32),
-        "left": 320 + 250 * np.cos(angle) + noise[0],
-        "top": 200 + 150 * np.sin(angle) + noise[1],
-        "width": np.full(len(frame), 40.0),
-        "height": np.full(len(frame), 110.0),
-    }
-    return ScoringTable.from_columns(columns)
+    box = np.full((len(frame), 4), (0.0, 0.0, 50.0, 140.0))
+    box[:, 0], box[:, 1] = 960 + 800 * np.cos(angle), 400 + 300 * np.sin(1.3 * angle)
+    seen = generator.random(len(frame)) > 0.05
+    track = person + people * (frame // (700 + 37 * person))
+    noisy = box + generator.normal(0.0, 4.0, box.shape)
+    imagined = np.full((frames, 4), (0.0, 0.0, 50.0, 140.0))
+    imagined[:, :2] = generator.uniform(0.0, (1800.0, 900.0), (frames, 2))
+    found = np.concatenate(
+        [
+            _rows(frame[seen], track[seen], noisy[seen]),
+            _rows(np.arange(frames), 100_000 + np.arange(frames) // 20, imagined),
+        ]
+    )
+    return _rows(frame, person, box), found[np.argsort(found[:, 0], kind="stable")]
+
+
+def _rows(frame: np.ndarray, track: np.ndarray, box: np.ndarray) -> np.ndarray:
+    rest = np.tile((0.0, 0.0, 1.0), (len(frame), 1))
+    return np.column_stack([frame, track, np.round(box, 2), rest])
 
 
 def measure() -> dict[str, float | None]:
-    """`ms` of processor time, the best of five.
+    """`ms` of processor time; our least time and peak of memory over each peer's least.
 
-    Neither peer is among the project's dependencies, and neither is measured.
+    Every run is a process of its own on one thread; the peers take turns with us. A peer that is
+    not installed (`python -m tests.peers`) is not measured.
     """
-    truth, result = walkers(0, 0.0), walkers(1, 4.0)
-    taken = []
-    for _ in range(_REPEATS):
-        begun = time.process_time()
-        score(truth, result, BoxMatch(0.5))
-        taken.append(1000.0 * (time.process_time() - begun))
-    return {"ms": min(taken), "vs_trackeval": None, "vs_motrics": None}
+    peers = [peer for peer in (TRACKEVAL, MOTRICS) if _there(peer)]
+    with tempfile.TemporaryDirectory() as folder:
+        sequence = Path(folder) / "sequence.npz"
+        write_sequences(sequence, {"walkers": walkers(PEOPLE, FRAMES)})
+        rounds = [_round(sequence, peers) for _ in range(_ROUNDS)]
+    ours = [own for own, _ in rounds]
+    figures: dict[str, float | None] = {"ms": 1000.0 * _least(ours, "seconds")}
+    for peer in (TRACKEVAL, MOTRICS):
+        theirs = [told[peer.name] for _, told in rounds if peer.name in told]
+        for figure, quantity in (("vs", "seconds"), ("memory_vs", "peak_kib")):
+            ratio = _least(ours, quantity) / _least(theirs, quantity) if theirs else None
+            figures[f"{figure}_{peer.name}"] = ratio
+    return figures
+
+
+def _least(runs: list[Run], quantity: str) -> float:
+    """Other work on the machine only ever adds."""
+    return min(run[quantity] for run in runs)
+
+
+def _there(peer: Peer) -> bool:
+    if not peer.installed:
+        print(peer.absent, file=sys.stderr)
+    return peer.installed
+
+
+def _round(sequence: Path, peers: list[Peer]) -> tuple[Run, dict[str, Run]]:
+    """Ourselves once, and each peer once."""
+    ours = _ours(sequence)
+    theirs: dict[str, Run] = {}
+    for peer in peers:
+        told: Run = json.loads(peer.run(f"{peer.name}_timed.py", sequence).splitlines()[-1])
+        apart = max(abs(told[name] - ours[name]) for name in ("IDF1", "HOTA"))
+        if apart > _SAME:
+            raise RuntimeError(f"{peer.name} measures something else: {told}, we {ours}")
+        theirs[peer.name] = told
+    return ours, theirs
+
+
+def _ours(sequence: Path) -> Run:
+    command = [sys.executable, "-m", "tests.peers.ours_timed", sequence]
+    one_thread = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    ended = subprocess.run(
+        command, cwd=HERE.parents[1], env=os.environ | one_thread, capture_output=True, check=True
+    )
+    told: Run = json.loads(ended.stdout)
+    return told

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,43 +10,45 @@ from tracking.scoring.matching import Match
 from tracking.scoring.pairs import Candidates, Frames, Rows
 from tracking.scoring.table import Floats, Integers, ScoringTable
 
-_PAIRS_AT_ONCE = 1 << 15
-_SIMILARITIES_AT_ONCE = 1 << 16
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Spans:
-    """How far the rows of a table reach, with an unreachable row behind the last.
-
-    Attributes:
-        low, high: (n + 1,).
-    """
-
-    low: Floats
-    high: Floats
-
-    @classmethod
-    def of(cls, table: ScoringTable, match: Match) -> _Spans:
-        low, high = match.reach(table)
-        return cls(np.append(low, np.inf), np.append(high, -np.inf))
+_PAIRS_AT_ONCE = 1 << 17
 
 
 def candidates(
     truth: ScoringTable, result: ScoringTable, frames: Frames, match: Match
 ) -> Candidates:
     """All pairs within a frame whose similarity is above 0."""
-    spans = _Spans.of(truth, match), _Spans.of(result, match)
-    near = [_near(*spans, frames, block) for block in _blocks(frames)]
-    rows = Rows(_joined([one.truth for one in near]), _joined([one.result for one in near]))
-    similarity = _similarities(truth, result, rows, match)
-    kept = similarity > 0
-    rows = Rows(rows.truth[kept], rows.result[kept])
-    number = np.searchsorted(frames.truth, rows.truth, "right") - 1
-    return Candidates(rows, similarity[kept], number)
+    found = [_alike(truth, result, frames, match, block) for block in _blocks(frames)]
+    return Candidates(
+        Rows(
+            _joined([one.rows.truth for one in found]),
+            _joined([one.rows.result for one in found]),
+        ),
+        np.concatenate([np.zeros(0), *(one.similarity for one in found)]),
+        _joined([one.frame for one in found]),
+    )
+
+
+def _alike(
+    truth: ScoringTable, result: ScoringTable, frames: Frames, match: Match, block: slice
+) -> Candidates:
+    """The pairs of a block of frames that are at all alike."""
+    own, first_truth, first_result = frames.block(block)
+    a = match.measured(truth.rows(slice(first_truth, first_truth + int(own.truth_end[-1]))))
+    b = match.measured(result.rows(slice(first_result, first_result + int(own.result_end[-1]))))
+    rows, number = _near(_spans(a), _spans(b), own)
+    similarity = match.similarity(a, b, rows)
+    alike = np.flatnonzero(similarity > 0)
+    rows = Rows(rows.truth[alike] + first_truth, rows.result[alike] + first_result)
+    return Candidates(rows, similarity[alike], number[alike] + block.start)
 
 
 def _joined(parts: list[Integers]) -> Integers:
     return np.concatenate([np.zeros(0, np.int64), *parts])
+
+
+def _spans(measured: Floats) -> Floats:
+    """(2, n + 1) how far the rows reach, with one that meets none behind the last."""
+    return np.hstack([measured[:2], [[np.inf], [-np.inf]]])
 
 
 def _blocks(frames: Frames) -> Iterator[slice]:
@@ -64,27 +65,19 @@ def _blocks(frames: Frames) -> Iterator[slice]:
         yield slice(begin, len(truth))
 
 
-def _near(truth: _Spans, result: _Spans, frames: Frames, block: slice) -> Rows:
-    """The pairs of a block of frames whose spans meet."""
-    down = _numbered(frames.truth[block], frames.truth_end[block], len(truth.low) - 1)
-    across = _numbered(frames.result[block], frames.result_end[block], len(result.low) - 1)
-    begins = np.maximum(truth.low[down][:, :, None], result.low[across][:, None, :])
-    ends = np.minimum(truth.high[down][:, :, None], result.high[across][:, None, :])
-    meet = np.flatnonzero(ends > begins)
-    row, column = np.divmod(meet, across.shape[1])
-    return Rows(down.ravel()[row], across[row // down.shape[1], column])
+def _near(truth: Floats, result: Floats, frames: Frames) -> tuple[Rows, Integers]:
+    """The pairs of some frames whose spans meet, and the numbers of their frames."""
+    down = _numbered(frames.truth, frames.truth_end, truth.shape[1] - 1)
+    across = _numbered(frames.result, frames.result_end, result.shape[1] - 1)
+    meet = truth[0][down][:, :, None] < result[1][across][:, None, :]
+    meet &= result[0][across][:, None, :] < truth[1][down][:, :, None]
+    at = np.flatnonzero(meet)
+    row = at // across.shape[1]
+    number = row // down.shape[1]
+    return Rows(down.ravel()[row], across[number, at - row * across.shape[1]]), number
 
 
 def _numbered(begin: Integers, end: Integers, beyond: int) -> Integers:
     """(frames, most) the rows of each frame, filled up with the row beyond the last."""
     row = begin[:, None] + np.arange(int((end - begin).max()))
     return np.where(row < end[:, None], row, beyond)
-
-
-def _similarities(truth: ScoringTable, result: ScoringTable, rows: Rows, match: Match) -> Floats:
-    """(k,) a bounded number of them at a time."""
-    found = np.empty(len(rows.truth))
-    for begin in range(0, len(found), _SIMILARITIES_AT_ONCE):
-        part = slice(begin, begin + _SIMILARITIES_AT_ONCE)
-        found[part] = match.similarity(truth, result, Rows(rows.truth[part], rows.result[part]))
-    return found

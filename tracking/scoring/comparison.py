@@ -25,6 +25,7 @@ class Comparison:
         people, identities: how many there are.
         frames: the frames with rows on both sides.
         pairs: rows of one frame that are at all alike.
+        couple: (k,) which person and track each pair is of: person * identities + identity.
         threshold: pairs at least this alike may be one person.
     """
 
@@ -36,6 +37,7 @@ class Comparison:
     identities: int
     frames: Frames
     pairs: Candidates
+    couple: Integers
     threshold: float
 
     @property
@@ -43,10 +45,10 @@ class Comparison:
         """Nothing is there to compare: the truth or the result has no rows."""
         return not len(self.truth) or not len(self.result)
 
-    def couples(self, pairs: Candidates) -> Integers:
-        """(k,) one number for a pair's person and track together: person * identities + track."""
-        person = self.person[pairs.rows.truth]
-        return person * self.identities + self.identity[pairs.rows.result]
+    @property
+    def couples(self) -> int:
+        """How many couples there can be."""
+        return self.people * self.identities
 
     def frames_of_people(self) -> Integers:
         """(people,) in how many frames each person stands."""
@@ -79,6 +81,8 @@ def compare(truth: ScoringTable, result: ScoringTable, match: Match) -> Comparis
     frames = Frames.shared(truth, result)
     people, person = numbered(truth.track)
     identities, identity = numbered(result.track)
+    pairs = candidates(truth, result, frames, match)
+    couple = person[pairs.rows.truth] * len(identities) + identity[pairs.rows.result]
     return Comparison(
         truth=truth,
         result=result,
@@ -87,7 +91,8 @@ def compare(truth: ScoringTable, result: ScoringTable, match: Match) -> Comparis
         people=len(people),
         identities=len(identities),
         frames=frames,
-        pairs=candidates(truth, result, frames, match),
+        pairs=pairs,
+        couple=couple,
         threshold=match.threshold,
     )
 

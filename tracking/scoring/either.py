@@ -26,10 +26,20 @@ class EitherMatch:
     def __post_init__(self) -> None:
         FloorMatch(self.radius_m)  # refuses a radius that is none
 
-    def similarity(self, truth: ScoringTable, result: ScoringTable, pairs: Rows) -> Floats:
+    def measured(self, table: ScoringTable) -> Floats:
+        """(11, n) everywhere: what is far apart in the picture may be near on the floor.
+
+        Then what boxes and places are compared by.
+        """
+        everywhere = np.repeat([[-np.inf], [np.inf]], len(table), axis=1)
+        places = FloorMatch(self.radius_m).measured(table)
+        return np.concatenate([everywhere, BoxMatch().measured(table), places])
+
+    def similarity(self, truth: Floats, result: Floats, pairs: Rows) -> Floats:
         """The greater of both similarities, each 0.5 where it just suffices."""
-        boxes = BoxMatch().similarity(truth, result, pairs)
-        return np.maximum(boxes, FloorMatch(self.radius_m).similarity(truth, result, pairs))
+        boxes = BoxMatch().similarity(truth[2:7], result[2:7], pairs)
+        places = FloorMatch(self.radius_m).similarity(truth[7:], result[7:], pairs)
+        return np.maximum(boxes, places)
 
     def reach(self, table: ScoringTable) -> tuple[Floats, Floats]:
         """Everywhere: what is far apart in the picture may be near on the floor."""

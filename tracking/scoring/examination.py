@@ -12,7 +12,7 @@ from tracking.scoring.conventions import Conventions
 from tracking.scoring.matching import BoxMatch, FloorMatch, Match
 from tracking.scoring.motmetrics import motmetrics_admitted, motmetrics_matches
 from tracking.scoring.pairs import Candidates
-from tracking.scoring.table import Floats, ScoringTable
+from tracking.scoring.table import Flags, Floats, ScoringTable
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,16 +38,17 @@ class Examination:
         return 2.0 * self.match.radius_m if isinstance(self.match, FloorMatch) else 1.0
 
     @property
-    def admitted(self) -> Candidates:
-        """The pairs that may be one person, for naming people after tracks."""
+    def admitted(self) -> Flags:
+        """(k,) pairs of the comparison that may be one person, for naming people after tracks."""
         if self.conventions is Conventions.MOTMETRICS:
             return motmetrics_admitted(self.comparison)
-        pairs = self.comparison.pairs
-        return pairs.some(pairs.similarity >= self.comparison.threshold)
+        return np.asarray(self.comparison.pairs.similarity >= self.comparison.threshold)
 
     @property
     def distances_m(self) -> Floats:
         """(k,) on the floor between matched rows; NaN where one has no position."""
+        if not (self.comparison.truth.placed and self.comparison.result.placed):
+            return np.full(len(self.matched), np.nan)
         truth, result = self.comparison.truth.position, self.comparison.result.position
         apart = truth[self.matched.rows.truth] - result[self.matched.rows.result]
         return np.hypot(apart[:, 0], apart[:, 1])

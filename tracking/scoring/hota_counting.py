@@ -32,11 +32,10 @@ class Couples:
     @classmethod
     def of(cls, comparison: Comparison) -> Couples:
         """The couples of a comparison's pairs."""
-        of_pair = comparison.couples(comparison.pairs)
-        if comparison.people * comparison.identities <= _DENSE * len(of_pair):
-            couples = np.arange(comparison.people * comparison.identities)
+        if comparison.couples > _DENSE * len(comparison.couple):
+            couples, of_pair = np.unique(comparison.couple, return_inverse=True)
         else:
-            couples, of_pair = np.unique(of_pair, return_inverse=True)
+            couples, of_pair = np.arange(comparison.couples), comparison.couple
         person, track = np.divmod(couples, comparison.identities)
         of_person = comparison.frames_of_people()[person]
         return cls(of_pair, of_person, comparison.frames_of_identities()[track])
@@ -57,18 +56,18 @@ def hota(comparison: Comparison) -> Hota:
     similarity = pairs.similarity[chosen]
     # So many alphas a match counts at: the first ones.
     alphas = np.searchsorted(ALPHAS - EPS, similarity, "right")
-    together = _matches_of(couples, couples.of_pair[chosen], alphas)
+    together, matched = _matches_of(couples, couples.of_pair[chosen], alphas)
     matches = together.sum(axis=1, dtype=np.float64)
     alike = np.bincount(alphas, similarity, len(ALPHAS) + 1)[:0:-1].cumsum()[::-1]
     most = np.maximum(1, matches)
-    either = couples.of_person + couples.of_track
+    of_person, of_track = couples.of_person[matched], couples.of_track[matched]
     return Hota(
         matches=matches,
         misses=truth - matches,
         false_positives=result - matches,
-        assa_curve=_association(together, either - together) / most,
-        assre_curve=_association(together, couples.of_person) / most,
-        asspr_curve=_association(together, couples.of_track) / most,
+        assa_curve=_association(together, of_person + of_track - together) / most,
+        assre_curve=_association(together, of_person) / most,
+        asspr_curve=_association(together, of_track) / most,
         loca_curve=np.maximum(1e-10, alike) / np.maximum(1e-10, matches),
     )
 
@@ -82,12 +81,13 @@ def _agreement(pairs: Candidates, couples: Couples) -> Floats:
     return np.asarray(together / (couples.of_person + couples.of_track - together))
 
 
-def _matches_of(couples: Couples, couple: Integers, alphas: Integers) -> Integers:
-    """(19, c) matches of each couple at each alpha."""
+def _matches_of(couples: Couples, couple: Integers, alphas: Integers) -> tuple[Integers, Integers]:
+    """(19, c) matches at each alpha of the couples that have any, and (c,) which those are."""
     width = len(ALPHAS) + 1
     counted = np.bincount(couple * width + alphas, minlength=len(couples) * width)
-    from_strictest = counted.reshape(len(couples), width)[:, :0:-1].cumsum(axis=1)
-    return np.asarray(from_strictest[:, ::-1].T)
+    counted = counted.reshape(len(couples), width)[:, 1:]
+    matched = np.flatnonzero(counted.any(axis=1))
+    return counted[matched][:, ::-1].cumsum(axis=1)[:, ::-1].T, matched
 
 
 def _association(together: Integers, whole: Integers) -> Floats:

@@ -8,8 +8,7 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from tracking.scoring.comparison import Comparison
-from tracking.scoring.pairs import Candidates
-from tracking.scoring.table import Integers
+from tracking.scoring.table import Flags, Integers
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,17 +41,17 @@ class Identity:
         return self.true_positives / max(1.0, self.true_positives + self.misses)
 
 
-def identity(comparison: Comparison, admitted: Candidates | None = None) -> Identity:
+def identity(comparison: Comparison, admitted: Flags | None = None) -> Identity:
     """Name each person after at most one track so that most rows agree, and count them.
 
     Args:
-        admitted: the pairs that may be one person; those at the threshold where left out.
+        admitted: (k,) pairs that may be one person; those at the threshold where left out.
     """
     right = int(naming(comparison, admitted)[1].sum())
     return Identity(right, len(comparison.truth) - right, len(comparison.result) - right)
 
 
-def naming(comparison: Comparison, admitted: Candidates | None = None) -> tuple[Integers, Integers]:
+def naming(comparison: Comparison, admitted: Flags | None = None) -> tuple[Integers, Integers]:
     """Whom each person is named after.
 
     Returns:
@@ -69,11 +68,9 @@ def naming(comparison: Comparison, admitted: Candidates | None = None) -> tuple[
     return named, agree
 
 
-def _together(comparison: Comparison, admitted: Candidates | None) -> Integers:
+def _together(comparison: Comparison, admitted: Flags | None) -> Integers:
     """(people, identities) in how many frames the two may be one."""
-    pairs = comparison.pairs
     if admitted is None:
-        admitted = pairs.some(pairs.similarity >= comparison.threshold)
-    couples = comparison.people * comparison.identities
-    counted = np.bincount(comparison.couples(admitted), minlength=couples)
+        admitted = comparison.pairs.similarity >= comparison.threshold
+    counted = np.bincount(comparison.couple[admitted], minlength=comparison.couples)
     return counted.reshape(comparison.people, comparison.identities)

@@ -19,13 +19,18 @@ class Match(Protocol):
     def threshold(self) -> float:
         """Rows at least this alike may be one person."""
 
-    def similarity(self, truth: ScoringTable, result: ScoringTable, pairs: Rows) -> Floats:
-        """(k,) 0 to 1 for each pair of rows; 0 where it cannot be said."""
+    def measured(self, table: ScoringTable) -> Floats:
+        """(m, n) what of each row the similarity is had from.
 
-    def reach(self, table: ScoringTable) -> tuple[Floats, Floats]:
-        """(n,) and (n,) least and greatest of a stretch along any one axis.
+        The first two are the ends of a stretch along any one axis: rows whose stretches do not
+        meet have similarity 0. NaN meets nothing.
+        """
 
-        Two rows whose stretches do not meet have similarity 0. NaN meets nothing.
+    def similarity(self, truth: Floats, result: Floats, pairs: Rows) -> Floats:
+        """(k,) 0 to 1 for each pair of rows; 0 where it cannot be said.
+
+        Args:
+            truth, result: as measured.
         """
 
     def require(self, table: ScoringTable, side: str) -> None:
@@ -50,32 +55,29 @@ class BoxMatch:
         if not 0 < self.threshold <= 1:
             raise SettingsError(f"overlap {self.threshold} is not in 0 to 1; 0.5 is usual")
 
-    def similarity(self, truth: ScoringTable, result: ScoringTable, pairs: Rows) -> Floats:
+    def measured(self, table: ScoringTable) -> Floats:
+        """(5, n) left, right, top and bottom edges, and areas."""
+        found = np.empty((5, len(table)))
+        for axis, (low, high) in enumerate((found[0:2], found[2:4])):
+            np.add(table.box[:, axis], self.first_pixel, out=low)
+            np.add(low, table.box[:, axis + 2], out=high)
+        np.multiply(found[1] - found[0], found[3] - found[2], out=found[4])
+        return found
+
+    def similarity(self, truth: Floats, result: Floats, pairs: Rows) -> Floats:
         """Intersection over union of the boxes."""
-        a, b = truth.box[pairs.truth], result.box[pairs.result]
-        a_size, b_size, shared = np.ones(len(a)), np.ones(len(b)), np.ones(len(a))
-        for axis in (0, 1):
-            a_low, a_high = self._corners(a, axis)
-            b_low, b_high = self._corners(b, axis)
-            a_size *= a_high - a_low
-            b_size *= b_high - b_low
-            shared *= np.maximum(np.minimum(a_high, b_high) - np.maximum(a_low, b_low), 0)
-        union = a_size + b_size - shared
-        real = (a_size > EPS) & (b_size > EPS) & (union > EPS)  # False for NaN
+        a, b = pairs.truth, pairs.result
+        across = np.minimum(truth[1][a], result[1][b]) - np.maximum(truth[0][a], result[0][b])
+        down = np.minimum(truth[3][a], result[3][b]) - np.maximum(truth[2][a], result[2][b])
+        shared = np.maximum(across, 0) * np.maximum(down, 0)
+        a_area, b_area = truth[4][a], result[4][b]
+        union = a_area + b_area - shared
+        real = (a_area > EPS) & (b_area > EPS) & (union > EPS)  # False for NaN
         return np.asarray(np.divide(shared, union, out=np.zeros(len(union)), where=real))
-
-    def reach(self, table: ScoringTable) -> tuple[Floats, Floats]:
-        """From the left edge to the right one."""
-        return self._corners(table.box, 0)
-
-    def _corners(self, box: Floats, axis: int) -> tuple[Floats, Floats]:
-        """(n,) and (n,) where the boxes begin and end, from left to right or downward."""
-        low = box[:, axis] + self.first_pixel
-        return low, low + box[:, axis + 2]
 
     def require(self, table: ScoringTable, side: str) -> None:
         """Boxes are asked for."""
-        if len(table) and np.isnan(table.box).any(axis=1).all():
+        if not _any_known(table.box):
             raise FormatError(f"the {side} has no boxes; match by floor distance (--match floor)")
 
 
@@ -94,20 +96,27 @@ class FloorMatch:
         if not 0 < self.radius_m < np.inf:
             raise SettingsError(f"radius {self.radius_m} m is not above 0; 0.5 is usual")
 
-    def similarity(self, truth: ScoringTable, result: ScoringTable, pairs: Rows) -> Floats:
-        """1 at the same place, 0.5 at the radius, 0 from twice the radius on."""
-        apart = truth.position[pairs.truth] - result.position[pairs.result]
-        distance_m = np.hypot(apart[:, 0], apart[:, 1])
-        alike = np.maximum(0.0, 1.0 - distance_m / (2.0 * self.radius_m))
-        return np.where(np.isnan(alike), 0.0, alike)
+    def measured(self, table: ScoringTable) -> Floats:
+        """(4, n) as far along x as half of what another row may be away, then x and y."""
+        x, y = table.position.T
+        # A little more than a radius to either side, for rounding.
+        half_m = self.radius_m * (1.0 + 1e-6) + np.abs(x) * 1e-12
+        return np.stack([x - half_m, x + half_m, x, y])
 
-    def reach(self, table: ScoringTable) -> tuple[Floats, Floats]:
-        """As far along x as half of what another row may be away, and a little for rounding."""
-        x, radius_m = table.position[:, 0], self.radius_m * (1.0 + 1e-6)
-        slack = np.abs(x) * 1e-12
-        return x - radius_m - slack, x + radius_m + slack
+    def similarity(self, truth: Floats, result: Floats, pairs: Rows) -> Floats:
+        """1 at the same place, 0.5 at the radius, 0 from twice the radius on."""
+        x, y = (truth[axis][pairs.truth] - result[axis][pairs.result] for axis in (2, 3))
+        alike = np.maximum(0.0, 1.0 - np.hypot(x, y) / (2.0 * self.radius_m))
+        return np.where(np.isnan(alike), 0.0, alike)
 
     def require(self, table: ScoringTable, side: str) -> None:
         """Positions are asked for."""
-        if len(table) and np.isnan(table.position).any(axis=1).all():
+        if not _any_known(table.position):
             raise FormatError(f"the {side} has no floor positions; match by boxes (--match box)")
+
+
+def _any_known(values: Floats) -> bool:
+    """Whether a row is known in full, or there are none."""
+    if not len(values) or not np.isnan(values[0]).any():
+        return True
+    return not np.isnan(values).any(axis=1).all()

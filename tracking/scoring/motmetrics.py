@@ -10,10 +10,9 @@ from tracking.scoring.pairs import Candidates
 from tracking.scoring.table import Flags, Floats, Integers
 
 
-def motmetrics_admitted(comparison: Comparison) -> Candidates:
-    """The pairs no farther apart than it admits: its distance is 1 - similarity."""
-    pairs = comparison.pairs
-    return pairs.some(1.0 - pairs.similarity <= 1.0 - comparison.threshold)
+def motmetrics_admitted(comparison: Comparison) -> Flags:
+    """(k,) pairs no farther apart than it admits: its distance is 1 - similarity."""
+    return np.asarray(1.0 - comparison.pairs.similarity <= 1.0 - comparison.threshold)
 
 
 def motmetrics_matches(comparison: Comparison) -> Candidates:
@@ -23,7 +22,7 @@ def motmetrics_matches(comparison: Comparison) -> Candidates:
     people take their tracks in the order of the frame's rows. The others are assigned so that as
     many as can be are matched, and only then by the least total distance.
     """
-    pairs = motmetrics_admitted(comparison)
+    pairs = comparison.pairs.some(motmetrics_admitted(comparison))
     chosen = np.zeros(len(pairs), bool)
     partner = np.full(comparison.people, -1)
     begins = np.flatnonzero(np.diff(pairs.frame, prepend=-1))

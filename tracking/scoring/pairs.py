@@ -40,6 +40,17 @@ class Frames:
         _, here, there = np.intersect1d(numbers, others, assume_unique=True, return_indices=True)
         return cls(begin[here], end[here], begin_there[there], end_there[there])
 
+    def block(self, numbers: slice) -> tuple[Frames, int, int]:
+        """Some frames with rows counted from their first ones, and which rows those are."""
+        truth, result = int(self.truth[numbers.start]), int(self.result[numbers.start])
+        some = Frames(
+            self.truth[numbers] - truth,
+            self.truth_end[numbers] - truth,
+            self.result[numbers] - result,
+            self.result_end[numbers] - result,
+        )
+        return some, truth, result
+
     def shape(self, number: int) -> tuple[int, int]:
         """Rows of the truth and of the result in the shared frame of that number."""
         return (
@@ -72,7 +83,8 @@ class Candidates:
         """The number of pairs."""
         return len(self.similarity)
 
-    def some(self, kept: Flags) -> Candidates:
-        """The marked pairs."""
-        rows = Rows(self.rows.truth[kept], self.rows.result[kept])
-        return Candidates(rows, self.similarity[kept], self.frame[kept])
+    def some(self, kept: Flags | Integers) -> Candidates:
+        """The marked or numbered pairs."""
+        at = np.flatnonzero(kept) if kept.dtype == bool else kept
+        rows = Rows(self.rows.truth[at], self.rows.result[at])
+        return Candidates(rows, self.similarity[at], self.frame[at])

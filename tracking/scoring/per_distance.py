@@ -147,6 +147,6 @@ def _named_rows(examination: Examination) -> Integers:
     """(k,) rows of people that the track they are named after explains."""
     comparison, admitted = examination.comparison, examination.admitted
     named, _ = naming(comparison, admitted)
-    rows = admitted.rows
-    right = named[comparison.person[rows.truth]] == comparison.identity[rows.result]
-    return rows.truth[right]
+    person, identity = np.divmod(comparison.couple, max(1, comparison.identities))
+    explained = np.flatnonzero(admitted & (named[person] == identity))
+    return comparison.pairs.rows.truth[explained]

@@ -42,6 +42,11 @@ class ScoringTable:
     confidence: Floats | None = None
     dont_care: Flags | None = None
 
+    @property
+    def placed(self) -> bool:
+        """Whether a row has a position on the floor."""
+        return not np.isnan(self.position).all()
+
     @classmethod
     def from_columns(cls, columns: Columns, *, dont_cares: bool = False) -> ScoringTable:
         """The table of a session's or a file's columns.
@@ -56,7 +61,7 @@ class ScoringTable:
             FormatError: an id stands twice in one frame.
         """
         order = _by_frame(columns["frame"])
-        counted, ignored = np.ones(len(order), bool), None
+        counted, ignored = np.ones(len(columns["frame"]), bool), None
         if dont_cares and "confidence" in columns:
             counted, ignored = rows_that_count(columns)
         table = cls(
@@ -75,7 +80,7 @@ class ScoringTable:
         """The number of rows."""
         return len(self.frame)
 
-    def rows(self, kept: Flags) -> ScoringTable:
+    def rows(self, kept: Flags | slice) -> ScoringTable:
         """The table of some of its rows."""
         return ScoringTable(
             self.frame[kept],
@@ -116,19 +121,23 @@ class ScoringTable:
         return bool((both[1:] == both[:-1]).any())
 
 
-def _by_frame(frame: NDArray[Any]) -> Integers:
-    """(n,) the rows ordered by frame; those of one stay in order."""
+def _by_frame(frame: NDArray[Any]) -> Integers | slice:
+    """What puts the rows in order of frames; those of one stay in order."""
     if (frame[1:] >= frame[:-1]).all():
-        return np.arange(len(frame))
+        return slice(None)
     return np.argsort(frame, kind="stable")
 
 
-def _column(columns: Columns, name: str, order: Integers) -> Floats | None:
+def _column(columns: Columns, name: str, order: Integers | slice) -> Floats | None:
     return columns[name][order].astype(np.float64) if name in columns else None
 
 
-def _stacked(columns: Columns, names: tuple[str, ...], order: Integers) -> Floats:
-    """(n, k) the named columns side by side; NaN where the columns are missing."""
+def _stacked(columns: Columns, names: tuple[str, ...], order: Integers | slice) -> Floats:
+    """(n, k) the named columns side by side; NaN, not to be written to, where they are missing."""
+    stacked = (len(columns["frame"]), len(names))
     if not all(name in columns for name in names):
-        return np.full((len(order), len(names)), np.nan)
-    return np.stack([columns[name][order].astype(np.float64) for name in names], axis=1)
+        return np.broadcast_to(np.nan, stacked)
+    found = np.empty(stacked)
+    for place, name in enumerate(names):
+        found[:, place] = columns[name][order]
+    return found

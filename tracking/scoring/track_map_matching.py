@@ -94,8 +94,7 @@ def _overlaps(comparison: Comparison, truth: _Whole, result: _Whole) -> Floats:
     """(identities, people) shared area of all boxes over covered area."""
     rows = comparison.pairs.rows
     shared_px2 = _shared_px2(comparison.truth.box[rows.truth], comparison.result.box[rows.result])
-    couples = comparison.people * comparison.identities
-    shared = np.bincount(comparison.couples(comparison.pairs), shared_px2, minlength=couples)
+    shared = np.bincount(comparison.couple, shared_px2, minlength=comparison.couples)
     shared = shared.reshape(comparison.people, comparison.identities).T
     covered = result.total_px2[:, None] + truth.total_px2 - shared
     overlap = np.divide(shared, covered, out=np.zeros(shared.shape), where=covered > 0)
