@@ -13,6 +13,10 @@ USUAL_Z_M = 1.2
 _SURE_OF_Z = 0.02
 """How strongly heights are drawn to the usual one: it decides only straight below the camera."""
 LOWEST_M = 0.05
+_FOOT_M = 1e-6
+"""Straight below the camera no direction leads away from it: that along y is taken."""
+_NEAREST_M = 1e-9
+"""What is no farther before the camera is not seen."""
 
 
 class Floor:
@@ -24,7 +28,11 @@ class Floor:
 
     def __init__(self, view: View) -> None:
         self.view = view
-        self.camera_m = float(view.world_from_camera[1][2])
+        rotation, centre = view.world_from_camera
+        self.camera_m = float(centre[2])
+        self._onto = view.camera.matrix @ rotation.T
+        self._moved = -self._onto @ centre
+        self._bent = bool(view.camera.distortion.any())
 
     def slopes(self, points: Floats) -> Floats:
         """(n, 2) of points (n, 2) px; NaN at or above the horizon."""
@@ -48,14 +56,34 @@ class Floor:
 
     def pixels(self, place: Floats, z_m: Floats) -> Floats:
         """(..., 2) px of points over floor places (..., 2) at heights (...)."""
+        if not self._bent:
+            return self._straight_pixels(place, z_m)
         z_m = np.broadcast_to(z_m, place.shape[:-1])
         world = np.concatenate((place, z_m[..., None]), axis=-1)
         return self.view.pixel_from_world(world.reshape(-1, 3)).reshape(place.shape)
 
+    def _straight_pixels(self, place: Floats, z_m: Floats) -> Floats:
+        """The same without a lens that bends: this is where the tracker spends its time."""
+        x, y = place[..., 0], place[..., 1]
+        shown = np.empty(place.shape)
+        u, v, depth = (
+            one[0] * x + one[1] * y + (one[2] * z_m + moved)
+            for one, moved in zip(self._onto, self._moved, strict=True)
+        )
+        depth = np.where(depth > _NEAREST_M, depth, np.nan)
+        np.divide(u, depth, out=shown[..., 0])
+        np.divide(v, depth, out=shown[..., 1])
+        return shown
+
 
 def sight_axes(place: Floats) -> Floats:
     """(..., 2, 2) unit vectors on the floor: along the line of sight and across it."""
-    distance = np.hypot(place[..., 0], place[..., 1])[..., None]
-    along = np.where(distance > 1e-6, place / np.maximum(distance, 1e-6), (0.0, 1.0))
-    across = np.stack((along[..., 1], -along[..., 0]), axis=-1)
-    return np.stack((along, across), axis=-2)
+    x, y = place[..., 0], place[..., 1]
+    distance = np.hypot(x, y)
+    somewhere = distance > _FOOT_M
+    distance = np.maximum(distance, _FOOT_M)
+    axes = np.empty((*place.shape, 2))
+    axes[..., 0, 0] = axes[..., 1, 1] = np.where(somewhere, x / distance, 0.0)
+    axes[..., 0, 1] = axes[..., 1, 0] = np.where(somewhere, y / distance, 1.0)
+    np.negative(axes[..., 1, 1], out=axes[..., 1, 1])
+    return axes

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.silhouettes import Mask, Spots, cover_of, fits_at, spots_at
+from tracking.trackers.flow.silhouettes import Mask, Spots, cover_of, fits_at, may_stand, spots_at
 
 Floats = NDArray[np.float64]
 
@@ -75,9 +75,9 @@ class FloorGrid:
             least: score, seen and own of a `Fit` that convince.
             apart_m: from the people followed and from each other.
         """
-        known, rows = followed, np.arange(len(self.place))
+        known, cover = followed, cover_of(followed, self._floor)
+        rows = np.flatnonzero(may_stand(self._spots, mask, cover))
         for _ in range(_MOST_A_FRAME):
-            cover = cover_of(known, self._floor)
             fit = fits_at(self._spots.select(rows), mask, cover)
             good = (fit.score >= least[0]) & (fit.seen >= least[1]) & (fit.own >= least[2])
             away = self.place[rows][:, None] - known[None]
@@ -87,6 +87,7 @@ class FloorGrid:
             best = np.where(good, fit.score + _OWN_WEIGHT * fit.own, -1.0).argmax()
             known = np.concatenate((known, self.place[rows[best : best + 1]]))
             rows = rows[good]  # others explain more, never less
+            cover = cover_of(known, self._floor)
         return known[len(followed) :]
 
 

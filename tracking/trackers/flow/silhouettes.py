@@ -42,6 +42,9 @@ _BESIDE = np.array(
     )
 )
 """Spots where a body is not: over the head, at the sides, on the floor before the feet."""
+_SPOTS = np.concatenate((_BODY, _BESIDE))
+_SPINE = slice(0, 13, 3)
+"""Of the spots of a body those on its axis, from the head to the knees."""
 _OUTLINE = ((-0.1, 1.78), (-0.22, 1.5), (-0.2, 0.8), (-0.12, 0.0))
 """Half the outline of a body that hides what is behind it: m across the sight, over the floor."""
 _AHEAD_M = 0.25
@@ -75,6 +78,10 @@ class Pixels:
 
     at: NDArray[np.intp]
     inside: NDArray[np.bool_]
+
+    def of(self, spots: slice) -> Pixels:
+        """Those of some of the spots."""
+        return Pixels(self.at[:, spots], self.inside[:, spots])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -165,13 +172,10 @@ def fits(place: Floats, mask: Mask, cover: Cover, floor: Floor, own: Floats | No
 
 def spots_at(place: Floats, floor: Floor) -> Spots:
     """Where bodies at places (k, 2) would be seen."""
-    size = floor.view.camera.size
     distance = np.hypot(place[:, 0], place[:, 1])[:, None].astype(np.float32)
-    return Spots(
-        distance,
-        _halved(_pixels(place, _BODY, floor), size),
-        _halved(_pixels(place, _BESIDE, floor), size),
-    )
+    pixels = _halved(_pixels(place, _SPOTS, floor), floor.view.camera.size)
+    body, beside = pixels.of(slice(len(_BODY))), pixels.of(slice(len(_BODY), None))
+    return Spots(distance, body, beside)
 
 
 def fits_at(spots: Spots, mask: Mask, cover: Cover, own: Floats | None = None) -> Fit:
@@ -187,6 +191,16 @@ def fits_at(spots: Spots, mask: Mask, cover: Cover, own: Floats | None = None) -
     beside = _share(_SOLID[around], unclaimed * _BESIDE_TELLS)
     in_sight = (inside & free).mean(axis=1)
     return Fit(body - _BESIDE_WEIGHT * beside, in_sight, _share(_SOLID[seen] * free, open_))
+
+
+def may_stand(spots: Spots, mask: Mask, cover: Cover) -> NDArray[np.bool_]:
+    """(k,) whether anything on the axis of a body is foreground that nobody explains.
+
+    A quick look at where `fits_at` is worth its time.
+    """
+    seen, nearest = _sampled(mask, cover, spots.body.of(_SPINE))
+    stirs = (seen == BODY) & np.isinf(nearest) & spots.body.of(_SPINE).inside
+    return np.asarray(stirs.any(axis=1))
 
 
 def _same(nearest: Cover, own: Floats | None) -> NDArray[np.bool_]:
@@ -254,7 +268,7 @@ def _pixels(place: Floats, spots: Floats, floor: Floor) -> Floats:
 def _halved(pixels: Floats, size: tuple[int, int]) -> Pixels:
     """Pixels (k, j, 2) of a picture of that width and height, at half resolution."""
     columns, rows = half_size(size)
-    whole = np.nan_to_num(pixels * 0.5, nan=-9.0).clip(-9.0, 30000.0).astype(np.int32)
+    whole = np.fmin(np.fmax(pixels * 0.5, -9.0), 30000.0).astype(np.int32)  # NaN becomes -9
     u, v = whole[..., 0], whole[..., 1]
     inside = (u >= 0) & (v >= 0) & (u < columns) & (v < rows)
     return Pixels(np.where(inside, v * columns + u, 0).astype(np.intp), inside)
