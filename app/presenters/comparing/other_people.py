@@ -10,6 +10,7 @@ import numpy as np
 from app.presenters.comparing.agreement_scene import OtherMark, OtherPlace
 from app.presenters.palette import colour_of_track
 from app.presenters.pictures.right_eye import boxes_in_right_eye
+from app.presenters.pictures.trails import floor_points, trails_by_track
 from app.presenters.scenes import Colour, Eye
 from tracking.recording import Recording
 from tracking.tracks import TrackTable
@@ -51,11 +52,11 @@ class OtherPeople:
     def floor(self, frame: int) -> tuple[OtherPlace, ...]:
         """Where they come from on the floor."""
         start = max(0, frame - round(_TRAIL_S * self._recording.fps))
-        places = []
-        for track in self._tracks.of_frame(frame)["track"].tolist():
-            rows = self._tracks.of_track(track, start, frame + 1)
-            trail = np.column_stack((rows["x"], rows["y"])).astype(np.float64)
-            trail = trail[np.isfinite(trail).all(axis=1)]
-            if len(trail):
-                places.append(OtherPlace(trail, str(track), self._colour_of(track)))
-        return tuple(places)
+        here = self._tracks.of_frame(frame)["track"].tolist()
+        rows = self._tracks.of_tracks(here, start, frame + 1)
+        trails = trails_by_track(rows, floor_points(rows))
+        return tuple(
+            OtherPlace(trails[track], str(track), self._colour_of(track))
+            for track in here
+            if track in trails
+        )
