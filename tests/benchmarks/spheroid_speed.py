@@ -19,7 +19,7 @@ from tracking.trackers.spheroid.weighing import judged_and_weighed, silhouettes
 PEOPLE = (1, 5, 10, 20)
 HYPOTHESES = 300
 FPS = 20.0
-_ROUNDS = 15
+_ROUNDS = 40
 _FRAMES, _WARM = 80, 20
 
 

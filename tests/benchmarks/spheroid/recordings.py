@@ -11,7 +11,7 @@ from tracking.formats import read_mot
 from tracking.scoring import FloorMatch, Score, ScoringTable, score
 
 ONE_EYE = ("spheroid", "three-part")
-BESIDE_TWO = ("spheroid", "stereo-direction")
+BESIDE_TWO = (*ONE_EYE, "stereo-direction")
 REAL = ("pets-s2l1-real",)
 RADIUS_M = 1.0
 

@@ -98,7 +98,8 @@ def bounds(
         (right, np.fmax, shape[1]),
         (bottom, np.fmax, shape[0]),
     ):
-        end = np.nan_to_num(extreme.reduce(side, axis=1, initial=np.nan), nan=0.0)
+        end = extreme.reduce(side, axis=1, initial=np.nan)
+        end[np.isnan(end)] = 0.0
         outward = np.floor(end) if extreme is np.fmin else np.ceil(end) + 1
         sides.append(np.clip(outward, 0, length).astype(np.intp))
     return sides[0], sides[1], np.maximum(sides[2], sides[0]), np.maximum(sides[3], sides[1])

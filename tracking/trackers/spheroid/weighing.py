@@ -69,17 +69,18 @@ def judged_and_weighed(
         alike: (people, N) logarithms of weights by colour; None: colours say nothing.
     """
     axes, tall = hypotheses_of(people, settings)
+    short, steep = headless(people, flat), seen_steeply(people, flat)
     if not settings.paper:
         # Short and far out looks like tall and near as long as no head is seen.
-        short = headless(people, flat) & seen_steeply(people, flat)
-        tall = np.where(short[:, None], people.height[:, None], tall)
+        tall = np.where((short & steep)[:, None], people.height[:, None], tall)
     seen = standing_ellipses(flat.projection, axes, tall, settings.radius_m)
     own = silhouettes(people, flat, settings)
     if settings.paper:
         log_weight, windows = _scored(people, evidence, seen, own, flat, settings)
     else:
         windows = windows_of(evidence, seen, own, LINES)
-        log_weight = _gains(windows, seen, own, _balance(people, own, flat))
+        balance = _balances(people, own, flat, short, steep)
+        log_weight = _gains(windows, seen, own, balance)
         log_weight -= 0.5 * ((tall - settings.usual_height_m) / _HEIGHT_SD_M) ** 2
     if alike is not None:
         log_weight += alike
@@ -120,13 +121,21 @@ def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, balance: Floats
     return _SHARPNESS * (inside.ramp - balance[:, None] * inside.area) / area[:, None]
 
 
-def _balance(people: Followed, own: Ellipses, flat: FlatView) -> Floats:
-    """(people,) B from which on a pixel speaks for them, whose silhouettes are given."""
-    hidden = near_side_hidden(people, own, flat)
-    cut = np.where(hidden, _HIDDEN_CUT_BALANCE, _STEEP_CUT_BALANCE)
-    short = headless(people, flat)
-    steep = np.where(short, cut, _STEEP_BALANCE)
-    return np.where(seen_steeply(people, flat), steep, np.where(short, _CUT_BALANCE, _BALANCE))
+def _balances(
+    people: Followed, own: Ellipses, flat: FlatView, short: Flags, steep: Flags
+) -> Floats:
+    """(people,) B from which on a pixel speaks for them.
+
+    Args:
+        own: (people) their silhouettes. short: (people,) whose head is out of the picture.
+        steep: who is seen steeply.
+    """
+    level = np.where(short, _CUT_BALANCE, _BALANCE)
+    balance = np.where(steep, np.where(short, _STEEP_CUT_BALANCE, _STEEP_BALANCE), level)
+    cut = short & steep
+    if cut.any():
+        balance[cut & near_side_hidden(people, own, flat)] = _HIDDEN_CUT_BALANCE
+    return balance
 
 
 def taken(people: Followed, settings: SpheroidSettings) -> Flags:
