@@ -1,0 +1,130 @@
+"""Finished runs told anew by their tracklets: who walked where."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.trackers.flow.flow_scenes import FPS
+from tests.trackers.flow.tracklet_runs import FRAMES, VIEW, Walker, run_with
+from tracking.trackers.flow import finished
+from tracking.trackers.flow.bundles import Way, bundle_of
+from tracking.trackers.flow.chains import chains_of
+from tracking.trackers.flow.choosing import Walk, without_twins
+from tracking.trackers.flow.floor import Floor
+from tracking.trackers.flow.retelling import pieces_of, retold
+from tracking.tracks.columns import Columns
+
+COMING = Walker((-0.7, 12.0), (0.0, -1.1))
+GOING = Walker((0.7, 3.5), (0.0, 1.2))
+FLOOR = Floor(VIEW)
+
+
+def at_side(tracks: Columns, side: int) -> Columns:
+    """The rows of who walks left (-1) or right (1) of the middle."""
+    return {name: column[np.sign(tracks["x"]) == side] for name, column in tracks.items()}
+
+
+def off(tracks: Columns, walker: Walker) -> float:
+    """How far from the walker the rows lie, in m, at most."""
+    away = np.stack((tracks["x"], tracks["y"]), axis=1) - walker.at(tracks["frame"])
+    return float(np.hypot(*away.T).max())
+
+
+def test_a_track_that_went_over_to_somebody_else_is_two_people() -> None:
+    run = run_with((COMING, GOING), ((1, 0, range(5, 35)), (1, 1, range(35, 75))))
+    found = retold(run, VIEW, FPS).tracks
+    assert len(np.unique(found["track"])) == 2
+    for side, walker in ((-1, COMING), (1, GOING)):
+        own = at_side(found, side)
+        assert len(np.unique(own["track"])) == 1
+        assert off(own, walker) < 0.8
+
+
+def test_ways_reach_as_far_as_their_tracklets() -> None:
+    run = run_with((COMING,), ((1, 0, range(30, 50)),))
+    found = retold(run, VIEW, FPS).tracks
+    assert found["frame"].min() <= 4
+    assert found["frame"].max() >= FRAMES - 3
+    assert set(found["track"]) == {1}
+
+
+def test_who_was_followed_twice_at_once_is_one() -> None:
+    run = run_with((COMING,), ((1, 0, range(5, 40)), (2, 0, range(20, 75))))
+    assert len(np.unique(retold(run, VIEW, FPS).tracks["track"])) == 1
+
+
+def test_tracklets_and_detections_go_with_the_people_told_of() -> None:
+    run = run_with((COMING, GOING), ((1, 0, range(5, 35)), (1, 1, range(35, 75))))
+    found = retold(run, VIEW, FPS)
+    rows = {(f, t) for f, t in zip(found.tracks["frame"], found.tracks["track"], strict=True)}
+    seen = set(zip(found.detections["frame"], found.detections["track"], strict=True))
+    assert seen == rows
+    for frame in range(10, 70):
+        held = found.tracklets.of_frame(frame)
+        assert (np.diff(held["track"]) >= 0).all()
+        left = held["track"][held["u0"] < VIEW.camera.matrix[0, 2]]
+        own = at_side(found.tracks, -1)["track"][0]
+        assert np.mean(left == own) > 0.9
+
+
+def test_new_people_get_tracks_above_all_that_were_known() -> None:
+    run = run_with((COMING, GOING), ((1, 0, range(5, 75)),), known_tracks=40)
+    found = retold(run, VIEW, FPS).tracks
+    assert set(at_side(found, -1)["track"]) == {1}
+    assert (at_side(found, 1)["track"] > 40).all()
+
+
+def test_who_stands_stays_as_followed() -> None:
+    standing = Walker((0.9, 6.0), (0.0, 0.0))
+    run = run_with((COMING, standing), ((1, 0, range(5, 75)), (2, 1, range(5, 75))))
+    found = retold(run, VIEW, FPS).tracks
+    own = found["frame"][found["track"] == 2]
+    assert own.tolist() == list(range(5, 75))
+
+
+def test_a_finished_run_has_every_row_once_and_is_the_same_each_time() -> None:
+    run = run_with((COMING, GOING), ((1, 0, range(5, 35)), (1, 1, range(35, 75))))
+    found, again = finished(run, VIEW, FPS).tracks, finished(run, VIEW, FPS).tracks
+    keys = list(zip(found["frame"], found["track"], strict=True))
+    assert keys == sorted(set(keys))
+    assert all(np.array_equal(found[name], again[name], equal_nan=True) for name in found)
+
+
+def test_tracklets_are_linked_over_all_their_frames() -> None:
+    run = run_with((COMING,), ((1, 0, range(10, 20)),))
+    chains = chains_of(run, FLOOR, FPS)
+    assert len(chains) == 10
+    assert chains.length.tolist() == [FRAMES - 2] * 10
+    assert (chains.first == 2).all()
+    held = np.isfinite(chains.held_at[:, 0])
+    assert set(chains.frame[held]) == set(range(10, 20))
+
+
+def test_a_bundle_is_of_those_who_walk_the_way_and_of_nobody_beside_or_against() -> None:
+    beside = Walker((-0.1, 12.0), (0.0, -1.1))
+    against = Walker((-0.7, 3.5), (0.0, 1.2))
+    run = run_with((COMING, beside, against), ((1, 0, range(10, 70)),))
+    chains = chains_of(run, FLOOR, FPS)
+    way = Way(10, COMING.at(np.arange(10, 70)))
+    bundle = bundle_of(way, chains, FLOOR, FPS, 0.3)
+    own = np.isfinite(chains.held_at[:, 0])
+    assert set(bundle.chain[bundle.alike]) == set(chains.chain[own])
+
+
+@pytest.mark.parametrize(("apart_m", "people"), [(0.1, 1), (0.6, 2)])
+def test_two_ways_too_near_to_each_other_are_one_persons(apart_m: float, people: int) -> None:
+    place = COMING.at(np.arange(40))
+    walks = [
+        Walk(Way(10, place), np.arange(5)),
+        Walk(Way(12, place[2:30] + np.array((apart_m, 0.0))), np.arange(5, 8)),
+    ]
+    kept = without_twins(walks)
+    assert len(kept) == people
+    assert sum(len(walk.chain) for walk in kept) == 8
+
+
+def test_pieces_end_where_nobody_is_seen_for_a_while() -> None:
+    run = run_with((COMING,), ((1, 0, range(5, 30)), (1, 0, range(40, 60)), (2, 0, range(60, 70))))
+    pieces = pieces_of(run.tracks, FPS)
+    assert [len(rows) for rows in pieces] == [25, 20, 10]
