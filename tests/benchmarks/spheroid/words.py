@@ -55,7 +55,7 @@ PLACES = """
 
 Scenes that are made for two eyes, {seconds:g} s each, with the left eye alone (`spheroid`,
 `three-part`) and with both (`stereo-direction`), on the same truth, matched on the floor within
-{radius:g} m. Here and on the real footage below one sees which of the two is the better default
+{radius:g} m. Here and on the real footage above one sees which of the two is the better default
 for one calibrated camera.
 """
 
