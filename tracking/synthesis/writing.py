@@ -6,13 +6,10 @@ import contextlib
 import os
 import shutil
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
-import numpy as np
-
 from tracking.errors import CancelledError, OutputError, SettingsError
-from tracking.formats import write_mot
 from tracking.geometry import write_calibration
 from tracking.progress import Progress
 from tracking.recording import Manifest, write_manifest
@@ -21,10 +18,9 @@ from tracking.synthesis.programme_writing import write_programme
 from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES
 from tracking.synthesis.specs import SceneSpec
-from tracking.synthesis.truth import CARED_FOR, SceneTruth
+from tracking.synthesis.truth import SceneTruth
+from tracking.synthesis.truth_writing import write_truth
 from tracking.synthesis.video import VideoWriter
-from tracking.tracks import PART_WORDS
-from tracking.truth import TRUE_PART_COLUMNS, TRUE_PARTS, VISIBILITY, VISIBILITY_COLUMNS
 
 MOST_PEOPLE, LONGEST_S = 200, 3600.0
 _SIDES = ("left", "right")
@@ -72,9 +68,7 @@ def render_recording(
     fps, eyes = spec.fps if fps is None else fps, spec.eyes if eyes is None else eyes
     _check(seconds, people, spec.size_px if size is None else size, fps, eyes)
     _check_begin(spec, seconds, circumstances)
-    above = _missing_folders(folder.parent)
-    part = _begin(folder)
-    try:
+    with _appearing(folder) as part:
         rendered = Scene(
             spec,
             people,
@@ -86,12 +80,6 @@ def render_recording(
             circumstances=circumstances,
         )
         _write(part, rendered, seed, progress, cancelled)
-        _finish(part, folder)
-    except OSError as error:
-        raise _unwritable(folder, error) from error
-    finally:
-        shutil.rmtree(part, ignore_errors=True)
-        _remove_empty(above)
     return folder
 
 
@@ -129,6 +117,21 @@ def _check_begin(spec: SceneSpec, seconds: float | None, circumstances: Circumst
             f"begin is {circumstances.begin_s:g}, but the scene {spec.name} lasts "
             f"{spec.seconds:g} seconds; begin earlier or give seconds"
         )
+
+
+@contextlib.contextmanager
+def _appearing(folder: Path) -> Iterator[Path]:
+    """A folder to write into, which stands where it was asked for once all went well."""
+    above = _missing_folders(folder.parent)
+    part = _begin(folder)
+    try:
+        yield part
+        _finish(part, folder)
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+        _remove_empty(above)
 
 
 def _begin(folder: Path) -> Path:
@@ -187,7 +190,7 @@ def _write(
             truths.append(truth)
             if progress is not None:
                 progress(number + 1, scene.frames)
-    _write_truth(folder, truths)
+    write_truth(folder, truths)
     if scene.spec.programme or scene.spec.passage is not None:
         write_programme(folder, scene)
     _write_descriptions(folder, scene, seed)
@@ -204,48 +207,6 @@ def _write_descriptions(folder: Path, scene: Scene, seed: int) -> None:
         ground=scene.rig.view.ground,
     )
     write_manifest(folder, manifest)
-
-
-def _write_truth(folder: Path, truths: list[SceneTruth]) -> None:
-    counts = [len(truth) for truth in truths]
-    frame = np.repeat(np.arange(len(truths), dtype=np.int32), counts)
-    box = np.concatenate([truth.box for truth in truths])
-    position = np.concatenate([truth.position for truth in truths])
-    visibility = np.concatenate([truth.visibility for truth in truths])
-    columns = {
-        "frame": frame,
-        "track": np.concatenate([truth.track for truth in truths]),
-        "left": box[:, 0].round(2),
-        "top": box[:, 1].round(2),
-        "width": box[:, 2].round(2),
-        "height": box[:, 3].round(2),
-        "confidence": (visibility >= CARED_FOR).astype(np.float64),
-        "x": position[:, 0].round(4),
-        "y": position[:, 1].round(4),
-        "z": np.zeros(len(frame)),
-    }
-    write_mot(folder / "truth.txt", columns)
-    _write_visibility(folder / VISIBILITY, truths)
-    _write_parts(folder / TRUE_PARTS, truths)
-
-
-def _write_visibility(path: Path, truths: list[SceneTruth]) -> None:
-    with path.open("w", encoding="utf-8", newline="\n") as stream:
-        stream.write(",".join(VISIBILITY_COLUMNS) + "\n")
-        for frame, truth in enumerate(truths):
-            for track, share in zip(truth.track, truth.visibility, strict=True):
-                stream.write(f"{frame},{track},{share:.4f}\n")
-
-
-def _write_parts(path: Path, truths: list[SceneTruth]) -> None:
-    with path.open("w", encoding="utf-8", newline="\n") as stream:
-        stream.write(",".join(TRUE_PART_COLUMNS) + "\n")
-        for frame, truth in enumerate(truths):
-            for row, track in enumerate(truth.track):
-                for part, name in enumerate(PART_WORDS):
-                    box = ",".join(f"{value:.2f}" for value in truth.part_box[row, part])
-                    pixels = truth.part_pixels[row, part]
-                    stream.write(f"{frame},{track},{name},{box},{pixels}\n")
 
 
 def _unwritable(folder: Path, error: OSError) -> OutputError:
