@@ -231,6 +231,15 @@ def test_stretches_hold_every_row_once_and_no_two_touch(rows: list[tuple[int, in
         )
 
 
+def test_errors_far_out_stand_on_the_maps_edge_and_are_told() -> None:
+    one = scenes.subject()
+    moved = one.results["first<b>"].position.copy()
+    moved[one.results["first<b>"].track == 4, 0] = 9000.0
+    far = replace(one, results={"far": replace(one.results["first<b>"], position=moved)})
+    page = page_of(report_of([finding_of(far, "far", Yardstick())], Yardstick()), {})
+    assert "5 errors lie farther out than the map goes" in page
+
+
 def test_a_map_shows_no_more_than_can_be_seen_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tracking.scoring.report.error_map.MOST_MARKS", 0)
     finding = scenes.found()[0]

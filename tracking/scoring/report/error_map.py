@@ -10,7 +10,7 @@ import numpy as np
 from tracking.pages import Element, drawing, element, group
 from tracking.scoring.errors import ErrorKind, ErrorTable
 from tracking.scoring.report.findings import Finding
-from tracking.scoring.report.ground_plan import GroundPlan, ground_plan, known
+from tracking.scoring.report.ground_plan import GroundPlan, known
 from tracking.scoring.report.marks import LOOK, TITLES, mark
 from tracking.scoring.report.over_time import Clock, said
 from tracking.scoring.report.stretches import Stretches
@@ -24,15 +24,14 @@ _STEP = 2.5
 """How far apart, drawn, two points of a way are at least."""
 
 
-def error_map(finding: Finding, clock: Clock, background: Element | None = None) -> Element | None:
-    """The map; None where nobody knows where anybody stands.
+def error_map(
+    finding: Finding, plan: GroundPlan, clock: Clock, background: Element | None = None
+) -> Element:
+    """The map.
 
     Args:
         background: a picture of the place, for a map in pixels.
     """
-    plan = ground_plan(finding.subject)
-    if plan is None:
-        return None
     width, height = plan.axes.x.length, plan.axes.y.length
     content = [*_ground(plan, background), *_walks(finding, plan)]
     for kind in (ErrorKind.FALSE_ALARM, ErrorKind.MISS):

@@ -12,7 +12,8 @@ from tracking.scoring.report.subject import Subject
 from tracking.scoring.table import Floats, ScoringTable
 
 _WIDTH, _TALLEST = 620.0, 560.0
-_REACH_M = 30.0
+_FAR_OUT = 2.0
+"""Per cent on either side."""
 _LEAST_SPAN = 2.0
 
 
@@ -37,6 +38,13 @@ class GroundPlan:
         """(n, 2) where rows stand: on the floor, or the middle of a box's lower edge."""
         return rows.position if self.on_floor else feet(rows.box)
 
+    def beyond(self, rows: ErrorTable) -> int:
+        """How many rows stand outside of the map, and are drawn on its edge."""
+        points = self.of(rows)
+        (left, right), (low, high) = self.axes.x.span, self.axes.y.span
+        inside = (points >= [left, low]) & (points <= [right, high])
+        return int((known(points) & ~inside.all(axis=1)).sum())
+
     @property
     def unit_length(self) -> float:
         """How long a metre or pixel is drawn."""
@@ -46,10 +54,10 @@ class GroundPlan:
 
 def ground_plan(subject: Subject) -> GroundPlan | None:
     """The map of a sequence; None where neither metres nor pixels are known of its truth."""
-    tables = (subject.truth, *subject.results.values())
     if known(subject.truth.position).any():
-        return _floor(subject, np.concatenate([table.position for table in tables]))
+        return _floor(subject)
     if known(subject.truth.box).any():
+        tables = (subject.truth, *subject.results.values())
         return _picture(subject, np.concatenate([feet(table.box) for table in tables]))
     return None
 
@@ -64,14 +72,20 @@ def known(points: Floats) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
     return np.asarray(np.isfinite(points).all(axis=1))
 
 
-def _floor(subject: Subject, points: Floats) -> GroundPlan:
-    points = points[known(points)]
-    # A result may put somebody far out: the map is of where nearly everybody stands.
-    low, high = np.percentile(points, 0.5, axis=0), np.percentile(points, 99.5, axis=0)
+def _floor(subject: Subject) -> GroundPlan:
+    points = subject.truth.position[known(subject.truth.position)]
+    low, high = points.min(axis=0), points.max(axis=0)
+    margin = np.maximum(high - low, _LEAST_SPAN) / 2
+    least, most = low - margin, high + margin
+    for table in subject.results.values():
+        found = table.position[known(table.position)]
+        if len(found):  # but for a few that a result puts far out
+            low = np.minimum(low, np.percentile(found, _FAR_OUT, axis=0)).clip(least, most)
+            high = np.maximum(high, np.percentile(found, 100 - _FAR_OUT, axis=0)).clip(least, most)
     view = np.zeros((0, 2))
     if subject.footage.view is not None:
         low, high = np.minimum(low, 0.0), np.maximum(high, 0.0)
-        view = subject.footage.view.field_of_view(_REACH_M)
+        view = subject.footage.view.field_of_view(float(np.abs([low, high]).max()) * 1.5)
     middle, span = (low + high) / 2, np.maximum(high - low, _LEAST_SPAN) * 1.1
     low, high = middle - span / 2, middle + span / 2
     titles = ("x on the floor, m", "y on the floor, m")

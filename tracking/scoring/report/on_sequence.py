@@ -10,6 +10,7 @@ from tracking.scoring.errors import ErrorKind
 from tracking.scoring.report import tables
 from tracking.scoring.report.error_map import MOST_MARKS, error_map, left_out
 from tracking.scoring.report.findings import Finding, ScoreReport
+from tracking.scoring.report.ground_plan import ground_plan
 from tracking.scoring.report.marks import TITLES, key
 from tracking.scoring.report.over_time import MOST_PEOPLE, Clock, errors_over_time
 from tracking.scoring.report.switch_pictures import SwitchPictures
@@ -59,17 +60,21 @@ def _over_time(finding: Finding) -> Iterator[Element]:
 
 def _where(finding: Finding, shown: Shown) -> Iterator[Element]:
     subject = finding.subject
+    plan = ground_plan(subject)
+    if plan is None:
+        return
     background = None
     if shown.place is not None:
         background = element("image", href=jpeg_source(shown.place))
     clock = Clock(Axis((0.0, 1.0), 1.0), subject.footage.fps)
-    drawn = error_map(finding, clock, background)
-    if drawn is None:
-        return
     yield element("h3", "Where errors happen")
     walk = element("path", d="M1 11l5-6 4 5 5-6", class_="walk")
     yield key((walk, "ways of people in the truth"))
+    drawn = error_map(finding, plan, clock, background)
     yield element("div", drawn, class_="drawn narrow")
+    if count := plan.beyond(finding.errors):
+        says = f"{count:,} errors lie farther out than the map goes; their marks are on its edge."
+        yield element("p", says, class_="note")
     for kind, count in left_out(finding).items():
         what = f"stretches of {TITLES[kind]}" if _lasts(kind) else TITLES[kind]
         says = f"{count:,} {what} beyond {MOST_MARKS} are not drawn."
