@@ -171,6 +171,12 @@ def bomb(file: h5py.File) -> None:
     file.create_dataset("trajectory", (10**12,), np.dtype(ROW), chunks=(1000,), compression="gzip")
 
 
+def zeros(file: h5py.File) -> None:
+    del file["trajectory"]
+    rows = np.zeros(3_000_000, ROW)
+    file.create_dataset("trajectory", data=rows, chunks=(100_000,), compression="gzip")
+
+
 def of_a_session(file: h5py.File) -> None:
     file.attrs["format"] = "trackwright-session"
 
@@ -182,6 +188,7 @@ def of_a_session(file: h5py.File) -> None:
         (linked, "holds no /trajectory|link to somewhere else"),
         (virtual, "in other files"),
         (bomb, "which 0 bytes cannot hold"),
+        (zeros, "packs 3000000 rows into"),
         (replaced(np.zeros(4)), "without id, frame"),
         (replaced(np.zeros(4, [("id", "i4"), ("frame", "i4"), ("x", "f4")])), "without y"),
         (

@@ -26,8 +26,11 @@ NAME = "name"
 AUTOMATIC = "auto"
 """The source of a track nobody corrected."""
 
-MOST_FILLED = 10_000_000
-"""Rows made between keyframes, in all: four days of one person."""
+MOST_FILLED = 4_000_000
+"""Rows made between keyframes, in all: two hours of twenty people who never move."""
+MOST_TRACKS = 200_000
+_FILLED_A_KEYFRAME = 1000
+"""So many more for each keyframe."""
 
 _WHOLE = re.compile(r"\d{1,10}")
 _INTEGERS = ("frame", "line", "outside", "occluded", "key")
@@ -48,6 +51,11 @@ class CvatTrack:
         """Add a row: `_INTEGERS`, and the box's four sides."""
         self._whole.extend(whole)
         self._sides.extend(sides)
+
+    @property
+    def has_rows(self) -> bool:
+        """Whether it has any box."""
+        return len(self._whole) > 0
 
     def columns(self) -> dict[str, NDArray[Any]]:
         """All rows by frame, `_INTEGERS` and `SIDES`."""
@@ -83,17 +91,23 @@ class FileTracks:
     def __init__(self, reading: Reading) -> None:
         self._reading = reading
         self._held: list[_Held] = []
+        self._met = 0
 
     def __len__(self) -> int:
         return len(self._held)
 
     def add(self, track: CvatTrack) -> None:
         """Take a track over; one without boxes is none."""
-        columns = track.columns()
+        self._met += 1
+        if self._met > MOST_TRACKS:
+            raise FormatError(
+                f"{self._reading.path} holds more than {MOST_TRACKS} tracks; split it"
+            )
         if track.number is None:
             self._reading.bad(f"line {track.line}", "the id of the track is not a whole number")
-        elif len(columns["frame"]):
+        elif track.has_rows:
             kept = _number(track.attributes.get(TRACK_ID, "")) or None
+            columns = track.columns()
             self._held.append(_Held(kept, track.number, track.label, columns, track.automatic))
 
     def imported(self, meta: Meta, filmed: Filmed) -> Imported:
@@ -146,13 +160,14 @@ class FileTracks:
 
     def _check_size(self, by_keyframes: Sequence[bool], step: int, last: int | None) -> None:
         """Raise FormatError where keyframes stand for more rows than there can be."""
-        told = itertools.compress((held.columns for held in self._held), by_keyframes)
+        told = list(itertools.compress((held.columns for held in self._held), by_keyframes))
+        most = MOST_FILLED + _FILLED_A_KEYFRAME * sum(len(rows["frame"]) for rows in told)
         made = sum(
             rows_filled(rows["frame"], rows["outside"], step, _end(rows, last)) for rows in told
         )
-        if made > MOST_FILLED:
+        if made > most:
             raise FormatError(
-                f"{self._reading.path}: its keyframes stand for more than {MOST_FILLED} boxes; "
+                f"{self._reading.path}: its keyframes stand for more than {most} boxes; "
                 "are its frame numbers right?"
             )
 

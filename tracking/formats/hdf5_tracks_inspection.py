@@ -16,6 +16,10 @@ from tracking.untrusted import Kind, Refused, Walk, attribute_of, check_signatur
 
 _KIND = Kind("file of tracks", "", (1, 0), 4 << 30)
 _NEEDED = ("id", "frame", "x", "y")
+_BEST_RATIO = 100
+"""Rows of places pack to a hundredth only where they are no places of anybody."""
+_USUAL_BYTES = 16 << 20
+_MOST_POINT_BYTES = 1 << 30
 _MOST_NAMES = 100_000
 _LONGEST_NAME = 4096
 
@@ -48,6 +52,9 @@ def _trajectory(file: h5py.File, walk: Walk) -> str:
     for name in (*_NEEDED, *({"z"} & set(fields))):
         if rows.dtype[name].kind not in "iuf" or rows.dtype[name].shape:
             raise Refused(f"keeps {rows.dtype[name]} in {name} of /trajectory; numbers are needed")
+    unpacked, stored = rows.size * rows.dtype.itemsize, rows.id.get_storage_size()
+    if unpacked > _USUAL_BYTES + _BEST_RATIO * stored:
+        raise Refused(f"packs {rows.size} rows into {stored} bytes, as no places of people do")
     for node in (rows, file):
         attribute_of(node, "fps")
     of_jupedsim = all(name in file.attrs for name in ("schema_version", "every_nth_frame"))
@@ -60,6 +67,7 @@ def _analysis(file: h5py.File, walk: Walk) -> str:
     if points is None or "node_names" not in file:
         return ""
     _check_numbers(points, "tracks", 4)
+    _check_size(points, "tracks")
     names = walk.dataset_at(file, "track_names")
     if names is not None:
         _check_names(names)
@@ -76,6 +84,7 @@ def _individuals(file: h5py.File, walk: Walk) -> str:
     if points is None:
         return ""
     _check_numbers(points, "trajectories", 3)
+    _check_size(points, "trajectories")
     if points.shape[2] != 2:
         raise Refused(f"has {points.shape[2]} numbers a place in trajectories; two are needed")
     probabilities = walk.dataset_at(file, "id_probabilities")
@@ -89,6 +98,12 @@ def _individuals(file: h5py.File, walk: Walk) -> str:
 def _check_numbers(dataset: h5py.Dataset, where: str, dimensions: int) -> None:
     if dataset.dtype.kind not in "iufb" or dataset.ndim != dimensions:
         raise Refused(f"has {dataset.dtype} in {dataset.ndim} dimensions at {where}")
+
+
+def _check_size(dataset: h5py.Dataset, where: str) -> None:
+    """It is read whole; nearly empty ones pack well, so how well says nothing."""
+    if dataset.size * dataset.dtype.itemsize > _MOST_POINT_BYTES:
+        raise Refused(f"holds more than {_MOST_POINT_BYTES >> 20} MB of {where}; split it first")
 
 
 def _check_names(names: h5py.Dataset) -> None:

@@ -7,6 +7,7 @@ by the parser's own limits, how deep it nests and how many digits its numbers ha
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Collection, Iterator
 from pathlib import Path
 from typing import Any, TextIO
@@ -18,7 +19,9 @@ LONGEST_ELEMENT = 4 << 20
 """Characters; an outline of a person drawn with every pixel is far shorter."""
 
 _PIECE = 1 << 20
-_SPACE = " \t\r\n"
+_SPACE = re.compile(r"[ \t\r\n]*")
+_MOST_PASSED_OVER = 100_000
+"""Elements of members that are not wanted."""
 _BETWEEN = "},"
 _SOME = 1000
 """So many elements are read one by one where they could not be read together."""
@@ -69,6 +72,8 @@ class _Text:
             for at, value in self._elements():
                 if name in wanted:
                     yield name, at, value
+                elif at > _MOST_PASSED_OVER:
+                    raise self._wrong(f"{name[:40]!r} has more elements than any of these files")
             if self._take(",", "}") == "}":
                 return
 
@@ -95,14 +100,15 @@ class _Text:
         What is held is cut behind the last object in it that a comma follows. Where that comma is
         not the array's own, there is no JSON before it: then elements are read one by one.
         """
-        self._sign()
-        cut = self._held.rfind(_BETWEEN, self._at)
-        if self._one_by_one or cut < 0:
+        if self._sign() != "{" or self._one_by_one:
             self._one_by_one -= self._one_by_one > 0
             return [self._value()]
+        cut = self._held.rfind(_BETWEEN, self._at)
         try:
             values: list[Any] = self._decode(f"[{self._held[self._at : cut + 1]}]")
         except (ValueError, RecursionError):
+            values = []
+        if cut < 0 or not values:
             self._one_by_one = _SOME
             return [self._value()]
         self._at = cut + 1
@@ -110,11 +116,15 @@ class _Text:
 
     def _sign(self) -> str:
         """The next character that is no space; "" at the end."""
+        passed = 0
         while True:
-            while self._at < len(self._held):
-                if self._held[self._at] not in _SPACE:
-                    return self._held[self._at]
-                self._at += 1
+            spaces = _SPACE.match(self._held, self._at)
+            end = spaces.end() if spaces else self._at
+            passed, self._at = passed + end - self._at, end
+            if end < len(self._held):
+                return self._held[end]
+            if passed > LONGEST_ELEMENT:
+                raise self._wrong("there is nothing but spaces")
             if not self._more():
                 return ""
 

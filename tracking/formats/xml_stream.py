@@ -99,6 +99,11 @@ class _Text(ContentHandler):
         self._pieces: list[str] = []
         self._length = 0
 
+    @property
+    def is_too_long(self) -> bool:
+        """Whether more stands between two tags than anybody puts there, and be it spaces."""
+        return self._length > _LONGEST
+
     def characters(self, content: str) -> None:
         """See the base."""
         self._length += len(content)
@@ -107,7 +112,7 @@ class _Text(ContentHandler):
 
     def taken(self) -> str | None:
         """The text since the last call; None where it was too long."""
-        text = "".join(self._pieces) if self._length <= _LONGEST else None
+        text = None if self.is_too_long else "".join(self._pieces)
         self._pieces.clear()
         self._length = 0
         return text
@@ -139,7 +144,9 @@ class _Parser(DefusedExpatParser):
         self._elements.end(name, self._take_text())
 
     def check_waiting(self, read: int) -> None:
-        """Refuse an element that is longer than any, before all of it is in memory."""
+        """Refuse what is longer than any, before all of it is in memory or read."""
+        if self._text.is_too_long:
+            self._take_text()
         if read - self._parser.CurrentByteIndex > _LONGEST_ELEMENT + _PIECE:
             raise self._refused("an element has more attributes than any of these files'")
 
