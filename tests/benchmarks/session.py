@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
+from app.presenters.document.instant import Instant
 from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.document.setting import Instant
 from app.presenters.timeline.lanes import TimelinePresenter
 from app.views.timeline import TimelineView
 from tests.benchmarks.large_sessions import NoPictures, crowd

@@ -13,8 +13,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
+from app.presenters.document.instant import Instant
 from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.document.setting import Instant
 from app.presenters.panels import EditMarks
 from app.presenters.scenes import MarkKind, TimelineMark, TimelineScene
 from app.presenters.timeline.lanes import TimelinePresenter

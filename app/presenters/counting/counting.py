@@ -18,7 +18,7 @@ from app.presenters.counting.plots import plots_of
 from app.presenters.counting.subject import SHOWN, Counted, Subject, version_of
 from app.presenters.counting.tallies import Tallies, people_inside
 from app.presenters.document.document import Document
-from app.presenters.document.setting import Instant
+from app.presenters.document.instant import Instant
 from app.presenters.explaining import explain
 from app.presenters.labelling.labelling_scene import LINE_COLOUR, REGION_COLOUR, Tool
 from app.presenters.words import tr

@@ -8,9 +8,9 @@ from app.presenters.comparing.differences import Comparison
 from app.presenters.correcting import EditFlow, Footing, Ground, PlannedEdit
 from app.presenters.correcting.correcting import Correcting
 from app.presenters.correcting.planning import refuse_too_large
+from app.presenters.document.instant import Instant
 from app.presenters.document.instants import Instants
 from app.presenters.document.selection import Selection
-from app.presenters.document.setting import Instant
 from app.presenters.document.showing import Showing
 from app.presenters.document.shown import WholeTracks
 from app.presenters.panels import EditMarks, HistoryList, track_card

@@ -7,8 +7,8 @@ from dataclasses import replace
 from app.presenters.comparing.differences import Comparison
 from app.presenters.correcting import PreviewedTracks, preview_trails, replaced_rows
 from app.presenters.correcting.correcting import Correcting
+from app.presenters.document.instant import Instant
 from app.presenters.document.selection import Selection
-from app.presenters.document.setting import Instant
 from app.presenters.document.showing import Showing
 from app.presenters.pictures.pictures import PicturePresenter
 from app.presenters.pictures.trails import floor_points

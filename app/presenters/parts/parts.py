@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from app.presenters.document.document import Document
-from app.presenters.document.setting import Instant, Pictured
+from app.presenters.document.instant import Instant, Pictured
 from app.presenters.labelling.labelling_scene import PictureLabels, Suggested
 from app.presenters.parts.cards import cards_of
 from app.presenters.parts.failures import PartFailures

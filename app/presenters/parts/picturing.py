@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.presenters.document.setting import Instant
+from app.presenters.document.instant import Instant
 from app.presenters.palette import colour_of_track
 from app.presenters.parts.part_curve import THRESHOLD, PartCurve
 from app.presenters.parts.parts_scene import (

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.setting import Instant, Pictured
+from app.presenters.document.instant import Instant, Pictured
 from app.presenters.palette import colours_of_tracks
 from app.presenters.pictures.of_run import MadeBy, settings_of
 from app.presenters.pictures.overhead import relative_weights

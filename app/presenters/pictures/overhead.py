@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.setting import Instant
+from app.presenters.document.instant import Instant
 from app.presenters.palette import colour_of_track, colours_of_tracks
 from app.presenters.pictures.trails import TRAIL_S, floor_points, trails_by_track
 from app.presenters.scenes import FloorPerson, OverheadScene

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.setting import NOTHING_LAID, Instant, Laid, Pictured
+from app.presenters.document.instant import NO_OVERLAY, Instant, Pictured, PictureOverlay
 from app.presenters.palette import colour_of_track, colours_of_tracks
 from app.presenters.pictures.anaglyph import Anaglyph
 from app.presenters.pictures.bodies import BodyPainter, legend_of
@@ -41,7 +41,7 @@ class PicturePresenter:
         frame: StereoFrame | None,
         instant: Instant,
         pictured: Pictured,
-        laid: Laid = NOTHING_LAID,
+        laid: PictureOverlay = NO_OVERLAY,
     ) -> PictureScene:
         """One eye at the instant; without a frame, a scene that says it is being read.
 
@@ -71,14 +71,14 @@ class PicturePresenter:
         frame: StereoFrame | None,
         instant: Instant,
         pictured: Pictured,
-        laid: Laid = NOTHING_LAID,
+        laid: PictureOverlay = NO_OVERLAY,
     ) -> PictureScene:
         """Both eyes in one picture for red and cyan glasses, with the left eye's people."""
         scene = self.scene(Eye.LEFT, frame, instant, pictured, laid)
         return scene if frame is None else self._anaglyph.scene(frame, scene)
 
     def _legend(
-        self, eye: Eye, instant: Instant, pictured: Pictured, laid: Laid
+        self, eye: Eye, instant: Instant, pictured: Pictured, laid: PictureOverlay
     ) -> tuple[LegendEntry, ...]:
         if not pictured.bodies or eye is not Eye.LEFT:
             return laid.legend

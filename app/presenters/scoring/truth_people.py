@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from app.presenters.comparing.other_people import OtherPeople
-from app.presenters.document.setting import Instant
+from app.presenters.document.instant import Instant
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.scenes import Eye, LegendEntry
 from app.presenters.scoring.score_scene import (

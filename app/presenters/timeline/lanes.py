@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.setting import Instant
+from app.presenters.document.instant import Instant
 from app.presenters.document.shown import ShownTracks, Spans
 from app.presenters.palette import colour_of_track
 from app.presenters.parts.part_curve import LaneScore

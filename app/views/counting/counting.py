@@ -12,7 +12,7 @@ from app.background import Newest
 from app.presenters.counting.counting import CountingPresenter
 from app.presenters.counting.subject import SHOWN, Counted, Length, Subject, loader, worked_out
 from app.presenters.document.document import Document
-from app.presenters.document.setting import Instant, Pictured
+from app.presenters.document.instant import Instant, Pictured
 from app.presenters.labelling.labelling import Counted as Told
 from app.presenters.words import counted, tr
 from app.views.desk.workspace import Workspace

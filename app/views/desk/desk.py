@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.presenters.commands import Situation
 from app.presenters.document.document import Document
-from app.presenters.document.setting import Pictured
+from app.presenters.document.instant import Pictured
 from app.presenters.labelling.labelling_scene import Tool
 from app.presenters.scenes import Eye, TransportScene
 from app.views.comparing.comparing import Comparing

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, QRectF, Signal
 
 from app.presenters.document.document import Document
-from app.presenters.document.setting import Instant, Pictured
+from app.presenters.document.instant import Instant, Pictured
 from app.presenters.parts.parts import PartsPresenter
 from app.presenters.parts.parts_scene import Failure, PicturedParts
 from app.presenters.parts.picturing import part_name

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from app.background import OverlayMaker
 from app.presenters.document.document import Document
-from app.presenters.document.setting import NOTHING_LAID, Laid
+from app.presenters.document.instant import NO_OVERLAY, PictureOverlay
 from app.presenters.pictures.of_run import MadeBy
 from app.presenters.pictures.overlays import Kinds, OverlayPainter
 from app.presenters.pictures.ramp_overlay import RampPainter
@@ -49,12 +49,12 @@ class Overlaying(QObject):
         self._left: list[OverlayMaker] = []  # whose settings are no longer those shown
         self._last = (-1, Kinds())
 
-    def laid(self, kinds: Kinds) -> Laid:
+    def laid(self, kinds: Kinds) -> PictureOverlay:
         """What lies over the frame shown; it is asked for where it is not there yet."""
         frame = self._playback.frame
         at_work = self._at_work_on(kinds.ramp, frame.number) if kinds and frame else None
         if at_work is None or frame is None:
-            return NOTHING_LAID
+            return NO_OVERLAY
         painter, maker = at_work.painter, at_work.maker
         maker.request(frame, kinds, *self._ahead(maker))
         image = maker.made(frame.number, kinds)
@@ -68,7 +68,7 @@ class Overlaying(QObject):
             if kinds.ramp
             else tr("Working out foreground and disparity...")
         )
-        return Laid(image, painter.legend(kinds), said if waiting else "")
+        return PictureOverlay(image, painter.legend(kinds), said if waiting else "")
 
     def close(self) -> None:
         """End the threads."""

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from app.background import Newest
 from app.presenters.counting.subject import SHOWN
 from app.presenters.document.document import Document
-from app.presenters.document.setting import Instant, Pictured
+from app.presenters.document.instant import Instant, Pictured
 from app.presenters.scenes import Eye
 from app.presenters.scoring.score_scene import NO_TRUTH
 from app.presenters.scoring.scoring import ScoringPresenter

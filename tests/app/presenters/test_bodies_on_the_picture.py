@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.presenters.document.setting import Instant, Pictured
+from app.presenters.document.instant import Instant, Pictured
 from app.presenters.palette import colour_of_track
 from app.presenters.pictures.bodies import BodyPainter, _laid_over, legend_of, why_nothing
 from app.presenters.pictures.of_run import AtWork

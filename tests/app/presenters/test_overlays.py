@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from app.presenters.document.document import Document
-from app.presenters.document.setting import Laid, Pictured
+from app.presenters.document.instant import Pictured, PictureOverlay
 from app.presenters.pictures.anaglyph import anaglyph_image
 from app.presenters.pictures.overlays import (
     FOREGROUND,
@@ -112,9 +112,11 @@ def test_what_is_laid_over_stays_the_same_array_and_particles_are_drawn_on_a_cop
     image = np.zeros((240, 320, 4), np.uint8)
     frame, instant = document.recording.read(CROWDED), document.instant(CROWDED)
     pictures = document.pictures
-    plain = pictures.scene(Eye.LEFT, frame, instant, Pictured(), Laid(image))
+    plain = pictures.scene(Eye.LEFT, frame, instant, Pictured(), PictureOverlay(image))
     assert plain.overlay is image
-    dotted = pictures.scene(Eye.LEFT, frame, instant, Pictured(particles=True), Laid(image))
+    dotted = pictures.scene(
+        Eye.LEFT, frame, instant, Pictured(particles=True), PictureOverlay(image)
+    )
     assert dotted.overlay.any()
     assert not image.any()
 

@@ -9,9 +9,9 @@ import two_people
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.presenters.document.instant import Instant
 from app.presenters.document.live_tracks import LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.document.setting import Instant
 from app.presenters.parts.failures import PartFailures, first_failures
 from app.presenters.parts.picturing import curves_of, curves_scene, pictured_boxes, verdict_text
 from tracking.tracks import PART_COLUMNS

@@ -4,8 +4,8 @@ import two_people
 
 from app.presenters.correcting import EditKind
 from app.presenters.document.document import Document
+from app.presenters.document.instant import Instant, Pictured
 from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.document.setting import Instant, Pictured
 from app.presenters.pictures.overhead import relative_weights
 from app.presenters.scenes import Eye
 from tracking.recording import open_recording

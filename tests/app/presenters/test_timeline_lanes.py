@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import two_people
 
+from app.presenters.document.instant import Instant
 from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.document.setting import Instant
 from app.presenters.panels import EditMarks
 from app.presenters.scenes import MarkKind, SpanKind, TimelineMark
 from app.presenters.timeline.lanes import TimelinePresenter

@@ -50,8 +50,8 @@ class Pictured:
 
 
 @dataclass(frozen=True, slots=True)
-class Laid:
-    """What of subtraction stereo lies over the left picture at an instant.
+class PictureOverlay:
+    """What of foreground, subtraction stereo or the ramp lies over the left picture at an instant.
 
     Attributes:
         image: (height, width, 4) uint8 RGBA; None while it is being made.
@@ -63,7 +63,7 @@ class Laid:
     message: str = ""
 
 
-NOTHING_LAID = Laid()
+NO_OVERLAY = PictureOverlay()
 
 
 @dataclass(frozen=True, slots=True)
