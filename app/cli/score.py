@@ -28,8 +28,9 @@ def run_score(asked: Asked, *, as_json: bool) -> None:
     measured = measured_by(asked, pairing, yardstick)
     page = None
     if asked.report is not None:
-        report = report_of(measured.findings, yardstick)
-        page = write_score_report(asked.report, report, measured.shown)
+        findings = [each.finding for each in measured if each.finding is not None]
+        shown = {each.finding: each.shown for each in measured if each.finding and each.shown}
+        page = write_score_report(asked.report, report_of(findings, yardstick), shown)
     if as_json:
         document = document_of(asked, pairing, measured)
         print_json(document if page is None else document | {"report": str(page)})

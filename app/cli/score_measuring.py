@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
-from functools import partial
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.cli.output import progress
@@ -14,10 +13,10 @@ from app.cli.score_passages import with_passages
 from app.cli.scored import Loaded, loaded, part_rates, tell_oddities
 from app.cli.sequences import Pairing
 from tracking.errors import FormatError, SettingsError
-from tracking.progress import Progress
 from tracking.scoring import BoxMatch, Conventions, FloorMatch, Score
 from tracking.scoring.parts import Rates
 from tracking.scoring.report import (
+    MOST_SWITCHES,
     Finding,
     Shown,
     Subject,
@@ -30,6 +29,8 @@ from tracking.tracks import CountingLine
 
 _LONG_BYTES = 16 << 20
 _END = 10**9
+_MOST_PICTURED = 240
+"""Switches of all results together: a page of more is too large to be sent to anybody."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,19 +64,22 @@ class Asked:
         return self.per_person or bool(self.ranges) or self.report is not None
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Measured:
-    """What was found, sequence by sequence.
+    """One result on one sequence.
 
     Attributes:
-        scores: by result, then sequence. findings: where more than scores is told.
-        shown: pictures for the report. parts: rates of body parts, of a single pair.
+        result, sequence: their names. score: of it.
+        parts: rates of body parts; None where nobody followed any.
+        finding: where more than scores is told. shown: its pictures, where there is a report.
     """
 
-    scores: dict[str, dict[str, Score]] = field(default_factory=dict)
-    findings: list[Finding] = field(default_factory=list)
-    shown: dict[Finding, Shown] = field(default_factory=dict)
+    result: str
+    sequence: str
+    score: Score
     parts: Rates | None = None
+    finding: Finding | None = None
+    shown: Shown | None = None
 
 
 def yardstick_of(asked: Asked) -> Yardstick:
@@ -93,59 +97,51 @@ def yardstick_of(asked: Asked) -> Yardstick:
     return Yardstick(match, Conventions(asked.conventions), tuple(ranges))
 
 
-def measured_by(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> Measured:
-    """Every result on every sequence, read one sequence at a time.
+def measured_by(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> list[Measured]:
+    """Every result on every sequence, sequence by sequence, of which one is in memory at a time.
 
     Raises as `run_score`.
     """
-    measured = Measured({name: {} for name in pairing.results})
+    measured: list[Measured] = []
     total = len(pairing.results) * len(pairing.truths)
     with _progress(asked, pairing) as told:
-        for number, (name, truth) in enumerate(pairing.truths.items()):
+        for name, truth in pairing.truths.items():
             files = {result: found[name] for result, found in pairing.results.items()}
             one = loaded(name, truth, files, asked.frames)
             tell_oddities(one)
-            _measure(
-                asked, one, yardstick, measured, partial(_tell, told, number * len(files), total)
-            )
-            if not pairing.is_batch and len(files) == 1:
-                tracks = next(iter(one.results.values()))
-                measured.parts = part_rates(tracks, asked.truth, one.frames)
+            with _footage(asked, one) as (subject, why_none):
+                for result in files:
+                    told(len(measured), total)
+                    found = _measured(asked, one, subject, result, yardstick)
+                    if asked.report is not None and found.finding is not None:
+                        most = max(1, min(MOST_SWITCHES, _MOST_PICTURED // total))
+                        found = replace(found, shown=_shown(found.finding, why_none, most))
+                    measured.append(found)
+        told(total, total)
     _check_ranges(asked, measured)
     return measured
 
 
-def _tell(told: Progress, before: int, total: int, done: int) -> None:
-    told(before + done, total)
+def _measured(
+    asked: Asked, one: Loaded, subject: Subject, result: str, yardstick: Yardstick
+) -> Measured:
+    """One result on one sequence.
 
-
-def _measure(
-    asked: Asked,
-    one: Loaded,
-    yardstick: Yardstick,
-    measured: Measured,
-    tell: Callable[[int], None],
-) -> None:
-    """Every result on one sequence."""
-    with _footage(asked, one) as (subject, why_none):
-        for number, result in enumerate(subject.results):
-            tell(number)
-            try:
-                if not asked.is_detailed:
-                    score = yardstick.score(subject, result)
-                    score = with_passages(score, one, result, asked.lines)
-                    measured.scores[result][subject.name] = score
-                    continue
-                finding = finding_of(subject, result, yardstick)
-            except FormatError as error:
-                raise FormatError(f"{result} on {subject.name}: {error}") from error
-            score = with_passages(finding.score, one, result, asked.lines)
-            finding = replace(finding, score=score)
-            measured.scores[result][subject.name] = score
-            measured.findings.append(finding)
-            if asked.report is not None:
-                measured.shown[finding] = _shown(finding, why_none)
-        tell(len(subject.results))
+    Args:
+        subject: what is measured of the sequence, with its pictures where they are shown.
+    """
+    parts = part_rates(one.results[result], one.truth.path, one.frames)
+    try:
+        if not asked.is_detailed:
+            score = yardstick.score(subject, result)
+            score = with_passages(score, one, result, asked.lines)
+            return Measured(result, subject.name, score, parts)
+        finding = finding_of(subject, result, yardstick)
+    except FormatError as error:
+        raise FormatError(f"{result} on {subject.name}: {error}") from error
+    score = with_passages(finding.score, one, result, asked.lines)
+    finding = replace(finding, score=score, parts=parts)
+    return Measured(result, subject.name, score, parts, finding)
 
 
 @contextmanager
@@ -160,8 +156,9 @@ def _footage(asked: Asked, one: Loaded) -> Iterator[tuple[Subject, str]]:
         yield subject, why_none
 
 
-def _shown(finding: Finding, why_none: str) -> Shown:
-    switches = switch_pictures(finding, lambda *_: None)
+def _shown(finding: Finding, why_none: str, most: int) -> Shown:
+    """Pictures of a finding, of so many switches."""
+    switches = switch_pictures(finding, lambda *_: None, most)
     place = place_picture(finding.subject)
     return Shown(switches, place, why_none or "nobody knows where people stand in the pictures")
 
@@ -179,10 +176,11 @@ def _progress(asked: Asked, pairing: Pairing) -> Iterator[Callable[[int, int], N
         yield told
 
 
-def _check_ranges(asked: Asked, measured: Measured) -> None:
+def _check_ranges(asked: Asked, measured: Sequence[Measured]) -> None:
     """Refuse ranges that lie in no sequence."""
-    if asked.ranges and not any(finding.ranges for finding in measured.findings):
-        stop = max(finding.subject.stop for finding in measured.findings)
+    findings = [each.finding for each in measured if each.finding is not None]
+    if asked.ranges and not any(finding.ranges for finding in findings):
+        stop = max(finding.subject.stop for finding in findings)
         raise SettingsError(
             f"range {asked.ranges[0]} is in neither result nor truth: choose one within 0:{stop}"
         )

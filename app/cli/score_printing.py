@@ -2,93 +2,72 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from app.cli.score_measuring import Asked, Measured
 from app.cli.sequences import Pairing
 from tracking.scoring import Score, combined
-from tracking.scoring.parts import Rates
 from tracking.scoring.report import Finding, people_data, ranges_data
 from tracking.scoring.report.measures import Measure, measures_by
 from tracking.scoring.report.tables import COMBINED, people_rows
 
 
-def document_of(asked: Asked, pairing: Pairing, measured: Measured) -> dict[str, Any]:
+def document_of(asked: Asked, pairing: Pairing, measured: Sequence[Measured]) -> dict[str, Any]:
     """The JSON document; of a single pair its measures alone."""
-    findings = {(one.result, one.subject.name): one for one in measured.findings}
-    ranges = bool(asked.ranges)
     by_result: dict[str, dict[str, Any]] = {}
-    for result, scores in measured.scores.items():
-        sequences = {
-            name: single_document(
-                score,
-                findings.get((result, name)),
-                measured.parts,
-                per_person=asked.per_person,
-                ranges=ranges,
-            )
-            for name, score in scores.items()
-        }
-        overall = combined(list(scores.values())).as_json()
+    for result in pairing.results:
+        own = [each for each in measured if each.result == result]
         by_result[result] = (
-            {"sequences": sequences, "combined": overall}
+            {
+                "sequences": {each.sequence: _single_document(asked, each) for each in own},
+                "combined": combined([each.score for each in own]).as_json(),
+            }
             if pairing.is_batch
-            else next(iter(sequences.values()))
+            else _single_document(asked, own[0])
         )
     document = next(iter(by_result.values())) if len(by_result) == 1 else {"results": by_result}
     return document | ({"left_out": list(pairing.unmatched)} if pairing.is_batch else {})
 
 
-def text_of(asked: Asked, pairing: Pairing, measured: Measured) -> str:
+def text_of(asked: Asked, pairing: Pairing, measured: Sequence[Measured]) -> str:
     """The same for people."""
-    overall = {name: combined(list(found.values())) for name, found in measured.scores.items()}
+    if len(measured) == 1 and not pairing.is_batch:
+        return "\n\n".join([measured[0].score.as_text(), *_more(asked, measured[0])])
+    scores: dict[str, dict[str, Score]] = {}
+    for each in measured:
+        scores.setdefault(each.result, {})[each.sequence] = each.score
+    overall = {name: combined(list(found.values())) for name, found in scores.items()}
     pieces = []
     if pairing.is_batch:
-        pieces += [sequences_text(measured.scores[name], overall[name], name) for name in overall]
+        pieces += [sequences_text(scores[name], overall[name], name) for name in overall]
     if len(overall) > 1:
         pieces.append(comparison_text(overall))
-    if not pieces:
-        (score,) = overall.values()
-        finding = measured.findings[0] if measured.findings else None
-        return single_text(
-            score,
-            finding,
-            measured.parts,
-            per_person=asked.per_person,
-            ranges=bool(asked.ranges),
-        )
-    for finding in measured.findings:
-        title = f"{finding.result} on {finding.subject.name}"
-        if asked.per_person:
-            pieces.append(f"{title}\n{people_text(finding)}")
-        if asked.ranges:
-            pieces.append(f"{title}\n{ranges_text(finding)}")
+    for each in measured:
+        title = f"{each.result} on {each.sequence}"
+        pieces += [f"{title}\n{piece}" for piece in _more(asked, each)]
     return "\n\n".join(pieces)
 
 
-def single_document(
-    score: Score, finding: Finding | None, parts: Rates | None, *, per_person: bool, ranges: bool
-) -> dict[str, Any]:
-    """One result on one sequence, as JSON."""
-    document = score.as_json() | ({} if parts is None else {"parts": parts.as_json()})
-    if finding is not None and per_person:
-        document["per_person"] = people_data(finding)
-    if finding is not None and ranges:
-        document["ranges"] = ranges_data(finding)
+def _single_document(asked: Asked, one: Measured) -> dict[str, Any]:
+    document = one.score.as_json()
+    if one.parts is not None:
+        document["parts"] = one.parts.as_json()
+    if one.finding is not None and asked.per_person:
+        document["per_person"] = people_data(one.finding)
+    if one.finding is not None and asked.ranges:
+        document["ranges"] = ranges_data(one.finding)
     return document
 
 
-def single_text(
-    score: Score, finding: Finding | None, parts: Rates | None, *, per_person: bool, ranges: bool
-) -> str:
-    """The same for people."""
-    pieces = [score.as_text(), *([] if parts is None else [parts.as_text()])]
-    if finding is not None and per_person:
-        pieces.append(people_text(finding))
-    if finding is not None and ranges:
-        pieces.append(ranges_text(finding))
-    return "\n\n".join(pieces)
+def _more(asked: Asked, one: Measured) -> Iterator[str]:
+    """What is told beside the scores."""
+    if one.parts is not None:
+        yield one.parts.as_text()
+    if one.finding is not None and asked.per_person:
+        yield people_text(one.finding)
+    if one.finding is not None and asked.ranges:
+        yield ranges_text(one.finding)
 
 
 def people_text(finding: Finding) -> str:

@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 
 from tracking.errors import OutputError
 from tracking.scoring import Conventions, ErrorKind, PassageScore
+from tracking.scoring.parts import Rates
 from tracking.scoring.report import (
     Finding,
     Shown,
@@ -193,6 +194,20 @@ def test_passages_are_told_where_there_are_lines() -> None:
     finding = scenes.found()[0]
     counted = replace(finding, score=replace(finding.score, passages=(PassageScore("d", 4, 3, 2),)))
     assert "Counted passages" in page_of(report_of([counted], Yardstick()), {})
+
+
+def test_body_parts_have_their_curves_where_they_were_followed() -> None:
+    finding = scenes.found()[0]
+    rates = Rates(
+        2, 0, np.array([2, 2, 1, 0]), np.full((4, 4), 0.5), np.zeros((4, 4)),
+        np.array([0.9, 0.8, np.nan, 0.7]), np.array([0.1, 0.2, 0.3]),
+    )  # fmt: skip
+    report = report_of([replace(finding, parts=rates)], Yardstick())
+    read = Reader(page_of(report, {}))
+    assert {"Body parts", "hip-leg", "90.0 %", "10.0 %"} <= set(read.texts)
+    assert "| head | 90.0 % | 10.0 % |" in markdown_of(report)
+    one = data_of(report)["results"]["first<b>"]["sequences"][scenes.NAME]
+    assert one["parts"]["people_judged"] == 2
 
 
 def test_the_best_is_what_reads_best_and_differences_have_their_sign() -> None:

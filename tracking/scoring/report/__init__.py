@@ -11,10 +11,16 @@ from tracking.scoring.report.findings import (
 from tracking.scoring.report.on_sequence import Shown
 from tracking.scoring.report.page import page_of
 from tracking.scoring.report.subject import Footage, Subject
-from tracking.scoring.report.switch_pictures import SwitchPictures, place_picture, switch_pictures
+from tracking.scoring.report.switch_pictures import (
+    MOST_SWITCHES,
+    SwitchPictures,
+    place_picture,
+    switch_pictures,
+)
 from tracking.scoring.report.writing import check_score_folder, write_score_report
 
 __all__ = [
+    "MOST_SWITCHES",
     "Finding",
     "Footage",
     "ScoreReport",

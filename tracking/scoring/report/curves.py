@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from tracking.pages import Element, Panel, drawn
 from tracking.scoring.hota import ALPHAS
+from tracking.scoring.parts import SUBJECTS, Rates
 from tracking.scoring.report.findings import ScoreReport
 
 PARTS = ("HOTA", "DetA", "AssA", "LocA")
+PART_HEAD = ("body part", "right, of all frames", "of its rectangle, something else")
 _NAMED = 28
 
 
@@ -25,6 +29,36 @@ def hota_curves(report: ScoreReport) -> Element:
         for part in PARTS
     ]
     return drawn(panels, 2, says=says)
+
+
+def part_curves(rates: Rates) -> Element:
+    """How many people's parts are tracked rightly, over the frames since a person's start."""
+    length = int(np.count_nonzero(rates.people))
+    curves = {_word(name): 100 * rates.right[:length, n] for n, name in enumerate(SUBJECTS)}
+    panel = Panel(
+        "body parts tracked rightly",
+        curves,
+        np.arange(float(length)),
+        ("frames since a person's start", "people, %"),
+        (0.0, float(max(length - 1, 1))),
+        (0.0, 100.0),
+    )
+    return drawn([panel], 1, says="how many people's body parts are tracked rightly over time")
+
+
+def part_rows(rates: Rates) -> list[tuple[str, str, str]]:
+    """Each part, how often it is right, and how much of its rectangle holds something else."""
+    foreign = (*rates.foreign.tolist(), math.nan)
+    shares = zip(SUBJECTS, rates.overall.tolist(), foreign, strict=True)
+    return [(_word(name), _percent(right), _percent(other)) for name, right, other in shares]
+
+
+def _word(subject: str) -> str:
+    return subject.replace("_", "-")
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.1f} %" if math.isfinite(share) else "–"
 
 
 def _panel(

@@ -48,6 +48,7 @@ def finding_data(finding: Finding) -> dict[str, Any]:
         "per_person": people_data(finding),
         "ranges": ranges_data(finding),
         "errors": _errors(finding.errors),
+        **({} if finding.parts is None else {"parts": finding.parts.as_json()}),
     }
 
 

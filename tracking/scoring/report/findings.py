@@ -11,6 +11,7 @@ from tracking.scoring.conventions import Conventions
 from tracking.scoring.errors import ErrorTable, errors_of
 from tracking.scoring.examination import examine
 from tracking.scoring.matching import BoxMatch, Match
+from tracking.scoring.parts import Rates
 from tracking.scoring.per_person import PersonScore, per_person_of
 from tracking.scoring.report.subject import Subject
 from tracking.scoring.score import Score, score, score_of
@@ -58,6 +59,7 @@ class Finding:
         subject: the sequence. result: name of the result.
         score: over all frames. errors, people: frames counted as in the recording.
         ranges: scores of ranges of frames, each by itself.
+        parts: how rightly body parts are followed; None where nobody did.
     """
 
     subject: Subject
@@ -66,6 +68,7 @@ class Finding:
     errors: ErrorTable
     people: tuple[PersonScore, ...]
     ranges: Mapping[Range, Score]
+    parts: Rates | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

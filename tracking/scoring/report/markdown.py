@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tracking.scoring.errors import ErrorKind
 from tracking.scoring.report import tables
+from tracking.scoring.report.curves import PART_HEAD, part_rows
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.measures import by_group
 from tracking.scoring.report.page import how, title_of
@@ -78,6 +79,8 @@ def _finding(finding: Finding, report: ScoreReport) -> Iterator[str]:
     if finding.people:
         head, cells = tables.people_rows(finding)
         yield _table(head, [[plain(cell) for cell in row] for row in cells])
+    if finding.parts is not None:
+        yield _table(PART_HEAD, part_rows(finding.parts))
     yield from _switches(finding)
 
 

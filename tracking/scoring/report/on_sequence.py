@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from tracking.pages import Axis, Element, element, jpeg_source, picture
+from tracking.pages import Axis, Element, element, jpeg_source, picture, table
 from tracking.scoring.errors import ErrorKind
 from tracking.scoring.report import tables
+from tracking.scoring.report.curves import PART_HEAD, part_curves, part_rows
 from tracking.scoring.report.error_map import MOST_MARKS, error_map, left_out
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.ground_plan import ground_plan
@@ -43,6 +44,7 @@ def on_sequence(finding: Finding, report: ScoreReport, shown: Shown) -> Iterator
     if finding.people:
         yield from _people(finding)
     yield from tables.passages(finding)
+    yield from _parts(finding)
 
 
 def _over_time(finding: Finding) -> Iterator[Element]:
@@ -122,3 +124,11 @@ def _figure(one: SwitchPictures, clock: Clock) -> Element:
 def _people(finding: Finding) -> Iterator[Element]:
     yield element("h3", "People of the truth")
     yield tables.people(finding)
+
+
+def _parts(finding: Finding) -> Iterator[Element]:
+    if finding.parts is None:
+        return
+    yield element("h3", "Body parts")
+    curves = element("div", part_curves(finding.parts), class_="drawn narrow")
+    yield element("div", curves, table(PART_HEAD, part_rows(finding.parts)), class_="row")
