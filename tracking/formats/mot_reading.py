@@ -68,9 +68,10 @@ def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int64]]
     """The columns as `read_mot` gives them, unchecked, and the lines they stand on."""
     table, lines = NumberRows(reading, _SHAPE).read(pieces_of(reading.path))
     finite = np.isfinite(table).all(axis=1)
-    for row in np.flatnonzero(~finite).tolist():
-        reading.bad(f"line {lines[row]}", "a value is not a finite number")
-    table, lines = table[finite], lines[finite]
+    if not finite.all():
+        for row in np.flatnonzero(~finite).tolist():
+            reading.bad(f"line {lines[row]}", "a value is not a finite number")
+        table, lines = table[finite], lines[finite]
     held = _names(table.shape[1])
     columns: dict[str, NDArray[Any]] = dict(zip(held, table.T.copy(), strict=False))
     for name in (*_HEAD, *_WORLD, *_SEEN):

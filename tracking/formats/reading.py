@@ -124,7 +124,8 @@ class Reading:
             for row in np.flatnonzero(wrong & good)[: MOST_BAD + 1].tolist():
                 self.bad(place_of(row), reason)
             good &= ~wrong
-        kept = {name: np.asarray(column)[good] for name, column in rows.items()}
+        every = bool(good.all())  # nothing is copied then: there may be millions
+        kept = {name: np.asarray(col) if every else col[good] for name, col in rows.items()}
         return kept | {name: kept[name].astype(np.int32) for name in ("frame", "track")}
 
     def ids_from_zero(self, track: NDArray[Any]) -> NDArray[Any]:
@@ -176,5 +177,8 @@ def with_all_columns(rows: Columns) -> dict[str, NDArray[Any]]:
 
 def in_order(rows: Columns) -> dict[str, NDArray[Any]]:
     """The rows by frame, then track."""
+    keys = (rows["frame"].astype(np.int64) << 32) | rows["track"]
+    if bool((keys[1:] > keys[:-1]).all()):
+        return dict(rows)
     order = np.lexsort((rows["track"], rows["frame"]))
     return {name: column[order] for name, column in rows.items()}
