@@ -186,6 +186,9 @@ def test_damaged_files_are_refused(tmp_path: Path) -> None:
     path.write_bytes(data[:5000])
     with pytest.raises(FormatError, match="damaged"):
         import_jupedsim(path, Filmed())
+    path.write_bytes(bytes(data[:4096]).replace(b"CREATE TABLE traj", b"CREATE\xedTABLE traj"))
+    with pytest.raises(FormatError, match="damaged"):
+        import_jupedsim(path, Filmed())
     path.write_text("no database")
     with pytest.raises(FormatError, match="not an SQLite file"):
         import_jupedsim(path, Filmed())

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
+from tracking.formats.label_text import line
 from tracking.formats.reading import Reading
 
 SIGNATURE = b"SQLite format 3\0"
@@ -61,8 +62,8 @@ def opened(path: Path, tables: Collection[str]) -> Iterator[sqlite3.Connection]:
             _defend(database, tables)
             _check_tables(path, database, tables)
             yield database
-    except (sqlite3.Error, OverflowError) as error:
-        raise FormatError(f"{path} is damaged: {error}; export it again") from error
+    except (sqlite3.Error, OverflowError, UnicodeError) as error:
+        raise FormatError(f"{path} is damaged ({line(error)}); export it again") from error
 
 
 def numbers_of(
