@@ -27,7 +27,7 @@ from app.presenters.scenes import Eye
 from app.presenters.words import tr
 from tracking.tracks import Box, Labels, PartLabel
 
-Counted = Callable[[Tool, int], str]
+CountText = Callable[[Tool, int], str]
 """What is counted at a line or in a region, by its number; "" where nothing is."""
 
 
@@ -66,15 +66,15 @@ class LabellingPresenter:
 
     # what the views show
 
-    def picture(self, eye: Eye, frame: int, counted: Counted) -> PictureLabels:
-        """Everything drawn and said, in one eye; `counted` tells what is counted at it."""
-        outlines = _told(self._drawn.picture(eye, self.labels, self._picked), counted)
+    def picture(self, eye: Eye, frame: int, count_text: CountText) -> PictureLabels:
+        """Everything drawn and said, in one eye; `count_text` tells what is counted at it."""
+        outlines = _told(self._drawn.picture(eye, self.labels, self._picked), count_text)
         labelling = self.choice.tool is not None
         return PictureLabels(self._part_marks(eye, frame), outlines, labelling)
 
-    def floor(self, counted: Counted) -> FloorLabels:
+    def floor(self, count_text: CountText) -> FloorLabels:
         """What was drawn on the floor, with what is counted at it."""
-        return FloorLabels(_told(self._drawn.floor(self.labels, self._picked), counted))
+        return FloorLabels(_told(self._drawn.floor(self.labels, self._picked), count_text))
 
     @property
     def _picked(self) -> Drawn:
@@ -185,9 +185,9 @@ class LabellingPresenter:
         return self.labels.title(self.track)
 
 
-def _told(outlines: tuple[Outline, ...], counted: Counted) -> tuple[Outline, ...]:
+def _told(outlines: tuple[Outline, ...], count_text: CountText) -> tuple[Outline, ...]:
     """The outlines with what is counted at them."""
-    return tuple(replace(one, said=counted(*one.key)) for one in outlines)
+    return tuple(replace(one, said=count_text(*one.key)) for one in outlines)
 
 
 def _drawing_words(tool: Tool) -> tuple[str, str]:

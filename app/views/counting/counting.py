@@ -13,7 +13,7 @@ from app.presenters.counting.counting import CountingPresenter
 from app.presenters.counting.subject import SHOWN, Counted, Length, Subject, loader, worked_out
 from app.presenters.document.document import Document
 from app.presenters.document.instant import Instant, Pictured
-from app.presenters.labelling.labelling import Counted as Told
+from app.presenters.labelling.labelling import CountText
 from app.presenters.words import counted, tr
 from app.views.desk.workspace import Workspace
 from app.views.playing.playback import Playback
@@ -78,7 +78,7 @@ class Counting(QObject):
         panel = self.presenter.scene(instant, doing) if pictured.counting else None
         self._workspace.counting.show_scene(panel)
 
-    def texts_at(self, instant: Instant, pictured: Pictured) -> Told:
+    def texts_at(self, instant: Instant, pictured: Pictured) -> CountText:
         """Gives what to write at lines and regions in an instant."""
         if not pictured.counts:
             return lambda *_: ""

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 _SESSIONS = "trackwright (*.h5)"
 
 
-class Beside(QObject):
+class SessionsBeside(QObject):
     """Shows another session of the same recording beside the one on the window's desk."""
 
     def __init__(self, window: MainWindow, work: Work, parent: QObject) -> None:

@@ -18,7 +18,7 @@ from app.presenters.scenes import WelcomeScene
 from app.presenters.words import tr
 from app.views.desk.desk import Desk
 from app.views.files.author import Author
-from app.views.files.compare import Beside
+from app.views.files.compare import SessionsBeside
 from app.views.files.exporting import Exporting
 from app.views.files.generations import OlderStates
 from app.views.files.importing import Importing
@@ -77,7 +77,7 @@ class Files(QObject):
         self.older = OlderStates(window, work, self)
         self.older.said.connect(self.said)
         self.older.changed.connect(self.changed)
-        self.beside = Beside(window, work, self)
+        self.beside = SessionsBeside(window, work, self)
         self.keeping = Keeping(window, work, self)
         self.keeping.changed.connect(self.changed)
         self.saving = Saving(self, window, work, remembered)

@@ -19,7 +19,7 @@ from app.presenters.labelling.drawing import (
     plan_reshaped,
     plan_taken_away,
 )
-from app.presenters.labelling.labelling import Counted, LabellingPresenter
+from app.presenters.labelling.labelling import CountText, LabellingPresenter
 from app.presenters.labelling.labelling_scene import (
     LINE_COLOUR,
     OCCLUDER_COLOUR,
@@ -329,10 +329,10 @@ class Labelling(QObject):
 
     # showing
 
-    def draw(self, both: bool, shown: bool, counted: Counted) -> None:
+    def draw(self, both: bool, shown: bool, count_text: CountText) -> None:
         """Show labels in the views.
 
-        both: the right eye is shown too. shown: at all. counted: what to write at what is drawn.
+        both: the right eye is shown too. shown: at all. count_text: what to write at what is drawn.
         """
         if self._document.flow is not None and self.tool is not None:
             self.leave()
@@ -340,10 +340,10 @@ class Labelling(QObject):
         frame, presenter = self._playback.number, self._presenter
         shown = shown or self.tool is not None
         nothing = PictureLabels()
-        left = presenter.picture(Eye.LEFT, frame, counted) if shown else nothing
-        right = presenter.picture(Eye.RIGHT, frame, counted) if shown and both else nothing
+        left = presenter.picture(Eye.LEFT, frame, count_text) if shown else nothing
+        right = presenter.picture(Eye.RIGHT, frame, count_text) if shown and both else nothing
         self._show(left, right)
-        self._workspace.overhead.show_labels(presenter.floor(counted))
+        self._workspace.overhead.show_labels(presenter.floor(count_text))
         if self.tool is Tool.PARTS:
             self._parts.show_parts(left.parts, presenter.parts.choice.part)
         elif self.tool in _COLOURS:

@@ -35,8 +35,8 @@ from app.views.window.context_menu import ContextMenu
 from app.views.window.fitting import fit_to_screen, keep_on_screen
 from app.views.window.look_choice import LookChoice
 from app.views.window.menus import Menus, TypingGuard
+from app.views.window.refusal_notice import RefusalNotice
 from app.views.window.runnable import runnable_commands
-from app.views.window.told import Told
 
 _FIRST_SIZE = QSize(1440, 900)
 _NOTE_MS = 6000
@@ -65,7 +65,7 @@ class MainWindow(QMainWindow):
         self._pages = QStackedWidget(self)
         self._guard = TypingGuard(self)
         self._commands: dict[str, Callable[[], None]] = runnable_commands(self)
-        self._told = Told(self, self._guard)
+        self._told = RefusalNotice(self, self._guard)
         self._refreshing = QTimer(self, singleShot=True, interval=0)
         self._progressing = QTimer(self, singleShot=True, interval=_PROGRESS_MS)
         self._lay_out()

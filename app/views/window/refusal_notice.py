@@ -15,7 +15,7 @@ _BEGIN_TYPING = frozenset({"tracks.rename", "tracks.attributes", "tracks.notes"}
 """Commands after which text is typed."""
 
 
-class Told:
+class RefusalNotice:
     """Says in the window's notice why not, and takes it back once it is no longer so."""
 
     def __init__(self, window: MainWindow, guard: TypingGuard) -> None:
