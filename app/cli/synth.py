@@ -13,7 +13,7 @@ _BYTES_A_SECOND = 1 << 20
 
 
 @dataclass(frozen=True, slots=True)
-class Wish:
+class SynthRequest:
     """What is rendered.
 
     Attributes:
@@ -32,18 +32,18 @@ class Wish:
     bumped_s: float | None = None
 
 
-def run_synth(out: Path, wish: Wish, *, as_json: bool) -> None:
+def run_synth(out: Path, request: SynthRequest, *, as_json: bool) -> None:
     """Render the recording and print where it stands."""
-    check_seconds(wish.seconds)
-    circumstances = Circumstances(wish.begin_s, wish.dimmed_s, wish.bumped_s)
-    check_folder(nearest_folder(out.parent), int((wish.seconds or 0) * _BYTES_A_SECOND))
-    with progress(f"rendering {wish.scene}") as advance:
+    check_seconds(request.seconds)
+    circumstances = Circumstances(request.begin_s, request.dimmed_s, request.bumped_s)
+    check_folder(nearest_folder(out.parent), int((request.seconds or 0) * _BYTES_A_SECOND))
+    with progress(f"rendering {request.scene}") as advance:
         folder = render_recording(
             out,
-            wish.scene,
-            wish.seconds,
-            wish.people,
-            wish.seed,
+            request.scene,
+            request.seconds,
+            request.people,
+            request.seed,
             advance,
             circumstances=circumstances,
         )

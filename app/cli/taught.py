@@ -3,39 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from app.presenters.parts.taught import Source, Taught, source_at, taught_by
 from tracking.session import RecordingMissing
 
 
-@dataclass(frozen=True, slots=True)
-class How:
-    """How labels are come by.
-
-    Attributes:
-        from_truth: they are made from the truth beside rendered recordings.
-        allow_outside: a recording outside of its session's folder may be opened.
-    """
-
-    from_truth: bool = False
-    allow_outside: bool = False
-
-
-def all_taught(paths: Sequence[Path], how: How) -> Taught:
+def all_taught(paths: Sequence[Path], *, from_truth: bool, allow_outside: bool) -> Taught:
     """The samples of sessions and tables, different recordings under different names.
+
+    Args:
+        from_truth: labels are made from the truth beside rendered recordings.
+        allow_outside: a recording outside of its session's folder may be opened.
 
     Raises as `source_at`; where a recording is missing it says what `train` can be told.
     """
-    return taught_by([_source(path, how) for path in paths])
+    return taught_by([_source(path, from_truth, allow_outside) for path in paths])
 
 
-def _source(path: Path, how: How) -> Source:
+def _source(path: Path, from_truth: bool, allow_outside: bool) -> Source:
     try:
-        return source_at(path, from_truth=how.from_truth, allow_outside=how.allow_outside)
+        return source_at(path, from_truth=from_truth, allow_outside=allow_outside)
     except RecordingMissing as missing:
-        raise RecordingMissing(f"{path}: {with_advice(missing, how.allow_outside)}") from missing
+        raise RecordingMissing(f"{path}: {with_advice(missing, allow_outside)}") from missing
 
 
 def with_advice(error: Exception, allow_outside: bool) -> str:

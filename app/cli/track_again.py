@@ -34,7 +34,7 @@ from tracking.tracks import Run
 
 
 @dataclass(frozen=True, slots=True)
-class Again:
+class TrackAgainRequest:
     """What is to be tracked again.
 
     Attributes:
@@ -55,7 +55,7 @@ class Again:
 
 def asked_again(
     onward: Onward, recording: Path | None, out: Path | None, eyes: Bare
-) -> Again | None:
+) -> TrackAgainRequest | None:
     """What the options ask for; None where they do not ask to track again.
 
     Raises:
@@ -72,7 +72,7 @@ def asked_again(
         raise typer.BadParameter("name the first frame to track again", param_hint="--from")
     _refuse_other_eyes(eyes, recording)
     place = recording or eyes.left
-    return Again(
+    return TrackAgainRequest(
         onward.again, onward.start, onward.until, place, out, onward.accept, eyes.allow_outside
     )
 
@@ -88,20 +88,22 @@ def _refuse_other_eyes(eyes: Bare, recording: Path | None) -> None:
             )
 
 
-def run_track_again(again: Again, order: Order, *, force: bool, as_json: bool) -> None:
+def run_track_again(
+    request: TrackAgainRequest, order: Order, *, force: bool, as_json: bool
+) -> None:
     """Track again, print what would change, and with `accept` take it."""
     if order.frames is not None:
         raise typer.BadParameter("tracking again takes --from and --until", param_hint="--frames")
-    with _opened(again) as (session, recording):
-        _check_place(session, recording, again, force=force)
+    with _opened(request) as (session, recording):
+        _check_place(session, recording, request, force=force)
         began_s = time.perf_counter()
-        run = _tracked_again(session, recording, again, order)
+        run = _tracked_again(session, recording, request, order)
         rate = (run.frames[1] - run.frames[0]) / (time.perf_counter() - began_s)
         found = differences(
             session.tracks, session.labels, session.history, run, run.frames, fps=recording.fps
         )
-        change = _taken(session, recording, run) if again.accept else None
-        kept = _keep(session, recording, run, change, again)
+        change = _taken(session, recording, run) if request.accept else None
+        kept = _keep(session, recording, run, change, request)
     if as_json:
         print_json(_as_json(run, rate, found, change, kept))
     else:
@@ -109,28 +111,30 @@ def run_track_again(again: Again, order: Order, *, force: bool, as_json: bool) -
 
 
 @contextmanager
-def _opened(again: Again) -> Iterator[tuple[Session, Recording]]:
-    if again.session.suffix.lower() != ".h5":
-        raise SettingsError(f"{again.session} is no session; make one with track -o NAME.h5 first")
-    if again.recording is not None and not again.recording.exists():
-        raise RecordingError(f"there is nothing at {again.recording}; check the path")
-    options = OpenOptions(allow_outside=again.allow_outside)
+def _opened(request: TrackAgainRequest) -> Iterator[tuple[Session, Recording]]:
+    if request.session.suffix.lower() != ".h5":
+        raise SettingsError(
+            f"{request.session} is no session; make one with track -o NAME.h5 first"
+        )
+    if request.recording is not None and not request.recording.exists():
+        raise RecordingError(f"there is nothing at {request.recording}; check the path")
+    options = OpenOptions(allow_outside=request.allow_outside)
     try:
-        opening = open_path(again.session, again.recording, options)
+        opening = open_path(request.session, request.recording, options)
     except RecordingMissing as missing:
         raise missing.advising("name its place (track RECORDING --again ...)") from missing
     with closing(opening) as opened:
         session = opened.document.session
         assert session is not None
-        _check_named(session, opened.document.recording, again)
+        _check_named(session, opened.document.recording, request)
         for note in session.notes:
             say(f"note: {note}")
         yield session, opened.document.recording
 
 
-def _check_named(session: Session, recording: Recording, again: Again) -> None:
+def _check_named(session: Session, recording: Recording, request: TrackAgainRequest) -> None:
     """Refuse a named recording that is not the session's own, which was found elsewhere then."""
-    named = again.recording
+    named = request.recording
     if named is None:
         return
     folder = recording.folder.resolve()
@@ -139,37 +143,41 @@ def _check_named(session: Session, recording: Recording, again: Again) -> None:
     files = [folder / "recording.toml", *(source.resolve() for source in recording.sources)]
     if folder not in meant and named.resolve() not in files:
         raise RecordingMissing(
-            f'{named} is not the recording of {again.session} ("{session.recording.name}"); '
+            f'{named} is not the recording of {request.session} ("{session.recording.name}"); '
             "name that one or leave it out"
         )
 
 
-def _check_place(session: Session, recording: Recording, again: Again, *, force: bool) -> None:
+def _check_place(
+    session: Session, recording: Recording, request: TrackAgainRequest, *, force: bool
+) -> None:
     """Refuse before the work what could not be saved after it."""
-    if again.out is not None and again.out.resolve() == again.session.resolve():
+    if request.out is not None and request.out.resolve() == request.session.resolve():
         raise typer.BadParameter("leave it out to keep the same session", param_hint="--out")
-    if again.out is not None:
-        check_file(again.out, recording.frame_count * BYTES_A_FRAME)
-        refuse_to_lose(again.out, force=force)
-    elif again.accept and session.read_only:
+    if request.out is not None:
+        check_file(request.out, recording.frame_count * BYTES_A_FRAME)
+        refuse_to_lose(request.out, force=force)
+    elif request.accept and session.read_only:
         raise SessionError(
-            f"{again.session} is open for reading only, so nothing can be taken into it; "
+            f"{request.session} is open for reading only, so nothing can be taken into it; "
             "name another session with -o"
         )
 
 
-def _tracked_again(session: Session, recording: Recording, again: Again, order: Order) -> Run:
+def _tracked_again(
+    session: Session, recording: Recording, request: TrackAgainRequest, order: Order
+) -> Run:
     """The new run: by default the same tracker with the settings of the run that was corrected."""
-    if not 0 <= again.start < recording.frame_count:
+    if not 0 <= request.start < recording.frame_count:
         raise SettingsError(
-            f"frame {again.start}: tracking again goes on from a frame within "
+            f"frame {request.start}: tracking again goes on from a frame within "
             f"0:{recording.frame_count}; choose --from there"
         )
     name, settings = _tracker(session, recording, order)
-    stop = recording.frame_count if again.until is None else again.until
-    resume = Resume.of(session.tracks, again.start, recording.fps) if again.start else None
-    with track(recording, name, settings, order.seed, (again.start, stop), resume) as work:
-        return run_of(work, recording, f"tracking again from frame {again.start} with {name}")
+    stop = recording.frame_count if request.until is None else request.until
+    resume = Resume.of(session.tracks, request.start, recording.fps) if request.start else None
+    with track(recording, name, settings, order.seed, (request.start, stop), resume) as work:
+        return run_of(work, recording, f"tracking again from frame {request.start} with {name}")
 
 
 def _tracker(session: Session, recording: Recording, order: Order) -> tuple[str, Any]:
@@ -201,17 +209,21 @@ def _taken(session: Session, recording: Recording, run: Run) -> Change | None:
 
 
 def _keep(
-    session: Session, recording: Recording, run: Run, change: Change | None, again: Again
+    session: Session,
+    recording: Recording,
+    run: Run,
+    change: Change | None,
+    request: TrackAgainRequest,
 ) -> Path | None:
     """Save the run and what is taken of it; gives where, None where nothing is to be kept.
 
     With a place of its own the session tracked from stays as it is, its journal too.
     """
-    if again.out is not None:
-        _copy(session, again.out)
-        with closing(Session.open(again.out)) as copy:
+    if request.out is not None:
+        _copy(session, request.out)
+        with closing(Session.open(request.out)) as copy:
             return _saved(copy, recording, run, change)
-    return _saved(session, recording, run, change) if again.accept else None
+    return _saved(session, recording, run, change) if request.accept else None
 
 
 def _saved(session: Session, recording: Recording, run: Run, change: Change | None) -> Path:

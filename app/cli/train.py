@@ -10,7 +10,7 @@ import numpy as np
 from app.cli.destination import check_file, check_folder, check_replaced, nearest_folder
 from app.cli.mistakes import pictures_of
 from app.cli.output import print_json, progress, say
-from app.cli.taught import How, all_taught
+from app.cli.taught import all_taught
 from tracking.errors import OutputError, TrainingError
 from tracking.failure import (
     Trained,
@@ -26,14 +26,15 @@ _ENDINGS = (".h5", ".hdf5")
 
 
 @dataclass(frozen=True, slots=True)
-class Wish:
+class TrainRequest:
     """What is to be trained.
 
     Attributes:
         sources: sessions, and exported samples. out: the detector to make.
         report: a folder for a report; None: none.
         false_alarms: share of good parts that may be taken for failed. seed: of the folds.
-        how: labels are come by.
+        from_truth: labels are made from the truth beside rendered recordings.
+        allow_outside: a recording outside of its session's folder may be opened.
     """
 
     sources: tuple[Path, ...]
@@ -41,50 +42,53 @@ class Wish:
     report: Path | None
     false_alarms: float
     seed: int
-    how: How
+    from_truth: bool = False
+    allow_outside: bool = False
 
 
-def run_train(wish: Wish, *, as_json: bool) -> None:
+def run_train(request: TrainRequest, *, as_json: bool) -> None:
     """Train, write the detector and say how good it is.
 
     Raises TrainingError where the samples are too few.
     """
-    _check(wish)
-    taught = all_taught(wish.sources, wish.how)
+    _check(request)
+    taught = all_taught(
+        request.sources, from_truth=request.from_truth, allow_outside=request.allow_outside
+    )
     samples = taught.samples
     if not len(samples):
-        names = ", ".join(map(str, wish.sources))
+        names = ", ".join(map(str, request.sources))
         raise TrainingError(f"{names}: no label of a tracked body part; label some parts first")
-    plan = TrainingPlan(false_alarms=wish.false_alarms)
+    plan = TrainingPlan(false_alarms=request.false_alarms)
     with progress("training") as told:
-        made = train(samples, plan, random=np.random.default_rng(wish.seed), progress=told)
-    save_detector(wish.out, made.detector)
+        made = train(samples, plan, random=np.random.default_rng(request.seed), progress=told)
+    save_detector(request.out, made.detector)
     page = None
-    if wish.report is not None:
-        pictures = pictures_of(made, taught, allow_outside=wish.how.allow_outside)
-        page = write_report(wish.report, made.report, pictures)[0]
-    _print(made, wish, page, as_json=as_json)
+    if request.report is not None:
+        pictures = pictures_of(made, taught, allow_outside=request.allow_outside)
+        page = write_report(request.report, made.report, pictures)[0]
+    _print(made, request, page, as_json=as_json)
 
 
-def _check(wish: Wish) -> None:
+def _check(request: TrainRequest) -> None:
     """Refuse what could not be written in the end, or would be lost."""
-    if wish.out.suffix.lower() not in _ENDINGS:
-        raise OutputError(f"{wish.out}: a detector's name ends in .h5; rename it with -o")
-    check_file(wish.out)
-    check_replaced(wish.out, FORMAT)
-    if wish.report is not None:
-        check_folder(nearest_folder(wish.report))
-        check_training_folder(wish.report)
-        if wish.report.resolve() in wish.out.resolve().parents:
+    if request.out.suffix.lower() not in _ENDINGS:
+        raise OutputError(f"{request.out}: a detector's name ends in .h5; rename it with -o")
+    check_file(request.out)
+    check_replaced(request.out, FORMAT)
+    if request.report is not None:
+        check_folder(nearest_folder(request.report))
+        check_training_folder(request.report)
+        if request.report.resolve() in request.out.resolve().parents:
             raise OutputError(
-                f"{wish.out} would lie in the report's folder; choose another place with -o"
+                f"{request.out} would lie in the report's folder; choose another place with -o"
             )
 
 
-def _print(made: Trained, wish: Wish, page: Path | None, *, as_json: bool) -> None:
+def _print(made: Trained, request: TrainRequest, page: Path | None, *, as_json: bool) -> None:
     report = made.report
     if as_json:
-        written = {"written": str(wish.out), "report": str(page) if page else None}
+        written = {"written": str(request.out), "report": str(page) if page else None}
         print_json({**written, **report.as_json()})
         return
     for question in report.questions:
@@ -99,6 +103,6 @@ def _print(made: Trained, wish: Wish, page: Path | None, *, as_json: bool) -> No
             f"warning: no better than chance: {names}; do not track with this detector before "
             "labels were looked over, or more parts labelled"
         )
-    print(wish.out)
+    print(request.out)
     if page is not None:
         print(page)

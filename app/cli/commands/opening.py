@@ -103,7 +103,7 @@ def synth(
     json: options.Json = False,
 ) -> None:
     """Render a recording of people with exact truth, with one eye or two as the scene has it."""
-    from app.cli.synth import Wish, run_synth
+    from app.cli.synth import SynthRequest, run_synth
 
-    wish = Wish(scene, seconds, people, seed, begin, dim, bump)
-    run_synth(out, wish, as_json=json)
+    request = SynthRequest(scene, seconds, people, seed, begin, dim, bump)
+    run_synth(out, request, as_json=json)

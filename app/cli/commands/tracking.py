@@ -40,8 +40,8 @@ def track(
     from app.cli.track import run_track
     from app.cli.track_again import asked_again, run_track_again
 
-    if (again := asked_again(onward, recording, out, eyes)) is not None:
-        run_track_again(again, order, force=force, as_json=json)
+    if (request := asked_again(onward, recording, out, eyes)) is not None:
+        run_track_again(request, order, force=force, as_json=json)
         return
     if out is None:
         raise typer.BadParameter("name the session to make", param_hint="--out")
@@ -73,9 +73,9 @@ def train(
     json: options.Json = False,
 ) -> None:
     """Train the detector of lost body parts from labels."""
-    from app.cli.taught import How
-    from app.cli.train import Wish, run_train
+    from app.cli.train import TrainRequest, run_train
 
-    how = How(from_truth, allow_outside)
-    wish = Wish(tuple(sources), out, report, false_alarms, seed, how)
-    run_train(wish, as_json=json)
+    request = TrainRequest(
+        tuple(sources), out, report, false_alarms, seed, from_truth, allow_outside
+    )
+    run_train(request, as_json=json)
