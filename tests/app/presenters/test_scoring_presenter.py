@@ -186,4 +186,6 @@ def test_while_a_tracker_is_at_work_whole_seconds_of_it_are_scored(presenter, do
 
 
 def test_without_tracks_there_is_nothing_to_score(document):
-    assert ScoringPresenter(Document(document.recording)).wanted() is None
+    presenter = ScoringPresenter(Document(document.recording))
+    assert presenter.wanted() is None
+    assert "Track the recording first" in presenter.scene("").message

@@ -44,20 +44,9 @@ def test_a_key_shows_score_truth_and_errors_and_takes_them_away(window, scored, 
     assert not view.score.isVisible()
     assert not view.timeline.errors.isVisible()
     assert not view.left._truth.people
-
-
-def test_the_truth_can_be_drawn_without_the_panel(window, desk, press, qtbot):
     press(Key.Key_G, SHIFT)
-    at_rest(desk, qtbot)
-    assert window.workspace.left._truth.people
-    assert not window.workspace.score.isVisible()
-
-
-def test_without_tracks_it_is_said_what_to_do(window, qtbot, tiny_recording):
-    window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None)
-    window.run_command("view.truth")
-    assert "Track the recording first" in window.statusBar().currentMessage()
+    assert view.left._truth.people
+    assert not view.score.isVisible()
 
 
 def test_keys_go_from_error_to_error(window, scored, press, qtbot):
@@ -88,35 +77,6 @@ def test_an_edit_is_scored_at_once_and_told_in_the_history(window, scored, press
     assert told.moved.startswith("HOTA \u25bc")
 
 
-def test_other_frames_on_the_timeline_are_scored(window, scored, qtbot):
-    scored.window_page.timeline.area.stretch.zoom(8.0)
-    first, end = scored.scoring.presenter.visible
-    assert end - first < 40
-    qtbot.waitUntil(lambda: scored.scoring.presenter.scored.subject.visible == (first, end))
-    assert scored.scoring.presenter.scored.visible.frames == end - first
-
-
-def test_a_file_without_tracks_is_told_in_the_panel(window, scored, tmp_path, qtbot):
-    noise = tmp_path / "noise.txt"
-    noise.write_bytes(bytes(range(256)))
-    scored.scoring.choose_file(noise)
-    qtbot.waitUntil(lambda: not scored.scoring.known, timeout=20_000)
-    qtbot.wait(100)
-    assert "noise.txt" in window.workspace.score._message.text()
-    assert not window.workspace.timeline.errors.isVisible()
-
-
-def test_pairing_by_places_scores_anew(window, scored, qtbot):
-    before = scored.scoring.presenter.scored
-    window.workspace.score.floor_chosen.emit(True)
-    qtbot.waitUntil(lambda: scored.scoring.presenter.scored is not before, timeout=20_000)
-    assert scored.scoring.presenter.scored.subject.matching.on_floor
-    window.workspace.score._kinds[ErrorKind.MISS].click()
-    qtbot.wait(5)
-    lanes = window.workspace.timeline.errors._scene.lanes
-    assert ErrorKind.MISS not in [lane.kind for lane in lanes]
-
-
 def test_a_report_is_written_into_a_folder_of_its_own(window, scored, qtbot, tmp_path):
     place = tmp_path / "reports"
     place.mkdir()
@@ -128,3 +88,21 @@ def test_a_report_is_written_into_a_folder_of_its_own(window, scored, qtbot, tmp
     assert f'"MOTA": {mota}' in json.dumps(told)
     assert "Corrected tracks" in (folder / "report.html").read_text()
     assert str(folder / "report.html") in window.statusBar().currentMessage()
+
+
+def test_what_is_chosen_otherwise_is_scored_anew(window, scored, qtbot, tmp_path):
+    presenter, view = scored.scoring.presenter, window.workspace
+    view.timeline.area.stretch.zoom(8.0)
+    first, end = presenter.visible
+    qtbot.waitUntil(lambda: presenter.scored.subject.visible == (first, end), timeout=20_000)
+    assert presenter.scored.visible.frames == end - first < 40
+    view.score.floor_chosen.emit(True)
+    qtbot.waitUntil(lambda: presenter.scored.subject.matching.on_floor, timeout=20_000)
+    view.score._kinds[ErrorKind.MISS].click()
+    qtbot.wait(5)
+    assert ErrorKind.MISS not in [lane.kind for lane in view.timeline.errors._scene.lanes]
+    noise = tmp_path / "noise.txt"
+    noise.write_bytes(bytes(range(256)))
+    scored.scoring.choose_file(noise)
+    qtbot.waitUntil(lambda: "noise.txt" in view.score._message.text(), timeout=20_000)
+    assert not view.timeline.errors.isVisible()
