@@ -39,3 +39,4 @@ def test_greater_values_stand_higher_and_none_beyond_the_frame() -> None:
     axis = Axis((0.0, 10.0), 200.0, upward=True)
     assert [axis.place(value) for value in (0.0, 10.0, 99.0)] == [200.0, 0.0, 0.0]
     assert axis.places(np.array([5.0, -1.0])).tolist() == [100.0, 200.0]
+    assert axis.places(np.array([20.0]), beyond=True).tolist() == [-200.0]

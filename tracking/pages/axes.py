@@ -32,10 +32,10 @@ class Axis:
         share = (min(max(value, low), high) - low) / (high - low)
         return self.length * (1.0 - share if self.upward else share)
 
-    def places(self, values: Floats) -> Floats:
-        """The same for (n,) values."""
+    def places(self, values: Floats, *, beyond: bool = False) -> Floats:
+        """The same for (n,) values; with beyond those outside of the span stand outside."""
         low, high = self.span
-        share = (np.clip(values, low, high) - low) / (high - low)
+        share = ((values if beyond else np.clip(values, low, high)) - low) / (high - low)
         return np.asarray(self.length * (1.0 - share if self.upward else share))
 
     def ticks(self, about: int = 5) -> list[float]:

@@ -56,7 +56,7 @@ def error_map(
 
 def _ground(plan: GroundPlan, background: Element | None) -> Iterator[Element]:
     if len(plan.view):
-        yield element("path", d=_path(plan.places(plan.view)) + "z", class_="view")
+        yield element("path", d=_path(plan.places(plan.view, beyond=True)) + "z", class_="view")
         x, y = plan.places(np.zeros((1, 2)))[0].tolist()
         camera = element("path", d=f"M{x - 7:.1f} {y:.1f}h14l-4-11h-6z", class_="camera")
         camera.append(element("title", "the camera"))

@@ -30,9 +30,10 @@ class GroundPlan:
     on_floor: bool
     view: Floats
 
-    def places(self, points: Floats) -> Floats:
-        """Where (n, 2) points are drawn."""
-        return np.column_stack((self.axes.x.places(points[:, 0]), self.axes.y.places(points[:, 1])))
+    def places(self, points: Floats, *, beyond: bool = False) -> Floats:
+        """Where (n, 2) points are drawn; with beyond those outside of the map stand outside."""
+        x = self.axes.x.places(points[:, 0], beyond=beyond)
+        return np.column_stack((x, self.axes.y.places(points[:, 1], beyond=beyond)))
 
     def of(self, rows: ScoringTable | ErrorTable) -> Floats:
         """(n, 2) where rows stand: on the floor, or the middle of a box's lower edge."""

@@ -164,7 +164,7 @@ def _time_axis(clock: Clock) -> Iterator[Element]:
 
 
 def _ticks(axis: Axis, y: float, title: str) -> Iterator[Element]:
-    yield element("text", title, x=-10, y=y + 17, text_anchor="end", class_="small faint")
+    yield element("text", title, x=-26, y=y + 17, text_anchor="end", class_="small faint")
     for value in axis.ticks(8):
         x = axis.place(value)
         if not y:
