@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from tracking.scoring.pairs import Candidates, Frames
+from tracking.scoring.pairs import Candidates, Frames, Rows
 from tracking.scoring.table import Flags, Floats, Integers
 
+_PAIRS_AT_ONCE = 1 << 16
 _MARGIN = 1e-9
 """Of a total: what is nearer to a tie is decided by the Hungarian method."""
 
@@ -15,58 +18,56 @@ _MARGIN = 1e-9
 def assign(pairs: Candidates, weight: Floats, frames: Frames) -> Flags:
     """Mark the pairs of the assignment with the greatest total weight in each frame.
 
-    A pair neither of whose rows stands in another one is taken. Among the others those that are
-    the best of both their rows are, in frames where that is proved to be the only best
-    assignment; elsewhere the Hungarian method decides.
+    Those that are the best of both their rows are taken, in frames where that is proved to be the
+    only best assignment; elsewhere the Hungarian method decides.
 
     Args:
         pairs: what may be assigned. weight: (k,) above 0. frames: the frames of the pairs.
     """
-    chosen = ~in_several(pairs)
-    rest = np.flatnonzero(~chosen)
-    chosen[rest], doubtful = _evident(pairs, rest, weight[rest])
-    for number, rows in stretches(pairs, doubtful):
-        chosen[rows] = solve(pairs, rows, weight[rows], frames, number)
+    chosen = np.zeros(len(pairs), bool)
+    for part in _parts(pairs.frame):
+        rows = Rows(pairs.rows.truth[part], pairs.rows.result[part])
+        chosen[part], wrong = _best(rows, weight[part])
+        doubtful = np.unique(pairs.frame[part][wrong])
+        for number, stretch in stretches(pairs, doubtful):
+            chosen[stretch] = solve(pairs, stretch, weight[stretch], frames, number)
     return chosen
 
 
-def _evident(pairs: Candidates, rest: Integers, weight: Floats) -> tuple[Flags, Integers]:
-    """Mark those of the rest that are best for both rows; and the frames where that may be wrong.
+def _parts(frame: Integers) -> Iterator[slice]:
+    """Whole frames in parts that stay in the processor's cache, or nearly so."""
+    begin = 0
+    while begin < len(frame):
+        end = begin + _PAIRS_AT_ONCE
+        if end < len(frame):
+            end = int(np.searchsorted(frame, frame[end - 1], "right"))
+        yield slice(begin, end)
+        begin = end
+
+
+def _best(rows: Rows, weight: Floats) -> tuple[Flags, Flags]:
+    """Mark the pairs that are best for both rows; and those that raise a doubt about it.
 
     Weak duality is the proof: give both rows of each marked pair half its weight as a price. An
     assignment is worth no more than the prices of its rows if no pair is worth more than the
     prices of its two, and the marked pairs are worth exactly all prices. If every other pair is
     worth less, no other assignment is as good.
     """
-    truth, result = pairs.rows.truth[rest], pairs.rows.result[rest]
+    truth, result = rows.truth - rows.truth.min(), rows.result - rows.result.min()
     best = (weight == _most(truth, weight)[truth]) & (weight == _most(result, weight)[result])
-    price_of_truth = np.bincount(truth[best], 0.5 * weight[best], _length(truth))
-    price_of_result = np.bincount(result[best], 0.5 * weight[best], _length(result))
+    price_of_truth = np.bincount(truth, 0.5 * weight * best)
+    price_of_result = np.bincount(result, 0.5 * weight * best)
     worth_less = weight * (1.0 + _MARGIN) < price_of_truth[truth] + price_of_result[result]
     # Where a row has two pairs of equal weight their prices add up: neither stands for sure.
-    several = (np.bincount(truth[best])[truth[best]] > 1) | (
-        np.bincount(result[best])[result[best]] > 1
-    )
-    frame = pairs.frame[rest]
-    doubtful = np.concatenate([frame[~best & ~worth_less], frame[best][several]])
-    return best, np.unique(doubtful)
-
-
-def _length(rows: Integers) -> int:
-    return int(rows.max(initial=-1)) + 1
+    several = (np.bincount(truth, best)[truth] > 1) | (np.bincount(result, best)[result] > 1)
+    return best, np.where(best, several, ~worth_less)
 
 
 def _most(rows: Integers, weight: Floats) -> Floats:
     """The greatest weight by row."""
-    most = np.zeros(_length(rows))
+    most = np.zeros(int(rows.max()) + 1)
     np.maximum.at(most, rows, weight)
     return most
-
-
-def uncontested(pairs: Candidates) -> tuple[Flags, Integers]:
-    """Pairs in frames where no row stands in two of them, and the numbers of the other frames."""
-    contested = np.unique(pairs.frame[in_several(pairs)])
-    return ~np.isin(pairs.frame, contested), contested
 
 
 def in_several(pairs: Candidates) -> Flags:
