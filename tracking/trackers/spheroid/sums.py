@@ -20,7 +20,7 @@ Whole = NDArray[np.int64]
 _COUNTED = 32
 """Bits by which the number of pixels stands above the sum of their grey levels: one look-up finds
 both."""
-_BLOCK = 900
+_BLOCK = 450
 """Silhouettes worked on at once: their lines' numbers then stay in the processor's cache."""
 
 
