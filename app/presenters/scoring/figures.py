@@ -11,9 +11,6 @@ from app.presenters.scoring.score_scene import ScoreRow
 from app.presenters.words import tr
 from tracking.scoring import Score
 
-_SAME = 5e-5
-"""Shares that differ by less are written alike."""
-
 
 @dataclass(frozen=True, slots=True)
 class Figure:
@@ -38,11 +35,12 @@ class Figure:
     def moved(self, before: Score, after: Score) -> tuple[str, int]:
         """By how much it moved, with sign and arrow, and whether that is better (1) or worse."""
         by = self.value(after) - self.value(before)
-        if math.isnan(by) or abs(by) < _SAME:
+        amount = "" if math.isnan(by) else self.form.format(abs(by))
+        if amount in ("", self.form.format(0.0)):
             return "", 0
         way = 1 if by > 0 else -1
         arrow = "\u25b2 +" if by > 0 else "\u25bc \u2212"
-        return arrow + self.form.format(abs(by)), self.sign * way
+        return arrow + amount, self.sign * way
 
 
 FIGURES: Final = (
