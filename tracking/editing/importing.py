@@ -22,7 +22,7 @@ from tracking.editing.scope import tracks_text
 from tracking.editing.selection import Rows, picked, stacked
 from tracking.errors import EditError
 from tracking.geometry import View
-from tracking.tracks import Columns, Labels, Source, TrackLabel, TrackTable
+from tracking.tracks import Columns, Labels, Source, TrackLabel, TrackTable, row_keys
 
 _SAME = 1e-6
 """Pixels or metres: text of other tools shifts numbers to and fro, which leaves dust."""
@@ -169,7 +169,7 @@ def _merged(old: Rows, new: Rows, view: View | None, *, vouched: bool) -> tuple[
 
 def _same_places(old: Columns, new: Columns) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Rows of both that are of one track in one frame."""
-    keys = [(part["frame"].astype(np.int64) << 32) | part["track"] for part in (old, new)]
+    keys = [row_keys(part["frame"], part["track"]) for part in (old, new)]
     _, was, will = np.intersect1d(keys[0], keys[1], assume_unique=True, return_indices=True)
     return was, will
 
