@@ -152,3 +152,12 @@ def test_the_challenge_s_folders_get_a_description_and_others_do_not(tmp_path: P
     assert MOT.write(tmp_path / "t.txt", exported, no_progress) == (tmp_path / "t.txt",)  # type: ignore[misc] # it writes
     back = import_mot(made[0], Filmed())
     assert (back.fps, back.frames, back.size_px) == (12.5, 50, (640, 480))
+
+
+def test_a_description_that_is_there_stays(tmp_path: Path) -> None:
+    (tmp_path / "gt").mkdir()
+    (tmp_path / "seqinfo.ini").write_text("[Sequence]\nname=MOT17-02\n")
+    assert MOT.write is not None
+    made = MOT.write(tmp_path / "gt" / "gt.txt", Exported.of_table(TWO), no_progress)
+    assert made == (tmp_path / "gt" / "gt.txt",)
+    assert (tmp_path / "seqinfo.ini").read_text() == "[Sequence]\nname=MOT17-02\n"

@@ -16,6 +16,7 @@ from tracking.formats.idtracker import IDTRACKER
 from tracking.formats.jupedsim import JUPEDSIM_SQLITE
 from tracking.formats.kitti import KITTI
 from tracking.formats.mot import MOT, MOT16
+from tracking.formats.samples_reading import begins_as_hdf5
 from tracking.formats.sleap import SLEAP
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 
@@ -69,5 +70,9 @@ def format_of(path: Path) -> TrackFormat:
     for each in FORMATS.values():
         if each.read is not None and each.recognises(path, head):
             return each
+    if begins_as_hdf5(path):
+        raise FormatError(
+            f"{path} is HDF5 of no layout known here; a session is opened, or exported first"
+        )
     known = ", ".join(name for name, each in FORMATS.items() if each.read is not None)
     raise FormatError(f"{path} is of no format known here; name one with --format: {known}")

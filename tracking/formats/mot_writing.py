@@ -53,7 +53,8 @@ def export_mot(path: Path, exported: Exported, report: Progress) -> tuple[Path, 
     """Write tracks as MOT text of 2015: ten columns, with the place in the world.
 
     Where the text stands in the challenge's own folders (`NAME/gt/gt.txt`), `NAME/seqinfo.ini` is
-    written, too. Gives the files made; raises OutputError and what `report` raises.
+    written, too, unless there is one. Gives the files made; raises OutputError and what `report`
+    raises.
     """
     with replacing_bytes(path) as stream:
         for piece in exported.pieces(report):
@@ -81,8 +82,8 @@ def export_mot_classes(path: Path, exported: Exported, report: Progress) -> tupl
 def _described(path: Path, exported: Exported) -> tuple[Path, ...]:
     """The description of the sequence, where the text stands in the challenge's own folders."""
     place = place_for(path)
-    if place.parent == path.parent:
-        return ()
+    if place.parent == path.parent or place.exists():
+        return ()  # a sequence that has a description keeps it: it says more than is known here
     with replacing(place) as stream:
         stream.write(sequence_text(exported))
     return (place,)

@@ -252,3 +252,11 @@ def test_what_is_no_tracks_is_refused_in_a_line(
     assert err.count("\n") == 1
     assert "tracks.txt" in err
     assert [file.name for file in tmp_path.iterdir()] == ["tracks.txt"]
+
+
+def test_a_session_is_no_file_of_another_tool(
+    trackwright: Trackwright, footage: Path, session: Path, tmp_path: Path
+) -> None:
+    words = ["import", session, "--recording", footage, "-o", tmp_path / "s.h5"]
+    status, _, err = trackwright(*words)
+    assert (status, "a session is opened, or exported first" in err) == (1, True)
