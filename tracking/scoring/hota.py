@@ -38,7 +38,7 @@ class Hota:
 
     @classmethod
     def without_matches(cls, misses: int, false_positives: int) -> Hota:
-        """Where a side is empty."""
+        """Where nothing is alike, or a side is empty."""
         zero = np.zeros(len(ALPHAS))
         return cls(zero, zero + misses, zero + false_positives, zero, zero, zero, zero + 1.0)
 

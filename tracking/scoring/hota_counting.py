@@ -48,11 +48,12 @@ class Couples:
 def hota(comparison: Comparison) -> Hota:
     """Match each frame once with the tracks' overall agreement as weight, then count per alpha."""
     truth, result = len(comparison.truth), len(comparison.result)
-    if comparison.one_sided:
+    if not len(comparison.pairs):
         return Hota.without_matches(truth, result)
     pairs, couples = comparison.pairs, Couples.of(comparison)
-    weight = _agreement(pairs, couples)[couples.of_pair] * pairs.similarity
-    chosen = assign(pairs, weight, comparison.frames)
+    weight = _agreement(pairs, couples)[couples.of_pair]
+    weight *= pairs.similarity
+    chosen = np.flatnonzero(assign(pairs, weight, comparison.frames))
     similarity = pairs.similarity[chosen]
     # So many alphas a match counts at: the first ones.
     alphas = np.searchsorted(ALPHAS - EPS, similarity, "right")
@@ -74,9 +75,12 @@ def hota(comparison: Comparison) -> Hota:
 
 def _agreement(pairs: Candidates, couples: Couples) -> Floats:
     """(c,) how well a person and a track fit over the recording, before anything is matched."""
-    by_person = np.bincount(pairs.rows.truth, pairs.similarity)[pairs.rows.truth]
-    by_track = np.bincount(pairs.rows.result, pairs.similarity)[pairs.rows.result]
-    share = pairs.similarity / (by_track + by_person - pairs.similarity)
+    # In one array: there may be millions of pairs.
+    of_truth = np.bincount(pairs.rows.truth, pairs.similarity)
+    share: Floats = np.asarray(of_truth[pairs.rows.truth], np.float64)
+    share += np.bincount(pairs.rows.result, pairs.similarity)[pairs.rows.result]
+    share -= pairs.similarity
+    np.divide(pairs.similarity, share, out=share)
     together = np.bincount(couples.of_pair, share, minlength=len(couples))
     return np.asarray(together / (couples.of_person + couples.of_track - together))
 
