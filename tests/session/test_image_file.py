@@ -9,7 +9,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -37,6 +37,7 @@ def noise(rows: int) -> NDArray[np.float64]:
     return np.random.default_rng(3101).random(rows)
 
 
+@settings(deadline=None)  # it waits for the disk
 @given(rows=st.sampled_from([0, 1, 7, 65_535, 65_536, 65_537, 200_000]), text=st.text("aä\n"))
 def test_what_is_written_is_an_ordinary_file_of_the_library(tmp_path_factory, rows, text):
     path = tmp_path_factory.mktemp("image") / "s.h5"
