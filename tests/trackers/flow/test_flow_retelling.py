@@ -83,6 +83,16 @@ def test_who_stands_stays_as_followed() -> None:
     assert own.tolist() == list(range(5, 75))
 
 
+def test_who_is_followed_off_all_ways_before_and_after_is_not_led_straight_between() -> None:
+    standing = Walker((-0.7, 6.5), (0.0, 0.0))
+    run = run_with((COMING, standing), ((1, 0, range(5, 75)), (2, 1, range(5, 75))))
+    found = finished(run, VIEW, FPS).tracks
+    for track in np.unique(found["track"]):
+        own = found["track"] == track
+        hidden = found["frame"][own][found["predicted"][own]]
+        assert len(hidden) <= 3 * FPS
+
+
 def test_a_finished_run_has_every_row_once_and_is_the_same_each_time() -> None:
     run = run_with((COMING, GOING), ((1, 0, range(5, 35)), (1, 1, range(35, 75))))
     found, again = finished(run, VIEW, FPS).tracks, finished(run, VIEW, FPS).tracks

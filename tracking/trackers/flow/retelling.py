@@ -61,7 +61,11 @@ def retold(run: Run, view: View, fps: float) -> Run:
 def pieces_of(tracks: Columns, fps: float) -> list[Rows]:
     """The rows of each stretch of a track in which the person is seen, by time."""
     order = np.lexsort((tracks["frame"], tracks["track"]))
-    rows = order[~tracks["predicted"][order]]
+    return _unbroken(tracks, order[~tracks["predicted"][order]], fps)
+
+
+def _unbroken(tracks: Columns, rows: Rows, fps: float) -> list[Rows]:
+    """Rows, by track and time, cut where the track changes and where it has none for a while."""
     other = np.diff(tracks["track"][rows]) != 0
     gap = np.diff(tracks["frame"][rows]) > max(1, round(_BREAK_S * fps))
     return [piece for piece in np.split(rows, np.flatnonzero(other | gap) + 1) if len(piece)]
@@ -130,16 +134,16 @@ def _rows_of(
 def _with_those_off(told: Columns, tracks: Columns, pieces: Sequence[Rows], fps: float) -> Columns:
     """With pieces of tracks that lie off all ways; sorted by frame, then track."""
     highest = int(max(told["track"].max(), tracks["track"].max(initial=0)))
-    parts = [told]
-    for piece in pieces:
-        rows = piece[_off(tracks, piece, told)]
+    parts, taken = [told], set(told["track"].tolist())
+    off = np.concatenate([piece[_off(tracks, piece, told)] for piece in pieces])
+    for rows in _unbroken(tracks, off, fps):
         if len(rows) < _LEAST_S * fps:
             continue
         part = {name: column[rows] for name, column in tracks.items()}
-        same = told["track"] == part["track"][0]
-        if np.isin(part["frame"], told["frame"][same]).any():
+        if int(part["track"][0]) in taken:  # whether it is the same person is settled later
             highest += 1
             part["track"] = np.full_like(part["track"], highest)
+        taken.add(int(part["track"][0]))
         parts.append(part)
     both = {name: np.concatenate([part[name] for part in parts]) for name in told}
     order = np.lexsort((both["track"], both["frame"]))
