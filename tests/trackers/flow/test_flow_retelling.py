@@ -83,14 +83,16 @@ def test_who_stands_stays_as_followed() -> None:
     assert own.tolist() == list(range(5, 75))
 
 
-def test_who_is_followed_off_all_ways_before_and_after_is_not_led_straight_between() -> None:
-    standing = Walker((-0.7, 6.5), (0.0, 0.0))
-    run = run_with((COMING, standing), ((1, 0, range(5, 75)), (2, 1, range(5, 75))))
-    found = finished(run, VIEW, FPS).tracks
+def test_a_track_off_all_ways_before_and_after_a_while_is_told_without_a_hole() -> None:
+    standing = Walker((0.9, 6.0), (0.0, 0.0))
+    followed = ((2, 1, range(5, 20)), (2, 0, range(20, 60)), (2, 1, range(60, 75)))
+    run = run_with((COMING, standing), ((1, 0, range(5, 75)), *followed))
+    found = retold(run, VIEW, FPS).tracks
     for track in np.unique(found["track"]):
-        own = found["track"] == track
-        hidden = found["frame"][own][found["predicted"][own]]
-        assert len(hidden) <= 3 * FPS
+        frame = found["frame"][found["track"] == track]
+        assert (np.diff(frame) == 1).all()
+    stood = found["frame"][np.hypot(found["x"] - 0.9, found["y"] - 6.0) < 0.1]
+    assert stood.tolist() == [*range(5, 20), *range(60, 75)]
 
 
 def test_a_finished_run_has_every_row_once_and_is_the_same_each_time() -> None:

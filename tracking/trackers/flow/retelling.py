@@ -135,8 +135,8 @@ def _with_those_off(told: Columns, tracks: Columns, pieces: Sequence[Rows], fps:
     """With pieces of tracks that lie off all ways; sorted by frame, then track."""
     highest = int(max(told["track"].max(), tracks["track"].max(initial=0)))
     parts, taken = [told], set(told["track"].tolist())
-    off = np.concatenate([piece[_off(tracks, piece, told)] for piece in pieces])
-    for rows in _unbroken(tracks, off, fps):
+    off = [np.zeros(0, np.intp), *(piece[_off(tracks, piece, told)] for piece in pieces)]
+    for rows in _unbroken(tracks, np.concatenate(off), fps):
         if len(rows) < _LEAST_S * fps:
             continue
         part = {name: column[rows] for name, column in tracks.items()}
