@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench accuracy results results-parts results-spheroid results-flow detector kills model pictures lock clean
+.PHONY: help demo test format bench accuracy results results-parts results-spheroid results-flow detector kills model peers scorers interchange pictures lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -62,6 +62,16 @@ kills: $(STAMP) ## kill the window 1,000 times while tracks are corrected in it:
 
 model: $(STAMP) ## sessions against a plain list of states, 10,000 runs of 50 steps (two hours)
 	$(BIN)/python -m tests.sweeps.model
+
+peers: $(STAMP) ## the programs we compare with, each in an environment of its own under build/peers
+	$(BIN)/python -m tests.peers
+
+scorers: $(STAMP) ## scores against TrackEval's and py-motmetrics' on 400 random sequences (five minutes; after make peers)
+	$(BIN)/python tests/sweeps/scorers.py
+	$(BIN)/python -m tests.sweeps.scored_files
+
+interchange: $(STAMP) ## other tools read what is written, and the other way round (after make peers)
+	$(BIN)/python -m tests.sweeps.formats
 
 pictures: $(STAMP) ## make the pictures in docs/ through a virtual screen
 	@$(BIN)/python -m app.system_libraries
