@@ -143,3 +143,15 @@ def test_the_surer_track_takes_the_person() -> None:
     assert found.found[0, 0].tolist() == [True, False]
     assert found.found[0, -1].tolist() == [False, True]
     assert found.average_precision().tolist()[-1] == pytest.approx(0.5)
+
+
+def test_floor_distances_round_as_in_trackeval() -> None:
+    """Else pairs that are equally far apart there would not be here, and others be matched."""
+    places = np.random.default_rng(5).integers(0, 80, (400, 2)) / 40.0
+    truth = table([(0, n, x, y) for n, (x, y) in enumerate(places[:200].tolist())])
+    result = table([(0, n, x, y) for n, (x, y) in enumerate(places[200:].tolist())])
+    pairs = Rows(np.arange(200), np.arange(200))
+    match = FloorMatch(0.5)
+    found = match.similarity(match.measured(truth), match.measured(result), pairs)
+    apart_m = np.linalg.norm(places[:200, None] - places[None, 200:], axis=2).diagonal()
+    assert (found == np.maximum(0, 1 - apart_m / 1.0)).all()

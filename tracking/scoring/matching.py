@@ -106,7 +106,8 @@ class FloorMatch:
     def similarity(self, truth: Floats, result: Floats, pairs: Rows) -> Floats:
         """1 at the same place, 0.5 at the radius, 0 from twice the radius on."""
         x, y = (truth[axis][pairs.truth] - result[axis][pairs.result] for axis in (2, 3))
-        alike = np.maximum(0.0, 1.0 - np.hypot(x, y) / (2.0 * self.radius_m))
+        # Not np.hypot: equal distances must round as in TrackEval, which decides between them.
+        alike = np.maximum(0.0, 1.0 - np.sqrt(x * x + y * y) / (2.0 * self.radius_m))
         return np.where(np.isnan(alike), 0.0, alike)
 
     def require(self, table: ScoringTable, side: str) -> None:
