@@ -11,8 +11,8 @@ from hypothesis import settings
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-# The same examples at every run, so that what passes here passes elsewhere; HYPOTHESIS_PROFILE=search
-# looks for new ones. No deadlines: machines are shared.
+# The same examples at every run, so that what passes here passes elsewhere;
+# HYPOTHESIS_PROFILE=search looks for new ones. No deadlines: machines are shared.
 settings.register_profile("steady", derandomize=True, deadline=None)
 settings.register_profile("search", deadline=None)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "steady"))
