@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from tracking.editing import Change, History, State
+from tracking.editing import Change, History, State, Written
 from tracking.errors import EditError
 
 
@@ -78,3 +79,13 @@ def test_a_log_that_cannot_be_is_refused() -> None:
         History(entries[1:])
     with pytest.raises(EditError, match="before one that is in force"):
         History([replace(entries[0], undone=True), entries[1]])
+
+
+def test_a_change_that_was_written_ahead_is_logged_as_one_that_was_not() -> None:
+    change = Change("rename", "edit 1", 0, State(np.array([[3, 0, 9]])), State())
+    drafted = [
+        History().draft(change, "now", "ada", written=written)
+        for written in (None, Written.of(change), Written(replace(change), "{", "{"))
+    ]
+    assert drafted == [drafted[0]] * 3
+    assert '"stretches":[[3,0,9]]' in drafted[0].before

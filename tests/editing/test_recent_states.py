@@ -38,11 +38,11 @@ def test_the_arrays_an_edit_was_planned_with_stay_the_callers_own():
 
 
 def test_few_states_are_kept_and_no_large_one(monkeypatch):
-    monkeypatch.setattr(recent, "_LONGEST", 3)
+    monkeypatch.setattr(recent, "_CHARACTERS", 16)
     held = RecentStates()
     for number in range(100):
         held.put(str(number), State())
-    held.put("long", State())
+    held.put("longer than all others", State())
     kept = [number for number in range(100) if held.get(str(number)) is not None]
     assert kept == list(range(92, 100))
-    assert held.get("long") is None
+    assert held.get("longer than all others") is None

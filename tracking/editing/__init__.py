@@ -39,7 +39,7 @@ from tracking.editing.labels.reviewing import (
     with_verdict,
 )
 from tracking.editing.log.alone import plan_undo_alone
-from tracking.editing.log.history import Entry, History
+from tracking.editing.log.history import Entry, History, Written
 from tracking.editing.log.text import rows_beyond_the_log, state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
 from tracking.editing.log.touched import touched
@@ -69,6 +69,7 @@ __all__ = [
     "SwapFrame",
     "Thinned",
     "TouchIndex",
+    "Written",
     "apply_change",
     "body_position",
     "compare_runs",

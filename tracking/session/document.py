@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tracking.editing import Change, Entry, plan_undo_alone, with_parts_carried
+from tracking.editing import Change, Entry, Written, plan_undo_alone, with_parts_carried
 from tracking.errors import OutputError, SessionError
 from tracking.session.held import Held
 from tracking.session.image import Stamps, empty_snapshot
@@ -114,14 +114,14 @@ class Session(Held):
 
     # Changing
 
-    def apply(self, change: Change) -> Entry:
-        """Make an edit; it is on disk when this returns.
+    def apply(self, change: Change, written: Written | None = None) -> Entry:
+        """Make an edit; it is on disk when this returns. written: it, where that is at hand.
 
         Raises EditError where it does not apply, OutputError where it cannot be put on disk
         (nothing is changed then), SessionError for a session open for reading only.
         """
         change = with_parts_carried(change, self.labels)
-        entry = self.history.draft(change, now(), self.author)
+        entry = self.history.draft(change, now(), self.author, written=written)
         return self._do("apply", entry, change)
 
     def undo(self) -> Entry:

@@ -22,7 +22,7 @@ from app.presenters.pictures.pictures import PicturePresenter
 from app.presenters.scenes import HistoryItem, TimelineMark, TimelineScene, TrackCard
 from app.presenters.timeline.lanes import TimelinePresenter
 from app.presenters.words import tr
-from tracking.editing import Change
+from tracking.editing import Change, Written
 from tracking.errors import EditError
 from tracking.recording import Recording
 from tracking.session import Session, author_named
@@ -220,8 +220,8 @@ class Document:
             self.selection.choose(change.tracks[0])
         return change
 
-    def apply(self, change: Change) -> None:
-        """Do a change: on disk first, then shown.
+    def apply(self, change: Change, written: Written | None = None) -> None:
+        """Do a change: on disk first, then shown. written: it, where that is at hand.
 
         Raises:
             EditError: the tracks shown are not the session's but those of a tracker at work, or
@@ -230,7 +230,7 @@ class Document:
         self._refuse_while_live()
         refuse_too_large(change)
         if self.session is not None:
-            self.session.apply(change)
+            self.session.apply(change, written)
             self._take_changed(change)
 
     def undo(self) -> Change | None:

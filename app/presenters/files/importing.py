@@ -8,8 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
+from app.presenters.correcting.planning import refuse_too_large
 from app.presenters.words import counted, tr
-from tracking.editing import Change, plan_import
+from tracking.editing import Written, plan_import
 from tracking.errors import EditError, FormatError
 from tracking.formats import FORMATS, Filmed, Imported, TrackFormat, format_of
 from tracking.progress import Progress
@@ -113,13 +114,13 @@ class Fitted:
 
     Attributes:
         choice: it. found: the tracks. known: how many of them are in the session already.
-        change: the edit that takes them; None: it would change nothing. into: the table it is of.
+        written: the edit that takes them; None: it would change nothing. into: the table it is of.
     """
 
     choice: ImportChoice
     found: Importable
     known: int
-    change: Change | None
+    written: Written | None
     into: TrackTable | None = field(default=None, repr=False)
 
 
@@ -140,20 +141,25 @@ def fitting(
         ids = set(np.unique(found.rows["track"]).tolist())
         known = len(ids & set(table.track_ids)) if table is not None else 0
         report(1, _STEPS)
-        change = None
+        written = None
         if table is not None:
-            change = _planned(read, found, table, labels)
-        return Fitted(choice, found, known, change, table)
+            written = _planned(read, found, table, labels)
+        return Fitted(choice, found, known, written, table)
 
     return work
 
 
-def _planned(read: ReadFile, found: Importable, table: TrackTable, labels: Labels) -> Change | None:
-    """The edit; None where the file says what the session says."""
+def _planned(
+    read: ReadFile, found: Importable, table: TrackTable, labels: Labels
+) -> Written | None:
+    """The edit, ready to be kept; None where the file says what the session says."""
+    rows, told, source = found.rows, found.labels, read.path.name
     try:
-        return plan_import(table, labels, found.rows, found.labels, read.path.name, view=found.view)
+        change = plan_import(table, labels, rows, told, source, view=found.view)
     except EditError:
         return None
+    refuse_too_large(change)
+    return Written.of(change)
 
 
 def import_scene(read: ReadFile, fitted: Fitted | None, own: int) -> ImportScene:
@@ -218,7 +224,7 @@ def _beside_own(fitted: Fitted, own: int) -> list[str]:
                 "{n} have ids of tracks of the session, which become as in the file",
             )
         )
-        gone = _rows_gone(fitted.change)
+        gone = _rows_gone(fitted.written)
         if gone:
             lines.append(
                 counted(
@@ -239,10 +245,11 @@ def _beside_own(fitted: Fitted, own: int) -> list[str]:
     return lines
 
 
-def _rows_gone(change: Change | None) -> int:
+def _rows_gone(written: Written | None) -> int:
     """How many rows an edit takes away without another one in their place."""
-    if change is None:
+    if written is None:
         return 0
+    change = written.change
     was, will = (
         row_keys(side.rows["frame"], side.rows["track"]) for side in (change.before, change.after)
     )
@@ -254,6 +261,6 @@ def _why_not(fitted: Fitted) -> str:
         return tr("there is nothing to take")
     if fitted.found.bad_count and not fitted.choice.takes_good:
         return tr("say whether the other rows are taken, or correct the file")
-    if fitted.into is not None and fitted.change is None:
+    if fitted.into is not None and fitted.written is None:
         return tr("the session says so already")
     return ""

@@ -76,8 +76,8 @@ class Importing(QObject):
             self._work.run(title, work, partial(self._show, desk, fitted), cancellable=False)
             return
         try:
-            if fitted.change is not None:
-                desk.document.apply(fitted.change)
+            if fitted.written is not None:
+                desk.document.apply(fitted.written.change, fitted.written)
         except TrackwrightError as error:
             self.failed.emit(error)
             return

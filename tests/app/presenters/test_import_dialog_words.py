@@ -66,7 +66,7 @@ def test_no_other_track_is_touched_and_all_of_it_is_undone_at_once(read):
     own = table()
     before = own.columns()
     found = read([*straight(4), *straight(50)])
-    change = fitted(found, into=own.snapshot()).change
+    change = fitted(found, into=own.snapshot()).written.change
     apply_change(own, Labels(), change)
     assert set(own.track_ids) == {4, 7, 50}
     assert own.of_track(4)["frame"].tolist() == list(range(40))
@@ -99,13 +99,13 @@ def test_with_new_ids_no_own_track_is_touched(read):
     found = read(straight(4))
     seen = fitted(found, ImportChoice(as_new=True), own)
     assert seen.known == 0
-    assert seen.change.tracks == (8,)
+    assert seen.written.change.tracks == (8,)
 
 
 def test_what_the_session_says_already_is_no_import(read):
     own = table()
     found = read(straight(9))
-    apply_change(own, Labels(), fitted(found, into=own.snapshot()).change)
+    apply_change(own, Labels(), fitted(found, into=own.snapshot()).written.change)
     again = fitted(found, into=own)
     assert import_scene(found, again, 3).why_not == "the session says so already"
 

@@ -57,6 +57,26 @@ class Entry:
         return Change(self.kind, self.text, self.frame, before, after, self.scope)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Written:
+    """A change with its two sides as the log keeps them.
+
+    Of hundreds of thousands of rows that takes a while, and any thread may do it ahead.
+
+    Attributes:
+        change: the change. before, after: see `state_as_text`.
+    """
+
+    change: Change
+    before: str
+    after: str
+
+    @classmethod
+    def of(cls, change: Change) -> Written:
+        """Write it. Raises EditError where it is more than the log can keep."""
+        return cls(change, state_as_text(change.before), state_as_text(change.after))
+
+
 class History:
     """Entries in order. It keeps books only; whoever applies a change tells it."""
 
@@ -194,12 +214,22 @@ class History:
 
     # Keeping books
 
-    def draft(self, change: Change, time: str, author: str, undoes: int = 0) -> Entry:
-        """The entry a change will have once it is added."""
-        before, after = state_as_text(change.before), state_as_text(change.after)
+    def draft(
+        self,
+        change: Change,
+        time: str,
+        author: str,
+        undoes: int = 0,
+        written: Written | None = None,
+    ) -> Entry:
+        """The entry a change will have once it is added; written: of this change, or of another."""
+        if written is None or written.change is not change:
+            written = Written.of(change)
         number, what = len(self._entries) + 1, (change.kind, change.text, int(change.frame))
         return Entry(
-            *(number, time, author, *what, before, after), undoes=undoes, scope=change.scope
+            *(number, time, author, *what, written.before, written.after),
+            undoes=undoes,
+            scope=change.scope,
         )
 
     def add(self, entry: Entry, change: Change | None = None) -> None:

@@ -7,8 +7,8 @@ from collections import OrderedDict
 
 from tracking.editing.change import State
 
-_MOST, _LONGEST = 8, 4_000_000
-"""How many, and how many characters of each: some 50,000 rows."""
+_MOST, _CHARACTERS = 8, 32_000_000
+"""How many, and of how many characters in all: some 500,000 rows."""
 
 
 class RecentStates:
@@ -24,7 +24,7 @@ class RecentStates:
 
     def get(self, text: str) -> State | None:
         """The state of a text, where it is known."""
-        if len(text) > _LONGEST:
+        if len(text) > _CHARACTERS:
             return None
         with self._lock:
             state = self._states.get(text)
@@ -34,11 +34,12 @@ class RecentStates:
 
     def put(self, text: str, state: State) -> None:
         """Know the state a text stands for, and forget the one asked for longest ago."""
-        if len(text) > _LONGEST:
+        if len(text) > _CHARACTERS:
             return
         for array in (state.stretches, *state.rows.values()):
             array.flags.writeable = False
         with self._lock:
             self._states[text] = state
-            if len(self._states) > _MOST:
+            self._states.move_to_end(text)
+            while len(self._states) > _MOST or sum(map(len, self._states)) > _CHARACTERS:
                 self._states.popitem(last=False)

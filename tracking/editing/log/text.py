@@ -49,16 +49,17 @@ def state_as_text(state: State) -> str:
     text = json.dumps(parts, separators=(",", ":"), default=_plain)
     if len(text) > LARGEST_TEXT:
         raise _too_large(count)
-    if count and not labels:
-        _RECENT.put(text, _as_read(state))
+    if count:
+        _RECENT.put(text, _as_read(state, labels))
     return text
 
 
-def _as_read(state: State) -> State:
+def _as_read(state: State, labels: Mapping[str, Any]) -> State:
     """The state as its text gives it back, in arrays of its own."""
     types = CORRECTED_COLUMNS.items()
     rows = {name: np.array(state.rows[name], dtype) for name, dtype in types}
-    return State(np.array(state.stretches, np.int64).reshape(-1, 3), rows)
+    read = labels_from_json(json.loads(json.dumps(labels, default=_plain)))
+    return State(np.array(state.stretches, np.int64).reshape(-1, 3), rows, read)
 
 
 def rows_beyond_the_log(change: Change) -> int:

@@ -79,8 +79,8 @@ def _rows(before: State, after: State) -> Iterator[Boxes]:
     if np.array_equal(old, new):
         yield _boxes_of(ROWS, old)
         return
-    yield _boxes_of(ROWS, np.union1d(old, new))
     coming = np.setdiff1d(new, old, assume_unique=True)
+    yield _boxes_of(ROWS, np.sort(np.concatenate([old, coming]), kind="stable"))
     for kind in _PARTS:
         yield _boxes_of(kind, coming)
 
