@@ -118,7 +118,7 @@ def test_a_closed_pipe_ends_quietly(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["score"], "trackwright: Missing argument 'result'; see trackwright score --help"),
+        (["score"], "trackwright: Missing argument 'RESULT'; see trackwright score --help"),
         (["review", "x.h5", "--most", "0"], "greater than or equal to 1; see trackwright review"),
         (["track", "x", "--from", "abc"], "'--from'"),
         (["track", "x", "--from", "5"], "--from: it needs a session, --again NAME.h5"),
