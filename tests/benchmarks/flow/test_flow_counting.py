@@ -96,4 +96,4 @@ def test_the_page_says_whether_sums_and_passages_meet_their_goals() -> None:
 
 def test_the_picture_has_a_panel_for_each_clip() -> None:
     drawn = report.counts_picture([_row(206, 94), {**_row(1, 1), "tracker": "spheroid"}])
-    assert drawn.count("lane 1") == 1
+    assert drawn.count(">lane 1<") == 1
