@@ -7,11 +7,12 @@ import re
 from tracking.errors import SettingsError
 
 
-def typed_range(text: str | None, count: int) -> tuple[int, int] | None:
+def typed_range(text: str | None, count: int, option: str = "--frames") -> tuple[int, int] | None:
     """A:B as numbers; either may be left out. None where nothing was typed.
 
     Args:
         count: of the frames there are; stands for B where that is left out.
+        option: which it was typed for.
 
     Raises:
         SettingsError: it is no such text.
@@ -20,6 +21,6 @@ def typed_range(text: str | None, count: int) -> tuple[int, int] | None:
         return None
     found = re.fullmatch(r"\s*(\d{0,9})\s*:\s*(\d{0,9})\s*", text)
     if found is None:
-        raise SettingsError(f"frames {text!r} are not A:B, e.g. --frames 100:400")
+        raise SettingsError(f"frames {text!r} are not A:B, e.g. {option} 100:400")
     start, stop = found.groups()
     return int(start or 0), int(stop or count)

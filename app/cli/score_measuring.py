@@ -13,7 +13,7 @@ from app.cli.score_passages import with_passages
 from app.cli.scored import Loaded, loaded, part_rates, tell_oddities
 from app.cli.sequences import Pairing
 from tracking.errors import FormatError, SettingsError
-from tracking.scoring import BoxMatch, Conventions, FloorMatch, Score
+from tracking.scoring import BoxMatch, Conventions, FloorMatch, Score, check_distances
 from tracking.scoring.parts import Rates
 from tracking.scoring.report import (
     MOST_SWITCHES,
@@ -41,6 +41,7 @@ class Asked:
         results, truth: files or folders.
         match: "box" or "floor". radius_m: for the floor. conventions: a name of `Conventions`.
         frames: A:B; None: all. ranges: A:B each, measured by themselves.
+        distances: edges in metres from the camera, with commas between; None: not told.
         per_person: a row each. lines: over which passages are counted; none: those in sessions.
         report: a folder; None: none.
         allow_outside: a recording outside of its session's folder may be opened.
@@ -53,6 +54,7 @@ class Asked:
     conventions: str = Conventions.TRACKEVAL
     frames: str | None = None
     ranges: tuple[str, ...] = ()
+    distances: str | None = None
     per_person: bool = False
     lines: tuple[CountingLine, ...] = ()
     report: Path | None = None
@@ -61,7 +63,8 @@ class Asked:
     @property
     def is_detailed(self) -> bool:
         """Whether more is told than scores."""
-        return self.per_person or bool(self.ranges) or self.report is not None
+        told = self.per_person or bool(self.ranges) or self.distances is not None
+        return told or self.report is not None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,16 +88,29 @@ class Measured:
 def yardstick_of(asked: Asked) -> Yardstick:
     """How it is measured.
 
-    Raises SettingsError where a range or radius is none.
+    Raises SettingsError where a range, a radius or distances are none.
     """
     match = FloorMatch(asked.radius_m) if asked.match == "floor" else BoxMatch()
     ranges = []
     for text in asked.ranges:
-        start, stop = typed_range(text, _END) or (0, _END)
+        start, stop = typed_range(text, _END, "--range") or (0, _END)
         if start >= stop:
             raise SettingsError(f"range {text} holds no frames; name one as A:B with A below B")
         ranges.append((start, stop))
-    return Yardstick(match, Conventions(asked.conventions), tuple(ranges))
+    distances_m = () if asked.distances is None else _distances(asked.distances)
+    return Yardstick(match, Conventions(asked.conventions), tuple(ranges), distances_m)
+
+
+def _distances(text: str) -> tuple[float, ...]:
+    """Edges as typed. Raises SettingsError where they are none."""
+    try:
+        edges_m = tuple(float(each) for each in text.split(","))
+    except ValueError as error:
+        raise SettingsError(
+            f"distances {text!r} are not numbers with commas between, e.g. --distances 0,5,10"
+        ) from error
+    check_distances(edges_m)
+    return edges_m
 
 
 def measured_by(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> list[Measured]:

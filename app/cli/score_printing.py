@@ -8,7 +8,14 @@ from typing import Any
 from app.cli.score_measuring import Asked, Measured
 from app.cli.sequences import Pairing
 from tracking.scoring import Score, combined
-from tracking.scoring.report import Finding, people_data, ranges_data
+from tracking.scoring.report import (
+    NO_PLACES,
+    Finding,
+    distance_rows,
+    distances_data,
+    people_data,
+    ranges_data,
+)
 from tracking.scoring.report.measures import Measure, measures_by
 from tracking.scoring.report.tables import COMBINED, people_rows
 
@@ -57,6 +64,8 @@ def _single_document(asked: Asked, one: Measured) -> dict[str, Any]:
         document["per_person"] = people_data(one.finding)
     if one.finding is not None and asked.ranges:
         document["ranges"] = ranges_data(one.finding)
+    if one.finding is not None and asked.distances is not None:
+        document["distances"] = distances_data(one.finding.distances)
     return document
 
 
@@ -68,6 +77,8 @@ def _more(asked: Asked, one: Measured) -> Iterator[str]:
         yield people_text(one.finding)
     if one.finding is not None and asked.ranges:
         yield ranges_text(one.finding)
+    if one.finding is not None and asked.distances is not None:
+        yield grid(*distance_rows(one.finding.distances)) if one.finding.distances else NO_PLACES
 
 
 def people_text(finding: Finding) -> str:

@@ -30,6 +30,8 @@ from tracking.scoring.report import (
     switch_pictures,
     write_score_report,
 )
+from tracking.scoring.report.data import finding_data
+from tracking.scoring.report.distances import even_edges
 from tracking.scoring.report.markdown import markdown_of, plain
 from tracking.scoring.report.measures import measures_by
 from tracking.scoring.report.stretches import Stretches, joined
@@ -178,6 +180,9 @@ def test_without_metres_the_map_is_the_picture() -> None:
     assert "x in the picture, px" in page
     assert "<image " in page
     assert "floor error" not in page
+    assert "the truth has no places on the floor" in page
+    assert "the truth has no places on the floor" in markdown_of(report_of([finding], Yardstick()))
+    assert finding_data(finding)["distances"] == []
 
 
 def test_nobody_anywhere_makes_a_page_all_the_same() -> None:
@@ -188,6 +193,48 @@ def test_nobody_anywhere_makes_a_page_all_the_same() -> None:
         finding = finding_of(empty, "nobody", Yardstick())
         Reader(page_of(report_of([finding], Yardstick()), {}))
         json.dumps(data_of(report_of([finding], Yardstick())), allow_nan=False)
+
+
+def test_figures_by_distance_are_told_in_ranges_of_the_reports_own() -> None:
+    report = scenes.report()
+    says = " ".join(Reader(page_of(report, {})).texts)
+    assert "By distance from the camera" in says
+    assert "6 and more" in markdown_of(report)
+    one = finding_data(report.findings[0])
+    edges = [(each["from_m"], each["to_m"]) for each in one["distances"]]
+    assert edges == [(0, 2), (2, 4), (4, 6), (6, None)]
+    assert sum(each["id_switches"] for each in one["distances"]) == one["id_switches"] == 1
+
+
+@given(st.floats(0, 500))
+def test_ranges_of_distance_are_few_and_reach_where_people_are(reach_m: float) -> None:
+    edges = even_edges(reach_m)
+    assert edges[0] == 0
+    assert 1 <= len(edges) <= 6
+    assert len(edges) == 1 or edges[-1] < reach_m <= edges[-1] + edges[1]
+
+
+@pytest.mark.parametrize("stop", [KeyboardInterrupt(), OSError(28, "No space left on device")])
+def test_who_is_stopped_while_writing_leaves_the_folder_as_it_was(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stop: BaseException
+) -> None:
+    earlier, new = tmp_path / "earlier", tmp_path / "new" / "inner"
+    write_score_report(earlier, scenes.report())
+    held = {each.name: each.read_bytes() for each in earlier.iterdir()}
+    report, synced = scenes.report("other"), [0]
+
+    def fsync(_file: int) -> None:
+        synced[0] += 1
+        if synced[0] % 3 == 2:
+            raise stop
+
+    monkeypatch.setattr("tracking.pages.folder.os.fsync", fsync)
+    for folder in (earlier, new):
+        with pytest.raises((KeyboardInterrupt, OutputError)):
+            write_score_report(folder, report)
+        synced[0] = 0
+    assert {each.name: each.read_bytes() for each in earlier.iterdir()} == held
+    assert [each.name for each in tmp_path.iterdir()] == ["earlier"]
 
 
 def test_passages_are_told_where_there_are_lines() -> None:

@@ -16,7 +16,7 @@ from tracking.scoring.kappa import cohen_kappa
 from tracking.scoring.matching import BoxMatch, FloorMatch, Match
 from tracking.scoring.papers import People, PositionError
 from tracking.scoring.passages import PassageScore
-from tracking.scoring.per_distance import DistanceScore, per_distance_of
+from tracking.scoring.per_distance import DistanceScore, check_distances, per_distance_of
 from tracking.scoring.per_person import Followed, PersonScore, per_person, per_person_of
 from tracking.scoring.score import Score, score, score_of
 from tracking.scoring.sequences import SequenceScores, score_sequences
@@ -55,6 +55,7 @@ __all__ = [
     "SequenceScores",
     "TrackMap",
     "agreement",
+    "check_distances",
     "cohen_kappa",
     "combined",
     "errors",

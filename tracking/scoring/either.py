@@ -41,10 +41,6 @@ class EitherMatch:
         places = FloorMatch(self.radius_m).similarity(truth[7:], result[7:], pairs)
         return np.maximum(boxes, places)
 
-    def reach(self, table: ScoringTable) -> tuple[Floats, Floats]:
-        """Everywhere: what is far apart in the picture may be near on the floor."""
-        return np.full(len(table), -np.inf), np.full(len(table), np.inf)
-
     def require(self, table: ScoringTable, side: str) -> None:
         """Boxes or positions are asked for."""
         nowhere = np.isnan(table.box).any(axis=1) & np.isnan(table.position).any(axis=1)

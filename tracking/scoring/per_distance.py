@@ -87,19 +87,21 @@ def per_distance_of(
     Raises:
         SettingsError: the edges do not grow from 0 on.
     """
+    check_distances(edges_m)
     edges = np.asarray(edges_m, np.float64)
-    if (
-        not len(edges)
-        or edges[0] != 0
-        or not np.isfinite(edges).all()
-        or np.any(np.diff(edges) <= 0)
-    ):
-        raise SettingsError("distances must grow from 0 on; 0, 5, 10 m are three ranges")
     counted = _Counted(examination, edges, np.asarray(camera_m, np.float64))
     ranges = zip(edges.tolist(), [*edges[1:].tolist(), math.inf], strict=True)
     scores = [counted.score(number, *each) for number, each in enumerate(ranges)]
     unknown = counted.score(len(edges), math.nan, math.nan)
     return (*scores, unknown) if unknown.truth_rows + unknown.result_rows else tuple(scores)
+
+
+def check_distances(edges_m: Sequence[float]) -> None:
+    """Refuse edges that do not grow from 0 on; raises SettingsError."""
+    edges = np.asarray(edges_m, np.float64)
+    grow = np.isfinite(edges).all() and np.all(np.diff(edges) > 0)
+    if not len(edges) or edges[0] != 0 or not grow:
+        raise SettingsError("distances must grow from 0 on; 0, 5, 10 m are three ranges")
 
 
 class _Counted:

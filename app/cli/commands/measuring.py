@@ -45,6 +45,14 @@ def score(
         list[str] | None,
         typer.Option("--range", help="A:B, measured by itself, too; may be repeated."),
     ] = None,
+    distances: Annotated[
+        str | None,
+        typer.Option(
+            metavar="0,M,...",
+            help="Measures by distance from the camera on the floor, m: 0,5,10 are 0 to 5, 5 to 10"
+            " and 10 and more.",
+        ),
+    ] = None,
     per_person: Annotated[
         bool, typer.Option("--per-person", help="A row for each person of the truth.")
     ] = False,
@@ -84,6 +92,7 @@ def score(
         conventions=conventions,
         frames=frames,
         ranges=tuple(ranges or ()),
+        distances=distances,
         per_person=per_person,
         lines=lines_named(line or (), picture_line or ()),
         report=report,

@@ -65,6 +65,9 @@ def test_a_recordings_folder_stands_for_its_truth(
         (["--match", "sound"], 2, "'sound' is not one of"),
         (["--range", "9:3"], 1, "range 9:3 holds no frames"),
         (["--range", "30:40"], 1, "choose one within 0:20"),
+        (["--range", "foo"], 1, "'foo' are not A:B, e.g. --range 100:400"),
+        (["--distances", "near"], 1, "e.g. --distances 0,5,10"),
+        (["--distances", "5,10"], 1, "distances must grow from 0 on"),
         (["--match", "floor", "--radius", "-1"], 1, "radius -1.0 m is not above 0"),
     ],
 )

@@ -159,6 +159,29 @@ def test_people_and_ranges_are_told_where_they_are_asked_for(
     assert "9:40" in text
 
 
+def test_distances_from_the_camera_are_told_where_they_are_asked_for(
+    trackwright: Trackwright, single: tuple[Path, Path, Path]
+) -> None:
+    truth, _, switched = single
+    words = ["score", switched, "--truth", truth, "--distances", "0,5.5,6"]
+    found = json.loads(trackwright(*words, "--json")[1])["distances"]
+    assert [(one["from_m"], one["to_m"]) for one in found] == [(0, 5.5), (5.5, 6), (6, None)]
+    assert [(one["truth_rows"], one["id_switches"]) for one in found] == [(22, 1), (11, 0), (7, 0)]
+    assert "6 and more" in trackwright(*words)[1]
+
+
+def test_distances_without_places_on_the_floor_are_one_line(
+    trackwright: Trackwright, tmp_path: Path
+) -> None:
+    path = tmp_path / "flat.txt"
+    path.write_text("1,1,10,20,30,60,1,-1,-1,-1\n")
+    words = ["score", path, "--truth", path, "--distances", "0,5"]
+    status, out, _ = trackwright(*words)
+    assert status == 0
+    assert out.splitlines()[-1] == "By distance: the truth has no places on the floor."
+    assert json.loads(trackwright(*words, "--json")[1])["distances"] == []
+
+
 def test_definitions_of_another_program_can_be_asked_for(
     trackwright: Trackwright, single: tuple[Path, Path, Path]
 ) -> None:

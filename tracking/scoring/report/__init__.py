@@ -1,6 +1,7 @@
 """Reports on scores: what was measured as a page, as Markdown and as JSON."""
 
 from tracking.scoring.report.data import data_of, people_data, ranges_data
+from tracking.scoring.report.distances import NO_PLACES, distance_rows, distances_data
 from tracking.scoring.report.findings import (
     Finding,
     ScoreReport,
@@ -21,6 +22,7 @@ from tracking.scoring.report.writing import check_score_folder, write_score_repo
 
 __all__ = [
     "MOST_SWITCHES",
+    "NO_PLACES",
     "Finding",
     "Footage",
     "ScoreReport",
@@ -30,6 +32,8 @@ __all__ = [
     "Yardstick",
     "check_score_folder",
     "data_of",
+    "distance_rows",
+    "distances_data",
     "finding_of",
     "page_of",
     "people_data",

@@ -8,6 +8,7 @@ import tracking
 from tracking.scoring.errors import ErrorKind, ErrorTable
 from tracking.scoring.matching import FloorMatch
 from tracking.scoring.per_person import PersonScore
+from tracking.scoring.report.distances import distances_data
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.measures import finite
 from tracking.scoring.report.stretches import Stretches
@@ -47,6 +48,7 @@ def finding_data(finding: Finding) -> dict[str, Any]:
         **finding.score.as_json(),
         "per_person": people_data(finding),
         "ranges": ranges_data(finding),
+        "distances": distances_data(finding.distances),
         "errors": _errors(finding.errors),
         **({} if finding.parts is None else {"parts": finding.parts.as_json()}),
     }

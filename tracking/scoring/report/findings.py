@@ -12,7 +12,9 @@ from tracking.scoring.errors import ErrorTable, errors_of
 from tracking.scoring.examination import examine
 from tracking.scoring.matching import BoxMatch, Match
 from tracking.scoring.parts import Rates
+from tracking.scoring.per_distance import DistanceScore
 from tracking.scoring.per_person import PersonScore, per_person_of
+from tracking.scoring.report.distances import distances_of
 from tracking.scoring.report.subject import Subject
 from tracking.scoring.score import Score, score, score_of
 
@@ -30,11 +32,13 @@ class Yardstick:
     Attributes:
         match: how rows are paired. conventions: whose definitions hold.
         ranges: of frames that are also measured each by itself, half-open; empty: equal parts.
+        distances_m: from the camera, edges of ranges that are also told; empty: even ones.
     """
 
     match: Match = field(default_factory=BoxMatch)
     conventions: Conventions = Conventions.TRACKEVAL
     ranges: tuple[Range, ...] = ()
+    distances_m: tuple[float, ...] = ()
 
     def score(self, subject: Subject, result: str, frames: Range | None = None) -> Score:
         """The score of a result; of some frames as if there were no others.
@@ -60,6 +64,7 @@ class Finding:
         score: over all frames. errors, people: frames counted as in the recording.
         ranges: scores of ranges of frames, each by itself.
         parts: how rightly body parts are followed; None where nobody did.
+        distances: by ranges of distance from the camera; none where places are unknown.
     """
 
     subject: Subject
@@ -69,6 +74,7 @@ class Finding:
     people: tuple[PersonScore, ...]
     ranges: Mapping[Range, Score]
     parts: Rates | None = None
+    distances: tuple[DistanceScore, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -114,6 +120,7 @@ def finding_of(subject: Subject, name: str, yardstick: Yardstick) -> Finding:
 
     Raises:
         FormatError: a side has nothing to be matched by.
+        SettingsError: distances that were named do not grow from 0 on.
     """
     length = subject.stop - subject.start
     result = subject.results[name]
@@ -133,6 +140,7 @@ def finding_of(subject: Subject, name: str, yardstick: Yardstick) -> Finding:
             for one in per_person_of(examined)
         ),
         ranges={each: yardstick.score(subject, name, each) for each in _ranges(subject, yardstick)},
+        distances=distances_of(examined, yardstick.distances_m),
     )
 
 

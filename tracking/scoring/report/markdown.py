@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from tracking.scoring.errors import ErrorKind
 from tracking.scoring.report import tables
 from tracking.scoring.report.curves import PART_HEAD, part_rows
+from tracking.scoring.report.distances import NO_PLACES, distance_rows
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.measures import by_group
 from tracking.scoring.report.page import how, title_of
@@ -76,6 +77,10 @@ def _finding(finding: Finding, report: ScoreReport) -> Iterator[str]:
             for (start, stop), score in finding.ranges.items()
         ]
         yield _table(["frames", *(plain(each.name) for each in shown)], rows)
+    if finding.distances:
+        yield _table(*distance_rows(finding.distances))
+    else:
+        yield NO_PLACES
     if finding.people:
         head, cells = tables.people_rows(finding)
         yield _table(head, [[plain(cell) for cell in row] for row in cells])

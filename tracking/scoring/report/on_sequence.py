@@ -41,6 +41,7 @@ def on_sequence(finding: Finding, report: ScoreReport, shown: Shown) -> Iterator
         says = "Each range is measured as if there were no other frames."
         yield element("p", says, class_="note")
         yield tables.ranges(finding, report)
+    yield from tables.distances(finding)
     if finding.people:
         yield from _people(finding)
     yield from tables.passages(finding)

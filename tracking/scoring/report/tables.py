@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tracking.pages import Content, Element, element, name, table
 from tracking.scoring.per_person import PersonScore
+from tracking.scoring.report.distances import NO_PLACES, distance_rows
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.measures import Measure, by_group, measures_by, written
 
@@ -87,6 +88,17 @@ def ranges(finding: Finding, report: ScoreReport) -> Element:
         for (start, stop), score in finding.ranges.items()
     ]
     return table(("frames", *(each.name for each in shown)), rows)
+
+
+def distances(finding: Finding) -> Iterator[Element]:
+    """Near the camera and far from it."""
+    if not finding.distances:
+        yield element("p", NO_PLACES, class_="note")
+        return
+    yield element("h3", "By distance from the camera")
+    says = "Along the floor. A person's row counts where the person stands, a false alarm where"
+    yield element("p", f"{says} the track is.", class_="note")
+    yield table(*distance_rows(finding.distances))
 
 
 _PERSON = (
