@@ -11,6 +11,7 @@ from tables_of_people import bytes_of, table_of
 
 from tracking.editing import apply_change, keyframes_of, on_the_floor, plan_import, thin_dense
 from tracking.editing.boxes.standing import boxes_of, places_of
+from tracking.editing.importing import SeenAs
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Labels, Source, TrackLabel, TrackTable
@@ -99,11 +100,21 @@ def test_people_are_put_on_the_floor_by_their_feet() -> None:
     assert np.abs(places_of(on_the_floor(rows, VIEW)) - stood).max() < 0.3
 
 
+def occluded_or_not(visibility: np.ndarray, predicted: np.ndarray) -> np.ndarray:
+    return np.where((visibility < 0.5) | predicted, 0.0, 1.0)
+
+
 @pytest.mark.parametrize(
-    ("told", "frames"), [([1, 0, 0, 1], [1, 3]), ([1, 0.9, 0.2, 0.3], [0, 1, 2])]
+    ("seen_as", "told", "frames"),
+    [
+        (occluded_or_not, [1, 0, 0, 1], [1, 3]),
+        (occluded_or_not, [1, 1, 0, 0], []),
+        (None, [0.6, 0.5, 0.4, 0.3], [1]),
+        (None, [1, 0.9, 0.2, 0.3], [0, 1, 2]),
+    ],
 )
-def test_grades_of_visibility_change_rows_of_other_grades_only(
-    told: list[float], frames: list[int]
+def test_visibility_changes_where_the_file_says_other_than_it_was_given(
+    seen_as: SeenAs | None, told: list[float], frames: list[int]
 ) -> None:
     table = table_of({1: [(0, 4)]})
     rows = rows_of(table, 1)
@@ -112,8 +123,21 @@ def test_grades_of_visibility_change_rows_of_other_grades_only(
     rows["predicted"][2] = True
     table = TrackTable(rows)
     rows["visibility"] = np.array(told, np.float32)
-    change = plan_import(table, Labels(), rows, {}, "t")
+    rows["predicted"][:] = False
+    told_name = {1: TrackLabel("red coat")}
+    change = plan_import(table, Labels(), rows, told_name, "t", seen_as=seen_as)
     assert change.after.rows["frame"].tolist() == frames
+    assert change.after.rows["visibility"].tolist() == rows["visibility"][frames].tolist()
+
+
+def test_a_moved_box_keeps_the_visibility_its_grade_stands_for() -> None:
+    rows = rows_of(table_of({1: [(0, 2)]}), 1)
+    rows["visibility"][:], rows["predicted"][:] = 0.75, [False, True]
+    table = TrackTable(rows)
+    told = {**rows, "left": rows["left"] + 9, "predicted": np.zeros(2, bool)}
+    told["visibility"] = np.array([1, 0], np.float32)
+    change = plan_import(table, Labels(), told, {}, "t", seen_as=occluded_or_not)
+    assert change.after.rows["visibility"].tolist() == [0.75, 0]
 
 
 def test_a_tracker_s_rows_become_a_person_s_where_they_are_vouched_for_or_changed() -> None:

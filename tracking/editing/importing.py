@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,15 +28,14 @@ from tracking.tracks import Columns, Labels, Source, TrackLabel, TrackTable, row
 _SAME = 1e-6
 """Pixels or metres: text of other tools shifts numbers to and fro, which leaves dust."""
 
-_GRADES, _GRADE = np.array([0.0, 0.1, 0.5, 1.0], np.float32), 0.5
-"""Of visibility, where a tool tells it in grades, and how wide one is."""
-
 _PLACE, _VELOCITY = ("x", "y"), ("vx", "vy")
 
 _FEWEST = 3
 """Rows of a track that is thinned."""
 
 Flags = NDArray[np.bool_]
+SeenAs = Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]]
+"""What a format keeps of visibilities, given them and which boxes are predicted."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +60,7 @@ def plan_import(
     *,
     view: View | None = None,
     vouched: bool = False,
+    seen_as: SeenAs | None = None,
 ) -> Change:
     """Put tracks made elsewhere into the table: new ones are added, known ones become as they are.
 
@@ -76,12 +77,14 @@ def plan_import(
         vouched: a tracker's row that the file calls a keyframe becomes a person's also where
             nothing else of it changed. Else it stays a tracker's: tools that know keyframes alone
             have to call every row of a tracker one.
+        seen_as: how the other tool grades visibility, so that what it had to round is not told from
+            what somebody changed; None: it keeps it as it is.
 
     Raises EditError where nothing would change.
     """
     ids = np.unique(rows["track"]).tolist()
     old = stacked(table.of_track(track) for track in ids if track in table)
-    goes, new = _merged(old, picked(rows, slice(None)), view, vouched=vouched)
+    goes, new = _merged(old, picked(rows, slice(None)), view, seen_as, vouched=vouched)
     if view is not None and np.isnan(rows["x"]).all():
         new = on_the_floor(new, view)
     before, after = picked(old, goes), new
@@ -154,14 +157,16 @@ def on_the_floor(rows: Columns, view: View) -> Rows:
     return placed
 
 
-def _merged(old: Rows, new: Rows, view: View | None, *, vouched: bool) -> tuple[Flags, Rows]:
+def _merged(
+    old: Rows, new: Rows, view: View | None, seen_as: SeenAs | None, *, vouched: bool
+) -> tuple[Flags, Rows]:
     """Which rows go, and the rows that come, with what only the old ones know."""
     was, will = _same_places(old, new)
-    same = _are_same(picked(old, was), picked(new, will), vouched=vouched)
+    same = _are_same(picked(old, was), picked(new, will), seen_as, vouched=vouched)
     goes, comes = np.ones(len(old["frame"]), bool), np.ones(len(new["frame"]), bool)
     goes[was[same]] = comes[will[same]] = False
     changed = picked(new, will[~same])
-    _keep_what_is_known(picked(old, was[~same]), changed, view)
+    _keep_what_is_known(picked(old, was[~same]), changed, view, seen_as)
     for name, column in changed.items():
         new[name][will[~same]] = column
     return goes, picked(new, comes)
@@ -174,32 +179,29 @@ def _same_places(old: Columns, new: Columns) -> tuple[NDArray[np.intp], NDArray[
     return was, will
 
 
-def _are_same(old: Columns, new: Columns, *, vouched: bool) -> Flags:
+def _are_same(old: Columns, new: Columns, seen_as: SeenAs | None, *, vouched: bool) -> Flags:
     """(n,) which new rows say nothing else than the old ones."""
     same = np.ones(len(old["frame"]), bool)
     for name in (*SIDES, *_PLACE):
         same &= np.isnan(new[name]) | _near(old, new, name)
-    same &= ~_seen_otherwise(old, new)
+    same &= np.isnan(new["visibility"]) | _seen_alike(old, new, old["predicted"], seen_as)
     if new["source"].any():  # else the other tool knows no keyframes
         held = (old["source"] == Source.TRACKER) & (new["source"] == Source.PERSON) & (not vouched)
         same &= held | (old["source"] == new["source"])
     return same
 
 
-def _seen_otherwise(old: Columns, new: Columns) -> Flags:
-    """(n,) where both sides know how much of a person is seen, and do not say the same.
-
-    Many tools know no more than whether somebody is occluded, or three grades of it; to them,
-    whose box is predicted is occluded.
-    """
-    told = new["visibility"][np.isfinite(new["visibility"])]
-    grades = np.isin(told, _GRADES).all()
-    apart = np.abs(new["visibility"] - old["visibility"]) > (_GRADE if grades else _SAME)
-    return np.asarray(apart & ~(old["predicted"] & (new["visibility"] == 0)))
+def _seen_alike(old: Columns, new: Columns, predicted: Flags, seen_as: SeenAs | None) -> Flags:
+    """(n,) where the new rows say of visibility what the other tool would keep of the old one."""
+    if seen_as is None:
+        return _near(old, new, "visibility")
+    return _near({"visibility": seen_as(old["visibility"], predicted)}, new, "visibility")
 
 
-def _keep_what_is_known(old: Rows, new: Rows, view: View | None) -> None:
+def _keep_what_is_known(old: Rows, new: Rows, view: View | None, seen_as: SeenAs | None) -> None:
     """Fill in what the new rows do not know, where it still holds."""
+    alike = _seen_alike(old, new, new["predicted"], seen_as)
+    new["visibility"] = np.where(alike, old["visibility"], new["visibility"])
     for name in (*SIDES, "confidence", "visibility"):
         new[name] = np.where(np.isnan(new[name]), old[name], new[name])
     stands = np.logical_and.reduce([_near(old, new, name) for name in SIDES])

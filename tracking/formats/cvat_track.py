@@ -33,6 +33,8 @@ _FILLED_A_KEYFRAME = 1000
 """So many more for each keyframe."""
 
 _WHOLE = re.compile(r"\d{1,10}")
+_HIDDEN_BELOW = 0.5
+"""A person of whom less is seen is `occluded`."""
 _INTEGERS = ("frame", "line", "outside", "occluded", "key")
 
 
@@ -127,6 +129,7 @@ class FileTracks:
             },
             size_px=meta.size_px,
             frames=None if meta.last_frame is None else meta.last_frame + 1,
+            seen_as=kept_visibility,
         )
 
     def _ids(self) -> list[int]:
@@ -218,6 +221,16 @@ def _joined(
         "source": np.where(whole("key").astype(bool), placed, Source.INTERPOLATED),
         "line": whole("line").astype(np.int64),
     }
+
+
+def kept_visibility(visibility: NDArray[Any], predicted: NDArray[Any]) -> NDArray[np.float64]:
+    """(n,) what is left of visibilities that were written: 0 for who is `occluded`, else 1."""
+    return np.where(is_occluded(visibility, predicted), 0.0, 1.0)
+
+
+def is_occluded(visibility: NDArray[Any], predicted: NDArray[Any]) -> NDArray[np.bool_]:
+    """(n,) who is `occluded`: of whom less than a half is seen, and whose box is predicted."""
+    return np.asarray((visibility < _HIDDEN_BELOW) | predicted)
 
 
 def _number(text: str) -> int | None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import keyframes_of
-from tracking.formats.cvat_track import AUTOMATIC, NAME, TRACK_ID
+from tracking.formats.cvat_track import AUTOMATIC, NAME, TRACK_ID, is_occluded
 from tracking.formats.label_text import CLASS, PERSON, kind_of, line
 from tracking.formats.row_rules import BOX
 from tracking.formats.writing import Exported
@@ -19,8 +19,6 @@ from tracking.replacing import replacing
 from tracking.tracks import Columns, Source
 
 _MANUAL = "manual"
-_HIDDEN_BELOW = 0.5
-"""A person of whom less is seen is `occluded`."""
 
 
 def export_cvat(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
@@ -110,7 +108,7 @@ def _boxes(rows: Columns, attributes: str, frames: int) -> Iterator[str]:
     """A track's boxes; where it goes out of view before the footage ends, one that says so."""
     frame = rows["frame"]
     boxes = np.column_stack([rows[name] for name in BOX])
-    hidden = (rows["visibility"] < _HIDDEN_BELOW) | rows["predicted"]
+    hidden = is_occluded(rows["visibility"], rows["predicted"])
     key = keyframes_of(frame, boxes, rows["source"], hidden)
     boxes[:, 2:] += boxes[:, :2]
     ends = np.append(np.diff(frame) > 1, frame[-1] + 1 < frames)

@@ -15,6 +15,7 @@ from tracking.formats.kitti_values import (
     UNKNOWN_PLACE,
     UNKNOWN_SIDE,
     VISIBILITY,
+    kept_visibility,
     label_of_type,
 )
 from tracking.formats.reading import Filmed, Imported, Reading
@@ -54,7 +55,9 @@ def import_kitti(path: Path, filmed: Filmed) -> Imported:
     kinds = (names[int(kind)] for kind in table[first, _TYPE])
     labels = {int(t): label_of_type(k) for t, k in zip(tracks, kinds, strict=True)}
     said = {track: label for track, label in labels.items() if not label.is_empty}
-    return reading.imported(rows, lambda row: f"line {lines[row]}", labels=said)
+    return reading.imported(
+        rows, lambda row: f"line {lines[row]}", labels=said, seen_as=kept_visibility
+    )
 
 
 def _with_numbered_types(path: Path, types: dict[str, int]) -> Iterator[Piece]:

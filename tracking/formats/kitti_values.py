@@ -28,6 +28,11 @@ def occlusion_of(visibility: NDArray[Any]) -> NDArray[np.int64]:
     return np.where(np.isnan(visibility), 3, off.argmin(axis=1))
 
 
+def kept_visibility(visibility: NDArray[Any], _predicted: NDArray[Any]) -> NDArray[np.float64]:
+    """(n,) what is left of visibilities that were written."""
+    return VISIBILITY[occlusion_of(visibility)]
+
+
 def label_of_type(name: str) -> TrackLabel:
     """What a track's label says of its type; nothing of people."""
     return TrackLabel() if name == PERSON else TrackLabel(attributes={CLASS: name})

@@ -42,6 +42,11 @@ def labels_of_classes(track: NDArray[Any], kind: NDArray[Any]) -> dict[int, Trac
     }
 
 
+def kept_visibility(visibility: NDArray[Any], _predicted: NDArray[Any]) -> NDArray[np.float64]:
+    """(n,) visibilities as they are written: where nobody knows, all is seen."""
+    return np.where(np.isnan(visibility), 1.0, visibility)
+
+
 def class_of_label(label: TrackLabel) -> int:
     """The number of a track's class; people where the label says nothing that is known."""
     name = label.attributes.get(CLASS, "").strip().lower()

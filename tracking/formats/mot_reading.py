@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.formats.delimited import NumberRows, RowShape, pieces_of
-from tracking.formats.mot_classes import labels_of_classes
+from tracking.formats.mot_classes import kept_visibility, labels_of_classes
 from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.formats.seqinfo import sequence_of
@@ -61,6 +61,7 @@ def import_mot(path: Path, _filmed: Filmed) -> Imported:
         fps=sequence.fps,
         size_px=sequence.size_px,
         frames=sequence.frames,
+        seen_as=kept_visibility,
     )
 
 

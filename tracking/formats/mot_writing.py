@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.formats.mot_classes import PERSON, class_of_label
+from tracking.formats.mot_classes import PERSON, class_of_label, kept_visibility
 from tracking.formats.number_text import (
     Block,
     lines_of,
@@ -106,7 +106,7 @@ def _with_classes(columns: Columns, kinds: dict[int, int]) -> bytes:
             *_head(columns),
             numbers(_known(confidence), _UNKNOWN),
             whole_numbers(kind),
-            numbers(np.where(np.isnan(seen), 1.0, seen), _UNKNOWN),
+            numbers(kept_visibility(seen, columns["predicted"]), _UNKNOWN),
         ]
     )
 

@@ -26,6 +26,10 @@ MOST_BAD = 100_000
 """A file with more bad rows than this is of another format, or of none."""
 
 
+SeenAs = Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]]
+"""What a format keeps of visibilities, given them and which boxes are predicted."""
+
+
 @dataclass(frozen=True, slots=True)
 class BadRow:
     """A row that cannot be meant.
@@ -67,6 +71,7 @@ class Imported:
         labels: what the file says of whole tracks; a class stands as the attribute "class".
         fps, size_px, frames: of the footage, where the file tells.
         notes: what else the user should know of the file, a line each.
+        seen_as: what the format keeps of visibilities; None: it keeps them as they are.
     """
 
     columns: Columns
@@ -77,6 +82,7 @@ class Imported:
     size_px: tuple[int, int] | None = None
     frames: int | None = None
     notes: tuple[str, ...] = ()
+    seen_as: SeenAs | None = None
 
 
 class Reading:
@@ -147,8 +153,8 @@ class Reading:
 
         Args:
             rows, place_of: see `checked`.
-            known: `labels, fps, size_px, frames` of `Imported`; labels of tracks without a good
-                row are left out.
+            known: `labels, fps, size_px, frames, seen_as` of `Imported`; labels of tracks without a
+                good row are left out.
         """
         columns = in_order(with_all_columns(self.checked(rows, place_of)))
         labels: Mapping[int, TrackLabel] = known.pop("labels", {})

@@ -14,7 +14,7 @@ from tracking.editing import Entry, Thinned, on_the_floor, plan_import, thin_den
 from tracking.editing.labels.labelling import LONGEST_KEY, LONGEST_NOTES, LONGEST_VALUE
 from tracking.errors import EditError, FormatError
 from tracking.formats import BadRow, Filmed, Imported
-from tracking.formats.reading import MOST_TOLD
+from tracking.formats.reading import MOST_TOLD, SeenAs
 from tracking.geometry import View
 from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.session.document import Session
@@ -71,6 +71,7 @@ class Importable:
         bad_rows, bad_count: as in `Imported`, with rows beyond the recording among them.
         thinned: how far they were thinned. notes: what the user should know, a line each.
         view: the recording's left camera over its floor.
+        seen_as: as in `Imported`.
     """
 
     rows: Columns
@@ -80,6 +81,7 @@ class Importable:
     thinned: Thinned = field(default_factory=Thinned)
     notes: tuple[str, ...] = ()
     view: View | None = None
+    seen_as: SeenAs | None = None
 
     @property
     def tracks(self) -> int:
@@ -128,6 +130,7 @@ def importable(
         imported.bad_count,
         notes=tuple(notes),
         view=filmed.view,
+        seen_as=imported.seen_as,
     )
     found = _with_clean_labels(_within(found, filmed.frames))
     if wish.only_people:
@@ -189,6 +192,7 @@ def take_into(
             source,
             view=view,
             vouched=vouched,
+            seen_as=found.seen_as,
         )
     except EditError:  # it says what is there already
         return None

@@ -155,7 +155,9 @@ def _planned(
     """The edit, ready to be kept; None where the file says what the session says."""
     rows, told, source = found.rows, found.labels, read.path.name
     try:
-        change = plan_import(table, labels, rows, told, source, view=found.view)
+        change = plan_import(
+            table, labels, rows, told, source, view=found.view, seen_as=found.seen_as
+        )
     except EditError:
         return None
     refuse_too_large(change)
