@@ -83,6 +83,19 @@ def test_who_stands_stays_as_followed() -> None:
     assert own.tolist() == list(range(5, 75))
 
 
+def test_tracklets_of_who_stays_as_followed_stay_theirs_under_the_new_name_too() -> None:
+    standing = Walker((0.9, 6.0), (0.0, 0.0))
+    followed = ((2, 1, range(5, 20)), (2, 0, range(20, 60)), (2, 1, range(60, 75)))
+    run = run_with((COMING, standing), ((1, 0, range(5, 75)), *followed))
+    found = retold(run, VIEW, FPS)
+    stood = np.hypot(found.tracks["x"] - 0.9, found.tracks["y"] - 6.0) < 0.1
+    for frame, track in zip(
+        found.tracks["frame"][stood], found.tracks["track"][stood], strict=True
+    ):
+        before = (run.tracklets.of_frame(int(frame))["track"] == 2).sum()
+        assert (found.tracklets.of_frame(int(frame))["track"] == track).sum() == before > 0
+
+
 def test_a_track_off_all_ways_before_and_after_a_while_is_told_without_a_hole() -> None:
     standing = Walker((0.9, 6.0), (0.0, 0.0))
     followed = ((2, 1, range(5, 20)), (2, 0, range(20, 60)), (2, 1, range(60, 75)))

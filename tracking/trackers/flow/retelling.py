@@ -16,6 +16,7 @@ from tracking.trackers.flow.floor import Floor, sight_axes
 from tracking.trackers.flow.result import BODY_WIDTH_M, CHEST_M, PLENTY, shown_share
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.tracks.columns import DETECTION_COLUMNS, TRACK_COLUMNS, Columns, box_columns, typed
+from tracking.tracks.row_keys import row_keys
 from tracking.tracks.run import Particles, Run
 
 Floats = NDArray[np.float64]
@@ -49,12 +50,13 @@ def retold(run: Run, view: View, fps: float) -> Run:
         return run
     names = _names(run, chains, walks)
     told = _rows_of(walks, names, chains, view, fps)
-    tracks = _with_those_off(told, run.tracks, pieces, fps)
+    off = _off_all_ways(told, run.tracks, pieces, fps)
+    tracks = _together(told, run.tracks, off)
     return replace(
         run,
         tracks=tracks,
         detections=_detections(tracks),
-        tracklets=_held_by(run.tracklets, chains, walks, names),
+        tracklets=_held_by(run, chains, walks, names, off),
     )
 
 
@@ -131,23 +133,34 @@ def _rows_of(
     return typed(values, TRACK_COLUMNS)
 
 
-def _with_those_off(told: Columns, tracks: Columns, pieces: Sequence[Rows], fps: float) -> Columns:
-    """With pieces of tracks that lie off all ways; sorted by frame, then track."""
+def _off_all_ways(
+    told: Columns, tracks: Columns, pieces: Sequence[Rows], fps: float
+) -> list[tuple[int, Rows]]:
+    """The pieces of tracks that lie off all ways, each with the track it is of from now on."""
     highest = int(max(told["track"].max(), tracks["track"].max(initial=0)))
-    parts, taken = [told], set(told["track"].tolist())
+    taken, found = set(told["track"].tolist()), list[tuple[int, Rows]]()
     off = [np.zeros(0, np.intp), *(piece[_off(tracks, piece, told)] for piece in pieces)]
     for rows in _unbroken(tracks, np.concatenate(off), fps):
         if len(rows) < _LEAST_S * fps:
             continue
-        part = {name: column[rows] for name, column in tracks.items()}
-        if int(part["track"][0]) in taken:  # whether it is the same person is settled later
+        name = int(tracks["track"][rows[0]])
+        if name in taken:  # whether it is the same person is settled later
             highest += 1
-            part["track"] = np.full_like(part["track"], highest)
-        taken.add(int(part["track"][0]))
-        parts.append(part)
-    both = {name: np.concatenate([part[name] for part in parts]) for name in told}
+            name = highest
+        taken.add(name)
+        found.append((name, rows))
+    return found
+
+
+def _together(told: Columns, tracks: Columns, off: Sequence[tuple[int, Rows]]) -> Columns:
+    """Ways and the pieces off all of them, sorted by frame, then track."""
+    parts = [told]
+    for name, rows in off:
+        part = {column: values[rows] for column, values in tracks.items()}
+        parts.append({**part, "track": np.full_like(part["track"], name)})
+    both = {column: np.concatenate([part[column] for part in parts]) for column in told}
     order = np.lexsort((both["track"], both["frame"]))
-    return {name: column[order] for name, column in both.items()}
+    return {column: values[order] for column, values in both.items()}
 
 
 def _off(tracks: Columns, rows: Rows, told: Columns) -> NDArray[np.bool_]:
@@ -174,14 +187,37 @@ def _detections(tracks: Columns) -> Columns:
 
 
 def _held_by(
-    tracklets: Particles, chains: Chains, walks: Sequence[Walk], names: Integers
+    run: Run,
+    chains: Chains,
+    walks: Sequence[Walk],
+    names: Integers,
+    off: Sequence[tuple[int, Rows]],
 ) -> Particles:
-    """The tracklets with the tracks of those who walk with them, grouped by them."""
-    columns = {name: np.asarray(column) for name, column in tracklets.columns.items()}
-    track = np.zeros(len(columns["track"]), np.int32)
-    walk = _walk_of_chain(chains, walks)[chains.chain]
-    track[chains.row] = np.where(walk >= 0, names[walk], 0)
-    frame = np.repeat(np.arange(len(tracklets.start) - 1), np.diff(tracklets.start))
+    """The tracklets with the tracks of those who walk with them, grouped by them.
+
+    Those of pieces off all ways stay with these.
+    """
+    columns = {name: np.asarray(column) for name, column in run.tracklets.columns.items()}
+    frame = np.repeat(np.arange(len(run.tracklets.start) - 1), np.diff(run.tracklets.start))
+    walk = np.full(len(frame), -1)
+    walk[chains.row] = _walk_of_chain(chains, walks)[chains.chain]
+    track = np.where(walk >= 0, names[walk], _stayed(run, columns["track"], frame, off))
     order = np.lexsort((track, frame))
-    columns["track"] = track
-    return Particles(tracklets.start, {name: column[order] for name, column in columns.items()})
+    columns["track"] = track.astype(np.int32)
+    return Particles(run.tracklets.start, {name: column[order] for name, column in columns.items()})
+
+
+def _stayed(
+    run: Run, holder: Integers, frame: Integers, off: Sequence[tuple[int, Rows]]
+) -> Integers:
+    """(tracklets,) the track of the piece off all ways that holds each; 0: none does."""
+    key, name = np.zeros(0, np.int64), np.zeros(0, np.int64)
+    if off:
+        rows = np.concatenate([rows for _, rows in off])
+        key = row_keys(run.tracks["track"][rows], run.tracks["frame"][rows])
+        name = np.concatenate([np.full(len(rows), number) for number, rows in off])
+    order = np.argsort(key)
+    key, name = np.append(key[order], -1), np.append(name[order], 0)
+    own = row_keys(holder, frame)
+    at = np.searchsorted(key[:-1], own)
+    return np.where((key[at] == own) & (holder > 0), name[at], 0)
