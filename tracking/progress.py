@@ -6,3 +6,7 @@ from collections.abc import Callable
 
 Progress = Callable[[int, int], None]
 """Called with the steps done and the steps there are; raises where the user has cancelled."""
+
+
+def no_progress(_done: int, _total: int) -> None:
+    """For work nobody watches."""

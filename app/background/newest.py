@@ -19,12 +19,14 @@ class Newest(QObject):
 
     A subject is a value: two that are equal come to the same.
 
-    Signals: `found(result)`; `failed(subject, error)`; `changed()`, it is busy or at rest by now.
+    Signals: `found(result)`; `failed(subject, error)`; `changed()`, it is busy or at rest by now;
+    `progressed(done, total)`.
     """
 
     found = Signal(object)
     failed = Signal(object, object)
     changed = Signal()
+    progressed = Signal(int, int)
 
     def __init__(self, title: str, prepare: Callable[[Any], Work], parent: QObject) -> None:
         """`prepare` takes hold of the tracks on this thread; what it gives runs on another."""
@@ -67,6 +69,7 @@ class Newest(QObject):
         self._begun = subject
         work = self._prepare(subject)
         self._job = job = Job(self._title, work, self)
+        job.progressed.connect(self.progressed)
         job.done.connect(lambda result: self._end(lambda: self.found.emit(result)))
         job.failed.connect(lambda error: self._end(lambda: self.failed.emit(subject, error)))
         job.start()

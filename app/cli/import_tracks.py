@@ -7,6 +7,7 @@ file that cannot be taken is refused at once.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -14,12 +15,15 @@ from typing import Any
 import typer
 
 from app.cli.option_groups import Bare
-from app.cli.output import print_json, say
+from app.cli.output import print_json, progress, say
 from tracking.errors import FormatError
 from tracking.formats import BadRow, Filmed, Imported, TrackFormat, format_named, format_of
+from tracking.progress import Progress, no_progress
 
 _MOST_SHOWN = 20
 """Bad rows in the table people read; --json tells more of them."""
+
+_WATCHED_BYTES = 1 << 22
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,11 +110,18 @@ class Source:
         read = self.format.read
         if read is None:
             raise FormatError(f"{self.format.title} is only written; import another format")
-        found = read(self.order.tracks, filmed)
+        with self._watched() as report:
+            found = read(self.order.tracks, filmed, report)
         self.refuse_bad_rows(found.bad_rows, found.bad_count)
         if not len(found.columns["frame"]):
             raise FormatError(f"{self.order.tracks} holds no tracks; nothing to import")
         return found
+
+    def _watched(self) -> AbstractContextManager[Progress]:
+        """A progress bar, where reading takes long enough to be watched."""
+        path = self.order.tracks
+        is_long = path.is_file() and path.stat().st_size > _WATCHED_BYTES
+        return progress(f"Reading {path.name}") if is_long else nullcontext(no_progress)
 
     def refuse_bad_rows(self, rows: Sequence[BadRow], count: int) -> None:
         """Tell the bad rows and refuse the file; nothing where there are none, or they may be.

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from contextlib import closing
+from contextlib import closing, nullcontext
 from dataclasses import asdict
 from pathlib import Path
 
 from app.cli.destination import check_file
 from app.cli.import_tracks import Source, show_bad_rows
-from app.cli.output import print_json, say
+from app.cli.output import print_json, progress, say
 from app.cli.recordings import opened
 from app.cli.track import refuse_to_lose
 from app.presenters.files.opening import known_recordings, remember_place
 from tracking.errors import SessionError
 from tracking.formats import Filmed, Imported
+from tracking.progress import no_progress
 from tracking.session import (
     Importable,
     ImportOrigin,
@@ -75,7 +76,9 @@ def _fitted(source: Source, read: Imported, filmed: Filmed, table: TrackTable | 
     if source.format.in_camera and filmed.view is not None:
         read = source.read(filmed)  # now places can be told
     wish = ImportWish(order.thin_px, order.as_new, order.only_people)
-    found = importable(read, filmed, wish, table)
+    thins = progress("Thinning") if wish.thin_px is not None else nullcontext(no_progress)
+    with thins as report:
+        found = importable(read, filmed, wish, table, report)
     source.refuse_bad_rows(found.bad_rows, found.bad_count)
     for note in found.notes:
         say(f"note: {note}")

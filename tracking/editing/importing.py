@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.editing.boxes.interpolation import Way
 from tracking.editing.boxes.standing import (
     SIDES,
     USUAL_HEIGHT_M,
@@ -17,12 +18,13 @@ from tracking.editing.boxes.standing import (
     boxes_of,
     places_of,
 )
-from tracking.editing.boxes.thinning import plan_thin
-from tracking.editing.change import Change, LabelState, State, apply_change
+from tracking.editing.boxes.thinning import thin_tracks
+from tracking.editing.change import Change, LabelState, State
 from tracking.editing.scope import tracks_text
 from tracking.editing.selection import Rows, picked, stacked
 from tracking.errors import EditError
 from tracking.geometry import View
+from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns, Labels, Source, TrackLabel, TrackTable, row_keys
 
 _SAME = 1e-6
@@ -104,35 +106,34 @@ def plan_import(
 
 
 def thin_dense(
-    rows: Columns, tolerance_px: float, *, view: View | None = None, fps: float | None = None
+    rows: Columns,
+    tolerance_px: float,
+    *,
+    view: View | None = None,
+    fps: float | None = None,
+    report: Progress = no_progress,
 ) -> tuple[Rows, Thinned]:
     """Rows in which tracks without interpolated rows are keyframes with interpolation between.
 
     A track whose every row is a keyframe, or of which nobody says which rows are, is thinned as
     `plan_thin` does: no edge of a box ends up farther off than the tolerance. Tracks of fewer than
-    three rows, and those of which no row can be left out, stay as they are.
+    three rows, and those of which no row can be left out, stay as they are. report: called with
+    rows; raises to cancel.
 
     Raises EditError where the tolerance is not positive.
     """
     if not tolerance_px > 0:
         raise EditError(f"a tolerance of {tolerance_px} px; give one above 0")
-    dense = _dense_tracks(rows)
-    scratch = TrackTable(
-        {**rows, "source": np.where(np.isin(rows["track"], dense), 0, rows["source"])}
+    dense = np.isin(rows["track"], _dense_tracks(rows))
+    by_track = np.flatnonzero(dense)
+    by_track = by_track[np.argsort(row_keys(rows["track"], rows["frame"])[by_track])]
+    thin, changed = thin_tracks(
+        picked(rows, by_track), tolerance_px, Way(view=view, fps=fps), report
     )
-    thinned = []
-    for track in dense:
-        try:
-            change = plan_thin(scratch, track, tolerance_px=tolerance_px, view=view, fps=fps)
-        except EditError:  # every row has to stay
-            continue
-        apply_change(scratch, Labels(), change)
-        thinned.append(track)
-    others = picked(rows, ~np.isin(rows["track"], thinned))
-    parts = [scratch.of_track(track) for track in thinned]
-    boxes = len(rows["frame"]) - len(others["frame"])
-    keys = sum(int(np.count_nonzero(part["source"] == Source.PERSON)) for part in parts)
-    return stacked([others, *parts]), Thinned(len(thinned), boxes, keys)
+    keys = int(np.count_nonzero(thin["source"][changed] == Source.PERSON))
+    tracks = len(np.unique(thin["track"][changed]))
+    told = Thinned(tracks, int(np.count_nonzero(changed)), keys)
+    return stacked([picked(rows, ~dense), thin]), told
 
 
 def _dense_tracks(rows: Columns) -> list[int]:

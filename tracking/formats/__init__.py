@@ -8,7 +8,8 @@ from tracking.formats.reading import BadRow, Filmed, Imported
 from tracking.formats.samples import write_samples
 from tracking.formats.samples_reading import begins_as_hdf5, is_hdf5, read_samples, samples_at
 from tracking.formats.track_format import TrackFormat
-from tracking.formats.writing import Exported, as_truth, no_progress
+from tracking.formats.writing import Exported, as_truth
+from tracking.progress import no_progress
 from tracking.replacing import replacing
 
 __all__ = [

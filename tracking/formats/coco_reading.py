@@ -16,6 +16,7 @@ from tracking.formats.json_stream import elements_of
 from tracking.formats.label_text import label_of
 from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX, MAX_FRAME
+from tracking.progress import Progress, no_progress
 from tracking.tracks import LARGEST_NUMBER, TrackLabel
 
 _MEMBERS = ("info", "videos", "images", "tracks", "categories", "annotations")
@@ -34,15 +35,15 @@ def looks_like_coco(_path: Path, head: bytes) -> bool:
     return _START.match(head) is not None
 
 
-def import_coco(path: Path, _filmed: Filmed) -> Imported:
+def import_coco(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of a file of one video.
 
     A frame is an image's `frame_index` (or `frame_id`, as some tools write). Rows marked `iscrowd`
     or `ignore` get confidence 0: they are not counted; others their `score`, where they have one.
     Raises FormatError where the file holds several videos, no tracks, or no such JSON.
     """
-    file = _File(Reading(path))
-    for member, at, value in elements_of(path, _MEMBERS):
+    file = _File(Reading(path, report))
+    for member, at, value in elements_of(path, _MEMBERS, report):
         file.take(member, at, value)
     return file.imported()
 
@@ -129,6 +130,7 @@ class _File:
         self._whole.extend((at, image, track, -1 if kind is None else kind))
         self._boxes.extend(numbers)
         self._confidence.append(_confidence_of(row))
+        self._reading.good += 1
 
     def imported(self) -> Imported:
         """The tracks."""

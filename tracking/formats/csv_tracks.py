@@ -20,7 +20,7 @@ from tracking.formats.number_text import Block, lines_of, numbers, short_decimal
 from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.track_format import TrackFormat
 from tracking.formats.writing import Exported
-from tracking.progress import Progress
+from tracking.progress import Progress, no_progress
 from tracking.replacing import replacing_bytes
 from tracking.tracks import CORRECTED_COLUMNS, Columns
 
@@ -31,10 +31,10 @@ _UNKNOWN = "nan"
 _WORDS = {"true": "1", "false": "0"}
 
 
-def _import(path: Path, _filmed: Filmed) -> Imported:
+def _import(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of a table. Raises FormatError where there is no such header."""
-    reading = Reading(path)
-    pieces = pieces_of(path)
+    reading = Reading(path, report)
+    pieces = pieces_of(path, report)
     first = next(pieces)
     separator, names = _header(path, first)
     left_out = [name for name in names if name not in CORRECTED_COLUMNS]

@@ -13,6 +13,7 @@ from tracking.formats.cvat_track import BOX_NUMBERS, CvatTrack, FileTracks
 from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.row_rules import MAX_FRAME
 from tracking.formats.xml_stream import ZIP, parse
+from tracking.progress import Progress, no_progress
 
 MEMBER = "annotations.xml"
 _START = re.compile(
@@ -29,15 +30,15 @@ def looks_like_cvat(_path: Path, head: bytes) -> bool:
     return _START.match(head) is not None or (head.startswith(ZIP) and MEMBER.encode() in head)
 
 
-def import_cvat(path: Path, filmed: Filmed) -> Imported:
+def import_cvat(path: Path, filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of a task; see `cvat` for what becomes of keyframes, ids and attributes.
 
     Raises FormatError where the file holds pictures instead of a video, several tasks, no such
     XML, or keyframes that stand for more rows than any footage has.
     """
-    reading = Reading(path)
+    reading = Reading(path, report)
     file = _File(reading)
-    parse(path, file, MEMBER)
+    parse(path, file, MEMBER, report)
     file.check()
     return file.tracks.imported(file.meta, filmed)
 
@@ -98,6 +99,8 @@ class _File:
             return
         if reason:
             self._reading.bad(f"line {line}", reason)
+        else:
+            self._reading.good += 1
 
 
 def _row(track: CvatTrack, said: Mapping[str, str], line: int) -> str:

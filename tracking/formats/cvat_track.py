@@ -29,6 +29,8 @@ AUTOMATIC = "auto"
 MOST_FILLED = 4_000_000
 """Rows made between keyframes, in all: two hours of twenty people who never move."""
 MOST_TRACKS = 200_000
+MOST_EMPTY = 20_000
+"""Tracks without boxes, unless as many have some."""
 _FILLED_A_KEYFRAME = 1000
 """So many more for each keyframe."""
 
@@ -104,6 +106,10 @@ class FileTracks:
         if self._met > MOST_TRACKS:
             raise FormatError(
                 f"{self._reading.path} holds more than {MOST_TRACKS} tracks; split it"
+            )
+        if self._met - len(self._held) > max(MOST_EMPTY, len(self._held)):
+            raise FormatError(
+                f"{self._reading.path} holds hardly more than tracks without boxes; export it again"
             )
         if track.number is None:
             self._reading.bad(f"line {track.line}", "the id of the track is not a whole number")

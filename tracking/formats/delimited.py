@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.formats.reading import Reading
+from tracking.progress import Progress, no_progress
 
 MAX_BYTES = 1 << 30
 """A text larger than this is no annotation of one recording."""
@@ -41,8 +42,8 @@ class Piece:
     lines: list[str]
 
 
-def pieces_of(path: Path) -> Iterator[Piece]:
-    """The lines of a text file, some at a time.
+def pieces_of(path: Path, report: Progress = no_progress) -> Iterator[Piece]:
+    """The lines of a text file, some at a time; report is called with bytes.
 
     Raises FormatError where the file is missing, too large, no text, or a line is far too long.
     """
@@ -50,7 +51,8 @@ def pieces_of(path: Path) -> Iterator[Piece]:
     try:
         if not path.is_file() and path.exists():
             raise FormatError(f"{path} is no file that can be read twice; save it first")
-        if path.stat().st_size > MAX_BYTES:
+        size = path.stat().st_size
+        if size > MAX_BYTES:
             raise FormatError(f"{path} is larger than {MAX_BYTES >> 20} MB; split it first")
         with path.open("rb") as stream:
             while block := stream.read(_PIECE_BYTES):
@@ -63,6 +65,7 @@ def pieces_of(path: Path) -> Iterator[Piece]:
                 if lines:
                     yield Piece(first, lines)
                 first += len(lines)
+                report(min(stream.tell(), size), size)
         yield Piece(first, _lines(path, first, rest))
     except OSError as error:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
@@ -158,11 +161,13 @@ class NumberRows:
             return
         table = self._table(lines[first:stop])
         if table is not None:
+            self._reading.good += len(table)
             yield table, first, stop
         elif stop - first <= _FEW:
             for at in range(first, stop):
                 row = self._row(lines[at], int(numbers[at]))
                 if row is not None:
+                    self._reading.good += 1
                     yield row, at, at + 1
         else:
             middle = (first + stop) // 2

@@ -26,7 +26,7 @@ from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.track_format import TrackFormat
 from tracking.formats.writing import Exported
 from tracking.hdf5_image import Hdf5Image
-from tracking.progress import Progress
+from tracking.progress import Progress, no_progress
 from tracking.replacing import part_of
 from tracking.tracks import Columns
 
@@ -41,9 +41,9 @@ _READ = ("frame", "id", "x", "y", "z")
 _COLUMNS = {"id": "track", "frame": "frame", "x": "x", "y": "y"}
 
 
-def import_trajectory(path: Path, _filmed: Filmed) -> Imported:
+def import_trajectory(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of a `/trajectory` table. Raises FormatError where it is none or is not safe."""
-    reading = Reading(path)
+    reading = Reading(path, report)
     with opened(path, *_LAYOUTS) as file:
         table = file["trajectory"]
         held = [name for name in _READ if name in table.dtype.names]

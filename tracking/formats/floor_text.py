@@ -29,7 +29,7 @@ from tracking.formats.number_text import constant, lines_of, numbers, whole_numb
 from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.track_format import TrackFormat
 from tracking.formats.writing import ROWS_AT_ONCE, Exported
-from tracking.progress import Progress
+from tracking.progress import Progress, no_progress
 from tracking.replacing import replacing_bytes
 from tracking.tracks import Columns
 
@@ -69,11 +69,11 @@ def _is_floor_text(head: bytes) -> bool:
     return comments == len(lines) or _ROW.fullmatch(lines[comments]) is not None
 
 
-def import_floor_text(path: Path, _filmed: Filmed) -> Imported:
+def import_floor_text(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of a text. Raises FormatError where it does not say its unit, or is none."""
-    reading = Reading(path)
+    reading = Reading(path, report)
     comments = _Comments()
-    table, lines = NumberRows(reading, _SHAPE).read(comments.passed_over(pieces_of(path)))
+    table, lines = NumberRows(reading, _SHAPE).read(comments.passed_over(pieces_of(path, report)))
     metres = comments.metres_of(path)
     rows: dict[str, NDArray[Any]] = {
         "frame": table[:, 1],

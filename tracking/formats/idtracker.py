@@ -25,6 +25,7 @@ from tracking.formats.hdf5_tracks import has_layout, number_of, opened, text_of
 from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.sleap import labels_of
 from tracking.formats.track_format import TrackFormat
+from tracking.progress import Progress, no_progress
 
 _HEADER = re.compile(rb"(\xef\xbb\xbf)?seconds,x1,y1((,x\d+,y\d+)*)\r?\n")
 _MOST_PEOPLE = 1000
@@ -36,9 +37,9 @@ def looks_like_idtracker(path: Path, head: bytes) -> bool:
     return _HEADER.match(head) is not None or _is_hdf5(path, head)
 
 
-def import_idtracker(path: Path, _filmed: Filmed) -> Imported:
+def import_idtracker(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of a file. Raises FormatError where it is none of these, or is not safe."""
-    reading = Reading(path)
+    reading = Reading(path, report)
     try:
         with path.open("rb") as stream:
             as_text = _HEADER.match(stream.read(1 << 16))
@@ -100,7 +101,7 @@ def _scores_of(file: h5py.File, shape: tuple[int, ...]) -> NDArray[np.float64]:
 
 def _points_of_text(reading: Reading) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """(frames, people, 2) the centres, and (frames,) their seconds."""
-    pieces = pieces_of(reading.path)
+    pieces = pieces_of(reading.path, reading.report)
     first = next(pieces)
     width = first.lines[0].count(",") + 1
     people = width // 2

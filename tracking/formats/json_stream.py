@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
+from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, TextIO
 
 from tracking.errors import FormatError
+from tracking.progress import Progress, no_progress
 
 MOST_BYTES = 4 << 30
 LONGEST_ELEMENT = 4 << 20
@@ -27,22 +29,27 @@ _SOME = 1000
 """So many elements are read one by one where they could not be read together."""
 
 
-def elements_of(path: Path, wanted: Collection[str]) -> Iterator[tuple[str, int, Any]]:
+def elements_of(
+    path: Path, wanted: Collection[str], report: Progress = no_progress
+) -> Iterator[tuple[str, int, Any]]:
     """What the members of a file's one object hold: the name, and from 0 each element of an array.
 
     Args:
         path: of a file that holds one object.
         wanted: names of members; others are passed over. A member that is no array comes whole,
             as element -1.
+        report: called with bytes.
 
     Raises FormatError where the file is missing, too large, no such JSON, or an element is too
     long or too deep.
     """
     try:
-        if path.stat().st_size > MOST_BYTES:
+        size = path.stat().st_size
+        if size > MOST_BYTES:
             raise FormatError(f"{path} is larger than {MOST_BYTES >> 30} GB; split it first")
-        with path.open(encoding="utf-8-sig") as stream:
-            yield from _Text(path, stream).members(wanted)
+        with path.open("rb") as held, TextIOWrapper(held, encoding="utf-8-sig") as stream:
+            text = _Text(path, stream, lambda: report(min(held.tell(), size), size))
+            yield from text.members(wanted)
     except OSError as error:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
     except UnicodeDecodeError as error:
@@ -52,8 +59,9 @@ def elements_of(path: Path, wanted: Collection[str]) -> Iterator[tuple[str, int,
 class _Text:
     """A file's text, of which a little is held."""
 
-    def __init__(self, path: Path, stream: TextIO) -> None:
-        self._path, self._stream = path, stream
+    def __init__(self, path: Path, stream: TextIO, read_on: Callable[[], None]) -> None:
+        """read_on: called after each piece."""
+        self._path, self._stream, self._read_on = path, stream, read_on
         self._held, self._at, self._before = "", 0, 0
         self._decoder = json.JSONDecoder(parse_constant=_unknown)
         self._decode = self._decoder.decode
@@ -159,6 +167,7 @@ class _Text:
     def _more(self) -> bool:
         """Hold the next piece, too; False at the end of the file."""
         piece = self._stream.read(_PIECE)
+        self._read_on()
         self._before += self._at
         self._held, self._at = self._held[self._at :] + piece, 0
         return bool(piece)

@@ -25,7 +25,7 @@ from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.sqlite_file import SIGNATURE, numbers_of, opened
 from tracking.formats.track_format import TrackFormat
 from tracking.formats.writing import Exported
-from tracking.progress import Progress
+from tracking.progress import Progress, no_progress
 from tracking.replacing import part_of
 from tracking.tracks import Columns
 
@@ -49,9 +49,9 @@ def looks_like_jupedsim(_path: Path, head: bytes) -> bool:
     return head.startswith(SIGNATURE) and b"trajectory_data" in head
 
 
-def import_jupedsim(path: Path, _filmed: Filmed) -> Imported:
+def import_jupedsim(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of a file. Raises FormatError where it is none of JuPedSim's, or is not safe."""
-    reading = Reading(path)
+    reading = Reading(path, report)
     with opened(path, _TABLES) as database:
         known = dict(database.execute("SELECT key, value FROM metadata").fetchmany(1000))
         _check_version(path, known.get("version"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,8 +20,11 @@ from tracking.formats.kitti_values import (
     label_of_type,
 )
 from tracking.formats.reading import Filmed, Imported, Reading
-from tracking.geometry import View
+from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns
+
+if TYPE_CHECKING:
+    from tracking.geometry import View
 
 _SHAPE = RowShape("KITTI's labels", least=17, most=18, separator=" ")
 _FRAME, _TRACK, _TYPE, _OCCLUDED, _BOX, _PLACE, _SCORE = 0, 1, 2, 4, slice(6, 10), slice(13, 16), 17
@@ -29,15 +33,15 @@ _LONGEST_TYPE = 40
 _FARTHEST_M = 1e6
 
 
-def import_kitti(path: Path, filmed: Filmed) -> Imported:
+def import_kitti(path: Path, filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of KITTI's labels; on the floor where the recording's camera is known.
 
     Types other than people stand in the tracks' attribute "class", by a track's first row. Raises
     FormatError where the file as a whole cannot be read.
     """
-    reading = Reading(path)
+    reading = Reading(path, report)
     types: dict[str, int] = {DONT_CARE: 0}
-    table, lines = NumberRows(reading, _SHAPE).read(_with_numbered_types(path, types))
+    table, lines = NumberRows(reading, _SHAPE).read(_with_numbered_types(reading, types))
     cared = table[:, _TYPE] != types[DONT_CARE]
     regions = len(table) - int(cared.sum())
     if regions:
@@ -60,9 +64,9 @@ def import_kitti(path: Path, filmed: Filmed) -> Imported:
     )
 
 
-def _with_numbered_types(path: Path, types: dict[str, int]) -> Iterator[Piece]:
+def _with_numbered_types(reading: Reading, types: dict[str, int]) -> Iterator[Piece]:
     """The lines with a number for each type, which is added to the types, and single blanks."""
-    for piece in pieces_of(path):
+    for piece in pieces_of(reading.path, reading.report):
         lines = []
         for line in piece.lines:
             fields = line.split()
@@ -70,7 +74,9 @@ def _with_numbered_types(path: Path, types: dict[str, int]) -> Iterator[Piece]:
                 fields[_TYPE] = str(types.setdefault(fields[_TYPE], len(types)))
             lines.append(" ".join(fields))
         if len(types) > _MOST_TYPES:
-            raise FormatError(f"{path}: more than {_MOST_TYPES} types; is it KITTI's labels?")
+            raise FormatError(
+                f"{reading.path}: more than {_MOST_TYPES} types; is it KITTI's labels?"
+            )
         yield Piece(piece.first, lines)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,10 +28,12 @@ from tracking.formats.number_text import (
 )
 from tracking.formats.row_rules import BOX
 from tracking.formats.writing import Exported
-from tracking.geometry import View
 from tracking.progress import Progress
 from tracking.replacing import replacing_bytes
 from tracking.tracks import Columns
+
+if TYPE_CHECKING:
+    from tracking.geometry import View
 
 _TYPES = [name.encode() for name in TYPES]
 

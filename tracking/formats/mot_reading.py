@@ -14,6 +14,7 @@ from tracking.formats.mot_classes import kept_visibility, labels_of_classes
 from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.formats.seqinfo import sequence_of
+from tracking.progress import Progress, no_progress
 
 UNKNOWN = -1.0
 _SHAPE = RowShape("MOT text", least=6, most=10)
@@ -45,13 +46,13 @@ def read_mot(path: Path) -> dict[str, NDArray[Any]]:
     return {name: column[order] for name, column in rows.items()}
 
 
-def import_mot(path: Path, _filmed: Filmed) -> Imported:
+def import_mot(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of a MOT text, with what a `seqinfo.ini` beside it says of the footage.
 
     Tracks of another class than people bear it as their attribute "class"; rows the challenge does
     not count (`conf` 0) keep a confidence of 0. Raises FormatError as `read_mot`, but for bad rows.
     """
-    reading = Reading(path)
+    reading = Reading(path, report)
     rows, lines = _rows(reading)
     sequence = sequence_of(path, reading)
     return reading.imported(
@@ -67,7 +68,7 @@ def import_mot(path: Path, _filmed: Filmed) -> Imported:
 
 def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int64]]:
     """The columns as `read_mot` gives them, unchecked, and the lines they stand on."""
-    table, lines = NumberRows(reading, _SHAPE).read(pieces_of(reading.path))
+    table, lines = NumberRows(reading, _SHAPE).read(pieces_of(reading.path, reading.report))
     finite = np.isfinite(table).all(axis=1)
     if not finite.all():
         for row in np.flatnonzero(~finite).tolist():

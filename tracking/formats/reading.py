@@ -9,21 +9,25 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.formats.row_rules import broken_rules
-from tracking.geometry import View
-from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, TrackLabel
+from tracking.progress import Progress, no_progress
+from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, TrackLabel, row_keys
+
+if TYPE_CHECKING:
+    from tracking.geometry import View
 
 MOST_TOLD = 1000
 """So many bad rows are kept with their reasons; further ones are only counted."""
 
-MOST_BAD = 100_000
-"""A file with more bad rows than this is of another format, or of none."""
+FEW_BAD, MOST_BAD = 10_000, 100_000
+"""A file with more bad rows than the second is of another format, or of none; so is one with more
+than the first that are more than its good ones so far."""
 
 
 SeenAs = Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]]
@@ -88,11 +92,14 @@ class Imported:
 class Reading:
     """Collects what a reader meets in one file: bad rows, notes, and in the end its tracks."""
 
-    def __init__(self, path: Path) -> None:
-        """The file, as messages name it."""
-        self.path = path
+    def __init__(self, path: Path, report: Progress = no_progress) -> None:
+        """The file, as messages name it; report is told how far it is read.
+
+        Whoever reads rows adds to `good` as they come.
+        """
+        self.path, self.report = path, report
         self.notes: list[str] = []
-        self.bad_count = 0
+        self.good = self.bad_count = 0
         self._told: list[BadRow] = []
 
     @property
@@ -108,11 +115,13 @@ class Reading:
         self.bad_count += 1
         if len(self._told) < MOST_TOLD:
             self._told.append(BadRow(place, reason))
-        if self.bad_count > MOST_BAD:
+        most = min(MOST_BAD, max(FEW_BAD, self.good))
+        if self.bad_count > most:
             first = self._told[0]
             raise FormatError(
-                f"{self.path}: more than {MOST_BAD} rows cannot be meant, the first in "
-                f"{first.place}: {first.reason}; is it a file of this format?"
+                f"{self.path}: more than {most} rows cannot be meant, the first in "
+                f"{first.place}: {first.reason}",
+                "is it a file of this format?",
             )
 
     def checked(self, rows: Columns, place_of: Callable[[int], str]) -> dict[str, NDArray[Any]]:
@@ -127,9 +136,11 @@ class Reading:
         """
         good = np.ones(len(rows["frame"]), bool)
         for wrong, reason in broken_rules(rows):
-            for row in np.flatnonzero(wrong & good)[: MOST_BAD + 1].tolist():
-                self.bad(place_of(row), reason)
+            bad = np.flatnonzero(wrong & good)
             good &= ~wrong
+            self.good = int(good.sum())
+            for row in bad[: MOST_BAD + 1].tolist():
+                self.bad(place_of(row), reason)
         every = bool(good.all())  # nothing is copied then: there may be millions
         kept = {name: np.asarray(col) if every else col[good] for name, col in rows.items()}
         return kept | {name: kept[name].astype(np.int32) for name in ("frame", "track")}
@@ -183,7 +194,7 @@ def with_all_columns(rows: Columns) -> dict[str, NDArray[Any]]:
 
 def in_order(rows: Columns) -> dict[str, NDArray[Any]]:
     """The rows by frame, then track."""
-    keys = (rows["frame"].astype(np.int64) << 32) | rows["track"]
+    keys = row_keys(rows["frame"], rows["track"])
     if bool((keys[1:] > keys[:-1]).all()):
         return dict(rows)
     order = np.lexsort((rows["track"], rows["frame"]))

@@ -23,6 +23,7 @@ from tracking.formats.hdf5_tracks import has_layout, opened, text_of
 from tracking.formats.label_text import label_of
 from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.track_format import TrackFormat
+from tracking.progress import Progress, no_progress
 from tracking.tracks import TrackLabel
 
 _AXES = ("frame", "track", "node", "xy")
@@ -30,9 +31,9 @@ _AS_MATLAB = ("track", "xy", "node", "frame")
 _OLD = ("frame", "node", "xy", "track")
 
 
-def import_sleap(path: Path, _filmed: Filmed) -> Imported:
+def import_sleap(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of an analysis file. Raises FormatError where it is none, or is not safe."""
-    reading = Reading(path)
+    reading = Reading(path, report)
     with opened(path, "sleap") as file:
         axes = _axes_of(path, file)
         stored: NDArray[np.float64] = np.asarray(file["tracks"][()], np.float64)

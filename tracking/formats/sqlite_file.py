@@ -92,6 +92,8 @@ def numbers_of(
         parts.append(good.reshape(-1, len(columns)))
         places.append(kept)
         count += len(rows)
+        reading.good += len(kept)
+        reading.report(min(count, most), most)
         if count > most:
             raise FormatError(f"{reading.path} is damaged: {table} has no end; export it again")
     if not parts:

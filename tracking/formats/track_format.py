@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from tracking.formats.reading import Filmed, Imported
 from tracking.formats.writing import Exported
@@ -13,8 +14,14 @@ from tracking.progress import Progress
 HEAD_BYTES = 1 << 16
 """So much of a file is enough to tell its format."""
 
-Read = Callable[[Path, Filmed], Imported]
 Write = Callable[[Path, Exported, Progress], tuple[Path, ...]]
+
+
+class Read(Protocol):
+    """Reads a file of the format."""
+
+    def __call__(self, path: Path, filmed: Filmed, /, report: Progress = ...) -> Imported:
+        """The tracks of a file, of a recording of which that is known; see `TrackFormat`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +35,8 @@ class TrackFormat:
         recognises: whether a file is of this format, given its path and its first
             `HEAD_BYTES` bytes; never raises, however hostile they are.
         read: the tracks of a file; bad rows are collected. Raises FormatError where the file as a
-            whole cannot be read. None: this program does not read it.
+            whole cannot be read, and what the progress raises to cancel. None: this program does
+            not read it.
         write: makes a file, which appears whole or not at all; gives the files made. Raises
             OutputError, FormatError where the tracks lack what the format needs, and what the
             progress raises to cancel. None: this program does not write it.

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.geometry import View
-from tracking.progress import Progress
+from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns, ParticleColumn, TrackLabel, TrackTable
+
+if TYPE_CHECKING:
+    from tracking.geometry import View
 
 ROWS_AT_ONCE = 1 << 14
 """A piece stays in the processor's cache, and is long beside the work around it."""
-
-
-def no_progress(_done: int, _total: int) -> None:
-    """For work nobody watches."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

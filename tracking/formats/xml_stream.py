@@ -20,6 +20,7 @@ from defusedxml import DefusedXmlException
 from defusedxml.expatreader import DefusedExpatParser
 
 from tracking.errors import FormatError
+from tracking.progress import Progress, no_progress
 
 MOST_BYTES = 4 << 30
 _PIECE = 1 << 18
@@ -41,19 +42,21 @@ class Elements(Protocol):
         """An element ends; text: what stood in it, if no other element did."""
 
 
-def parse(path: Path, elements: Elements, member: str) -> None:
+def parse(path: Path, elements: Elements, member: str, report: Progress = no_progress) -> None:
     """Go through a file once.
 
     Args:
         path: of the XML, or of a ZIP archive that holds it.
         member: its name there.
+        report: called with bytes of the XML.
 
     Raises FormatError where the file is missing, too large, no XML, or holds what is not taken;
     what `elements` raises is passed on.
     """
     parser = _Parser(path, elements)
     try:
-        with _opened(path, member) as stream:
+        opened, size = _opened(path, member)
+        with opened as stream:
             read = 0
             while piece := stream.read(_PIECE):
                 read += len(piece)
@@ -63,6 +66,7 @@ def parse(path: Path, elements: Elements, member: str) -> None:
                     )
                 parser.feed(piece)
                 parser.check_waiting(read)
+                report(min(read, size), size)
             if not read:
                 raise FormatError(f"{path} is empty; export it again")
             parser.close()
@@ -79,12 +83,14 @@ def parse(path: Path, elements: Elements, member: str) -> None:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
 
 
-def _opened(path: Path, member: str) -> AbstractContextManager[IO[bytes]]:
+def _opened(path: Path, member: str) -> tuple[AbstractContextManager[IO[bytes]], int]:
+    """The XML, and how many bytes it is said to have."""
     with path.open("rb") as stream:
         if stream.read(len(ZIP)) != ZIP:
-            return path.open("rb")
+            return path.open("rb"), path.stat().st_size
     try:
-        return zipfile.ZipFile(path).open(member)
+        archive = zipfile.ZipFile(path)
+        return archive.open(member), archive.getinfo(member).file_size
     except (KeyError, zipfile.BadZipFile, NotImplementedError, RuntimeError, ValueError) as error:
         raise FormatError(
             f"{path} is an archive without a {member} that can be read; unpack it and name that"

@@ -15,7 +15,7 @@ from tracking.editing.labels.labelling import LONGEST_KEY, LONGEST_NOTES, LONGES
 from tracking.errors import EditError, FormatError
 from tracking.formats import BadRow, Filmed, Imported
 from tracking.formats.reading import MOST_TOLD, SeenAs
-from tracking.geometry import View
+from tracking.progress import Progress, no_progress
 from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.session.document import Session
 from tracking.session.stamping import software
@@ -35,6 +35,7 @@ from tracking.tracks import (
 )
 
 if TYPE_CHECKING:
+    from tracking.geometry import View
     from tracking.recording import Recording
 
 IMPORTED = "imported"
@@ -112,13 +113,18 @@ class ImportOrigin:
 
 
 def importable(
-    imported: Imported, filmed: Filmed, wish: ImportWish, known: TrackTable | None = None
+    imported: Imported,
+    filmed: Filmed,
+    wish: ImportWish,
+    known: TrackTable | None = None,
+    report: Progress = no_progress,
 ) -> Importable:
     """The tracks of a file fitted to a recording: what is beyond it is bad, what is odd is noted.
 
     Args:
         imported: as read. filmed: the recording. wish: how they are taken.
         known: the table they are to go into; None: a new one.
+        report: called with rows while they are thinned; raises to cancel.
 
     Raises EditError for a tolerance that is none, FormatError where no ids are left.
     """
@@ -144,7 +150,8 @@ def importable(
         note = "places on the floor are told from the boxes' feet: the file has none"
         found = replace(found, rows=rows, notes=(*found.notes, note))
     if wish.thin_px is not None:
-        rows, thinned = thin_dense(found.rows, wish.thin_px, view=filmed.view, fps=filmed.fps)
+        view, fps = filmed.view, filmed.fps
+        rows, thinned = thin_dense(found.rows, wish.thin_px, view=view, fps=fps, report=report)
         found = replace(found, rows=rows, thinned=thinned)
     return found
 

@@ -18,7 +18,6 @@ from tracking.session import Importable, ImportOrigin, ImportWish, importable
 from tracking.tracks import Labels, TrackTable, row_keys
 
 USUAL_TOLERANCE_PX = 2.0
-_STEPS = 2
 _OF_SESSIONS = {".h5", ".hdf5"}
 
 
@@ -98,13 +97,10 @@ def read_tracks(
     Raises:
         FormatError: it cannot be read as a whole, or is of no format known here.
     """
-    report(0, _STEPS)
     named = known or format_of(path)
     if named.read is None:
         raise FormatError(f"{path} is {named.title}, which is only written; choose another file")
-    report(1, _STEPS)
-    imported = named.read(path, filmed)
-    report(_STEPS, _STEPS)
+    imported = named.read(path, filmed, report)
     return ReadFile(path, named, imported, filmed, ImportOrigin.of(path, named.name))
 
 
@@ -136,11 +132,9 @@ def fitting(
     """
 
     def work(report: Progress) -> Fitted:
-        report(0, _STEPS)
-        found = importable(read.imported, read.filmed, choice.wish, table)
+        found = importable(read.imported, read.filmed, choice.wish, table, report)
         ids = set(np.unique(found.rows["track"]).tolist())
         known = len(ids & set(table.track_ids)) if table is not None else 0
-        report(1, _STEPS)
         written = None
         if table is not None:
             written = _planned(read, found, table, labels)

@@ -168,6 +168,11 @@ class ImportDialog(QDialog):
         self._why_not.setText(scene.why_not)
         self._import.setEnabled(not scene.why_not)
 
+    def show_progress(self, done: int, total: int) -> None:
+        """Say how far the tracks are thinned, while that lasts."""
+        if self._thins.isChecked() and not self._import.isEnabled() and done < total:
+            self._why_not.setText(self.tr("Thinning: {0} %").format(100 * done // total))
+
     def _show_bad(self, scene: ImportScene) -> None:
         for widget in (self._bad_title, self._bad, self._takes_good):
             widget.setVisible(bool(scene.bad_count))

@@ -105,6 +105,7 @@ class LookedOver(QObject):
         self._dialog = ImportDialog(read.path.name, formats, desk.window_page)
         self._fitted: Fitted | None = None
         self._search = Newest("import", self._prepare, self)
+        self._search.progressed.connect(self._dialog.show_progress)
         self._search.found.connect(self._take)
         self._search.failed.connect(lambda _, error: self._fail(error))
         self._dialog.choice_made.connect(self._choose)
