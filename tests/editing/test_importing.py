@@ -9,10 +9,18 @@ from hypothesis import strategies as st
 from people_on_a_floor_plan import FPS, VIEW, walking
 from tables_of_people import bytes_of, table_of
 
-from tracking.editing import apply_change, keyframes_of, on_the_floor, plan_import, thin_dense
+from tracking.editing import (
+    apply_change,
+    keyframes_of,
+    on_the_floor,
+    plan_import,
+    plan_thin,
+    thin_dense,
+)
 from tracking.editing.boxes.standing import boxes_of, places_of
 from tracking.editing.importing import SeenAs
-from tracking.errors import EditError
+from tracking.editing.selection import stacked
+from tracking.errors import CancelledError, EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Labels, Source, TrackLabel, TrackTable
 
@@ -230,6 +238,33 @@ def test_a_dense_track_is_thinned_within_the_tolerance(tolerance: float, source:
     assert (told.tracks, told.boxes, told.keyframes) == (1, 120, keys)
     assert keys < 60
     assert set(np.unique(thin["source"])) == {Source.PERSON, Source.INTERPOLATED}
+
+
+@pytest.mark.parametrize("view", [None, VIEW])
+def test_many_tracks_are_thinned_as_each_of_them_alone(view: View | None) -> None:
+    whole = [keyed_walk(60 + 9 * track, Source.TRACKER) for track in range(4)]
+    for track, rows in enumerate(whole, 1):
+        rows["track"][:] = track
+        rows["width"] += track * np.cos(rows["frame"])
+    rows = stacked(whole)
+    table, told = TrackTable(rows), []
+    thin, _ = thin_dense(rows, 2.0, view=view, fps=FPS, report=lambda *at: told.append(at))
+    for track in table.track_ids:
+        change = plan_thin(table, track, tolerance_px=2.0, view=view, fps=FPS)
+        apply_change(table, Labels(), change)
+    assert thin.keys() == table.columns().keys()
+    for name, column in table.columns().items():
+        np.testing.assert_allclose(thin[name], column, rtol=1e-6)
+    assert told[0] == (0, len(rows["frame"]))
+    assert told[-1] == (len(rows["frame"]), len(rows["frame"]))
+
+
+def test_thinning_ends_where_it_is_cancelled() -> None:
+    def cancel(_done: int, _total: int) -> None:
+        raise CancelledError
+
+    with pytest.raises(CancelledError):
+        thin_dense(keyed_walk(), 2.0, report=cancel)
 
 
 @settings(max_examples=40, deadline=None)
