@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -50,7 +50,7 @@ def paired(results: Sequence[Path], truth: Path) -> Pairing:
         return _batch(results, truth)
     names = _short_names(results)
     single = {name: _result_at(path) for name, path in zip(names, results, strict=True)}
-    sequence = truth.name if truth.is_dir() else _name_of(truth)
+    sequence = _printable(truth.absolute().name) if truth.is_dir() else _name_of(truth)
     found = {name: {sequence: path} for name, path in single.items()}
     return Pairing({sequence: _truth_in(truth) or truth}, found, is_batch=False)
 
@@ -88,16 +88,20 @@ def _sequences(folder: Path, *, truths: bool) -> dict[str, Path]:
         folder = inner
     entries = sorted(each for each in folder.iterdir() if not each.name.startswith("."))
     files = [each for each in entries if each.is_file() and each.suffix.lower() in _ENDINGS]
-    folders = {each.name: _truth_in(each) if truths else _result_in(each) for each in entries}
-    inside = {name: path for name, path in folders.items() if path is not None}
-    named = _by_name([each for each in files if not (truths and each.stem in inside)])
+    held = ((each, _truth_in(each) if truths else _result_in(each)) for each in entries)
+    inside = _called((_printable(each.name), path) for each, path in held if path is not None)
+    named = _by_name([each for each in files if not (truths and _name_of(each) in inside)])
     return {**inside, **named}
 
 
 def _by_name(files: Sequence[Path]) -> dict[str, Path]:
+    return _called((_name_of(path), path) for path in files)
+
+
+def _called(named: Iterable[tuple[str, Path]]) -> dict[str, Path]:
+    """Paths by their names, of which no two may be alike."""
     found: dict[str, Path] = {}
-    for path in files:
-        name = _name_of(path)
+    for name, path in named:
         if name in found:
             raise SettingsError(f"{found[name]} and {path} are both called {name}; remove one")
         found[name] = path
@@ -137,7 +141,11 @@ def _name_of(path: Path) -> str:
         path = whole.parent.parent
     elif path.name in (RESULT, TRUTH):
         path = whole.parent
-    name = path.stem if path.suffix.lower() in _ENDINGS else path.name
+    return _printable(path.stem if path.suffix.lower() in _ENDINGS else path.name)
+
+
+def _printable(name: str) -> str:
+    """A name from a disk, fit to be written anywhere: nothing in it steers a terminal."""
     return "".join(letter if letter.isprintable() else "?" for letter in name)
 
 
@@ -145,7 +153,7 @@ def _short_names(paths: Sequence[Path]) -> list[str]:
     """A name each, all different: as many of the last parts of a path as that takes."""
     whole = [path.absolute() for path in paths]
     ends = [path.parent if path.name in (RESULT, _DATA) else path for path in whole]
-    parts = [(*each.parts[:-1], _name_of(each)) for each in ends]
+    parts = [(*map(_printable, each.parts[:-1]), _name_of(each)) for each in ends]
     for taken in range(1, max(map(len, parts), default=0) + 1):
         names = ["/".join(each[-taken:]) for each in parts]
         if len(set(names)) == len(names):

@@ -59,6 +59,26 @@ def test_a_folder_of_sequences_gives_a_row_each_and_one_together(
     assert said["left_out"] == []
 
 
+def test_names_of_folders_and_files_are_printed_as_plain_letters(
+    trackwright: Trackwright, tmp_path: Path
+) -> None:
+    odd = "A\x1b[31m\udcff"
+    (tmp_path / odd / "gt").mkdir(parents=True)
+    (tmp_path / odd / "gt" / "gt.txt").write_text(TRUTH)
+    results = [tmp_path / f"{part}{odd}" / "mine" for part in ("old", "new")]
+    for folder in results:
+        (folder / odd).mkdir(parents=True)
+        (folder / odd / "result.txt").write_text(RIGHT)
+    singles = [folder / odd for folder in results]
+    for truth, given in ((tmp_path, results), (tmp_path / odd, singles)):
+        status, out, _ = trackwright("score", *given, "--truth", truth, "--per-person")
+        assert status == 0
+        assert "oldA?[31m?" in out
+        assert "on A?[31m?" in out
+        assert "\x1b" not in out
+        out.encode("utf-8")
+
+
 def test_results_and_truths_may_stand_in_one_folder_named_alike(
     trackwright: Trackwright, tmp_path: Path
 ) -> None:
