@@ -118,6 +118,9 @@ def part_rates(result: Tracks, truth: Path, frames: tuple[int, int] | None = Non
 
 def tell_oddities(one: Loaded) -> None:
     """Note what may make the numbers other than expected, a line each."""
+    for tracks in (one.truth, *one.results.values()):
+        for note in tracks.notes:
+            say(f"note: {tracks.path}: {note}")
     if not len(one.subject.truth):
         say(f"note: {one.truth.path} has nobody in these frames; shares of truth are 0")
     for name, tracks in one.results.items():

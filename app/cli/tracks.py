@@ -1,4 +1,4 @@
-"""Tracks from whatever a command is pointed at: a session, MOT text, a recording with truth."""
+"""Tracks from what a command is pointed at: a session, any file of tracks, a recording's truth."""
 
 from __future__ import annotations
 
@@ -8,9 +8,7 @@ from pathlib import Path
 
 from app.cli.destination import is_session
 from tracking.errors import FormatError
-from tracking.formats import Filmed, TrackFormat, format_of, read_mot
-from tracking.formats.reading import Reading
-from tracking.formats.seqinfo import sequence_of
+from tracking.formats import FORMATS, Filmed, TrackFormat, format_of, measurable
 from tracking.tracks import Columns, CountingLine
 from tracking.truth import TRUE_PARTS
 
@@ -30,6 +28,7 @@ class Tracks:
         tracked: half-open range of frames a session's tracker went over; None where nobody knows.
         fps, size_px: of the recording, where the file tells.
         lines: counting lines drawn in a session.
+        notes: what the user should know of a file, a line each.
     """
 
     columns: Columns
@@ -41,6 +40,7 @@ class Tracks:
     fps: float | None = None
     size_px: tuple[int, int] | None = None
     lines: tuple[CountingLine, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,12 +64,12 @@ def tracks_at(path: Path) -> Tracks:
         FormatError, SessionError: it is neither, or cannot be read.
     """
     if path.is_dir():
-        raise FormatError(f"{path} is a folder; name a session or MOT text in it")
-    wanted = _format_of(path)
-    if wanted is None and is_session(path):
+        raise FormatError(f"{path} is a folder; name a session or a file of tracks in it")
+    kind = _format_of(path)
+    if kind is None and is_session(path):
         return _of_session(path)
     # What nobody knows is read as MOT text, which says what is wrong with it.
-    return _of_mot(path) if wanted is None else _of_file(path, wanted)
+    return _of_file(path, kind or FORMATS["mot"])
 
 
 def truth_at(path: Path) -> Tracks:
@@ -81,24 +81,21 @@ def truth_at(path: Path) -> Tracks:
     if not path.is_dir():
         return tracks_at(path)
     if not (path / _TRUTH).is_file():
-        raise FormatError(f"{path} has no {_TRUTH}; name a session or MOT text as truth")
-    return _of_mot(path / _TRUTH)
+        raise FormatError(f"{path} has no {_TRUTH}; name a session or a file of tracks as truth")
+    return _of_file(path / _TRUTH, FORMATS["mot"])
 
 
 def _format_of(path: Path) -> TrackFormat | None:
-    """The format of a file of another tool; None for MOT text, sessions and what nobody knows."""
+    """The format of a file of tracks; None for sessions and what nobody knows."""
     try:
-        wanted = format_of(path)
+        return format_of(path)
     except FormatError:
         return None
-    return None if wanted.name.startswith("mot") else wanted
 
 
-def _of_file(path: Path, wanted: TrackFormat) -> Tracks:
-    """The tracks of a file of another tool."""
-    if wanted.read is None:
-        raise FormatError(f"{path} is {wanted.title}, which is not read here; export it anew")
-    found = wanted.read(path, Filmed())
+def _of_file(path: Path, kind: TrackFormat) -> Tracks:
+    """The tracks of a file. Raises FormatError also where a single row cannot be meant."""
+    found = measurable(path, kind, Filmed())
     if found.bad_count:
         first = found.bad_rows[0]
         raise FormatError(f"{path}, {first.place}: {first.reason}; correct or remove the row")
@@ -109,15 +106,7 @@ def _of_file(path: Path, wanted: TrackFormat) -> Tracks:
         path=path,
         fps=found.fps,
         size_px=found.size_px,
-    )
-
-
-def _of_mot(path: Path) -> Tracks:
-    """The tracks of MOT text, whose rows keep their order in a frame: ties are decided by it."""
-    columns = read_mot(path)
-    told = sequence_of(path, Reading(path))
-    return Tracks(
-        columns, told.frames or 0, is_text=True, path=path, fps=told.fps, size_px=told.size_px
+        notes=found.notes,
     )
 
 

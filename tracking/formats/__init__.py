@@ -1,6 +1,7 @@
 """Files of other tools."""
 
 from tracking.formats.catalogue import FORMATS, format_named, format_of
+from tracking.formats.measurable import Measurable, measurable
 from tracking.formats.mot_reading import read_mot
 from tracking.formats.mot_writing import write_mot
 from tracking.formats.part_labels import GivenLabel, read_part_labels, write_part_labels
@@ -19,12 +20,14 @@ __all__ = [
     "Filmed",
     "GivenLabel",
     "Imported",
+    "Measurable",
     "TrackFormat",
     "as_truth",
     "begins_as_hdf5",
     "format_named",
     "format_of",
     "is_hdf5",
+    "measurable",
     "no_progress",
     "read_mot",
     "read_part_labels",

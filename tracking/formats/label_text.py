@@ -35,6 +35,11 @@ def kind_of(label: TrackLabel) -> str:
     return line(label.attributes.get(CLASS, "")) or PERSON
 
 
+def is_person(label: TrackLabel) -> bool:
+    """Whether a track is of a person, as far as its label says."""
+    return label.attributes.get(CLASS, "").strip().lower() in _OF_PEOPLE
+
+
 def line(text: object) -> str:
     """A text as one line of printable signs, at most as long as names are."""
     signs = " ".join(str(text)[: 8 * LONGEST_NAME].split())

@@ -37,11 +37,17 @@ def read_mot(path: Path) -> dict[str, NDArray[Any]]:
         FormatError: the file is missing, not such a text, or a row cannot be meant; names the line.
     """
     reading = Reading(path)
-    rows, lines = _rows(reading)
-    rows = reading.checked(rows, lambda row: f"line {lines[row]}")
+    rows = rows_by_frame(reading)
     if reading.bad_count:
         first = reading.bad_rows[0]
         raise FormatError(f"{path}, {first.place}: {first.reason}; correct or remove the row")
+    return rows
+
+
+def rows_by_frame(reading: Reading) -> dict[str, NDArray[Any]]:
+    """The rows of a MOT text that can be meant, as `read_mot` gives them; the others are told."""
+    rows, lines = _rows(reading)
+    rows = reading.checked(rows, lambda row: f"line {lines[row]}")
     order = np.argsort(rows["frame"], kind="stable")
     return {name: column[order] for name, column in rows.items()}
 

@@ -14,6 +14,7 @@ from tracking.editing import Entry, Thinned, on_the_floor, plan_import, thin_den
 from tracking.editing.labels.labelling import LONGEST_KEY, LONGEST_NOTES, LONGEST_VALUE
 from tracking.errors import EditError, FormatError
 from tracking.formats import BadRow, Filmed, Imported
+from tracking.formats.label_text import is_person
 from tracking.formats.reading import MOST_TOLD, SeenAs
 from tracking.progress import Progress, no_progress
 from tracking.recording.fingerprint import Fingerprint, fingerprint
@@ -41,10 +42,6 @@ if TYPE_CHECKING:
 IMPORTED = "imported"
 """What the run of imported tracks says its tracker is."""
 
-CLASS = "class"
-"""The attribute of tracks that are no people."""
-
-_PEOPLE = ("person", "pedestrian")
 _SHARES = ("confidence", "visibility")
 
 
@@ -241,15 +238,11 @@ def _within(found: Importable, frames: int | None) -> Importable:
 
 def _only_people(found: Importable) -> Importable:
     """Without the tracks that are of another class."""
-    others = [track for track, label in found.labels.items() if not _is_person(label)]
+    others = [track for track, label in found.labels.items() if not is_person(label)]
     if not others:
         return found
     notes = (*found.notes, f"{len(others)} tracks that are no people are left out")
     return _with_rows(replace(found, notes=notes), ~np.isin(found.rows["track"], others))
-
-
-def _is_person(label: TrackLabel) -> bool:
-    return label.attributes.get(CLASS, "person").lower() in _PEOPLE
 
 
 def _with_rows(found: Importable, chosen: NDArray[np.bool_]) -> Importable:

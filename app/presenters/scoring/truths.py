@@ -13,7 +13,8 @@ import numpy as np
 from app.presenters.comparing.agreement import refuse_other_recording
 from app.presenters.words import counted, tr
 from tracking.errors import FormatError, SessionError
-from tracking.formats import Filmed, Imported, format_of, is_hdf5
+from tracking.formats import Filmed, Measurable, format_of, is_hdf5, measurable
+from tracking.formats.reading import in_order, with_all_columns
 from tracking.recording import Recording
 from tracking.scoring import ScoringTable
 from tracking.session import Session
@@ -95,14 +96,12 @@ def reader(source: TruthSource, recording: Recording, own: Session | None) -> Ca
                 if reference is not None:
                     refuse_other_recording(reference, session.recording, path.name)
                 return _truth(source, session.tracks.snapshot().columns())
-        if kind.read is None:
-            raise FormatError(f"{path} is {kind.title}, which is not read; choose another file")
-        return _of_file(source, kind.read(path, filmed))
+        return _of_file(source, measurable(path, kind, filmed))
 
     return read
 
 
-def _of_file(source: TruthSource, found: Imported) -> Truth:
+def _of_file(source: TruthSource, found: Measurable) -> Truth:
     """Rows with confidence 0 are don't-cares, as in MOT text."""
     notes = list(found.notes)
     if found.bad_count:
@@ -121,10 +120,11 @@ def _truth(
     *,
     dont_cares: bool = False,
 ) -> Truth:
+    """A truth of rows by frame."""
     table = ScoringTable.from_columns(columns, dont_cares=dont_cares)
     if dont_cares:
-        counts = columns["confidence"] != 0
-        columns = {name: np.asarray(column)[counts] for name, column in columns.items()}
+        people = {name: np.asarray(column)[table.counted] for name, column in columns.items()}
+        columns = in_order(with_all_columns(people))
     return Truth(source, table, TrackTable(columns), notes)
 
 

@@ -295,6 +295,19 @@ def test_files_of_other_tools_are_scored_as_they_are(
         assert said["matches"] > 0
 
 
+def test_tracks_that_are_no_people_are_left_out_of_a_truth_and_told(
+    trackwright: Trackwright, tmp_path: Path
+) -> None:
+    row = "{} {} {} 0 0 -10 {}0 20 {}9 80 -1 -1 -1 -1000 -1000 -1000 -10\n"
+    kinds = {1: "Pedestrian", 2: "Car", 3: "Cyclist"}
+    truth = tmp_path / "0000.txt"
+    rows = [row.format(f, who, kind, who, who) for f in range(5) for who, kind in kinds.items()]
+    truth.write_text("".join(rows))
+    status, out, err = trackwright("score", truth, "--truth", truth, "--json")
+    assert (status, json.loads(out)["truth_people"]) == (0, 1)
+    assert f"note: {truth}: 2 tracks that are no people are left out" in err
+
+
 def test_an_empty_side_is_told_in_a_line(
     trackwright: Trackwright, single: tuple[Path, Path, Path]
 ) -> None:

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from two_people import steps
 
+from app.cli.scored import true_table
+from app.cli.tracks import truth_at
 from app.presenters.document.document import Document
 from app.presenters.scenes import Eye
 from app.presenters.scoring.scoring import ScoringPresenter
@@ -189,3 +191,47 @@ def test_without_tracks_there_is_nothing_to_score(document):
     presenter = ScoringPresenter(Document(document.recording))
     assert presenter.wanted() is None
     assert "Track the recording first" in presenter.scene("").message
+
+
+CLASSES = {1: (1, 1), 2: (1, 3), 3: (1, 8), 4: (0, 1)}
+"""Confidence and class: a person, a car, a distractor, a person nobody counts."""
+
+
+def test_a_truth_with_classes_counts_as_on_the_command_line(presenter, tmp_path):
+    truth = tmp_path / "gt.txt"
+    rows = [
+        f"{frame},{who},{100 * who},20,30,60,{conf},{kind},1"
+        for who, (conf, kind) in reversed(CLASSES.items())
+        for frame in range(1, 6)
+    ]
+    truth.write_text("\n".join(rows))
+    presenter.choose_file(truth)
+    scored = score_now(presenter)
+    typed = true_table(truth_at(truth))
+    for name in ("frame", "track", "box", "counted", "dont_care"):
+        np.testing.assert_array_equal(getattr(scored.truth.table, name), getattr(typed, name))
+    assert scored.whole.truth_people == 1
+    assert scored.truth.people.track_ids == (1,)
+
+
+KITTI = "{} {} {} 0 0 -10 {} 20 {} 80 -1 -1 -1 -1000 -1000 -1000 -10"
+
+
+def test_what_is_no_person_in_files_of_other_tools_is_no_truth(presenter, tmp_path):
+    truth = tmp_path / "0000.txt"
+    kinds = {1: "Pedestrian", 2: "Car", -1: "DontCare"}
+    rows = [
+        KITTI.format(frame, who, kind, 100 * who, 100 * who + 30)
+        for frame in range(5)
+        for who, kind in kinds.items()
+    ]
+    truth.write_text("\n".join(rows))
+    presenter.choose_file(truth)
+    scored = score_now(presenter)
+    typed = truth_at(truth)
+    assert set(typed.columns["track"].tolist()) == set(scored.truth.people.track_ids) == {1}
+    notes = (
+        "5 regions nobody cares about (DontCare) are left out",
+        "1 track that is no person is left out",
+    )
+    assert typed.notes == scored.truth.notes == notes

@@ -1,0 +1,87 @@
+"""Tracks of a file as they are measured: truth or result, whatever tool it is of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from tracking.errors import FormatError
+from tracking.formats.label_text import is_person
+from tracking.formats.mot_reading import rows_by_frame
+from tracking.formats.reading import BadRow, Filmed, Imported, Reading
+from tracking.formats.seqinfo import sequence_of
+from tracking.formats.track_format import TrackFormat
+from tracking.tracks import Columns
+
+_MOT = "mot"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Measurable:
+    """The rows of a file that are measured.
+
+    Attributes:
+        columns: by frame; at least `frame, track`, boxes and places, NaN where unknown. Where it is
+            truth, `confidence` 0 and, of MOT text, `class` say what does not count.
+        bad_rows, bad_count, fps, size_px, frames, notes: as in `Imported`.
+    """
+
+    columns: Columns
+    bad_rows: tuple[BadRow, ...] = ()
+    bad_count: int = 0
+    fps: float | None = None
+    size_px: tuple[int, int] | None = None
+    frames: int | None = None
+    notes: tuple[str, ...] = ()
+
+
+def measurable(path: Path, kind: TrackFormat, filmed: Filmed) -> Measurable:
+    """The tracks of a file of that format, to be measured.
+
+    Rows of MOT text keep their order in a frame, which decides ties, and their classes, which say
+    what counts. In other formats tracks that are no people are left out, which is noted.
+
+    Raises FormatError where the file as a whole cannot be read.
+    """
+    if kind.name.startswith(_MOT):
+        return _of_mot(path)
+    if kind.read is None:
+        raise FormatError(f"{path} is {kind.title}, which is not read; export it anew")
+    found = _people_of(kind.read(path, filmed))
+    return Measurable(
+        found.columns,
+        found.bad_rows,
+        found.bad_count,
+        found.fps,
+        found.size_px,
+        found.frames,
+        found.notes,
+    )
+
+
+def _of_mot(path: Path) -> Measurable:
+    reading = Reading(path)
+    columns, told = rows_by_frame(reading), sequence_of(path, reading)
+    return Measurable(
+        columns,
+        reading.bad_rows,
+        reading.bad_count,
+        told.fps,
+        told.size_px,
+        told.frames,
+        tuple(reading.notes),
+    )
+
+
+def _people_of(found: Imported) -> Imported:
+    """Without tracks of another class."""
+    others = [track for track, label in found.labels.items() if not is_person(label)]
+    if not others:
+        return found
+    people = ~np.isin(found.columns["track"], others)
+    columns = {name: column[people] for name, column in found.columns.items()}
+    many = "1 track that is no person is" if len(others) == 1 else None
+    note = f"{many or f'{len(others)} tracks that are no people are'} left out"
+    return replace(found, columns=columns, notes=(*found.notes, note))
