@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import logging
-import re
 
 from app.presenters.words import tr
 from tracking.errors import TrackwrightError
 from tracking.session import RecordingMissing
 
 _log = logging.getLogger(__name__)
-_OPTION = re.compile(r" \(--[^)]*\)| with --[a-z-]+")
-"""How to say it on the command line, which is no help in a window."""
+_OPTION = " (--"
+"""Begins how what is to be done is said on the command line, which is no help in a window."""
 
 
 def explain(error: BaseException) -> str:
@@ -24,7 +23,8 @@ def explain(error: BaseException) -> str:
     if isinstance(error, RecordingMissing):
         return error.reason
     if isinstance(error, TrackwrightError):
-        return _OPTION.sub("", str(error))
+        to_do = error.to_do.partition(_OPTION)[0]
+        return f"{error.reason}; {to_do}" if to_do else error.reason
     _log.error("unexpected error", exc_info=error)
     return tr(
         "A bug in trackwright: {kind}: {error}. Your edits are safe on disk; save, and start the "

@@ -75,4 +75,4 @@ def format_of(path: Path) -> TrackFormat:
             f"{path} is HDF5 of no layout known here; a session is opened, or exported first"
         )
     known = ", ".join(name for name, each in FORMATS.items() if each.read is not None)
-    raise FormatError(f"{path} is of no format known here; name one with --format: {known}")
+    raise FormatError(f"{path} is of no format known here", f"choose one of: {known} (--format)")

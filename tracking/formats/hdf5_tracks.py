@@ -46,7 +46,9 @@ def opened(path: Path, *layouts: str) -> Iterator[h5py.File]:
     if "refused" in verdict:
         raise FormatError(f"{path}{verdict['refused']}")
     if verdict["layout"] not in layouts:
-        raise FormatError(f"{path} is a file of {verdict['layout']}: import it as that (--format)")
+        raise FormatError(
+            f"{path} is a file of {verdict['layout']}", "import it as that (--format)"
+        )
     try:
         with h5py.File(path, "r", locking=False) as file:
             yield file

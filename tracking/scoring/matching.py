@@ -78,7 +78,7 @@ class BoxMatch:
     def require(self, table: ScoringTable, side: str) -> None:
         """Boxes are asked for."""
         if not _any_known(table.box):
-            raise FormatError(f"the {side} has no boxes; match by floor distance (--match floor)")
+            raise FormatError(f"the {side} has no boxes", "match by floor distance (--match floor)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +113,7 @@ class FloorMatch:
     def require(self, table: ScoringTable, side: str) -> None:
         """Positions are asked for."""
         if not _any_known(table.position):
-            raise FormatError(f"the {side} has no floor positions; match by boxes (--match box)")
+            raise FormatError(f"the {side} has no floor positions", "match by boxes (--match box)")
 
 
 def _any_known(values: Floats) -> bool:

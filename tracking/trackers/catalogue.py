@@ -133,7 +133,7 @@ _BUILT = (
 TRACKERS: Mapping[str, TrackerSpec] = MappingProxyType({spec.name: spec for spec in _BUILT})
 """The trackers that can be run, the best first."""
 
-_WITHOUT = "; without, three-part follows people in pixels"
+_WITHOUT = " (without, three-part follows people in pixels)"
 
 
 def tracker_named(name: str) -> TrackerSpec:
@@ -183,14 +183,14 @@ def require(spec: TrackerSpec, recording: Recording) -> None:
         )
     if spec.needs_calibration and recording.calibration is None:
         raise CalibrationError(
-            f"recording {recording.name} has no calibration: {spec.name} needs one, name it "
-            f"under [calibration] in recording.toml or with --calibration{_WITHOUT}"
+            f"recording {recording.name} has no calibration: {spec.name} needs one{_WITHOUT}",
+            "name it under [calibration] in recording.toml (--calibration)",
         )
     if spec.needs_calibration and recording.ground is None:
         raise CalibrationError(
-            f"recording {recording.name} does not say where the floor is: {spec.name} needs "
-            "height and tilt under [ground] in recording.toml or with --height and --tilt"
-            f"{_WITHOUT}"
+            f"recording {recording.name} does not say where the floor is, as {spec.name} needs it"
+            f"{_WITHOUT}",
+            "write height and tilt under [ground] in recording.toml (--height and --tilt)",
         )
 
 
