@@ -18,7 +18,7 @@ from app.presenters.files.opening import remember_place
 from tracking.errors import OutputError, SessionError, SettingsError
 from tracking.pipeline import Tracking, track
 from tracking.recording import Recording
-from tracking.session import Session
+from tracking.session import IMPORTED, Session
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
 from tracking.tracks import Run
 
@@ -96,29 +96,32 @@ def save_session(recording: Recording, run: Run, out: Path) -> None:
 def refuse_to_lose(out: Path, *, force: bool) -> None:
     """Refuse to replace what a tracker could not make again.
 
-    A session nobody has corrected or labelled may be replaced: tracking again brings it back.
+    A session nobody has worked on may be replaced: tracking again brings it back.
 
     Raises:
         OutputError: another file, or a session with somebody's work in it.
     """
     if force or not out.exists():
         return
-    if _is_worth_keeping(out):
+    if lost := _lost_with(out):
         raise OutputError(
-            f"{out} is there and tracking again would not bring it back; "
-            "choose another name or add --force"
+            f"{out} is there: {lost} would be lost; choose another name or add --force"
         )
 
 
-def _is_worth_keeping(out: Path) -> bool:
-    """Whether the file is more than a session nobody has worked on."""
+def _lost_with(out: Path) -> str:
+    """What of a file no tracker brings back; "": it is a session nobody has worked on."""
     if not is_session(out):
-        return True
+        return "a file that is no session"
     try:
         with closing(Session.open(out)) as session:
-            return has_work(session)
+            if has_work(session):
+                return "what somebody did in it"
+            if any(session.runs.tracker_of(run) == IMPORTED for run in range(len(session.runs))):
+                return "the tracks that were imported"
+            return "one of its runs" if len(session.runs) > 1 else ""
     except SessionError:
-        return True
+        return "a file that cannot be read as a session"
 
 
 def has_work(session: Session) -> bool:

@@ -75,7 +75,7 @@ def test_other_columns_are_left_out_and_named(tmp_path: Path) -> None:
 
 
 def test_words_for_yes_and_no_are_read(tmp_path: Path) -> None:
-    found = imported(tmp_path, "frame,track,predicted\n1,2,True\n2,2,FALSE\n3,2,\n")
+    found = imported(tmp_path, 'frame,track,predicted\n1,2,True\n2,2, "FALSE"\n3,2,""\n')
     assert found.columns["predicted"].tolist() == [True, False, False]
 
 
@@ -94,6 +94,11 @@ def test_words_for_yes_and_no_are_read(tmp_path: Path) -> None:
         ("1,1,2,2,7", "source is not 0, 1 or 2"),
         ("1,1,2e9,2,0", "farther than"),
         ("1,1,1_0,2,0", "'1_0' is not a number"),
+        ("1 2,1,2,2,0", "'1 2' is not a number"),
+        ('"1" "2",1,2,2,0', "is not a number"),
+        ('1"2,1,2,2,0', "is not a number"),
+        ("0,4true,2,2,0", "'4true' is not a number"),
+        ("0,falsetrue,2,2,0", "'falsetrue' is not a number"),
         ("5,5,1,1,0", "twice"),
     ],
 )

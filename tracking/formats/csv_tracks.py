@@ -7,6 +7,7 @@ point. Only `frame` and `track` are needed, and any others of the table are take
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -109,19 +110,31 @@ def _rows(
 
 def _plain(text: str, separator: str) -> str:
     """Lines with what is missing as nan, and with points. ValueError where one says nan itself."""
-    text = text.replace('"', "").replace("\r", "").replace(" ", "").lower()
+    text = _bare(text.replace("\r", "").lower(), separator)
     if _UNKNOWN in text:
         raise ValueError(_UNKNOWN)
     if separator != ",":
         text = text.replace(",", ".")
     for word, number in _WORDS.items():
-        text = text.replace(word, number)
+        if word in text:
+            text = re.sub(rf"(?<![^\n{separator}]){word}(?![^\n{separator}])", number, text)
     text = f"\n{text}\n"
     for before in ("\n", separator):
         for after in ("\n", separator):
             missing = before + _UNKNOWN + after
             text = text.replace(before + after, missing).replace(before + after, missing)
     return text[1:-1]
+
+
+def _bare(text: str, separator: str) -> str:
+    """Fields without quotes and blanks round them. ValueError where some stand inside of one."""
+    inside = rf"[^ \n{separator}]"
+    for sign, within in (('"', f'{inside}"{inside}'), (" ", f"{inside} +{inside}")):
+        if sign in text:
+            if re.search(within, text):
+                raise ValueError(sign)
+            text = text.replace(sign, "")
+    return text
 
 
 def _block(rows: Columns, name: str) -> Block:

@@ -198,6 +198,23 @@ def test_rows_a_truth_does_not_count_stay_so(
     assert columns["confidence"].tolist() == [1, 0, 1, 1, 0]
 
 
+def test_imported_tracks_and_further_runs_are_not_replaced_unasked(
+    trackwright: Trackwright, footage: Path, session: Path, tmp_path: Path
+) -> None:
+    tracks, out = written(tmp_path, GOOD), tmp_path / "s.h5"
+    order = ["import", tracks, "--recording", footage, "-o", out]
+    assert trackwright(*order)[0] == 0
+    for words in (order, ["track", footage, "-o", out]):
+        status, _, err = trackwright(*words)
+        assert (status, "the tracks that were imported would be lost" in err) == (1, True)
+    with closing(Session.open(session)) as own:
+        own.add_run(own.runs[0])
+        own.save()
+    status, _, err = trackwright("track", footage, "-o", session)
+    assert (status, "one of its runs would be lost" in err) == (1, True)
+    assert trackwright(*order, "--force")[0] == 0
+
+
 def test_what_is_no_person_can_be_left_out(
     trackwright: Trackwright, footage: Path, tmp_path: Path
 ) -> None:
