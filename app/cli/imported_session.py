@@ -95,7 +95,8 @@ def _tell(source: Source, found: Importable, session: Path, *, changed: bool) ->
         return
     if found.bad_count:
         show_bad_rows(source.order.tracks, found.bad_rows, found.bad_count)
-    say(f"{source.format.title}: {found.tracks} tracks, {rows} rows")
+    tracks = "1 track" if found.tracks == 1 else f"{found.tracks} tracks"
+    say(f"{source.format.title}: {tracks}, {rows} rows")
     if thinned.tracks:
         boxes = f"{thinned.boxes} boxes to {thinned.keyframes} keyframes"
         say(f"{thinned.tracks} tracks thinned: {boxes}")

@@ -25,6 +25,11 @@ from tracking.tracks import Run
 BYTES_A_FRAME = 32 << 10
 """Of a session with its particles, at most."""
 
+_NOBODY = (
+    "note: nobody was found; what stands still for half of the footage is taken for background: "
+    "track more of it, or look at the foreground in the window"
+)
+
 
 def run_track(
     path: Path | None, bare: Bare, out: Path, order: Order, *, force: bool, as_json: bool
@@ -44,7 +49,10 @@ def run_track(
         facts = {"tracker": run.tracker, "tracks": people, "frames": list(run.frames)}
         print_json({"session": str(out), **facts, "frames_a_second": rate})
     else:
-        say(f"{run.tracker}: {people} tracks, {rate:.1f} frames a second")
+        tracks = "1 track" if people == 1 else f"{people} tracks"
+        say(f"{run.tracker}: {tracks}, {rate:.1f} frames a second")
+        if not people:
+            say(_NOBODY)
         print(out)
 
 
