@@ -99,7 +99,7 @@ class Files(QObject):
         """Open the first of some files that were dropped; tracks go into the recording shown."""
         paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
         if paths and self.desk is not None and holds_tracks_alone(paths[0]):
-            self.importing.read(paths[0])
+            self.importing.read_dropped(paths[0])
         elif paths:
             self.open_path(paths[0])
 

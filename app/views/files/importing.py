@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Newest
+from app.presenters.commands.checks import drawable
 from app.presenters.files import opening
 from app.presenters.files.importing import (
     Fitted,
@@ -26,7 +27,7 @@ from app.views.desk.desk import Desk
 from app.views.files.import_dialog import ImportDialog
 from app.views.widgets.questions import choose_file
 from app.views.widgets.work import Work
-from tracking.errors import TrackwrightError
+from tracking.errors import SessionError, TrackwrightError
 from tracking.formats import TrackFormat, format_named
 from tracking.progress import Progress
 from tracking.session import Session, filmed_by
@@ -55,6 +56,21 @@ class Importing(QObject):
         filters = f"{tr('Tracks of other tools')} ({endings})"
         choose_file(self._window, tr("Import tracks"), filters, self.read)
 
+    def read_dropped(self, path: Path) -> None:
+        """The same of a file that was dropped, where the command may be given, too."""
+        desk = self._window.desk
+        if desk is None:
+            return
+        if why_not := self._why_not(desk):
+            self.said.emit(why_not)
+        else:
+            self.read(path)
+
+    def _why_not(self, desk: Desk) -> str:
+        """Why nothing can be imported now; "": it can."""
+        now = desk.situation
+        return drawable(now.while_busy() if self._work.busy else now)
+
     def read(self, path: Path, known: TrackFormat | None = None) -> None:
         """Read a file in the background and show what it holds."""
         desk = self._window.desk
@@ -69,7 +85,15 @@ class Importing(QObject):
             LookedOver(self, desk, read).open()
 
     def take(self, desk: Desk, read: ReadFile, fitted: Fitted) -> None:
-        """Take the tracks: as an edit, or where there is no session as a new one."""
+        """Take the tracks: as an edit, or where there is no session as a new one.
+
+        Nothing is taken where a tracker has begun or ended since the file was looked over.
+        """
+        came = (fitted.into is None) != (desk.document.session is None)
+        if why_not := tr("another session came meanwhile") if came else self._why_not(desk):
+            text = tr("Nothing was imported: {why}; import the file again", why=why_not)
+            self.failed.emit(SessionError(text))
+            return
         if fitted.into is None:
             work = partial(_kept, desk, read, fitted)
             title = tr("Importing {name}", name=read.path.name)

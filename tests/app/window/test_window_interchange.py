@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from contextlib import closing
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from app.presenters.files.exporting import exported
 from app.views.files import exporting
 from app.views.files.import_dialog import ImportDialog
 from tracking.formats import format_of, read_mot
+from tracking.session import Session
 
 Key, CTRL = Qt.Key, Qt.KeyboardModifier.ControlModifier
 
@@ -107,3 +109,36 @@ def test_into_a_recording_without_a_session_tracks_come_as_one(
     truth = read_mot(tiny_recording / "truth.txt")
     assert set(document.tracks.ids) == set(truth["track"].tolist())
     assert document.session.path is not None
+
+
+def test_an_import_does_not_take_the_place_of_a_session_that_came_meanwhile(
+    window, qtbot, tiny_recording, tiny_session
+):
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy, timeout=20_000)
+    desk = window.desk
+    window.files.open_dropped([QUrl.fromLocalFile(str(tiny_recording / "truth.txt"))])
+    dialog = shown_dialog(window, qtbot)
+    with closing(Session.open(tiny_session)) as tracked:
+        window.files.keeping.keep(tracked.runs[0])  # as a tracker at work ends
+        qtbot.waitUntil(lambda: desk.document.session is not None, timeout=20_000)
+    at_rest(window, qtbot)
+    kept, told = desk.document.session, []
+    window.files.importing.failed.connect(told.append)
+    dialog.accept()
+    at_rest(window, qtbot)
+    assert desk.document.session is kept
+    assert "another session came meanwhile" in str(told[0])
+
+
+def test_a_file_is_not_imported_by_dropping_it_while_other_work_is_going_on(
+    window, desk, qtbot, tiny_recording
+):
+    over, told = threading.Event(), []
+    window.files.importing.said.connect(told.append)
+    window.work.run("waiting", lambda _: over.wait(5), lambda _: None)
+    window.files.open_dropped([QUrl.fromLocalFile(str(tiny_recording / "truth.txt"))])
+    over.set()
+    at_rest(window, qtbot)
+    assert told == ["wait until the work in progress is done"]
+    assert window.findChild(ImportDialog) is None
