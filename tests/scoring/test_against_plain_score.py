@@ -28,7 +28,7 @@ def as_table(rows: dict[Any, Any]) -> ScoringTable:
     return ScoringTable.from_columns(columns, dont_cares=True)
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=50)
 @given(rows, rows)
 def test_the_fast_measures_equal_the_plain_ones(first: Any, second: Any) -> None:
     truth, result = as_table(first), as_table(second)
@@ -41,7 +41,7 @@ def test_the_fast_measures_equal_the_plain_ones(first: Any, second: Any) -> None
         assert numbers[name] == pytest.approx(value, rel=0, abs=1e-9), name
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=50)
 @given(
     st.lists(st.tuples(st.integers(1, 3), st.integers(0, 3)), min_size=20, max_size=60),
     st.integers(1, 3),

@@ -78,7 +78,7 @@ square = st.lists(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80)
 @given(square, square)
 def test_an_assignment_is_scipys(first: list[list[float]], second: list[list[float]]) -> None:
     """Where several are best, too: the same one."""
@@ -98,7 +98,7 @@ def test_an_assignment_is_scipys(first: list[list[float]], second: list[list[flo
         assert set(zip(truth[own].tolist(), result[own].tolist(), strict=True)) == wanted
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80)
 @given(square)
 def test_what_is_evident_is_the_only_best(weights: list[list[float]]) -> None:
     matrix = np.array(weights)

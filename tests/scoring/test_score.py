@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import math
+import tracemalloc
 from typing import Any
 
+import numpy as np
 import pytest
 from scenes_of_rows import standing, table
 
@@ -183,3 +185,29 @@ def test_people_read_a_table() -> None:
     assert "MOTA" in text
     assert "tracking_accuracy" in text
     assert len({line.split("  ")[0] for line in text.splitlines()}) == len(text.splitlines())
+
+
+def test_many_ids_of_one_frame_each_take_little_memory() -> None:
+    """A matrix of all people by all tracks would be of 8 MB, several times."""
+    frames = np.arange(1_000)
+    columns = {"frame": frames, "track": frames + 1, "confidence": np.full(len(frames), 0.5)}
+    columns |= dict.fromkeys(("left", "top", "width", "height"), np.full(len(frames), 9.0))
+    table = ScoringTable.from_columns(columns)
+    tracemalloc.start()
+    try:
+        found = score(table, table)
+        assert tracemalloc.get_traced_memory()[1] < 7e6
+    finally:
+        tracemalloc.stop()
+    assert found.identity.true_positives == 1_000
+    assert found.track_map is not None
+    assert found.track_map.ap == 1.0
+
+
+def test_a_frame_with_more_rows_than_can_be_compared_is_refused() -> None:
+    rows = np.arange(5000)
+    columns = {"frame": np.full(len(rows), 3), "track": rows + 1}
+    columns |= dict.fromkeys(("left", "top", "width", "height"), np.full(len(rows), 9.0))
+    table = ScoringTable.from_columns(columns)
+    with pytest.raises(FormatError, match=r"frame 3 \(from 0\) has 5,000 rows in the truth"):
+        score(table, table)

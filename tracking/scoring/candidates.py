@@ -6,17 +6,25 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tracking.errors import FormatError
 from tracking.scoring.matching import Match
 from tracking.scoring.pairs import Candidates, Frames, Rows
 from tracking.scoring.table import Floats, Integers, ScoringTable
 
 _PAIRS_AT_ONCE = 1 << 17
+_MOST_OF_A_FRAME = 1 << 24
+"""Four thousand people and as many tracks: more is a mistake in the file, and fills the memory."""
 
 
 def candidates(
     truth: ScoringTable, result: ScoringTable, frames: Frames, match: Match
 ) -> Candidates:
-    """All pairs within a frame whose similarity is above 0."""
+    """All pairs within a frame whose similarity is above 0.
+
+    Raises:
+        FormatError: a frame holds more rows than can be compared.
+    """
+    _refuse_overfull(truth, frames)
     found = [_alike(truth, result, frames, match, block) for block in _blocks(frames)]
     return Candidates(
         Rows(
@@ -26,6 +34,16 @@ def candidates(
         np.concatenate([np.zeros(0), *(one.similarity for one in found)]),
         _joined([one.frame for one in found]),
     )
+
+
+def _refuse_overfull(truth: ScoringTable, frames: Frames) -> None:
+    down, across = frames.truth_end - frames.truth, frames.result_end - frames.result
+    if len(down) and (down * across).max() > _MOST_OF_A_FRAME:
+        fullest = int((down * across).argmax())
+        raise FormatError(
+            f"frame {truth.frame[frames.truth[fullest]]} (from 0) has {down[fullest]:,} rows in "
+            f"the truth and {across[fullest]:,} in the result, too many to compare: check both"
+        )
 
 
 def _alike(

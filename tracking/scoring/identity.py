@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.table import Flags, Integers
@@ -55,22 +57,47 @@ def naming(comparison: Comparison, admitted: Flags | None = None) -> tuple[Integ
     """Whom each person is named after.
 
     Returns:
-        (people,) the number of a track, -1 for none; of several best namings the one SciPy finds.
+        (people,) the number of a track, -1 for none; of several best namings one SciPy finds.
         (people,) in how many frames the two agree.
     """
-    together = _together(comparison, admitted)
+    person, track, together = _together(comparison, admitted)
     named = np.full(comparison.people, -1)
     agree = np.zeros(comparison.people, np.int64)
-    person, track = linear_sum_assignment(together, maximize=True)
-    agree[person] = together[person, track]
-    named[person] = track
-    named[agree == 0] = -1
+    named[person], agree[person] = track, together  # right for those who meet nobody else
+    for part in _apart(person, track, comparison.people, comparison.identities):
+        down, row = np.unique(person[part], return_inverse=True)
+        across, column = np.unique(track[part], return_inverse=True)
+        table = np.zeros((len(down), len(across)), np.int64)
+        table[row, column] = together[part]
+        row, column = linear_sum_assignment(table, maximize=True)
+        named[down], agree[down] = -1, 0
+        chosen = table[row, column] > 0
+        named[down[row[chosen]]] = across[column[chosen]]
+        agree[down[row[chosen]]] = table[row[chosen], column[chosen]]
     return named, agree
 
 
-def _together(comparison: Comparison, admitted: Flags | None) -> Integers:
-    """(people, identities) in how many frames the two may be one."""
+def _together(
+    comparison: Comparison, admitted: Flags | None
+) -> tuple[Integers, Integers, Integers]:
+    """(c,) people and tracks that may be one in some frame, and in how many."""
     if admitted is None:
         admitted = comparison.pairs.similarity >= comparison.threshold
-    counted = np.bincount(comparison.couple[admitted], minlength=comparison.couples)
-    return counted.reshape(comparison.people, comparison.identities)
+    couple, frames = np.unique(comparison.couple[admitted], return_counts=True)
+    person, track = np.divmod(couple, max(1, comparison.identities))
+    return person, track, frames
+
+
+def _apart(person: Integers, track: Integers, people: int, identities: int) -> list[Integers]:
+    """Couples in parts that share nobody: each part is named by itself, in little memory.
+
+    Couples of a person and a track that meet nobody else are left out.
+    """
+    if not len(person):
+        return []
+    size = people + identities
+    meet = coo_array((np.ones(len(person), np.int8), (person, people + track)), (size, size))
+    part = connected_components(meet, directed=False)[1][person]
+    several = np.flatnonzero(np.bincount(part)[part] > 1)
+    order = several[np.argsort(part[several], kind="stable")]
+    return np.split(order, np.flatnonzero(np.diff(part[order])) + 1)

@@ -34,6 +34,28 @@ class _Whole:
     excluded: Flags
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Strong:
+    """Couples that overlap enough for some threshold.
+
+    Attributes:
+        track, person: (c,) their numbers; people grow within a track.
+        overlap: (c,) of the two as a whole.
+    """
+
+    track: Integers
+    person: Integers
+    overlap: Floats
+
+    def in_order(self, order: Integers) -> _Strong:
+        """The same by track, tracks numbered by their places in an order."""
+        place = np.empty(len(order), np.int64)
+        place[order] = np.arange(len(order))
+        rank = place[self.track]
+        rows = np.argsort(rank, kind="stable")
+        return _Strong(rank[rows], self.person[rows], self.overlap[rows])
+
+
 def track_map(examination: Examination) -> TrackMap | None:
     """Track-mAP of what was compared; None where it is not defined.
 
@@ -51,12 +73,12 @@ def track_map(examination: Examination) -> TrackMap | None:
     order = np.argsort(-surest, kind="stable")
     truth = _whole(comparison.truth, comparison.person, comparison.people)
     result = _whole(comparison.result, comparison.identity, comparison.identities)
-    overlap = _overlaps(comparison, truth, result)[order]
+    strong = _strong(comparison, truth, result).in_order(order)
     found = np.zeros((len(SUBSETS), len(OVERLAPS), len(order)), bool)
     ignored = np.zeros_like(found)
     for subset in range(len(SUBSETS)):
         for number, least in enumerate(OVERLAPS):
-            taken = _taken(overlap, float(least), truth.excluded[subset])
+            taken = _taken(strong, len(order), float(least), truth.excluded[subset])
             found[subset, number] = taken >= 0
             foreign = np.append(truth.excluded[subset], False)[taken]
             unfound = (taken < 0) & result.excluded[subset][order]
@@ -90,17 +112,21 @@ def _outside(value: Floats, least: float, most: float) -> Flags:
     return np.asarray((value < least - EPS) | (value > most + EPS))
 
 
-def _overlaps(comparison: Comparison, truth: _Whole, result: _Whole) -> Floats:
-    """(identities, people) shared area of all boxes over covered area."""
+def _strong(comparison: Comparison, truth: _Whole, result: _Whole) -> _Strong:
+    """The overlaps of whole tracks: shared area of all boxes over covered area."""
     rows = comparison.pairs.rows
     shared_px2 = _shared_px2(comparison.truth.box[rows.truth], comparison.result.box[rows.result])
-    shared = np.bincount(comparison.couple, shared_px2, minlength=comparison.couples)
-    shared = shared.reshape(comparison.people, comparison.identities).T
-    covered = result.total_px2[:, None] + truth.total_px2 - shared
-    overlap = np.divide(shared, covered, out=np.zeros(shared.shape), where=covered > 0)
-    for track, person in _doubtful(overlap).tolist():
-        overlap[track, person] = _in_order_of_frames(comparison, track, person)
-    return overlap
+    couple, of_pair = np.unique(comparison.couple, return_inverse=True)
+    person, track = np.divmod(couple, max(1, comparison.identities))
+    shared = np.bincount(of_pair, shared_px2, minlength=len(couple))
+    covered = result.total_px2[track] + truth.total_px2[person] - shared
+    overlap = np.divide(shared, covered, out=np.zeros(len(couple)), where=covered > 0)
+    near = np.flatnonzero(overlap > OVERLAPS[0] - _NEAR)
+    strong = _Strong(track[near], person[near], overlap[near])
+    for number in _doubtful(strong).tolist():
+        track_, person_ = int(strong.track[number]), int(strong.person[number])
+        strong.overlap[number] = _in_order_of_frames(comparison, track_, person_)
+    return strong
 
 
 def _shared_px2(a: Floats, b: Floats) -> Floats:
@@ -111,12 +137,11 @@ def _shared_px2(a: Floats, b: Floats) -> Floats:
     return np.asarray(across * down)
 
 
-def _doubtful(overlap: Floats) -> Integers:
-    """(c, 2) where rounding may lift an overlap over a threshold, or over another of its track."""
-    strong = np.argwhere(overlap > OVERLAPS[0] - _NEAR)
-    apart = np.abs(overlap[tuple(strong.T)][:, None] - OVERLAPS).min(axis=1)
-    several = np.bincount(strong[:, 0], minlength=1)[strong[:, 0]] > 1
-    return np.asarray(strong[several | (apart < _NEAR)])
+def _doubtful(strong: _Strong) -> Integers:
+    """(c,) where rounding may lift an overlap over a threshold, or over another of its track."""
+    apart = np.abs(strong.overlap[:, None] - OVERLAPS).min(axis=1)
+    several = np.bincount(strong.track)[strong.track] > 1
+    return np.flatnonzero(several | (apart < _NEAR))
 
 
 def _in_order_of_frames(comparison: Comparison, track: int, person: int) -> float:
@@ -138,26 +163,26 @@ def _in_order_of_frames(comparison: Comparison, track: int, person: int) -> floa
     return sum(shared.tolist()) / whole if whole > 0 else 0.0
 
 
-def _taken(overlap: Floats, least: float, excluded: Flags) -> Integers:
-    """(identities,) the person each track takes, in this order; -1 for none."""
-    free = np.ones(overlap.shape[1], bool)
-    taken = np.full(len(overlap), -1)
-    least = min(least, 1 - 1e-10)
-    near = [np.flatnonzero(row >= least - EPS) for row in overlap]
-    for track, people in enumerate(near):
-        fit = people[free[people]]
-        wanted = fit[~excluded[fit]]
+def _taken(strong: _Strong, tracks: int, least: float, excluded: Flags) -> Integers:
+    """(tracks,) the person each track takes, in the order of their numbers; -1 for none."""
+    free = np.ones(len(excluded), bool)
+    taken = np.full(tracks, -1)
+    near = np.flatnonzero(strong.overlap >= min(least, 1 - 1e-10) - EPS)
+    for one in np.split(near, np.flatnonzero(np.diff(strong.track[near])) + 1):
+        fit = one[free[strong.person[one]]]
+        wanted = fit[~excluded[strong.person[fit]]]
         fit = wanted if len(wanted) else fit
         if len(fit):
-            taken[track] = _most(overlap[track], fit.tolist())
-            free[taken[track]] = False
+            best = _most(strong.overlap, fit.tolist())
+            taken[strong.track[best]] = strong.person[best]
+            free[strong.person[best]] = False
     return taken
 
 
-def _most(overlap: Floats, people: list[int]) -> int:
-    """Whom a track overlaps most; of equals the last."""
-    best = people[0]
-    for person in people[1:]:
-        if overlap[person] >= overlap[best] - EPS:
-            best = person
+def _most(overlap: Floats, couples: list[int]) -> int:
+    """The couple that overlaps most; of equals the last."""
+    best = couples[0]
+    for couple in couples[1:]:
+        if overlap[couple] >= overlap[best] - EPS:
+            best = couple
     return best

@@ -21,8 +21,8 @@ _STEPS_M = (1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 _NEARLY_ALL = 95
 """Per cent of the people's rows, from the nearest on, that the ranges are made for."""
 _HEAD = (
-    "from the camera (m)", "rows of the truth", "MOTA", "IDF1", "recall", "precision", "misses",
-    "false alarms", "switches", "fragmentations", "floor error, mean (m)",
+    "distance (m)", "rows", "MOTA", "IDF1", "recall", "precision", "misses",
+    "false alarms", "switches", "fragmentations", "floor error (m)",
 )  # fmt: skip
 
 
