@@ -102,8 +102,10 @@ def unpacked_notes(payload: bytes) -> tuple[str, ...]:
 
 def packed_error(error: Exception, trace: str) -> bytes:
     """An error as bytes: one of ours with its kind, any other one as a bug with its trace."""
-    name = type(error).__name__ if isinstance(error, TrackwrightError) else ""
-    return json.dumps({"error": name, "message": str(error) if name else trace}).encode()
+    said = {"error": "", "message": trace, "to_do": ""}
+    if isinstance(error, TrackwrightError):
+        said = {"error": type(error).__name__, "message": error.reason, "to_do": error.to_do}
+    return json.dumps(said).encode()
 
 
 def unpacked_error(payload: bytes) -> Exception:
@@ -112,7 +114,7 @@ def unpacked_error(payload: bytes) -> Exception:
     if not said["error"]:
         return TrackerBug(said["message"])
     kind = getattr(tracking.errors, said["error"], TrackwrightError)
-    error: Exception = kind(said["message"])
+    error: Exception = kind(said["message"], said["to_do"])
     return error
 
 

@@ -46,7 +46,7 @@ def annotation(**changed: Any) -> list[dict[str, Any]]:
 
 
 @settings(
-    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=40
+    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=20
 )
 @given(tracks())
 def test_what_has_a_box_comes_back(tmp_path: Path, made: TrackTable) -> None:

@@ -26,7 +26,7 @@ def imported(folder: Path, text: str) -> Imported:
 
 
 @settings(
-    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=50
+    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=15
 )
 @given(tracks())
 def test_every_column_comes_back_to_the_bit(tmp_path: Path, made: TrackTable) -> None:

@@ -15,7 +15,7 @@ from numpy.testing import assert_allclose
 from tracking.errors import FormatError
 from tracking.formats.cvat import CVAT
 from tracking.formats.cvat_reading import import_cvat
-from tracking.formats.cvat_track import MOST_FILLED
+from tracking.formats.cvat_track import MOST_EMPTY, MOST_FILLED
 from tracking.formats.reading import Filmed
 from tracking.formats.writing import Exported
 from tracking.tracks import Source, TrackLabel, TrackTable
@@ -47,7 +47,7 @@ def written(folder: Path, *tracks: str, meta: str = META) -> Path:
 
 
 @settings(
-    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=40
+    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=20
 )
 @given(tracks())
 def test_what_has_a_box_comes_back(tmp_path: Path, made: TrackTable) -> None:
@@ -232,3 +232,11 @@ def test_keyframes_that_stand_for_more_rows_than_any_footage_are_refused(tmp_pat
     far = [track(n, box(0), box(MOST_FILLED - 1)) for n in range(1, 4)]
     with pytest.raises(FormatError, match="stand for more than"):
         import_cvat(written(tmp_path, *far), Filmed())
+
+
+def test_a_file_of_tracks_without_boxes_is_refused_soon(tmp_path: Path) -> None:
+    path = tmp_path / "tracks.xml"
+    empty = '<track id="1"/>' * (MOST_EMPTY + 1)
+    path.write_text(f"<annotations>{empty}</annotations>")
+    with pytest.raises(FormatError, match="hardly more than tracks without boxes"):
+        CVAT.read(path, Filmed())  # type: ignore[misc] # it reads

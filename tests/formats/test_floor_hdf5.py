@@ -46,7 +46,7 @@ def exported(made: TrackTable = WALK, **known: Any) -> Exported:
 
 @BOTH
 @settings(
-    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=25
+    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=15
 )
 @given(made=tracks())
 def test_who_has_a_place_comes_back(tmp_path: Path, format_: TrackFormat, made: TrackTable) -> None:

@@ -35,7 +35,7 @@ def read(folder: Path, text: str) -> Imported:
 
 @BOTH
 @settings(
-    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=40
+    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=20
 )
 @given(made=tracks())
 def test_who_has_a_place_comes_back(tmp_path: Path, format_: TrackFormat, made: TrackTable) -> None:

@@ -43,7 +43,7 @@ def written(folder: Path, *statements: str) -> Path:
 
 
 @settings(
-    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=25
+    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=15
 )
 @given(tracks())
 def test_who_has_a_place_comes_back(tmp_path: Path, made: TrackTable) -> None:

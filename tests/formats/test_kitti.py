@@ -68,7 +68,7 @@ def test_places_are_told_along_the_camera_s_axes(tmp_path: Path) -> None:
 
 
 @settings(
-    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=40
+    suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=20
 )
 @given(tracks())
 def test_boxes_and_places_come_back(tmp_path: Path, made: TrackTable) -> None:

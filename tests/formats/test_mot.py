@@ -131,7 +131,7 @@ def as_columns(rows: list[Any]) -> dict[str, NDArray[Any]]:
     }
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=30)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=20)
 @given(st.lists(row, max_size=8, unique_by=lambda row: row[0]))
 def test_what_is_written_reads_back(tmp_path: Path, rows: list[Any]) -> None:
     columns = as_columns(rows)

@@ -27,7 +27,7 @@ def imported(folder: Path, text: str) -> Imported:
 
 def quick(test: object) -> object:
     return settings(
-        suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=40
+        suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=20
     )(test)
 
 

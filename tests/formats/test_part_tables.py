@@ -22,7 +22,7 @@ from tracking.formats import (
 from tracking.tracks import PartLabel
 
 SHARED = settings(
-    suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=40, deadline=None
+    suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=20, deadline=None
 )
 TEXT = st.text(
     st.characters(categories=("L", "N", "P", "S", "Zs"), max_codepoint=0x2FFF), max_size=12

@@ -41,7 +41,7 @@ def read_samples(path: Path) -> Samples:
         )
     samples = samples_in_hdf5(path) if is_hdf5(path) else _read_csv(path)
     if samples is None:
-        raise FormatError(f"{path} holds no samples; export some (--format samples)")
+        raise FormatError(f"{path} holds no samples", "export some (--format samples)")
     return samples
 
 

@@ -119,8 +119,8 @@ def test_a_bug_comes_across_with_its_trace():
     bug = unpacked_error(packed_error(ZeroDivisionError("by zero"), "Traceback ... by zero"))
     assert isinstance(bug, TrackerBug)
     assert "Traceback" in str(bug)
-    ours = unpacked_error(packed_error(CalibrationError("no floor"), ""))
-    assert (type(ours), str(ours)) == (CalibrationError, "no floor")
+    ours = unpacked_error(packed_error(CalibrationError("no floor", "say where"), ""))
+    assert (type(ours), ours.reason, ours.to_do) == (CalibrationError, "no floor", "say where")
 
 
 def test_a_child_that_dies_is_told_in_a_line(request_):
