@@ -64,8 +64,8 @@ def score_of(result: Tracks, truth: Tracks, match: Match | None = None) -> Score
 
 
 def true_table(truth: Tracks) -> ScoringTable:
-    """The rows of a truth; in a file `conf` 0 marks don't-cares, in a session nothing does."""
-    return ScoringTable.from_columns(truth.columns, dont_cares=truth.is_text)
+    """The rows of a truth; confidence 0 marks don't-cares where the format says so."""
+    return ScoringTable.from_columns(truth.columns, dont_cares=truth.dont_cares)
 
 
 def table_of(result: Tracks) -> ScoringTable:

@@ -22,13 +22,14 @@ class Tracks:
     Attributes:
         columns: at least `frame, track`, boxes and floor positions.
         frames: length of the recording; 0 where the file does not say.
-        is_text: from a file of tracks, where `conf` 0 marks don't-cares in truth; else a session.
+        is_text: from a file of tracks; else a session.
         path: of the file.
         parts: of the people's bodies, where the tracks are a session's whose tracker followed them.
         tracked: half-open range of frames a session's tracker went over; None where nobody knows.
         fps, size_px: of the recording, where the file tells.
         lines: counting lines drawn in a session.
         notes: what the user should know of a file, a line each.
+        dont_cares: in a truth, rows of confidence 0 are not counted.
     """
 
     columns: Columns
@@ -41,6 +42,7 @@ class Tracks:
     size_px: tuple[int, int] | None = None
     lines: tuple[CountingLine, ...] = ()
     notes: tuple[str, ...] = ()
+    dont_cares: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +109,7 @@ def _of_file(path: Path, kind: TrackFormat) -> Tracks:
         fps=found.fps,
         size_px=found.size_px,
         notes=found.notes,
+        dont_cares=found.dont_cares,
     )
 
 

@@ -17,5 +17,11 @@ from tracking.formats.coco_writing import export_coco
 from tracking.formats.track_format import TrackFormat
 
 COCO = TrackFormat(
-    "coco", "COCO for video (TAO), JSON", (".json",), looks_like_coco, import_coco, export_coco
+    "coco",
+    "COCO for video (TAO), JSON",
+    (".json",),
+    looks_like_coco,
+    import_coco,
+    export_coco,
+    dont_cares=True,
 )

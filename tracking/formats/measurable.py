@@ -24,8 +24,9 @@ class Measurable:
 
     Attributes:
         columns: by frame; at least `frame, track`, boxes and places, NaN where unknown. Where it is
-            truth, `confidence` 0 and, of MOT text, `class` say what does not count.
+            truth, `class` of MOT text says what does not count.
         bad_rows, bad_count, fps, size_px, frames, notes: as in `Imported`.
+        dont_cares: in a truth, rows of `confidence` 0 do not count either.
     """
 
     columns: Columns
@@ -35,6 +36,7 @@ class Measurable:
     size_px: tuple[int, int] | None = None
     frames: int | None = None
     notes: tuple[str, ...] = ()
+    dont_cares: bool = False
 
 
 def measurable(path: Path, kind: TrackFormat, filmed: Filmed) -> Measurable:
@@ -58,6 +60,7 @@ def measurable(path: Path, kind: TrackFormat, filmed: Filmed) -> Measurable:
         found.size_px,
         found.frames,
         found.notes,
+        kind.dont_cares,
     )
 
 
@@ -72,6 +75,7 @@ def _of_mot(path: Path) -> Measurable:
         told.size_px,
         told.frames,
         tuple(reading.notes),
+        dont_cares=True,
     )
 
 

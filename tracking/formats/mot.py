@@ -38,7 +38,13 @@ def _with_classes(_path: Path, head: bytes) -> bool:
 
 
 MOT = TrackFormat(
-    "mot", "MOTChallenge text, world columns", (".txt",), _with_world, import_mot, export_mot
+    "mot",
+    "MOTChallenge text, world columns",
+    (".txt",),
+    _with_world,
+    import_mot,
+    export_mot,
+    dont_cares=True,
 )
 MOT16 = TrackFormat(
     "mot16",
@@ -47,4 +53,5 @@ MOT16 = TrackFormat(
     _with_classes,
     import_mot,
     export_mot_classes,
+    dont_cares=True,
 )

@@ -41,6 +41,7 @@ class TrackFormat:
             OutputError, FormatError where the tracks lack what the format needs, and what the
             progress raises to cancel. None: this program does not write it.
         in_camera: it tells places as the camera sees them: without a view they are left out.
+        dont_cares: in a truth, rows of confidence 0 are not counted; else that is a tracker's.
     """
 
     name: str
@@ -50,3 +51,4 @@ class TrackFormat:
     read: Read | None = None
     write: Write | None = None
     in_camera: bool = False
+    dont_cares: bool = False

@@ -102,7 +102,7 @@ def reader(source: TruthSource, recording: Recording, own: Session | None) -> Ca
 
 
 def _of_file(source: TruthSource, found: Measurable) -> Truth:
-    """Rows with confidence 0 are don't-cares, as in MOT text."""
+    """What does not count stays out of the people."""
     notes = list(found.notes)
     if found.bad_count:
         first = found.bad_rows[0]
@@ -110,7 +110,7 @@ def _of_file(source: TruthSource, found: Measurable) -> Truth:
         notes.append(f"{left_out}: {first.place}: {first.reason}")
     if not len(found.columns["frame"]):
         raise FormatError(f"{source.path} has no rows that can be read; choose another truth")
-    return _truth(source, found.columns, tuple(notes), dont_cares=True)
+    return _truth(source, found.columns, tuple(notes), dont_cares=found.dont_cares)
 
 
 def _truth(

@@ -235,3 +235,14 @@ def test_what_is_no_person_in_files_of_other_tools_is_no_truth(presenter, tmp_pa
         "1 track that is no person is left out",
     )
     assert typed.notes == scored.truth.notes == notes
+
+
+def test_how_sure_a_tracker_was_makes_no_row_of_a_table_a_dont_care(presenter, tmp_path):
+    rows = "".join(f"{frame},1,100,20,30,60,0\n" for frame in range(5))
+    truth, text = tmp_path / "t.csv", tmp_path / "t.txt"
+    truth.write_text("frame,track,left,top,width,height,confidence\n" + rows)
+    text.write_text("".join(f"{1 + frame},1,100,20,30,60,0\n" for frame in range(5)))
+    for path, rows_of_truth in ((truth, 5), (text, 0)):
+        presenter.choose_file(path)
+        assert int(score_now(presenter).truth.table.counted.sum()) == rows_of_truth
+        assert int(true_table(truth_at(path)).counted.sum()) == rows_of_truth
