@@ -21,7 +21,6 @@ from tracking.scoring import (
     per_person_of,
     score,
     score_of,
-    score_sequences,
 )
 
 PAIRS = golden_sequences() | {"a crowd": pseudo_random(2, 9, 80)}
@@ -95,14 +94,13 @@ def test_distances_that_are_none_are_refused(edges: list[float]) -> None:
         per_distance_of(examine(table([]), table([])), (0.0, 0.0), edges)
 
 
-def test_recordings_are_sorted_and_combined() -> None:
-    one = table(standing(1, range(4))), table(standing(1, range(4)))
-    other = table(standing(1, range(4))), table(standing(1, range(2), x=0.1))
-    found = score_sequences({"street": other, "lobby": one}, frames={"lobby": 9})
-    assert list(found.scores) == ["lobby", "street"]
-    assert (found.scores["lobby"].frames, found.combined.frames) == (9, 13)
-    assert found.combined.clear.misses == 2
-    assert found.combined.position_error.mean == pytest.approx(0.2 / 6)
+def test_counts_of_recordings_add_up_when_they_are_combined() -> None:
+    one = score(table(standing(1, range(4))), table(standing(1, range(4))), frames=9)
+    other = score(table(standing(1, range(4))), table(standing(1, range(2), x=0.1)))
+    both = combined([one, other])
+    assert both.frames == 13
+    assert both.clear.misses == 2
+    assert both.position_error.mean == pytest.approx(0.2 / 6)
 
 
 def test_nothing_cannot_be_combined() -> None:

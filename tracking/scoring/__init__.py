@@ -19,7 +19,6 @@ from tracking.scoring.passages import PassageScore
 from tracking.scoring.per_distance import DistanceScore, check_distances, per_distance_of
 from tracking.scoring.per_person import Followed, PersonScore, per_person, per_person_of
 from tracking.scoring.score import Score, score, score_of
-from tracking.scoring.sequences import SequenceScores, score_sequences
 from tracking.scoring.table import ScoringTable
 from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap
 
@@ -52,7 +51,6 @@ __all__ = [
     "PositionError",
     "Score",
     "ScoringTable",
-    "SequenceScores",
     "TrackMap",
     "agreement",
     "check_distances",
@@ -67,5 +65,4 @@ __all__ = [
     "per_person_of",
     "score",
     "score_of",
-    "score_sequences",
 ]
