@@ -50,7 +50,7 @@ def test_a_camera_that_was_knocked_is_told_with_its_frame(motion: NDArray[np.flo
     watch = _watched([_seen(STILL)] * 4 + [_seen(motion)] * 4)
     assert watch.moved_at == 44
     (line,) = watch.told("flow")
-    assert line.startswith("the camera moved at about frame 44: flow needs a fixed one")
+    assert line.startswith("the camera moved between frames 43 and 44: flow needs a fixed one")
     assert line.endswith("--frames 40:44")
 
 
@@ -63,7 +63,8 @@ def test_a_camera_that_turns_slowly_is_noticed() -> None:
 
 def test_pictures_are_compared_about_once_a_second() -> None:
     pictures = [_seen(STILL)] * 12 + [_seen(_turned(1.0))] * 20
-    assert _watched(pictures, fps=10.0).moved_at == 40 + 19
+    watch = _watched(pictures, fps=10.0)
+    assert (watch.still_at, watch.moved_at) == (40 + 9, 40 + 19)
 
 
 def test_a_camera_that_stands_still_in_changing_light_is_not_moved() -> None:

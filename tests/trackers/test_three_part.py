@@ -267,4 +267,6 @@ def test_a_camera_that_moved_is_told() -> None:
         pushed = (6, 10) if seen.frame > 20 else (0, 0)
         by.step(replace(seen, picture=np.roll(seen.picture, pushed, axis=(0, 1))))
     (line,) = by.notes
-    assert line.startswith("the camera moved at about frame 39: three-part needs a fixed one")
+    assert line.startswith(
+        "the camera moved between frames 19 and 39: three-part needs a fixed one"
+    )

@@ -37,6 +37,7 @@ class CameraWatch:
 
     Attributes:
         first: the first frame looked at; None before.
+        still_at: the last frame in which the camera was seen to stand as it did.
         moved_at: the frame in which the camera was found to stand otherwise; None while it does
             not.
     """
@@ -44,6 +45,7 @@ class CameraWatch:
     def __init__(self, fps: float) -> None:
         """`fps`: frames a second."""
         self.first: int | None = None
+        self.still_at = 0
         self.moved_at: int | None = None
         self._every = max(1, round(_EVERY_S * fps))
         self._count = 0
@@ -61,6 +63,7 @@ class CameraWatch:
             self.first = frame
         self._count += 1
         if self._before is None:
+            self.still_at = frame
             self._take(_evened(picture))
             return
         if self.moved_at is not None or self._count % self._every:
@@ -73,6 +76,7 @@ class CameraWatch:
                 self.moved_at = self._seen_moved[0]
             return
         self._seen_moved.clear()
+        self.still_at = frame
         if found < _LEFT * len(self._marks):
             self._take(now)
 
@@ -80,10 +84,10 @@ class CameraWatch:
         """What the user of a tracker should know, a line; nothing while the camera stands still."""
         if self.moved_at is None or self.first is None:
             return ()
-        before = f"; track the frames before with --frames {self.first}:{self.moved_at}"
         return (
-            f"the camera moved at about frame {self.moved_at}: {tracker} needs a fixed one, do "
-            f"not rely on what it says from there{before}",
+            f"the camera moved between frames {self.still_at} and {self.moved_at}: {tracker} needs "
+            "a fixed one, do not rely on what it says from there; track the frames before with "
+            f"--frames {self.first}:{self.still_at + 1}",
         )
 
     def _take(self, now: Picture) -> None:
