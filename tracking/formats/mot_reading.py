@@ -17,6 +17,7 @@ from tracking.formats.seqinfo import sequence_of
 from tracking.progress import Progress, no_progress
 
 UNKNOWN = -1.0
+FIRST_FRAME = 1
 _SHAPE = RowShape("MOT text", least=6, most=10)
 _HEAD = ("frame", "track", *BOX, "confidence")
 _WORLD = ("x", "y", "z")
@@ -69,6 +70,7 @@ def import_mot(path: Path, _filmed: Filmed, report: Progress = no_progress) -> I
         size_px=sequence.size_px,
         frames=sequence.frames,
         seen_as=kept_visibility,
+        first_frame=FIRST_FRAME,
     )
 
 
@@ -84,7 +86,7 @@ def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int64]]
     columns: dict[str, NDArray[Any]] = dict(zip(held, table.T.copy(), strict=False))
     for name in (*_HEAD, *_WORLD, *_SEEN):
         columns.setdefault(name, np.full(len(table), UNKNOWN))
-    columns["frame"] -= 1
+    columns["frame"] -= FIRST_FRAME
     _shift_to_zero(columns)
     return columns, lines
 

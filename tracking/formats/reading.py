@@ -33,6 +33,12 @@ than the first that are more than its good ones so far."""
 SeenAs = Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]]
 """What a format keeps of visibilities, given them and which boxes are predicted."""
 
+PlaceOf = Callable[[int], str]
+"""Where in a file a row stands, given its number."""
+
+_ROW = "row of the file"
+"""A column that goes with the others while rows are chosen and put in order."""
+
 
 @dataclass(frozen=True, slots=True)
 class BadRow:
@@ -76,6 +82,8 @@ class Imported:
         fps, size_px, frames: of the footage, where the file tells.
         notes: what else the user should know of the file, a line each.
         seen_as: what the format keeps of visibilities; None: it keeps them as they are.
+        place_of: where in the file a row of the columns stands; None: nobody knows.
+        first_frame: the number the file gives the frame that is 0 here.
     """
 
     columns: Columns
@@ -87,6 +95,8 @@ class Imported:
     frames: int | None = None
     notes: tuple[str, ...] = ()
     seen_as: SeenAs | None = None
+    place_of: PlaceOf | None = None
+    first_frame: int = 0
 
 
 class Reading:
@@ -124,7 +134,7 @@ class Reading:
                 "is it a file of this format?",
             )
 
-    def checked(self, rows: Columns, place_of: Callable[[int], str]) -> dict[str, NDArray[Any]]:
+    def checked(self, rows: Columns, place_of: PlaceOf) -> dict[str, NDArray[Any]]:
         """The rows that can be meant, in the file's order; the others are told.
 
         Args:
@@ -159,15 +169,18 @@ class Reading:
         self.notes.append(f"track 0 of the file is track {new} here: ids are positive")
         return np.where(zero, new, track)
 
-    def imported(self, rows: Columns, place_of: Callable[[int], str], **known: Any) -> Imported:
+    def imported(self, rows: Columns, place_of: PlaceOf, **known: Any) -> Imported:
         """The tracks of the file: the rows that can be meant, with all columns, in order.
 
         Args:
             rows, place_of: see `checked`.
-            known: `labels, fps, size_px, frames, seen_as` of `Imported`; labels of tracks without a
-                good row are left out.
+            known: `labels, fps, size_px, frames, seen_as, first_frame` of `Imported`; labels of
+                tracks without a good row are left out.
         """
-        columns = in_order(with_all_columns(self.checked(rows, place_of)))
+        numbers = np.arange(len(rows["frame"]), dtype=np.int32)
+        checked = self.checked({**rows, _ROW: numbers}, place_of)
+        columns = in_order({**with_all_columns(checked), _ROW: checked[_ROW]})
+        origin = columns.pop(_ROW)
         labels: Mapping[int, TrackLabel] = known.pop("labels", {})
         there = set(np.unique(columns["track"]).tolist())
         return Imported(
@@ -176,6 +189,7 @@ class Reading:
             self.bad_count,
             {track: labels[track] for track in sorted(there & labels.keys())},
             notes=tuple(self.notes),
+            place_of=lambda row: place_of(int(origin[row])),
             **known,
         )
 

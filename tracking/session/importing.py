@@ -135,7 +135,7 @@ def importable(
         view=filmed.view,
         seen_as=imported.seen_as,
     )
-    found = _with_clean_labels(_within(found, filmed.frames))
+    found = _with_clean_labels(_within(found, imported, filmed.frames))
     if wish.only_people:
         found = _only_people(found)
     found = _with_shares(found)
@@ -222,16 +222,26 @@ def _differing_footage(imported: Imported, filmed: Filmed) -> list[str]:
     return notes
 
 
-def _within(found: Importable, frames: int | None) -> Importable:
-    """What lies in the recording's frames; rows beyond are bad."""
+def _within(found: Importable, imported: Imported, frames: int | None) -> Importable:
+    """What lies in the recording's frames; rows beyond are bad, told as the file counts them.
+
+    found: with all rows of what was imported.
+    """
     if frames is None:
         return found
     beyond = found.rows["frame"] >= frames
     told = list(found.bad_rows)
     for row in np.flatnonzero(beyond)[: MOST_TOLD - len(told)].tolist():
-        track, frame = int(found.rows["track"][row]), int(found.rows["frame"][row])
-        reason = f"the recording has only {frames} frames, counted from 0"
-        told.append(BadRow(f"track {track}, frame {frame}", reason))
+        track, first = int(found.rows["track"][row]), imported.first_frame
+        frame = int(found.rows["frame"][row]) + first
+        place = f"track {track}, frame {frame}"
+        if imported.place_of is not None:
+            place = imported.place_of(row)
+        reason = (
+            f"track {track} is in frame {frame}, the recording has only {frames} frames, "
+            f"counted from {first} in this file"
+        )
+        told.append(BadRow(place, reason))
     count = found.bad_count + int(beyond.sum())
     return _with_rows(replace(found, bad_rows=tuple(told), bad_count=count), ~beyond)
 

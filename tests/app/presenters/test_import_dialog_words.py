@@ -81,7 +81,11 @@ def test_bad_rows_are_told_with_line_and_reason_and_good_ones_wait_for_a_word(re
     scene = import_scene(found, seen, 2)
     assert scene.bad_count == 2
     assert scene.bad[0][0] == "line 41"
-    assert "recording has only" in scene.bad[1][1]
+    assert scene.bad[1] == (
+        "line 42",
+        f"track 9 is in frame {FRAMES + 9}, the recording has only {FRAMES} frames, "
+        "counted from 1 in this file",
+    )
     assert "other rows" in scene.why_not
     assert import_scene(found, with_good(seen, True), 2).why_not == ""
 
