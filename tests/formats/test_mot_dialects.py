@@ -9,7 +9,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from made_tracks import BOX, FLOOR, assert_same, table, through, tracks
 
-from tracking.formats import format_of, read_mot
+from tracking.errors import FormatError
+from tracking.formats import TrackFormat, format_of, read_mot
 from tracking.formats.mot import MOT, MOT16
 from tracking.formats.mot_reading import import_mot
 from tracking.formats.reading import Filmed, Imported
@@ -161,3 +162,32 @@ def test_a_description_that_is_there_stays(tmp_path: Path) -> None:
     made = MOT.write(tmp_path / "gt" / "gt.txt", Exported.of_table(TWO), no_progress)
     assert made == (tmp_path / "gt" / "gt.txt",)
     assert (tmp_path / "seqinfo.ini").read_text() == "[Sequence]\nname=MOT17-02\n"
+
+
+@pytest.mark.parametrize(
+    ("first", "others", "known"),
+    [
+        ("1,1,ten,10,20,50,1,-1,-1,-1", "2,1,9,9,20,50,1,-1,-1,-1", MOT),
+        ("1,1,,10,20,50,1,1,1", "2,1,9,9,20,50,1,1,1", MOT16),
+        ("1,1,ten,10,20,50,1,-1,-1,-1", "2,1,two,10,20,50,1,-1,-1,-1\n" * 3, MOT),
+        ("1;1", "2,1,9,9,20,50,1,-1,-1,-1\n" * 3, None),
+    ],
+)
+def test_a_text_with_a_bad_first_row_is_known_by_its_other_rows(
+    tmp_path: Path, first: str, others: str, known: TrackFormat | None
+) -> None:
+    path = tmp_path / "gt.txt"
+    path.write_text(f"{first}\n{others}\n")
+    if known is None:
+        with pytest.raises(FormatError, match="no format known"):
+            format_of(path)
+    else:
+        assert format_of(path) is known
+
+
+def test_a_bad_first_row_is_told_with_line_and_reason(tmp_path: Path) -> None:
+    found = imported(tmp_path, "1,1,ten,10,20,50,1\n2,1,9,9,20,50,1\n")
+    assert [(row.place, row.reason) for row in found.bad_rows] == [
+        ("line 1", "'ten' is not a number")
+    ]
+    assert found.columns["frame"].tolist() == [1]

@@ -10,6 +10,7 @@ else. `-1` stands for a number that is not known.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from pathlib import Path
 
 from tracking.formats.mot_reading import import_mot
@@ -18,23 +19,45 @@ from tracking.formats.track_format import TrackFormat
 
 _NUMBER = rb"[ \t]*[-+]?(?:nan|inf|[\d.]+(?:e[-+]?\d+)?)[ \t]*"
 """Also what no row can hold: a reader tells the line and why, nobody else does."""
-_FIRST_LINE = re.compile(rb"%b(?:,%b){5,9}\r?" % (_NUMBER, _NUMBER), re.IGNORECASE)
+_ONE = re.compile(_NUMBER, re.IGNORECASE)
+_LEAST, _MOST = 6, 10
 _WITH_CLASSES = (8, 9)
+_LINES = 50
+"""So many lines say what a text is, where its first one is bad."""
 
 
-def _numbers_in_first_row(head: bytes) -> int:
-    """How many numbers the first line holds; 0 where it is no row of MOT text."""
-    first = head.removeprefix(b"\xef\xbb\xbf").lstrip().split(b"\n", 1)[0]
-    return first.count(b",") + 1 if _FIRST_LINE.fullmatch(first) else 0
+def _numbers_in_a_row(head: bytes) -> int:
+    """How many numbers a row holds; 0 where the text is no MOT text.
+
+    Rows may be bad, the first one too: most lines must look like rows. A first line without any
+    number is the header of another table.
+    """
+    text = head.removeprefix(b"\xef\xbb\xbf").lstrip()
+    lines = [line for line in text.split(b"\n", _LINES)[:_LINES] if line.strip()]
+    if not lines or not any(map(_ONE.fullmatch, _fields(lines[0]))):
+        return 0
+    lengths = [len(_fields(line)) for line in lines if _is_like_a_row(line)]
+    return Counter(lengths).most_common(1)[0][0] if len(lengths) * 2 > len(lines) else 0
+
+
+def _fields(line: bytes) -> list[bytes]:
+    return line.rstrip(b"\r").split(b",", _MOST)
+
+
+def _is_like_a_row(line: bytes) -> bool:
+    """Whether it has as many values as a row, and all but one of them are numbers."""
+    fields = _fields(line)
+    numbers = sum(_ONE.fullmatch(field) is not None for field in fields)
+    return _LEAST <= len(fields) <= _MOST and numbers >= len(fields) - 1
 
 
 def _with_world(_path: Path, head: bytes) -> bool:
-    count = _numbers_in_first_row(head)
+    count = _numbers_in_a_row(head)
     return count > 0 and count not in _WITH_CLASSES
 
 
 def _with_classes(_path: Path, head: bytes) -> bool:
-    return _numbers_in_first_row(head) in _WITH_CLASSES
+    return _numbers_in_a_row(head) in _WITH_CLASSES
 
 
 MOT = TrackFormat(
