@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent
 from PySide6.QtWidgets import (
@@ -44,13 +46,29 @@ def match_score(typed: str, text: str) -> float | None:
 
 
 def best_commands(typed: str, items: tuple[CommandItem, ...]) -> list[CommandItem]:
-    """The commands that match, best first; all in their own order where nothing is typed."""
+    """The commands that match, best first; all in their own order where nothing is typed.
+
+    Among those that have what is typed alike (at the start of a word, within one, or only its
+    letters), what can be done now comes first.
+    """
     if not typed.strip():
         return list(items)
-    scored = [(match_score(typed, f"{item.title} {item.menu}"), item) for item in items]
-    found = [(score, item) for score, item in scored if score is not None]
-    found.sort(key=lambda pair: (-pair[0], not pair[1].enabled))
+    found: list[tuple[tuple[int, bool, float], CommandItem]] = []
+    for item in items:
+        text = f"{item.title} {item.menu}"
+        score = match_score(typed, text)
+        if score is not None:
+            found.append(((-_likeness(typed, text), not item.enabled, -score), item))
+    found.sort(key=lambda pair: pair[0])
     return [item for _, item in found[:_MOST_FOUND]]
+
+
+def _likeness(typed: str, text: str) -> int:
+    """2: a word begins as is typed; 1: it is written somewhere; 0: its letters are scattered."""
+    word, lower = typed.strip().lower(), text.lower()
+    if re.search(rf"(?<!\w){re.escape(word)}", lower):
+        return 2
+    return int(word in lower)
 
 
 class CommandPalette(QFrame):

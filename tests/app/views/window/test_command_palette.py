@@ -43,6 +43,14 @@ def test_a_word_as_it_is_written_comes_before_scattered_letters():
     assert match_score("swap", "Swap with...") > match_score("swap", "Show what a person does")
 
 
+def test_what_can_be_done_now_comes_before_what_cannot_and_matches_as_well():
+    able = CommandItem("view.score", "View", "Show the score", (), True)
+    unable = CommandItem("file.report", "File", "Export a score report...", (), False, "no score")
+    scattered = CommandItem("a.b", "View", "Sort columns or reset", (), True)
+    assert match_score("score", unable.title) > match_score("score", able.title)
+    assert best_commands("score", (scattered, unable, able)) == [able, unable, scattered]
+
+
 def test_all_commands_are_listed_before_anything_is_typed():
     assert best_commands(" ", ITEMS) == list(ITEMS)
 
