@@ -199,6 +199,7 @@ class Desk(QObject):
         """Another score, another choice, another range of frames."""
         self.draw_instant()
         self.draw_playhead()
+        self._workspace.card.show_scene(self.document.card())  # an error selects whom it is about
         self._draw_history()
         self.changed.emit()
 

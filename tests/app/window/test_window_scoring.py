@@ -106,3 +106,15 @@ def test_what_is_chosen_otherwise_is_scored_anew(window, scored, qtbot, tmp_path
     scored.scoring.choose_file(noise)
     qtbot.waitUntil(lambda: "noise.txt" in view.score._message.text(), timeout=20_000)
     assert not view.timeline.errors.isVisible()
+
+
+def test_the_track_panel_tells_of_whom_an_error_is_about(window, scored, press):
+    scored.playback.go(0)
+    card = window.workspace.card
+    assert card._empty.isVisible()
+    for _ in range(20):  # until an error is about somebody of the result
+        press(Key.Key_F4)
+        if scored.document.selection:
+            break
+    assert not card._empty.isVisible()
+    assert card._id.text() == str(scored.document.selection.track)
