@@ -52,7 +52,8 @@ class Importing(QObject):
 
     def ask(self) -> None:
         """Ask for the file."""
-        endings = " ".join(f"*{end}" for each in readable() for end in each.extensions)
+        known = dict.fromkeys(end for each in readable() for end in each.extensions)
+        endings = " ".join(f"*{end}" for end in known)  # several formats share one: each once
         filters = f"{tr('Tracks of other tools')} ({endings})"
         choose_file(self._window, tr("Import tracks"), filters, self.read)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import threading
 from contextlib import closing
 
@@ -12,7 +13,7 @@ from PySide6.QtCore import Qt, QUrl
 
 from app.presenters.files.export_formats import export_formats
 from app.presenters.files.exporting import exported
-from app.views.files import exporting
+from app.views.files import exporting, importing
 from app.views.files.import_dialog import ImportDialog
 from tracking.formats import format_of, read_mot
 from tracking.session import Session
@@ -142,3 +143,13 @@ def test_a_file_is_not_imported_by_dropping_it_while_other_work_is_going_on(
     at_rest(window, qtbot)
     assert told == ["wait until the work in progress is done"]
     assert window.findChild(ImportDialog) is None
+
+
+def test_each_ending_is_offered_once_though_formats_share_it(window, desk, monkeypatch):
+    offered = []
+    monkeypatch.setattr(
+        importing, "choose_file", lambda _w, _title, filters, _on: offered.append(filters)
+    )
+    window.files.importing.ask()
+    endings = re.findall(r"\*\.\w+", offered[0])
+    assert len(endings) == len(set(endings)) > 5
