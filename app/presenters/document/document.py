@@ -107,7 +107,10 @@ class Document:
 
     def take_live(self, results: Iterable[StepResult]) -> None:
         """Take further results of the tracker at work, in order."""
-        self._showing.extend(results)
+        found = tuple(results)
+        self._showing.extend(found)
+        for result in found:
+            self.overhead.take_more(result.tracks)
         self._timeline.take(self.tracks, {})
 
     def sign(self, author: str) -> None:
@@ -135,6 +138,7 @@ class Document:
         if self.session is not None and not self.is_live:
             marks, reviewed = self._marks.of(self.session.history), self.session.labels.reviewed
         self._timeline.take(self.tracks, marks)
+        self.overhead.take(self.tracks.held(("frame", "x", "y"))())
         self._timeline.take_reviewed(reviewed)
 
     # what the views show
@@ -280,6 +284,7 @@ class Document:
         table = self.session.tracks
         frames = change.before.rows["frame"], change.after.rows["frame"]
         marks = self._marks.of(self.session.history)
+        self.overhead.take_more(change.after.rows)
         self._timeline.take_changed(change.tracks, self.tracks, frames, marks)
         self._timeline.take_reviewed(self.session.labels.reviewed)
         self.selection.keep(track for track in self.selection.all if track in table)

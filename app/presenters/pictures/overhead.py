@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from app.presenters.document.instant import Instant
 from app.presenters.palette import colour_of_track, colours_of_tracks
+from app.presenters.pictures.extent import MARGIN_M, Bounds, extent, reach_m, united
 from app.presenters.pictures.trails import TRAIL_S, floor_points, trails_by_track
 from app.presenters.scenes import FloorPerson, OverheadScene
 from app.presenters.words import tr
@@ -16,9 +17,7 @@ from tracking.recording import Recording
 from tracking.tracks import Columns
 
 Floats = NDArray[np.float64]
-Bounds = tuple[float, float, float, float]
 
-_MARGIN_M = 0.6
 _LOOKS_DOWN_DEG = 75.0
 _NO_TRAIL: Floats = np.zeros((0, 2))
 
@@ -34,14 +33,22 @@ class OverheadPresenter:
             "and the camera's height and tilt, in recording.toml."
         )
         self._looks_down = False
-        self._bounds: Bounds = (-5.0, -1.0, 5.0, 9.0)
+        self._reach_m = reach_m(recording)
+        self._seen: Bounds = (-5.0, -1.0, 5.0, 9.0)
         if recording.view is not None:
-            height_m = recording.view.ground.height_m
-            reach_m = float(np.clip(4.5 * height_m, 8.0, 40.0))
-            self._field_of_view = recording.view.field_of_view(reach_m)
-            self._bounds = _bounds(self._field_of_view)
+            self._field_of_view = recording.view.field_of_view(self._reach_m)
+            self._seen = _bounds(self._field_of_view)
             self._message = ""
             self._looks_down = recording.view.ground.tilt_deg > _LOOKS_DOWN_DEG
+        self._bounds = self._seen
+
+    def take(self, rows: Columns) -> None:
+        """Reach to where other tracks are, rows with `x` and `y`, instead of earlier ones."""
+        self._bounds = united(self._seen, extent(rows, self._reach_m))
+
+    def take_more(self, rows: Columns) -> None:
+        """Reach to these places, too."""
+        self._bounds = united(self._bounds, extent(rows, self._reach_m))
 
     @property
     def bounds(self) -> Bounds:
@@ -116,5 +123,5 @@ def relative_weights(particles: Columns) -> NDArray[np.float32]:
 
 
 def _bounds(polygon: Floats) -> Bounds:
-    low, high = polygon.min(axis=0) - _MARGIN_M, polygon.max(axis=0) + _MARGIN_M
+    low, high = polygon.min(axis=0) - MARGIN_M, polygon.max(axis=0) + MARGIN_M
     return float(low[0]), float(low[1]), float(high[0]), float(high[1])

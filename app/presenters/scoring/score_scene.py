@@ -151,11 +151,17 @@ class PicturedTruth:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FlooredTruth:
-    """The truth on the floor. `alarms`: where tracks are that are nobody."""
+    """The truth on the floor.
+
+    Attributes:
+        alarms: where tracks are that are nobody. legend: what the marks mean.
+        bounds: of the floor the truth is on in all frames: left, bottom, right, top in metres.
+    """
 
     people: tuple[TruthPlace, ...] = ()
     alarms: tuple[TruthPlace, ...] = ()
     legend: tuple[LegendEntry, ...] = ()
+    bounds: tuple[float, float, float, float] | None = None
 
 
 NO_TRUTH: Final = (PicturedTruth(), FlooredTruth())

@@ -8,6 +8,7 @@ import numpy as np
 
 from app.presenters.comparing.other_people import OtherPeople
 from app.presenters.document.instant import Instant
+from app.presenters.pictures.extent import extent, reach_m
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.scenes import Eye, LegendEntry
 from app.presenters.scoring.score_scene import (
@@ -36,6 +37,7 @@ class TruthPeople:
     def __init__(self, recording: Recording, people: TrackTable, errors: ErrorTable) -> None:
         self._recording, self._errors = recording, errors
         self._people = OtherPeople(recording, people)
+        self._bounds = extent(people.by_track(("x", "y")), reach_m(recording))
 
     def picture(self, eye: Eye, instant: Instant) -> PicturedTruth:
         """Everybody of the truth in one eye, and which of the result's are nobody."""
@@ -58,7 +60,7 @@ class TruthPeople:
         xy = np.column_stack((rows["x"], rows["y"])).astype(np.float64)
         xy = xy[np.isfinite(xy).all(axis=1)]
         found = tuple(TruthPlace(place[None], "", ErrorKind.FALSE_ALARM) for place in xy)
-        return FlooredTruth(people, found, legend())
+        return FlooredTruth(people, found, legend(), self._bounds)
 
     def _wrong(self, frame: int) -> tuple[set[int], set[int]]:
         """Who is missed in a frame, and which tracks are nobody there."""
@@ -88,7 +90,7 @@ class TruthPeople:
 def legend() -> tuple[LegendEntry, ...]:
     """What the marks mean."""
     return (
-        LegendEntry(TRUTH_COLOUR, tr("truth (T)")),
+        LegendEntry(TRUTH_COLOUR, tr("truth: T and its number")),
         LegendEntry(ERROR_COLOURS[ErrorKind.MISS], tr("missed")),
         LegendEntry(ERROR_COLOURS[ErrorKind.FALSE_ALARM], tr("false alarm")),
     )

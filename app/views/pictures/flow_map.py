@@ -25,8 +25,8 @@ class FlowDrawing:
         self._key: tuple[object, ...] = ()
         self._drawn = QPixmap()
 
-    def paint(self, painter: QPainter, scene: FlowScene, viewport: Viewport, theme: Theme) -> None:
-        """The map from its picture, then its legend in the lower left corner."""
+    def paint(self, painter: QPainter, scene: FlowScene, viewport: Viewport, theme: Theme) -> float:
+        """The map from its picture, then its legend in the lower left corner; where that begins."""
         widget, ratio = self._widget, self._widget.devicePixelRatioF()
         key = (id(scene), viewport, widget.size().toTuple(), ratio, theme.name)
         if key != self._key:
@@ -42,7 +42,7 @@ class FlowDrawing:
         painter.drawPixmap(0, 0, self._drawn)
         painter.setFont(scaled_font(widget.font(), 0.85))
         foot = QPointF(_MARGIN_PX, widget.height() - _MARGIN_PX)
-        draw_legend(painter, scene.legend, foot, theme)
+        return foot.y() - draw_legend(painter, scene.legend, foot, theme)
 
 
 def _draw_cells(painter: QPainter, scene: FlowScene, viewport: Viewport) -> None:

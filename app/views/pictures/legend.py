@@ -15,10 +15,10 @@ _PAD, _GAP = 7.0, 6.0
 
 def draw_legend(
     painter: QPainter, entries: Sequence[LegendEntry], corner: QPointF, theme: Theme
-) -> None:
-    """A plate with a line for each colour, its lower left corner given."""
+) -> float:
+    """A plate with a line for each colour, its lower left corner given; how high it stands."""
     if not entries:
-        return
+        return 0.0
     metrics = QFontMetricsF(painter.font())
     line, side = metrics.height() + 2, metrics.ascent()
     words = max(metrics.horizontalAdvance(entry.text) for entry in entries)
@@ -36,3 +36,4 @@ def draw_legend(
         painter.setPen(theme.text)
         inside.setLeft(swatch.right() + _GAP)
         painter.drawText(inside, Qt.AlignmentFlag.AlignVCenter, entry.text)
+    return plate.height()

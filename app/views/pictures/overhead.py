@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 from app.presenters.comparing.agreement_scene import OtherPlace
 from app.presenters.counting.counting_scene import FlowScene
 from app.presenters.labelling.labelling_scene import FloorLabels
+from app.presenters.pictures.extent import united
 from app.presenters.scenes import FloorPerson, OverheadScene
 from app.presenters.scoring.score_scene import NO_TRUTH, FlooredTruth
 from app.views.labelling.marks import draw_outlines
@@ -37,6 +38,7 @@ _ARROW_S = 0.8  # an arrow shows where somebody is after this time
 _LONGEST_ARROW_PX = 70.0
 _STANDING_M_S = 0.05
 _DOT_PX = 10
+_LEGEND_PX = 12.0  # from the edge, and between two of them
 _GRIP_PX = 3.0  # around a person's ring
 
 
@@ -105,14 +107,17 @@ class OverheadView(Canvas):
     def show_truth(self, truth: FlooredTruth) -> None:
         """Draw the people of a truth, and where the result errs."""
         if truth is not self._truth:
+            before = self.content()
             self._truth = truth
+            if self._fitted and self.content() != before:
+                self.fit()
             self.update()
 
     def content(self) -> QRectF:
-        """The bounds of the scene, in metres."""
+        """The bounds of the scene and of the truth over it, in metres."""
         if self._scene is None or self._scene.message:
             return QRectF()
-        left, bottom, right, top = self._scene.bounds
+        left, bottom, right, top = united(self._scene.bounds, self._truth.bounds)
         return QRectF(left, bottom, right - left, top - bottom)
 
     def clicked_at(self, at: QPointF, extend: bool) -> None:
@@ -194,8 +199,10 @@ class OverheadView(Canvas):
             draw_message(painter, area, text, theme)
             return
         painter.drawPixmap(0, 0, self._floor(scene, theme))
-        if self._flow is not None:
-            self._flow_drawing.paint(painter, self._flow, self.viewport, theme)
+        foot = QPointF(_LEGEND_PX, area.bottom() - _LEGEND_PX)
+        if self._flow is not None:  # which has a legend of its own: the other stands upon it
+            top = self._flow_drawing.paint(painter, self._flow, self.viewport, theme)
+            foot.setY(top - _LEGEND_PX)
         painter.setFont(scaled_font(self.font(), 0.92))
         draw_outlines(painter, self._labels.outlines, self.viewport, area, theme)
         draw_other_places(painter, self._others, self.viewport, theme, area)
@@ -210,8 +217,7 @@ class OverheadView(Canvas):
         draw_preview(painter, scene.preview, self.viewport)
         self._draw_plates(painter, scene, theme, area)
         painter.setFont(scaled_font(self.font(), 0.85))
-        if self._flow is None:  # which has a legend in the same place
-            draw_legend(painter, self._truth.legend, QPointF(8, area.bottom() - 8), theme)
+        draw_legend(painter, self._truth.legend, foot, theme)
         draw_scale_bar(painter, area, self.viewport, theme, self.tr("m"))
 
     def _floor(self, scene: OverheadScene, theme: Theme) -> QPixmap:

@@ -152,7 +152,11 @@ def test_people_who_are_missed_are_marked_on_picture_and_floor(presenter, docume
     floored = presenter.people.floor(instant)
     for people in (pictured.people, floored.people):
         assert {one.label for one in people if one.wrong is ErrorKind.MISS} == {f"T{who}"}
-    assert [entry.text for entry in pictured.legend] == ["truth (T)", "missed", "false alarm"]
+    assert [entry.text for entry in pictured.legend] == [
+        "truth: T and its number",
+        "missed",
+        "false alarm",
+    ]
 
 
 def test_a_kind_that_is_left_out_is_neither_shown_nor_walked(presenter):

@@ -6,6 +6,9 @@ from drawn_scenes import RED, floor_person, overhead
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
+from app.presenters.counting.counting_scene import FlowScene
+from app.presenters.scenes import LegendEntry
+from app.presenters.scoring.score_scene import FlooredTruth
 from app.views.pictures.floor import nice_step
 from app.views.pictures.overhead import OverheadView
 from app.views.pictures.particles import draw_particles, soft_dot
@@ -142,3 +145,38 @@ def test_people_are_told_with_their_place_and_speed(view):
 @pytest.mark.parametrize(("least", "step"), [(0.7, 1.0), (1.0, 1.0), (1.1, 2.0), (0.03, 0.05)])
 def test_grid_steps_are_one_two_or_five_times_a_power_of_ten(least, step):
     assert nice_step(least) == pytest.approx(step)
+
+
+def test_the_floor_is_fitted_to_the_truth_while_that_is_shown(view):
+    before = view.viewport
+    view.show_truth(FlooredTruth(bounds=(-2.0, 3.0, 2.0, 14.0)))
+    assert view.content() == QRectF(-5, 0, 10, 14)
+    assert view.rect().contains(view.viewport.point(0, 14).toPoint())
+    view.show_truth(FlooredTruth())
+    assert view.viewport == before
+
+
+def test_a_floor_that_was_zoomed_by_hand_is_not_fitted_to_the_truth(view, wheel):
+    wheel(view, QPointF(420, 130), 2)
+    before = view.viewport
+    view.show_truth(FlooredTruth(bounds=(-2.0, 3.0, 2.0, 14.0)))
+    assert view.viewport == before
+
+
+def test_what_the_truths_marks_mean_is_told_above_what_the_flow_map_means(view, drawn):
+    told = FlooredTruth(legend=(LegendEntry(RED, "truth"),))
+    view.show_flow(FlowScene(0.0, 0.0, 1.0, np.zeros((0, 0, 4), np.uint8)))
+    alone = lowest_red(drawn(view))
+    view.show_truth(told)
+    foot = lowest_red(drawn(view))
+    other = (LegendEntry((0, 0, 255), "few"), LegendEntry((0, 255, 0), "many"))
+    view.show_flow(FlowScene(0.0, 0.0, 1.0, np.zeros((0, 0, 4), np.uint8), legend=other))
+    assert alone == -1
+    assert 0 < lowest_red(drawn(view)) < foot - 20
+
+
+def lowest_red(shot):
+    """The lowest line with the legend's red at the left; -1 where there is none."""
+    red = QColor(*RED).rgb()
+    lines = range(shot.height())
+    return max((y for y in lines for x in range(40) if shot.pixel(x, y) == red), default=-1)

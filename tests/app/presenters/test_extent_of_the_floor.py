@@ -1,0 +1,58 @@
+"""How far the floor is shown."""
+
+import numpy as np
+import pytest
+
+from app.presenters.document.document import Document
+from app.presenters.pictures.extent import extent, united
+from tracking.recording import open_recording
+from tracking.session import Session
+
+
+def rows(*places):
+    x, y = np.array(places, np.float32).reshape(-1, 2).T
+    return {"x": x, "y": y}
+
+
+def test_it_reaches_in_whole_metres_around_everybody():
+    assert extent(rows((-1.0, 2.0), (3.2, 11.7)), 8.0) == (-2.0, 1.0, 4.0, 13.0)
+
+
+def test_places_that_are_not_known_or_near_the_horizon_do_not_count():
+    assert extent(rows((0.0, 2.0), (np.nan, np.nan), (5.0, 900.0)), 8.0) == (-1.0, 1.0, 1.0, 3.0)
+    assert extent(rows((np.nan, np.nan)), 8.0) is None
+    assert extent(rows(), 8.0) is None
+
+
+def test_what_lies_within_changes_nothing():
+    bounds = (-5.0, 0.0, 5.0, 10.0)
+    assert united(bounds, None) == united(bounds, (-1.0, 1.0, 1.0, 3.0)) == bounds
+
+
+@pytest.fixture
+def document(tiny_recording, tiny_session):
+    with open_recording(tiny_recording) as recording:
+        document = Document(recording, Session.open(tiny_session))
+        yield document
+        document.session.close()
+
+
+def test_the_map_grows_with_tracks_that_are_taken_and_begins_anew_with_others(document):
+    floor = document.overhead
+    before = floor.bounds
+    top = before[3]
+    floor.take_more(rows((0.0, top + 3.0)))
+    assert floor.bounds[3] > top + 3.0
+    assert floor.bounds[:3] == before[:3]
+    floor.take(rows())
+    assert floor.bounds[3] < top + 3.0
+
+
+def test_all_tracks_of_a_session_are_on_the_map(document):
+    left, bottom, right, top = document.overhead.bounds
+    columns = document.session.tracks.columns()
+    known = np.isfinite(columns["x"])
+    x, y = columns["x"][known], columns["y"][known]
+    assert len(x)
+    assert left < x.min() < x.max() < right
+    assert bottom < y.min() < y.max() < top
