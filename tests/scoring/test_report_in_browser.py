@@ -73,6 +73,25 @@ def test_it_is_no_wider_than_the_window(seen: Browser, width: int) -> None:
     assert seen.value("document.documentElement.scrollWidth") == width
 
 
+def test_over_a_narrow_page_errors_in_time_are_scrolled_rather_than_shrunk(seen: Browser) -> None:
+    seen.shape(400)
+    drawn = "document.querySelector('.drawn:not(.narrow)')"
+    assert seen.value(f"{drawn}.scrollWidth") > 900
+    assert seen.value(f"{drawn}.clientWidth") < 400
+    assert seen.value(f"getComputedStyle({drawn}).overflowX") == "auto"
+
+
+def test_over_a_narrow_page_explanations_wrap(seen: Browser) -> None:
+    seen.shape(400)
+    assert seen.value("document.querySelector('td.says').offsetWidth") < 200
+    assert seen.value("getComputedStyle(document.querySelector('.scrolled')).overflowX") == "auto"
+    words = f"{_ALL}('td.word')].slice(0, 4).map(e => e.firstChild)"
+    lines = (
+        "t => {const r = document.createRange(); r.selectNode(t); return r.getClientRects().length}"
+    )
+    assert seen.value(f"{words}.map({lines})") == [1, 1, 1, 1]
+
+
 def test_it_is_dark_where_its_reader_likes_it_dark(seen: Browser) -> None:
     seen.shape(1280, "dark")
     dark = _brightness(seen.screenshot())

@@ -6,11 +6,13 @@ _LIGHT = """
 --paper:#fff; --ink:#1c2128; --faint:#57606a; --line:#d0d7de; --panel:#f6f8fa;
 --c0:#0969da; --c1:#cf222e; --c2:#1a7f37; --c3:#8250df; --c4:#9a6700; --good:#1a7f37;
 --switch:#8250df; --miss:#cf222e; --alarm:#bc6c00; --fragment:#0969da; --kept:#9fb8d3;
+--shade:#1c212840;
 """
 _DARK = """
 --paper:#12161c; --ink:#e3e8ee; --faint:#9aa5b1; --line:#343c47; --panel:#1a2029;
 --c0:#6cb2ff; --c1:#ff7b72; --c2:#56d364; --c3:#c297ff; --c4:#e3b341; --good:#56d364;
 --switch:#c297ff; --miss:#ff7b72; --alarm:#f0a94a; --fragment:#6cb2ff; --kept:#5b7a99;
+--shade:#e3e8ee40;
 """
 
 DRAWN = """
@@ -86,8 +88,15 @@ figure .pair img{{width:calc(50% - 2px)}}
 figure img{{display:block;width:100%;border-radius:4px;background:var(--panel)}}
 figcaption{{font-size:13px;color:var(--faint);margin-top:.3rem}}
 {DRAWN}
-@media (max-width:40rem){{main{{padding:1rem .8rem 3rem}} td.says{{min-width:14rem}}
-th,td{{padding:.28rem .5rem}}}}
+@media screen{{.scrolled,.drawn{{background:
+linear-gradient(90deg,var(--paper) 60%,transparent) left/2rem 100% no-repeat local,
+linear-gradient(270deg,var(--paper) 60%,transparent) right/2rem 100% no-repeat local,
+linear-gradient(90deg,var(--shade),transparent) left/.7rem 100% no-repeat scroll,
+linear-gradient(270deg,var(--shade),transparent) right/.7rem 100% no-repeat scroll}}}}
+@media screen and (max-width:60rem){{.drawn:not(.narrow)>svg{{min-width:60rem}}}}
+@media (max-width:40rem){{main{{padding:1rem .8rem 3rem}} td.says{{min-width:9.5rem}}
+th,td{{padding:.28rem .5rem}} td.word,tr.group th{{white-space:normal}}
+th bdi,td bdi{{min-width:4rem}}}}
 @media print{{
 @page{{margin:14mm}}
 body{{font-size:10pt;background:#fff;color:#000}}
