@@ -7,6 +7,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import typer
+
 from app.cli.output import progress
 from app.cli.ranges import typed_range
 from app.cli.score_passages import with_passages
@@ -27,6 +29,7 @@ from tracking.scoring.report import (
 )
 from tracking.tracks import CountingLine
 
+_RADIUS_M = 0.5
 _LONG_BYTES = 16 << 20
 _END = 10**9
 _MOST_PICTURED = 240
@@ -50,7 +53,7 @@ class Asked:
     results: tuple[Path, ...]
     truth: Path
     match: str = "box"
-    radius_m: float = 0.5
+    radius_m: float = _RADIUS_M
     conventions: str = Conventions.TRACKEVAL
     frames: str | None = None
     ranges: tuple[str, ...] = ()
@@ -83,6 +86,18 @@ class Measured:
     parts: Rates | None = None
     finding: Finding | None = None
     shown: Shown | None = None
+
+
+def radius_of(match: str, radius_m: float | None) -> float:
+    """The radius that was typed, or the usual one; raises BadParameter where it has no use."""
+    if radius_m is None:
+        return _RADIUS_M
+    if match != "floor":
+        raise typer.BadParameter(
+            "distances count only with --match floor; add it, or leave the radius out",
+            param_hint="--radius",
+        )
+    return radius_m
 
 
 def yardstick_of(asked: Asked) -> Yardstick:

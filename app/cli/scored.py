@@ -8,6 +8,7 @@ from pathlib import Path
 
 from app.cli.output import say
 from app.cli.ranges import typed_range
+from app.cli.score_sources import disagreement, source_of
 from app.cli.tracks import Tracks, part_truth_beside, tracks_at, truth_at
 from tracking.errors import SettingsError
 from tracking.scoring import Match, Score, ScoringTable, score
@@ -54,6 +55,8 @@ def loaded(name: str, truth: Path, results: Mapping[str, Path], frames: str | No
         start,
         stop,
         Footage(fps, size_px),
+        source_of(true),
+        {result: source_of(tracks) for result, tracks in found.items()},
     )
     return Loaded(subject, true, found, chosen)
 
@@ -126,6 +129,10 @@ def tell_oddities(one: Loaded) -> None:
     for name, tracks in one.results.items():
         if not len(one.subject.results[name]):
             say(f"note: {tracks.path} has nobody in these frames; everybody counts as missed")
+        if one.subject.true_source is not None:
+            why = disagreement(one.subject.true_source, one.subject.result_sources[name])
+            if why is not None:
+                say(f"note: {why}")
         if one.frames is None:
             _tell_untracked(tracks)
 

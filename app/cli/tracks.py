@@ -30,6 +30,7 @@ class Tracks:
         lines: counting lines drawn in a session.
         notes: what the user should know of a file, a line each.
         dont_cares: in a truth, rows of confidence 0 are not counted.
+        recording, tracker: names a session has them by.
     """
 
     columns: Columns
@@ -43,6 +44,8 @@ class Tracks:
     lines: tuple[CountingLine, ...] = ()
     notes: tuple[str, ...] = ()
     dont_cares: bool = False
+    recording: str | None = None
+    tracker: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,6 +134,8 @@ def _of_session(path: Path) -> Tracks:
             fps=footage.fps,
             size_px=footage.size,
             lines=tuple(session.labels.lines),
+            recording=footage.name,
+            tracker=None if run is None else run.tracker,
         )
 
 

@@ -21,6 +21,7 @@ from tracking.scoring.parts import Rates
 from tracking.scoring.report import (
     Finding,
     Shown,
+    Source,
     Yardstick,
     data_of,
     finding_of,
@@ -308,3 +309,27 @@ def test_a_map_shows_no_more_than_can_be_seen_and_says_so(monkeypatch: pytest.Mo
     assert finding.errors.count(ErrorKind.MISS) == 5
     page = page_of(report_of([finding], Yardstick()), {})
     assert "1 stretches of misses beyond" in page
+
+
+def test_a_report_says_which_files_it_is_of() -> None:
+    sources = {
+        name: Source(f"{name}/one.h5", "lane|0", 100, 12.5, "flow")
+        for name in ("first<b>", "better")
+    }
+    one = replace(scenes.subject(), true_source=Source("a/truth.txt"), result_sources=sources)
+    findings = [finding_of(one, name, Yardstick()) for name in one.results]
+    for report in (report_of(findings, Yardstick()), report_of(findings[:1], Yardstick())):
+        texts = "".join(Reader(page_of(report, {})).texts)
+        known = ", recording lane|0, 100 frames, 12.5 frames a second, tracker flow"
+        assert texts.count(f"first<b>/one.h5{known}") == 1
+        assert texts.count("a/truth.txt") == len(report.findings)
+    text = markdown_of(report_of(findings, Yardstick()))
+    assert "- Result: better/one.h5, recording lane\\|0, 100 frames" in text
+    assert "- Truth: a/truth.txt" in text
+    told = finding_data(findings[1])["sources"]
+    assert (told["result"]["tracker"], told["truth"]["path"]) == ("flow", "a/truth.txt")
+    assert told["truth"]["recording"] is None
+
+
+def test_kept_is_said_to_count_from_the_first_match_on() -> None:
+    assert "half of their frames from the first match on" in page_of(scenes.report(), {})

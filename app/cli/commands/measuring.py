@@ -31,8 +31,11 @@ def score(
         Literal["box", "floor"], typer.Option(help="Pair by overlap or by floor distance.")
     ] = "box",
     radius: Annotated[
-        float, typer.Option(help="Greatest distance on the floor, m; with --match floor.")
-    ] = 0.5,
+        float | None,
+        typer.Option(
+            help="Greatest distance on the floor, m; with --match floor.", show_default="0.5"
+        ),
+    ] = None,
     conventions: Annotated[
         Literal["trackeval", "py-motmetrics"],
         typer.Option("--as", help="Whose definitions hold where the field's programs differ."),
@@ -81,14 +84,14 @@ def score(
 ) -> None:
     """Measure results against truth."""
     from app.cli.score import run_score
-    from app.cli.score_measuring import Asked
+    from app.cli.score_measuring import Asked, radius_of
     from app.cli.score_passages import lines_named
 
     asked = Asked(
         results=tuple(results),
         truth=truth,
         match=match,
-        radius_m=radius,
+        radius_m=radius_of(match, radius),
         conventions=conventions,
         frames=frames,
         ranges=tuple(ranges or ()),

@@ -10,7 +10,9 @@ import pytest
 from command_line import Trackwright
 
 from app.__main__ import run
+from app.cli.score_sources import disagreement
 from tracking.recording import open_recording
+from tracking.scoring.report import Source
 from tracking.session import Session
 from tracking.tracks import SIGNAL_COLUMNS, Run
 from tracking.tracks.columns import empty
@@ -175,3 +177,34 @@ def test_a_session_tracked_in_whole_is_scored_without_a_note(
     trackwright: Trackwright, session: Path, recording: Path
 ) -> None:
     assert trackwright("score", session, "--truth", recording, "--json")[2] == ""
+
+
+def test_a_radius_without_the_floor_is_refused(
+    pair: tuple[str, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["score", pair[0], "--truth", pair[1], "--radius", "1"]) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    assert "only with --match floor" in err
+
+
+def test_recordings_that_seem_to_differ_are_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name, fps, text in (("lane", 10, RESULT), ("marks", 15, TRUTH)):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "truth.txt").write_text(text)
+        manifest = f'format = 1\nname = "{name}"\nfps = {fps}\n[left]\nsource = "left.mp4"\n'
+        (tmp_path / name / "recording.toml").write_text(manifest)
+    truth = str(tmp_path / "marks")
+    assert run(["score", str(tmp_path / "lane" / "truth.txt"), "--truth", truth, "--json"]) == 0
+    err = capsys.readouterr().err
+    assert "different recordings: named lane and marks; 10 and 15 frames a second" in err
+    assert run(["score", str(tmp_path / "marks" / "truth.txt"), "--truth", truth, "--json"]) == 0
+    assert "different recordings" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("frames", "told"), [(100, False), (120, True), (None, False)])
+def test_lengths_are_compared_where_both_are_told(frames: int | None, told: bool) -> None:
+    why = disagreement(Source("truth.txt", None, 100, 29.97), Source("a.h5", "a", frames, 29.97003))
+    assert (why is not None and "120 and 100 frames" in why) == told

@@ -11,7 +11,7 @@ from tracking.scoring.report.findings import (
 )
 from tracking.scoring.report.on_sequence import Shown
 from tracking.scoring.report.page import page_of
-from tracking.scoring.report.subject import Footage, Subject
+from tracking.scoring.report.subject import Footage, Source, Subject
 from tracking.scoring.report.switch_pictures import (
     MOST_SWITCHES,
     SwitchPictures,
@@ -27,6 +27,7 @@ __all__ = [
     "Footage",
     "ScoreReport",
     "Shown",
+    "Source",
     "Subject",
     "SwitchPictures",
     "Yardstick",

@@ -11,6 +11,7 @@ from tracking.scoring.per_person import PersonScore
 from tracking.scoring.report.distances import distances_data
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.measures import finite
+from tracking.scoring.report.sources import sources_data
 from tracking.scoring.report.stretches import Stretches
 from tracking.scoring.table import Integers
 
@@ -45,6 +46,7 @@ def data_of(report: ScoreReport) -> dict[str, Any]:
 def finding_data(finding: Finding) -> dict[str, Any]:
     """One result on one sequence."""
     return {
+        **sources_data(finding),
         **finding.score.as_json(),
         "per_person": people_data(finding),
         "ranges": ranges_data(finding),

@@ -12,6 +12,7 @@ from tracking.scoring.report.distances import NO_PLACES, distance_rows
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.measures import by_group
 from tracking.scoring.report.page import how, title_of
+from tracking.scoring.report.sources import sources_said
 
 MOST_SWITCHES = 200
 """Listed of one result on one sequence."""
@@ -70,6 +71,8 @@ def _sequences(report: ScoreReport, result: str) -> str:
 
 def _finding(finding: Finding, report: ScoreReport) -> Iterator[str]:
     yield f"## {plain(finding.subject.name)}: {plain(finding.result)}"
+    if lines := [f"- {title}: {plain(f'{at}{more}')}" for title, at, more in sources_said(finding)]:
+        yield "\n".join(lines)
     if finding.ranges:
         shown = tables.main_measures(report)
         rows = [

@@ -78,7 +78,10 @@ MEANINGS: Mapping[str, Mapping[str, Meaning]] = {
     "People kept, and where they stand (the papers' measures)": {
         "people_detected": _count("People matched in at least 10 frames.", "higher"),
         "people_kept": _count(
-            "Of those, people with one id of their own in half of their frames at least.", "higher"
+            "Of those, people whose matches all bear one and the same id, which is matched to "
+            "nobody else before or between, and who are matched in at least half of their frames "
+            "from the first match on.",
+            "higher",
         ),
         "tracking_accuracy": Meaning("People kept / people detected."),
         "floor error, mean (m)": _metres("Mean distance on the floor between matched rows."),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from tracking.pages import Axis, Element, element, jpeg_source, picture, table
+from tracking.pages import Axis, Element, element, jpeg_source, name, picture, table
 from tracking.scoring.errors import ErrorKind
 from tracking.scoring.report import tables
 from tracking.scoring.report.curves import PART_HEAD, part_curves, part_rows
@@ -14,6 +14,7 @@ from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.ground_plan import ground_plan
 from tracking.scoring.report.marks import TITLES, key
 from tracking.scoring.report.over_time import MOST_PEOPLE, Clock, errors_over_time
+from tracking.scoring.report.sources import sources_said
 from tracking.scoring.report.switch_pictures import SwitchPictures
 
 
@@ -33,6 +34,8 @@ class Shown:
 
 def on_sequence(finding: Finding, report: ScoreReport, shown: Shown) -> Iterator[Element]:
     """The sections about it."""
+    if len(report.findings) > 1:
+        yield from sources_of(finding)
     yield from _over_time(finding)
     yield from _where(finding, shown)
     yield from _switches(finding, shown)
@@ -46,6 +49,12 @@ def on_sequence(finding: Finding, report: ScoreReport, shown: Shown) -> Iterator
         yield from _people(finding)
     yield from tables.passages(finding)
     yield from _parts(finding)
+
+
+def sources_of(finding: Finding) -> Iterator[Element]:
+    """Where result and truth are from, a line each."""
+    for title, place, more in sources_said(finding):
+        yield element("p", f"{title}: ", name(place), more, class_="note")
 
 
 def _over_time(finding: Finding) -> Iterator[Element]:

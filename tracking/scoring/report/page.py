@@ -12,7 +12,7 @@ from tracking.scoring.report import tables
 from tracking.scoring.report.curves import hota_curves
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.marks import STYLE
-from tracking.scoring.report.on_sequence import Shown, on_sequence
+from tracking.scoring.report.on_sequence import Shown, on_sequence, sources_of
 
 KIND = "trackwright score report"
 
@@ -68,8 +68,12 @@ def _introduction(report: ScoreReport) -> Iterator[Element]:
     names: list[Content] = []
     for number, result in enumerate(report.results):
         names += [", " if number else None, name(result)]
-    many = len(report.results) > 1
-    yield element("p", "Results: " if many else "Result: ", names, ". ", how(report), class_="note")
+    # Of several findings each tells its own sources.
+    sources = list(sources_of(report.findings[0])) if len(report.findings) == 1 else []
+    title = "Results: " if len(report.results) > 1 else "Result: "
+    told: list[Content] = [] if sources else [title, names, ". "]
+    yield from sources
+    yield element("p", told, how(report), class_="note")
 
 
 def _contents(report: ScoreReport, *, several: bool) -> Element | None:

@@ -40,6 +40,23 @@ class Footage:
     pictures: Pictures | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Source:
+    """Where tracks are from; all but the place may be unknown.
+
+    Attributes:
+        place: of the file, as people named it.
+        recording: its name. frames: its length. fps: frames a second.
+        tracker: who found them.
+    """
+
+    place: str
+    recording: str | None = None
+    frames: int | None = None
+    fps: float | None = None
+    tracker: str | None = None
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Subject:
     """One sequence.
@@ -50,6 +67,8 @@ class Subject:
         results: the same of each result, by its name.
         start, stop: the frames that are measured.
         footage: what the pictures tell.
+        true_source: where the truth is from; None where nobody says.
+        result_sources: the same of results, by their names.
     """
 
     name: str
@@ -58,3 +77,5 @@ class Subject:
     start: int
     stop: int
     footage: Footage = field(default_factory=Footage)
+    true_source: Source | None = None
+    result_sources: Mapping[str, Source] = field(default_factory=dict)

@@ -1,0 +1,57 @@
+"""What files of tracks say they are of, and where truth and result disagree about it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from app.cli.tracks import Tracks
+from tracking.errors import TrackwrightError
+from tracking.scoring.report import Source
+
+_SAME_RATE = 1e-3
+"""Relative; files round the rate of frames."""
+
+
+def source_of(tracks: Tracks) -> Source:
+    """What is known of tracks; of a text in a recording's folder also what the manifest says."""
+    recording, fps = tracks.recording, tracks.fps
+    if tracks.is_text and recording is None:
+        recording, told = _manifest_beside(tracks)
+        fps = fps or told
+    return Source(str(tracks.path), recording, tracks.frames or None, fps, tracks.tracker)
+
+
+def disagreement(truth: Source, result: Source) -> str | None:
+    """Why they may be of different recordings, in a line; None where nothing tells so."""
+    reasons = list(_differences(truth, result))
+    if not reasons:
+        return None
+    return (
+        f"{result.place} and {truth.place} may be of different recordings: "
+        f"{'; '.join(reasons)}; check that the truth is this result's"
+    )
+
+
+def _differences(truth: Source, result: Source) -> Iterator[str]:
+    """What both tell and tell differently; the result's first."""
+    if truth.recording and result.recording and truth.recording != result.recording:
+        yield f"named {result.recording} and {truth.recording}"
+    if truth.frames and result.frames and truth.frames != result.frames:
+        yield f"{result.frames} and {truth.frames} frames"
+    if truth.fps and result.fps and not math.isclose(truth.fps, result.fps, rel_tol=_SAME_RATE):
+        yield f"{result.fps:g} and {truth.fps:g} frames a second"
+
+
+def _manifest_beside(tracks: Tracks) -> tuple[str | None, float | None]:
+    """Name and rate of frames of the recording in whose folder a text stands."""
+    folder = tracks.path.parent
+    if not (folder / "recording.toml").is_file():
+        return None, None
+    from tracking.recording import read_manifest  # brings what reads pictures
+
+    try:
+        manifest = read_manifest(folder)
+    except TrackwrightError:  # what scores do without is no reason not to score
+        return None, None
+    return manifest.name, manifest.fps
