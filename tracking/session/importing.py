@@ -16,6 +16,7 @@ from tracking.errors import EditError, FormatError
 from tracking.formats import BadRow, Filmed, Imported
 from tracking.formats.label_text import is_person
 from tracking.formats.reading import MOST_TOLD, SeenAs
+from tracking.formats.row_rules import BOX
 from tracking.progress import Progress, no_progress
 from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.session.document import Session
@@ -136,6 +137,8 @@ def importable(
         seen_as=imported.seen_as,
     )
     found = _with_clean_labels(_within(found, imported, filmed.frames))
+    if filmed.size_px is not None:
+        found = _with_note_on_outside(found, filmed.size_px)
     if wish.only_people:
         found = _only_people(found)
     found = _with_shares(found)
@@ -244,6 +247,18 @@ def _within(found: Importable, imported: Imported, frames: int | None) -> Import
         told.append(BadRow(place, reason))
     count = found.bad_count + int(beyond.sum())
     return _with_rows(replace(found, bad_rows=tuple(told), bad_count=count), ~beyond)
+
+
+def _with_note_on_outside(found: Importable, size_px: tuple[int, int]) -> Importable:
+    """Says how many boxes lie wholly outside of pictures of that size."""
+    left, top, width, height = (found.rows[name] for name in BOX)
+    outside = (left >= size_px[0]) | (top >= size_px[1]) | (left + width <= 0) | (top + height <= 0)
+    count, boxes = int(outside.sum()), int(np.isfinite(left).sum())
+    if not count:
+        return found
+    lie = "boxes lies" if count == 1 else "boxes lie"
+    note = f"{count} of {boxes} {lie} outside of the picture: are these tracks of this recording?"
+    return replace(found, notes=(*found.notes, note))
 
 
 def _only_people(found: Importable) -> Importable:
