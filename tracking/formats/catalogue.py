@@ -12,6 +12,7 @@ from tracking.formats.csv_tracks import CSV
 from tracking.formats.cvat import CVAT
 from tracking.formats.floor_hdf5 import JUPEDSIM_HDF5, PEDPY_HDF5
 from tracking.formats.floor_text import PEDPY_TEXT, PETRACK
+from tracking.formats.hdf5_tracks import why_refused
 from tracking.formats.idtracker import IDTRACKER
 from tracking.formats.jupedsim import JUPEDSIM_SQLITE
 from tracking.formats.kitti import KITTI
@@ -67,12 +68,12 @@ def format_of(path: Path) -> TrackFormat:
             head = stream.read(HEAD_BYTES)
     except OSError as error:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    if not head.strip():
+        raise FormatError(f"{path} is empty; name a file with tracks")
     for each in FORMATS.values():
         if each.read is not None and each.recognises(path, head):
             return each
     if begins_as_hdf5(path):
-        raise FormatError(
-            f"{path} is HDF5 of no layout known here; a session is opened, or exported first"
-        )
+        raise FormatError(f"{path}{why_refused(path)}")
     known = ", ".join(name for name, each in FORMATS.items() if each.read is not None)
     raise FormatError(f"{path} is of no format known here", f"choose one of: {known} (--format)")

@@ -33,6 +33,14 @@ def has_layout(*layouts: str) -> Callable[[Path, bytes], bool]:
     return recognises
 
 
+def why_refused(path: Path) -> str:
+    """Why a HDF5 file is of no layout read here, as it goes on after the file's name; "": it is.
+
+    Raises OSError where the file is not there.
+    """
+    return str(_verdict(path).get("refused", ""))
+
+
 @contextmanager
 def opened(path: Path, *layouts: str) -> Iterator[h5py.File]:
     """The file, if it is safe and of one of these layouts.

@@ -88,4 +88,4 @@ def _people_of(found: Imported) -> Imported:
     columns = {name: column[people] for name, column in found.columns.items()}
     many = "1 track that is no person is" if len(others) == 1 else None
     note = f"{many or f'{len(others)} tracks that are no people are'} left out"
-    return replace(found, columns=columns, notes=(*found.notes, note))
+    return replace(found, columns=columns, notes=(*found.notes, note), place_of=None)
