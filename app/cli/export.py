@@ -10,8 +10,9 @@ from app.cli.output import print_json, progress, say
 from app.presenters.files.exporting import exported
 from app.presenters.files.opening import known_recordings
 from tracking.errors import FormatError, OutputError
-from tracking.formats import format_named, write_part_labels, write_samples
+from tracking.formats import FORMATS, TrackFormat, write_part_labels, write_samples
 from tracking.formats.samples_layout import HDF5_FORMAT
+from tracking.formats.track_format import Write
 from tracking.geometry import View
 from tracking.session import RecordingMissing, Session, session_samples
 
@@ -27,20 +28,28 @@ def run_export(path: Path, out: Path, name: str, run: int | None, *, as_json: bo
     if name in _PARTS:
         _export_parts(path, out, name, run, as_json=as_json)
         return
-    wanted = format_named(name)
-    if wanted.write is None:
-        raise FormatError(f"{wanted.title} is only read; export in another format")
+    wanted, write = _format_to_write(name)
     check_file(out)
     check_no_session(out)
     with closing(Session.open(path)) as session:
         tracks = exported(session, run, _view(session) if wanted.in_camera else None)
     with progress(f"Writing {out.name}") as report:
-        made = wanted.write(out, tracks, report)
+        made = write(out, tracks, report)
     if as_json:
         told = {"written": str(out), "files": list(map(str, made)), "format": wanted.name}
         print_json({**told, "rows": len(tracks)})
     else:
         print(*made, sep="\n")
+
+
+def _format_to_write(name: str) -> tuple[TrackFormat, Write]:
+    """The format of that name. Raises FormatError, which lists what can be written."""
+    written = {each.name: each.write for each in FORMATS.values() if each.write is not None}
+    if name in written:
+        return FORMATS[name], written[name]
+    known = name in FORMATS
+    why = f"{FORMATS[name].title} is only read" if known else f"format {name!r} is unknown"
+    raise FormatError(f"{why}; choose one of: {', '.join((*written, *_PARTS))}")
 
 
 def _view(session: Session) -> View | None:

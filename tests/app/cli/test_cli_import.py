@@ -173,6 +173,17 @@ def test_good_rows_are_taken_where_the_user_says_so(
         assert session.tracks.frames_of_track(1).tolist() == [0, 1, 2]
 
 
+def test_boxes_outside_of_the_picture_are_noted(
+    trackwright: Trackwright, footage: Path, tmp_path: Path
+) -> None:
+    outside = "4,1,5000,4000,20,40,1\n5,1,-30,10,20,40,1\n6,1,-9,10,20,40,1\n"
+    words = ["--recording", footage, "-o", tmp_path / "s.h5"]
+    status, _, err = trackwright("import", written(tmp_path, GOOD + outside), *words)
+    assert status == 0
+    note = "note: 2 of 6 boxes lie outside of the picture: are these tracks of this recording?"
+    assert note in err.splitlines()
+
+
 def test_dense_tracks_are_thinned_on_request(
     trackwright: Trackwright, footage: Path, tmp_path: Path
 ) -> None:
@@ -277,4 +288,33 @@ def test_a_session_is_no_file_of_another_tool(
 ) -> None:
     words = ["import", session, "--recording", footage, "-o", tmp_path / "s.h5"]
     status, _, err = trackwright(*words)
-    assert (status, "a session is opened, or exported first" in err) == (1, True)
+    assert status == 1
+    assert (
+        err == f"trackwright: {session} is a trackwright session; open it, or score it as it is\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("size", "reason"), [(0, "is empty"), (3000, "is damaged"), (2, "of no format known here")]
+)
+def test_a_cut_file_is_told_apart_from_one_of_no_format(
+    trackwright: Trackwright, session: Path, tmp_path: Path, size: int, reason: str
+) -> None:
+    cut = tmp_path / "cut.h5"
+    cut.write_bytes(session.read_bytes()[:size])
+    status, _, err = trackwright("import", cut, "-o", tmp_path / "s.h5")
+    assert (status, err.count("\n")) == (1, 1)
+    assert reason in err
+
+
+def test_only_what_can_be_written_is_offered_for_an_export(
+    trackwright: Trackwright, session: Path, tmp_path: Path
+) -> None:
+    for wrong in ("nonsense", "sleap"):
+        out = tmp_path / "made.txt"
+        status, _, err = trackwright("export", session, "-o", out, "--format", wrong)
+        offered = err.rstrip().split("choose one of: ")[1].split(", ")
+        assert status == 1
+        assert {"mot", "cvat", "labels", "samples"} <= set(offered)
+        assert not {"sleap", "idtracker"} & set(offered)
+        assert not out.exists()
