@@ -74,9 +74,9 @@ def rows_in_run(columns: Columns, run: Run | None) -> RunRows:
         columns: at least `frame, track, left, top, x, y`.
     """
     own = _keys(columns)
-    if run is None:
+    if run is None or not len(run.tracks["frame"]):
         nothing = np.full(len(own), -1)
-        return RunRows(None, nothing, nothing)
+        return RunRows(run, nothing, nothing)
     theirs = _keys(run.tracks)
     row = _places_of(theirs, own)
     row[~_same(columns, np.arange(len(own)), run.tracks, row)] = -1
