@@ -18,22 +18,18 @@ from tracking.errors import FormatError, SettingsError
 from tracking.scoring import BoxMatch, Conventions, FloorMatch, Score, check_distances
 from tracking.scoring.parts import Rates
 from tracking.scoring.report import (
-    MOST_SWITCHES,
     Finding,
     Shown,
     Subject,
     Yardstick,
     finding_of,
-    place_picture,
-    switch_pictures,
+    shown_of,
 )
 from tracking.tracks import CountingLine
 
 _RADIUS_M = 0.5
 _LONG_BYTES = 16 << 20
 _END = 10**9
-_MOST_PICTURED = 240
-"""Switches of all results together: a page of more is too large to be sent to anybody."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,8 +141,9 @@ def measured_by(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> list[Me
                     told(len(measured), total)
                     found = _measured(asked, one, subject, result, yardstick)
                     if asked.report is not None and found.finding is not None:
-                        most = max(1, min(MOST_SWITCHES, _MOST_PICTURED // total))
-                        found = replace(found, shown=_shown(found.finding, why_none, most))
+                        why_none = why_none or "nobody knows where people stand in the pictures"
+                        shown = shown_of(found.finding, total, lambda *_: None, why_none)
+                        found = replace(found, shown=shown)
                     measured.append(found)
         told(total, total)
     _check_ranges(asked, measured)
@@ -185,13 +182,6 @@ def _footage(asked: Asked, one: Loaded) -> Iterator[tuple[Subject, str]]:
 
     with filmed(one, allow_outside=asked.allow_outside) as (subject, why_none):
         yield subject, why_none
-
-
-def _shown(finding: Finding, why_none: str, most: int) -> Shown:
-    """Pictures of a finding, of so many switches."""
-    switches = switch_pictures(finding, lambda *_: None, most)
-    place = place_picture(finding.subject)
-    return Shown(switches, place, why_none or "nobody knows where people stand in the pictures")
 
 
 @contextmanager

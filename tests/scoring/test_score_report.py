@@ -192,8 +192,22 @@ def test_nobody_anywhere_makes_a_page_all_the_same() -> None:
     for truth, result in ((nobody, nobody), (one.truth, nobody), (nobody, one.truth)):
         empty = replace(one, truth=truth, results={"nobody": result})
         finding = finding_of(empty, "nobody", Yardstick())
-        Reader(page_of(report_of([finding], Yardstick()), {}))
-        json.dumps(data_of(report_of([finding], Yardstick())), allow_nan=False)
+        page = Reader(page_of(report_of([finding], Yardstick()), {}))
+        assert "rows of the truth" in page.texts
+        told = json.dumps(data_of(report_of([finding], Yardstick())), allow_nan=False)
+        assert f'"truth_rows": {finding.score.clear.truth_rows}' in told
+
+
+def test_who_does_not_count_in_the_truth_walks_on_no_map() -> None:
+    still = scenes.subject()
+    walked = np.stack((0.2 * still.truth.frame, 5.0 + still.truth.track), axis=1)
+    truth = replace(still.truth, position=walked)
+    walks = []
+    for counted in (truth.counted, truth.track != 2):
+        one = replace(still, truth=replace(truth, counted=counted))
+        finding = finding_of(one, next(iter(one.results)), Yardstick())
+        walks.append(page_of(report_of([finding], Yardstick()), {}).count('class="walk"'))
+    assert walks == [3, 2]  # the legend's and each person's
 
 
 def test_figures_by_distance_are_told_in_ranges_of_the_reports_own() -> None:

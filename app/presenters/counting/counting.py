@@ -21,6 +21,7 @@ from app.presenters.document.document import Document
 from app.presenters.document.instant import Instant
 from app.presenters.explaining import explain
 from app.presenters.labelling.labelling_scene import LINE_COLOUR, REGION_COLOUR, Tool
+from app.presenters.runs.whose import whose_tracks
 from app.presenters.words import tr
 from tracking.counting import PAPER_STEP_S, CountSettings, Occupancy, density_of
 from tracking.tracks import Columns, CountingLine, Labels, Region, between
@@ -124,7 +125,7 @@ class CountingPresenter:
         return CountingScene(
             rows=rows,
             picked=picked,
-            tracks=self._whose(),
+            tracks=whose_tracks(self._document),
             whose=self.whose + 1,
             step_s=choice.settings.step_s,
             least_step_s=least_step_s(document.recording.fps),
@@ -159,16 +160,6 @@ class CountingPresenter:
                 "is counted then, at the frame shown and over time."
             )
         return ""
-
-    def _whose(self) -> tuple[str, ...]:
-        session = self._document.session
-        runs = session.runs if session is not None else ()
-        shown = tr("People shown") if self._document.is_live else tr("Corrected tracks")
-        named = (
-            tr("Run {number}: {tracker}", number=number, tracker=run.tracker)
-            for number, run in enumerate(runs)
-        )
-        return (shown, *named)
 
     # rows
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from app.presenters.document.document import Document
+from app.presenters.runs.whose import name_of_run
 from app.presenters.scoring.subject import Held, Scored
 from app.presenters.words import tr
 from tracking.progress import Progress
@@ -19,9 +21,8 @@ from tracking.scoring.report import (
     Yardstick,
     check_score_folder,
     finding_of,
-    place_picture,
     report_of,
-    switch_pictures,
+    shown_of,
     write_score_report,
 )
 from tracking.tracks import Run
@@ -45,7 +46,7 @@ def reporting(
     runs = tuple(session.runs[n] for n in range(len(session.runs))) if session is not None else ()
     own, frames = scored.subject.whose, scored.subject.frames
     beside = {
-        tr("Run {number}: {tracker}", number=number, tracker=run.tracker): run
+        name_of_run(number, run.tracker): run
         for number, run in enumerate(runs)
         if number != own and run.frames == frames and not _is_truth(scored, number)
     }
@@ -62,13 +63,18 @@ def reporting(
             finding = finding_of(subject, result, yardstick)
             findings.append(finding)
             why_none = tr("nobody knows where people stand in the pictures")
-            pictures = switch_pictures(finding, lambda *_: None)
-            shown[finding] = Shown(pictures, place_picture(subject), why_none)
+            tell = partial(_tell_of_results, report, done, len(results))
+            shown[finding] = shown_of(finding, len(results), tell, why_none)
         page = write_score_report(folder, report_of(findings, yardstick), shown)
         report(len(results), len(results))
         return page
 
     return work
+
+
+def _tell_of_results(report: Progress, done: int, results: int, *_: int) -> None:
+    """Say how many results are done while pictures of the next are cut; raises when cancelled."""
+    report(done, results)
 
 
 def _is_truth(scored: Scored, run: int) -> bool:

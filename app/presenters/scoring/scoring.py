@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from app.presenters.counting.subject import SHOWN, loader, version_of
 from app.presenters.document.document import Document
 from app.presenters.explaining import explain
+from app.presenters.runs.whose import whose_tracks
 from app.presenters.scenes import HistoryItem
 from app.presenters.scoring.events import ErrorEvents
 from app.presenters.scoring.figures import rows_of
@@ -241,7 +242,7 @@ class ScoringPresenter:
         return ScoreScene(
             truths=(*names, tr("Choose a file...")),
             truth=sources.index(source) if source is not None else -1,
-            results=self._results(),
+            results=whose_tracks(self._document),
             result=self.whose + 1,
             on_floor=matching.on_floor,
             threshold=matching.threshold,
@@ -260,16 +261,6 @@ class ScoringPresenter:
         if scored is None:
             return ()
         return rows_of(scored.whole, scored.visible, self._moves.before)
-
-    def _results(self) -> tuple[str, ...]:
-        session = self._document.session
-        runs = session.runs if session is not None else ()
-        shown = tr("People shown") if self._document.is_live else tr("Corrected tracks")
-        named = (
-            tr("Run {number}: {tracker}", number=number, tracker=run.tracker)
-            for number, run in enumerate(runs)
-        )
-        return (shown, *named)
 
     def _choices(self) -> tuple[ErrorChoice, ...]:
         errors = self.scored.errors if self.scored is not None else None

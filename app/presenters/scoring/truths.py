@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from app.presenters.comparing.agreement import refuse_other_recording
+from app.presenters.runs.whose import name_of_run
 from app.presenters.words import counted, tr
 from tracking.errors import FormatError, SessionError
 from tracking.formats import Filmed, Measurable, format_of, is_hdf5, measurable
@@ -133,7 +134,7 @@ def name_of(source: TruthSource, session: Session | None) -> str:
     if source.is_run:
         runs = session.runs if session is not None else ()
         tracker = runs[source.run].tracker if source.run < len(runs) else ""
-        return tr("Run {number}: {tracker}", number=source.run, tracker=tracker)
+        return name_of_run(source.run, tracker)
     name = source.path.name if source.path is not None else ""
     if source.kind is TruthKind.BESIDE:
         return tr("{name} beside the recording", name=name)

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 
 from app.presenters.counting.counting_scene import CountingScene, TallyRow
 from app.views.look.theme import current_theme
+from app.views.widgets.table_cells import write_cell
 
 _MOST_ROWS = 4
 _DOT_PX = 10
@@ -84,14 +85,7 @@ class TallyList(QTableWidget):
 
     def _write(self, number: int, row: TallyRow) -> None:
         for column, text in enumerate((row.name, *row.cells)):
-            item = self.item(number, column)
-            if item is None:
-                item = QTableWidgetItem()
-                side = Qt.AlignmentFlag.AlignLeft if column == 0 else Qt.AlignmentFlag.AlignRight
-                item.setTextAlignment(side | Qt.AlignmentFlag.AlignVCenter)
-                self.setItem(number, column, item)
-            item.setText(text)
-            item.setToolTip(row.hint)
+            item = write_cell(self, number, column, text, row.hint)
             if column == 0:
                 item.setIcon(_dot(current_theme().track(row.colour), row.is_line))
 

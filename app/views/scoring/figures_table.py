@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 
 from app.presenters.scoring.score_scene import ScoreRow, ScoreScene
 from app.views.look.theme import current_theme
+from app.views.widgets.table_cells import write_cell
 
 _WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +88.888"
 _PAD_PX = 20
@@ -68,14 +69,7 @@ class FiguresTable(QTableWidget):
 
     def _write(self, number: int, row: ScoreRow) -> None:
         for column, text in enumerate((row.name, row.whole, row.visible, row.moved)):
-            item = self.item(number, column)
-            if item is None:
-                item = QTableWidgetItem()
-                side = Qt.AlignmentFlag.AlignLeft if column == 0 else Qt.AlignmentFlag.AlignRight
-                item.setTextAlignment(side | Qt.AlignmentFlag.AlignVCenter)
-                self.setItem(number, column, item)
-            item.setText(text)
-            item.setToolTip(row.hint)
+            write_cell(self, number, column, text, row.hint)
         moved = self.item(number, 3)
         if moved is not None:
             moved.setForeground(_colour(row.better))

@@ -11,6 +11,7 @@ from tracking.scoring.report.findings import (
 )
 from tracking.scoring.report.on_sequence import Shown
 from tracking.scoring.report.page import page_of
+from tracking.scoring.report.shown import shown_of
 from tracking.scoring.report.subject import Footage, Source, Subject
 from tracking.scoring.report.switch_pictures import (
     MOST_SWITCHES,
@@ -41,6 +42,7 @@ __all__ = [
     "place_picture",
     "ranges_data",
     "report_of",
+    "shown_of",
     "switch_pictures",
     "write_score_report",
 ]

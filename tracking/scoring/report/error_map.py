@@ -68,7 +68,7 @@ def _ground(plan: GroundPlan, background: Element | None) -> Iterator[Element]:
 
 
 def _walks(finding: Finding, plan: GroundPlan) -> Iterator[Element]:
-    truth = finding.subject.truth
+    truth = finding.subject.truth.rows(finding.subject.truth.counted)
     stretches = Stretches.of(truth.frame, truth.track, plan.of(truth))
     for who, path in zip(stretches.who.tolist(), stretches.paths(), strict=True):
         if d := _way(path, plan):
