@@ -49,7 +49,7 @@ def main() -> None:
 def _print_group(group: str, figures: dict[str, Any]) -> None:
     print(group)
     for name, value in figures.items():
-        print(f"  {name:<24} {'not measured' if value is None else f'{value:10.2f}'}")
+        print(f"  {name:<28} {'not measured' if value is None else f'{value:10.2f}'}")
 
 
 if __name__ == "__main__":

@@ -4,40 +4,135 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 sys.path.append(str(Path(__file__).parents[1] / "trackers"))
 
 from people_on_a_floor import Walker, observations, straight, view
 
+from tracking.filtering import (
+    associate,
+    bhattacharyya_distance,
+    move,
+    resample,
+    weigh,
+    weighted_mean,
+)
 from tracking.trackers.stereo import StereoTracker
 from tracking.trackers.stereo_direction import MiddleUpdated, StereoDirectionSettings
 
-_PARTICLES = 500
-_FRAMES = 80
+_PEOPLE, _PARTICLES = 15, 700
+_NUMBERS_OF_PEOPLE = (1, 5, 15, 50)
+_NUMBERS_OF_PARTICLES = (100, 350, 700, 1400, 2800)
+_TRACKER_PARTICLES = 500
+_FRAMES, _WARM = 200, 40
+_TRACKER_FRAMES, _TRACKER_WARM = 80, 20
+_ELAPSED_S, _BINS = 0.05, 64
+_SPREAD_M, _SIGMA_M, _GATE_M, _COST_LIMIT = 0.06, 0.15, 0.9, 2.0
+
+Floats = NDArray[np.float64]
 
 
-def step_ms(people: int) -> float:
+def filter_ms(people: int, particles: int) -> float:
+    """The median time of the filter's five steps over crossing walkers, association included.
+
+    Predict, cost of all pairs from distance and colour, the assignment with the least total,
+    weigh and estimate, resample: what [Kawashita2014] section 3 has, for all people at once.
+    """
+    random = np.random.default_rng(people)
+    start, velocity, colour = _walkers(people, random)
+    crowd = np.repeat(start.astype(np.float32)[:, None], particles, axis=1)
+    spread, sigma = np.full(people, _SPREAD_M), np.full(people, _SIGMA_M)
+    position, taken = start, []
+    for frame in range(1, _FRAMES):
+        measured = start + frame * _ELAPSED_S * velocity
+        measured += random.normal(0.0, 0.06, measured.shape)
+        begun = time.thread_time()
+        crowd = move(crowd, velocity * _ELAPSED_S, spread, random)
+        expected = position + velocity * _ELAPSED_S
+        distance = np.linalg.norm(measured[None] - expected[:, None], axis=2)
+        cost = 2.0 * distance + bhattacharyya_distance(colour, colour)
+        pairs = associate(cost, distance <= _GATE_M, _COST_LIMIT)
+        seen = expected
+        seen[pairs.track] = measured[pairs.detection]
+        weight = weigh(crowd, seen, sigma)
+        position = weighted_mean(crowd, weight)
+        crowd = resample(crowd, weight, random)
+        taken.append(1000.0 * (time.thread_time() - begun))
+    return float(np.median(taken[_WARM:]))
+
+
+def _walkers(
+    people: int, random: np.random.Generator
+) -> tuple[Floats, Floats, NDArray[np.float32]]:
+    """Where people start (people, 2), how fast they walk, and their histograms of colour."""
+    start = random.uniform((-4.0, 2.0), (4.0, 12.0), (people, 2))
+    velocity = random.uniform(-1.2, 1.2, (people, 2))
+    colour = random.dirichlet(np.full(_BINS, 0.1), people).astype(np.float32)
+    return start, velocity, colour
+
+
+def tracker_ms(people: int) -> float:
     """The median time of a whole tracker step with so many people, particles stored."""
     random = np.random.default_rng(people)
     starts = random.uniform((-2.0, 4.0), (2.0, 9.0), (people, 2))
     speeds = random.uniform(-0.2, 0.2, (people, 2))
     walkers = [
-        Walker(straight(at, speed, _FRAMES), k % 16)
+        Walker(straight(at, speed, _TRACKER_FRAMES), k % 16)
         for k, (at, speed) in enumerate(zip(starts, speeds, strict=True))
     ]
-    settings = StereoDirectionSettings(particles=_PARTICLES, birth_distance_m=0.0)
+    settings = StereoDirectionSettings(particles=_TRACKER_PARTICLES, birth_distance_m=0.0)
     tracker = StereoTracker(view(), settings, MiddleUpdated(settings), seed=0)
     taken = []
     for observation in observations(walkers):
         begun = time.thread_time()
         tracker.step(observation)
         taken.append(1000.0 * (time.thread_time() - begun))
-    return float(np.median(taken[20:]))
+    return float(np.median(taken[_TRACKER_WARM:]))
+
+
+def straightness(numbers: Sequence[int], times_ms: Sequence[float]) -> tuple[float, float]:
+    """The straight line through times of so many: its slope, and the worst distance from it.
+
+    The distance is a share of the longest time; 0 where cost grows exactly in proportion.
+    """
+    slope, start = np.polyfit(numbers, times_ms, 1)
+    apart = np.abs(np.asarray(times_ms) - (start + slope * np.asarray(numbers)))
+    return float(slope), float(apart.max() / max(times_ms))
 
 
 def measure() -> dict[str, float | None]:
-    """`ms` for 15 people and `ms_50_people`; a peer that is not installed gives None."""
-    return {"ms": step_ms(15), "ms_50_people": step_ms(50), "vs_stonesoup": None}
+    """The filter alone, the whole tracker step, and how both grow with people and particles.
+
+    `ms`: the filter step alone, 15 people of 700 particles, association included. `ms_N_people`:
+    the same for N people; `ms_N_particles`: 15 people of N particles; `tracker_ms_N_people`: the
+    whole step of `stereo-direction`, 500 particles each, run columns made. `us_per_...`: slopes of
+    straight lines through those, and `..._off_the_line` how far the farthest is from its line, as
+    a share of the longest time. A peer that is not installed gives None.
+    """
+    by_people = {n: filter_ms(n, _PARTICLES) for n in _NUMBERS_OF_PEOPLE}
+    by_particles = {n: filter_ms(_PEOPLE, n) for n in _NUMBERS_OF_PARTICLES}
+    by_tracked = {n: tracker_ms(n) for n in _NUMBERS_OF_PEOPLE}
+    return {
+        "ms": by_people[_PEOPLE],
+        **_grown("ms", "people", by_people),
+        **_grown("ms", "particles", by_particles),
+        **_grown("tracker_ms", "people", by_tracked),
+        "vs_stonesoup": None,
+    }
+
+
+def _grown(name: str, what: str, times_ms: dict[int, float]) -> dict[str, float | None]:
+    """Figures of how times grow with a number of something."""
+    slope, off = straightness(list(times_ms), list(times_ms.values()))
+    prefix = name.removesuffix("ms")
+    one = {"people": "person", "particles": "particle"}[what]
+    return {
+        **{f"{name}_{n}_{what}": ms for n, ms in times_ms.items()},
+        f"{prefix}us_per_{one}": 1000.0 * slope,
+        f"{prefix}{what}_off_the_line": off,
+    }
