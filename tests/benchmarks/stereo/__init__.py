@@ -1,0 +1,1 @@
+"""How well the stereo trackers do, beside their papers: `python -m tests.benchmarks.stereo`."""
