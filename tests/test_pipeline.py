@@ -15,7 +15,7 @@ from tracking.synthesis import render_recording
 from tracking.trackers import TRACKERS, Resume, best_tracker, parse_settings, tracker_named
 from tracking.tracks import Run, TrackTable
 
-FAST = parse_settings(TRACKERS["stereo-direction"], {"particles": "100"})
+FAST = parse_settings(TRACKERS["stereo-joint"], {"particles": "100"})
 
 
 @pytest.fixture(scope="module")
@@ -75,7 +75,7 @@ def test_particles_of_every_frame_belong_to_the_people_of_that_frame(whole: Run)
 
 
 def test_without_smoothing_a_run_is_what_the_steps_said(recording: Recording):
-    raw = parse_settings(TRACKERS["stereo-direction"], {"particles": "100", "smooth": "false"})
+    raw = parse_settings(TRACKERS["stereo-joint"], {"particles": "100", "smooth": "false"})
     with track(recording, settings=raw, frames=(40, 80)) as tracking:
         steps = list(tracking)
         run = tracking.run()
@@ -152,7 +152,7 @@ def test_nothing_tracked_is_an_empty_run(recording: Recording):
 
 
 def test_a_run_knows_how_it_was_made(whole: Run):
-    assert (whole.tracker, whole.seed, whole.settings["particles"]) == ("stereo-direction", 0, 100)
+    assert (whole.tracker, whole.seed, whole.settings["particles"]) == ("stereo-joint", 0, 100)
     assert whole.software.startswith("trackwright ")
 
 

@@ -14,6 +14,7 @@ from tracking.settings import settings_from_text, settings_values
 from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.flow import FlowSettings, build_flow
 from tracking.trackers.flow import finished as flow_finished
+from tracking.trackers.joint import JointSettings, build_joint
 from tracking.trackers.protocol import Perception, Tracker
 from tracking.trackers.smoothing import smoothed
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
@@ -62,6 +63,15 @@ class TrackerSpec:
 
 
 _BUILT = (
+    TrackerSpec(
+        name="stereo-joint",
+        title="Two cameras: everybody's best explanation at once, by place, colours and direction",
+        paper="Kawashita2014",
+        needs_stereo=True,
+        needs_calibration=True,
+        settings_type=JointSettings,
+        build=build_joint,
+    ),
     TrackerSpec(
         name="stereo-direction",
         title="Particle filter on subtraction stereo: distance, colour and walking direction",
@@ -147,7 +157,7 @@ def best_tracker(recording: Recording) -> str:
     """The name of the best tracker: two eyes over a known floor, one over it, or neither."""
     measured = recording.rectification is not None and recording.ground is not None
     if recording.is_stereo and measured:
-        return "stereo-direction"
+        return "stereo-joint"
     return "three-part" if recording.view is None else "spheroid"
 
 

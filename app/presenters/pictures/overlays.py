@@ -155,7 +155,7 @@ def disparity_scale(recording: Recording, rectification: Rectification) -> tuple
 
 def _settings(run: MadeBy | None) -> Any:
     """The settings of a run, where they are those of a stereo tracker; else the usual ones."""
-    usual = TRACKERS["stereo-direction"].settings_type
+    usual = TRACKERS["stereo-joint"].settings_type
     if run is None or run.tracker not in TRACKERS:
         return usual()
     try:

@@ -88,7 +88,7 @@ def test_accepting_takes_what_is_not_protected(
     with closing(Session.open(path)) as session:
         assert len(session.runs) == 2
         assert session.history.entries[-1].kind == "take"
-        assert "as tracked again by stereo-direction" in session.history.entries[-1].text
+        assert "as tracked again by stereo-joint" in session.history.entries[-1].text
         for frame in (*range(CUT), *range(60, 70), 75):
             rows = session.tracks.of_track(a, frame, frame + 1)
             mine = before[frame]["track"] == a
@@ -135,7 +135,7 @@ def test_a_run_made_again_knows_the_tracks_after_reopening(
     [
         (["--from", "80"], "frame 80: tracking again goes on from a frame within 0:80"),
         (["--from", "50", "--until", "40"], "within 0:80"),
-        (["--from", "50", "--tracker", "psychic"], "available are stereo-direction"),
+        (["--from", "50", "--tracker", "psychic"], "available are stereo-joint"),
     ],
 )
 def test_a_wrong_wish_is_told_in_a_line(

@@ -66,7 +66,7 @@ def test_the_same_seed_tracks_the_same(
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
-        (["--tracker", "psychic"], "available are stereo-direction"),
+        (["--tracker", "psychic"], "available are stereo-joint"),
         (["--tracker", "sphere"], "available are"),
         (["--set", "particles=many"], "particles=many"),
         (["--set", "particles=-5"], "particles=-5"),
@@ -114,7 +114,7 @@ def test_a_tracker_of_people_whole_takes_no_detector(
     words = ["-o", tmp_path / "s.h5", "--detector", "d.h5"]
     status, _, err = trackwright("track", footage, *words)
     assert status == 1
-    assert "tracker stereo-direction knows no detector" in err
+    assert "tracker stereo-joint knows no detector" in err
 
 
 @pytest.mark.parametrize(("line", "reason"), [("[calibration]", "calib"), ("[ground]", "floor")])

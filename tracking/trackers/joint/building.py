@@ -1,0 +1,16 @@
+"""The joint stereo tracker over a recording."""
+
+from __future__ import annotations
+
+from tracking.people import StereoPerception
+from tracking.recording import Recording
+from tracking.trackers.joint.cues import AllCues
+from tracking.trackers.joint.settings import JointSettings
+from tracking.trackers.stereo import StereoTracker, start
+
+
+def build_joint(
+    recording: Recording, settings: JointSettings, seed: int
+) -> tuple[StereoPerception, StereoTracker]:
+    """Perception and tracker at their start."""
+    return start(recording, settings, AllCues(settings), seed)
