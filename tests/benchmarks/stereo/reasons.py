@@ -17,15 +17,17 @@ from tracking.scoring import BoxMatch, Examination, ScoringTable, examine, per_p
 
 SWAPPED = "swapped"
 TAKEN = "track taken over"
+INHERITED = "old track"
 FALSE = "false match"
 DOUBLED = "second track"
 RENAMED = "new id"
 LOST = "lost"
 NEVER = "never found"
-WHAT = (SWAPPED, TAKEN, FALSE, DOUBLED, RENAMED, LOST, NEVER)
-"""Tracks exchanged with somebody; a track went from one person to another; a track of somebody
-else counted for a moment because boxes overlap; another track on the same person took its place;
-found again under a new id; not followed for half of the time; not detected at all."""
+WHAT = (SWAPPED, TAKEN, INHERITED, FALSE, DOUBLED, RENAMED, LOST, NEVER)
+"""Tracks exchanged with somebody; a track went from one person to another; a newcomer was given the
+track of somebody who had left or was lost; a track of somebody else counted for a moment because
+boxes overlap; another track on the same person took its place; found again under a new id; not
+followed for half of the time; not detected at all."""
 
 VISIBLE_S = 1.0
 """Who is seen so long without a break should be detected."""
@@ -123,7 +125,8 @@ def _reason(truth: Truth, tracks: Columns, matches: Matches, person: int) -> Not
     bearer = _bearer_before(matches, own)
     if bearer:
         theirs = (matches.track == own.track) & (matches.person == bearer)
-        what = _taken_or_false(matches, theirs & (matches.frame < own.first))
+        theirs &= matches.frame < own.first
+        what = FALSE if _is_false(matches, theirs) else INHERITED
         return _told(truth, person, what, (own.first, 0), own, bearer)
     events = [*_handed_on(truth, matches, person, stretches)]
     if len(stretches) > 1:
@@ -197,15 +200,15 @@ def _handed_on(
     if not len(rows):
         return
     frame, other = int(matches.frame[rows[0]]), int(matches.person[rows[0]])
-    what = _taken_or_false(matches, rows[matches.person[rows] == other])
+    what = FALSE if _is_false(matches, rows[matches.person[rows] == other]) else TAKEN
     last = matches.frame[(matches.person == person) & (matches.frame < frame)]
     pair = (int(last[-1]), own.track)
     yield _told(truth, person, what, pair, Stretch(own.track, frame, frame, 1, 1), other)
 
 
-def _taken_or_false(matches: Matches, rows: Integers | Flags) -> str:
-    """Whether a track really was with the person it is matched to in some rows."""
-    return TAKEN if 2 * matches.right[rows].sum() >= matches.right[rows].size else FALSE
+def _is_false(matches: Matches, rows: Integers | Flags) -> bool:
+    """Whether a track mostly was not with the person it is matched to in some rows."""
+    return bool(2 * matches.right[rows].sum() < matches.right[rows].size)
 
 
 def _owner(truth: Truth, tracks: Columns, stretch: Stretch, person: int) -> int:
@@ -231,7 +234,7 @@ def _stood_there(truth: Truth, tracks: Columns, new: Stretch, person: int, frame
 
 def _half_lost(truth: Truth, person: int, only: Stretch, matches: Matches) -> NotKept:
     """Followed by one track of its own, but for less than half of its time: its longest gap."""
-    counted = truth.frame[(truth.person == person) & (truth.columns["confidence"] > 0)]
+    counted = truth.frame[(truth.person == person) & truth.table.counted]
     own = matches.frame[matches.person == person]
     missing = counted[(counted > only.first) & ~np.isin(counted, own)]
     held = own[np.searchsorted(own, missing) - 1]

@@ -54,13 +54,13 @@ class Truth:
     def of(self, person: int, first: int, last: int) -> Integers:
         """Rows of a person within frames, both included."""
         start, end = np.searchsorted(self.frame, (first, last + 1))
-        return start + np.flatnonzero(self.person[start:end] == person)
+        return np.asarray(start + np.flatnonzero(self.person[start:end] == person))
 
     def beside(self, row: int) -> Integers:
         """Rows of everybody else in that row's frame."""
         start, end = np.searchsorted(self.frame, (self.frame[row], self.frame[row] + 1))
         rows = np.arange(start, end)
-        return rows[rows != row]
+        return np.asarray(rows[rows != row])
 
 
 def truth_of(folder: Path) -> Truth:
