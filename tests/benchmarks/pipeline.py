@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import tempfile
 import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from tests.benchmarks import peers
+from tests.benchmarks.peers import Obvious, Primitives
 from tracking.pipeline import Tracking, track
-from tracking.recording import open_recording
+from tracking.recording import StereoFrame, open_recording
 from tracking.synthesis import render_recording
 
 SCENE, PEOPLE, SECONDS, SEED = "square", 17, 12.0, 1
 """A scene with about fifteen people in view in the frames that count."""
+TRACKER, PARTICLES = "stereo-direction", 500
 _KEPT = Path(tempfile.gettempdir()) / f"trackwright-benchmark-{SCENE}-{PEOPLE}-{SEED}"
-_IN_VIEW = 13
+_IN_VIEW = range(13, 19)
 
 
 def recording() -> Path:
@@ -28,50 +30,83 @@ def recording() -> Path:
     return _KEPT
 
 
+@dataclass(slots=True)
+class _Spent:
+    """Milliseconds of processor time a frame, by part; the whole of a frame is "frame"."""
+
+    ms: dict[str, list[float]] = field(default_factory=dict)
+
+    def add(self, **seconds: float) -> None:
+        """One frame more."""
+        for part, each in seconds.items():
+            self.ms.setdefault(part, []).append(1000.0 * each)
+
+    def mean(self, part: str, counted: list[int]) -> float:
+        """The mean of a part over the frames that count."""
+        return float(np.mean(np.array(self.ms[part])[counted]))
+
+
 def measure() -> dict[str, float | None]:
-    """Frames a second of processor time, and milliseconds of it a frame and a stage.
+    """Frames a second of processor time, and milliseconds of it a frame and a part.
 
     Only frames with about fifteen tracked people count. The time is the whole process's, with one
-    thread in OpenCV, so that other work on the machine does not count; it is shared out among the
-    stages by their share of the clock. `vs_primitives` and `vs_obvious` are our time over theirs
-    (see `peers`): below 1 we are quicker.
+    thread in OpenCV, so that other work on the machine does not count; ours is shared out among
+    the stages by their share of the clock. `vs_primitives` and `vs_obvious` are our time over
+    theirs (see `peers`): below 1 we are quicker. The three take turns at each frame, so that a
+    machine that is now faster, now slower, is so for all of them.
     """
     cv2.setNumThreads(1)
-    with open_recording(recording()) as opened, track(opened, "stereo-direction") as tracking:
-        next(tracking)
-        spent_s, stages_s, people = _steps(tracking)
-    busy = np.array(people) >= _IN_VIEW
-    frame_ms = 1000.0 * float(np.mean(np.array(spent_s)[busy]))
-    clock_s = {stage: float(np.mean(np.array(each)[busy])) for stage, each in stages_s.items()}
-    scale = frame_ms / sum(clock_s.values())
+    ours, people = _Spent(), []
+    primitives, obvious = _Spent(), _Spent()
+    with open_recording(recording()) as opened, track(opened, TRACKER) as tracking:
+        bare, first_idea = Primitives(opened), Obvious(opened, PARTICLES)
+        bare_frames, obvious_frames = opened.frames(), opened.frames()
+        for seen in _steps(tracking, ours):
+            people.append(seen)
+            _look(bare, bare_frames, seen, primitives)
+            _look(first_idea, obvious_frames, seen, obvious)
+    counted = [k for k, seen in enumerate(people) if k and seen in _IN_VIEW]
+    return _figures(ours, primitives, obvious, counted, people)
+
+
+def _steps(tracking: Tracking, spent: _Spent) -> Iterator[int]:
+    """Track frame by frame; gives how many people are followed in each."""
+    while True:
+        before, begun = tracking.stage_s, time.process_time()
+        result = next(tracking, None)
+        taken = time.process_time() - begun
+        if result is None:
+            return
+        clock = {name: tracking.stage_s[name] - before.get(name, 0.0) for name in before}
+        scale = taken / sum(clock.values())
+        stages = ("decode", "perception", "tracker")
+        spent.add(frame=taken, **{name: scale * clock[name] for name in stages})
+        yield len(result.tracks["track"])
+
+
+def _look(
+    work: Primitives | Obvious, frames: Iterator[StereoFrame], people: int, spent: _Spent
+) -> None:
+    """A peer's turn at the next frame, decoded by its own decoder."""
+    begun = time.process_time()
+    frame = next(frames)
+    decoded = time.process_time() - begun
+    work(frame, people)
+    spent.add(frame=time.process_time() - begun, decode=decoded, **work.spent_s)
+
+
+def _figures(
+    ours: _Spent, primitives: _Spent, obvious: _Spent, counted: list[int], people: list[int]
+) -> dict[str, float | None]:
+    """The table: ours, the ratios, and what the peers' parts took."""
+    frame_ms = ours.mean("frame", counted)
     return {
         "fps": 1000.0 / frame_ms,
-        "people": float(np.mean(np.array(people)[busy])),
-        **{f"{stage}_ms": scale * clock for stage, clock in clock_s.items()},
-        **_ratios(frame_ms, 1 + np.flatnonzero(busy)),
+        "people": float(np.mean(np.array(people)[counted])),
+        "frame_ms": frame_ms,
+        **{f"{part}_ms": ours.mean(part, counted) for part in ours.ms if part != "frame"},
+        "vs_primitives": frame_ms / primitives.mean("frame", counted),
+        "vs_obvious": frame_ms / obvious.mean("frame", counted),
+        **{f"primitives_{part}_ms": primitives.mean(part, counted) for part in primitives.ms},
+        **{f"obvious_{part}_ms": obvious.mean(part, counted) for part in obvious.ms},
     }
-
-
-def _ratios(ours_ms: float, frames: NDArray[np.intp]) -> dict[str, float]:
-    """Our time over the peers' on the same frames of the recording."""
-    with open_recording(recording()) as opened:
-        works = {"primitives": peers.primitives(opened), "obvious": peers.obvious(opened)}
-        return {
-            f"vs_{name}": ours_ms / peers.frame_ms(opened, work, frames.tolist())
-            for name, work in works.items()
-        }
-
-
-def _steps(tracking: Tracking) -> tuple[list[float], dict[str, list[float]], list[int]]:
-    """Per frame: processor seconds, seconds of the clock of each stage, people tracked."""
-    spent_s: list[float] = []
-    stages_s: dict[str, list[float]] = {"decode": [], "perception": [], "tracker": []}
-    people: list[int] = []
-    before, begun = tracking.stage_s, time.process_time()
-    for result in tracking:
-        spent_s.append(time.process_time() - begun)
-        for stage, each in stages_s.items():
-            each.append(tracking.stage_s[stage] - before[stage])
-        people.append(len(result.tracks["track"]))
-        before, begun = tracking.stage_s, time.process_time()
-    return spent_s, stages_s, people
