@@ -11,15 +11,14 @@ from pathlib import Path
 
 from platformdirs import user_cache_path
 
+from tests.benchmarks.kept import LIBRARIES, RENDERING, sources_of
 from tests.benchmarks.parts import scenes
-from tests.benchmarks.parts.kept import LIBRARIES, sources_of
 from tests.benchmarks.parts.scenes import ELSEWHERE
 from tracking.synthesis import SCENES, SceneSpec, render_recording
 from tracking.synthesis.cast import Cast
 from tracking.synthesis.rig import Rig
 
 FPS = 20.0
-_RENDERING = ("geometry/**/*.py", "synthesis/**/*.py")
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,5 +97,5 @@ def folder_of(clip: Clip, kept: Path | None = None) -> Path:
 @cache
 def rendering() -> str:
     """A short hash over whatever clips are rendered with: sources, scenes and libraries."""
-    said = f"{sources_of(_RENDERING)}\0{LIBRARIES}\0{FPS}\0".encode()
+    said = f"{sources_of(RENDERING)}\0{LIBRARIES}\0{FPS}\0".encode()
     return hashlib.sha256(said + Path(scenes.__file__).read_bytes()).hexdigest()[:8]
