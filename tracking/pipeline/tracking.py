@@ -214,7 +214,8 @@ def run_of_steps(
     """The steps of a tracker, in order from frame `start` on, as one immutable run.
 
     `settings` are plain values by their dotted names. With `smooth` among them, the tracks take
-    into account what came later (see `TrackerSpec.finish`); the steps stay as they were.
+    into account what came later (see `TrackerSpec.finish`); the steps stay as they were. A paper's
+    own method, with `paper`, ends with its steps.
     `resume`: what the tracker went on from, if it did; the smoothed tracks begin there.
     """
     offsets = partial(_offsets, [step.frame for step in steps], recording.frame_count)
@@ -240,7 +241,8 @@ def run_of_steps(
         detector=detector_of(tracker, settings),
         known_tracks=resume.highest_track if resume is not None else 0,
     )
-    if not settings.get("smooth") or recording.view is None:
+    plain = settings.get("paper") or not settings.get("smooth")
+    if plain or recording.view is None:
         return run
     given = resume.last(_TIED_S) if resume is not None else None
     return tracker_named(tracker).finish(run, recording.view, recording.fps, given)
