@@ -17,7 +17,7 @@ from tracking.tracks import Columns
 
 _ROOMS = (
     *("failure/*.py", "filtering/**/*.py", "foreground/**/*.py", "geometry/**/*.py"),
-    *("people/**/*.py", "pipeline.py", "recording/**/*.py", "setting*.py"),
+    *("people/**/*.py", "pipeline/**/*.py", "recording/**/*.py", "setting*.py"),
     *("trackers/*.py", "trackers/three_part/**/*.py", "tracks/**/*.py"),
 )
 

@@ -6,19 +6,35 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
+from tests.benchmarks.kept import LIBRARIES, keep, path_of, sources_of, tables_in
 from tracking.pipeline import background_samples, run_of_steps
 from tracking.recording import Recording, open_recording
 from tracking.settings import settings_from, settings_values
 from tracking.trackers import StepResult, tracker_named
 from tracking.trackers.protocol import Perception, Tracker
+from tracking.tracks import Columns
 from tracking.tracks.run import Run
 
 SEED = 0
 _SEEN_BY = ("foreground", "stereo", "people")
 """The rooms whose settings decide what is seen."""
+
+_ROOMS = (
+    *("errors.py", "filtering/**/*.py", "foreground/**/*.py", "geometry/**/*.py"),
+    *(
+        "people/*.py",
+        "pipeline.py",
+        "pipeline/**/*.py",
+        "recording/**/*.py",
+        "setting*.py",
+        "stereo/**/*.py",
+    ),
+    *("trackers/*.py", "trackers/joint/**/*.py", "trackers/linking/**/*.py", "tracks/**/*.py"),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,19 +54,47 @@ class Variant:
         return settings_from(tracker_named(self.tracker).settings_type, dict(self.settings))
 
 
-def runs_over(folder: Path, variants: Sequence[Variant]) -> dict[Variant, Run]:
-    """What each tracker makes of a recording.
+@dataclass(frozen=True, slots=True, eq=False)
+class Seen:
+    """Of a run: what was followed, and what was seen in each frame alone."""
+
+    tracks: Columns
+    detections: Columns
+
+
+def runs_over(folder: Path, variants: Sequence[Variant]) -> dict[Variant, Seen]:
+    """What each tracker makes of a recording; runs are kept.
 
     Trackers with the same settings of perception share one, so that each frame is looked at once.
     """
-    began = time.perf_counter()
-    found: dict[Variant, Run] = {}
-    with open_recording(folder) as recording:
-        for together in _seeing_alike(variants):
-            found.update(_tracked(recording, together))
-    took_s = time.perf_counter() - began
-    print(f"{len(variants)} trackers: {folder.name} in {took_s:.0f} s", file=sys.stderr, flush=True)
-    return found
+    places = {variant: _place(folder, variant) for variant in variants}
+    missing = [variant for variant, place in places.items() if not place.is_file()]
+    for variant, run in _fresh_runs(folder, missing):
+        keep(places[variant], {"tracks": run.tracks, "detections": run.detections})
+    return {
+        variant: Seen(**tables_in(place, ("tracks", "detections")))
+        for variant, place in places.items()
+    }
+
+
+def _place(folder: Path, variant: Variant) -> Path:
+    values = settings_values(variant.chosen())
+    return path_of(folder, _sources(), LIBRARIES, repr((variant.tracker, values, SEED)))
+
+
+@cache
+def _sources() -> str:
+    return sources_of(_ROOMS)
+
+
+def _fresh_runs(folder: Path, variants: Sequence[Variant]) -> Iterator[tuple[Variant, Run]]:
+    for together in _seeing_alike(variants):
+        began = time.perf_counter()
+        with open_recording(folder) as recording:
+            yield from _tracked(recording, together)
+        took_s = time.perf_counter() - began
+        names = ", ".join(variant.tracker for variant in together)
+        print(f"{folder.name} by {names} in {took_s:.0f} s", file=sys.stderr, flush=True)
 
 
 def _seeing_alike(variants: Sequence[Variant]) -> Iterator[list[Variant]]:
@@ -63,7 +107,7 @@ def _seeing_alike(variants: Sequence[Variant]) -> Iterator[list[Variant]]:
     yield from groups.values()
 
 
-def _tracked(recording: Recording, variants: list[Variant]) -> dict[Variant, Run]:
+def _tracked(recording: Recording, variants: list[Variant]) -> Iterator[tuple[Variant, Run]]:
     built = [_build(recording, variant) for variant in variants]
     perception = built[0][0]
     perception.learn(background_samples(recording))
@@ -72,12 +116,9 @@ def _tracked(recording: Recording, variants: list[Variant]) -> dict[Variant, Run
         seen = perception.observe(frame)
         for (_, tracker), own in zip(built, steps, strict=True):
             own.append(tracker.step(seen))
-    return {
-        variant: run_of_steps(
-            own, variant.tracker, settings_values(variant.chosen()), SEED, 0, recording
-        )
-        for variant, own in zip(variants, steps, strict=True)
-    }
+    for variant, own in zip(variants, steps, strict=True):
+        values = settings_values(variant.chosen())
+        yield variant, run_of_steps(own, variant.tracker, values, SEED, 0, recording)
 
 
 def _build(recording: Recording, variant: Variant) -> tuple[Perception, Tracker]:

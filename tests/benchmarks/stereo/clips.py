@@ -1,0 +1,83 @@
+"""The rendered clips on which stereo trackers are measured."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+
+from tests.benchmarks.kept import LIBRARIES, RENDERING, sources_of
+from tests.benchmarks.rendered import Clip, folder_of
+from tracking.synthesis import SCENES, Circumstances
+
+PAPERS = ("indoor", "outdoor", "lobby", "plaza", "square", "uniforms")
+"""The camera set-ups of both papers, and people in clothes of one colour."""
+
+SCENES_MEASURED = (*PAPERS, "pillars", "corridor", "ceiling")
+_LEAST_PEOPLE = 30
+_FEWER_WILL_DO = ("corridor", "ceiling")  # no paper and no goal of accuracy has them
+_BEFALLEN = ("lobby", "plaza")
+_DIMMED_S, _SHORT_S = 7.0, 15.0
+
+
+@dataclass(frozen=True, slots=True)
+class Clips:
+    """All that one report or one round of tuning looks at.
+
+    Attributes:
+        of_scene: clips by scene, each as long and as full as the scene is.
+        dimmed: a part of the light goes out in them.
+    """
+
+    of_scene: Mapping[str, tuple[Clip, ...]]
+    dimmed: tuple[Clip, ...]
+
+    @property
+    def sound(self) -> tuple[Clip, ...]:
+        """Clips whose right eye is troubled afterwards."""
+        return tuple(self.of_scene[scene][0] for scene in _BEFALLEN)
+
+
+def _clips(first_seed: int, numbers: Mapping[str, int]) -> Clips:
+    circumstances = Circumstances(dimmed_s=_DIMMED_S)
+    return Clips(
+        of_scene={
+            scene: tuple(Clip(scene, first_seed + k) for k in range(number))
+            for scene, number in numbers.items()
+        },
+        dimmed=tuple(
+            Clip(scene, first_seed, _SHORT_S, SCENES[scene].people // 2, None, circumstances)
+            for scene in _BEFALLEN
+        ),
+    )
+
+
+def _clips_needed(scene: str) -> int:
+    """So many that enough people are detected, though one of each clip may come too late for it."""
+    return 1 if scene in _FEWER_WILL_DO else -(-_LEAST_PEOPLE // (SCENES[scene].people - 1))
+
+
+REPORTED = _clips(6101, {scene: _clips_needed(scene) for scene in SCENES_MEASURED})
+"""Nothing was chosen on these."""
+
+TUNED = _clips(6001, dict.fromkeys(SCENES_MEASURED, 1))
+"""For choosing settings; never reported."""
+
+
+def folder(clip: Clip, kept: Path | None = None) -> Path:
+    """The clip's recording, rendered if it is not there yet.
+
+    Clips in the temporary folder stand apart by what they were rendered with; those in a folder
+    that is named are taken as they are.
+    """
+    above = kept or Path(tempfile.gettempdir()) / "trackwright-stereo" / rendering()
+    return folder_of(clip, above)
+
+
+@cache
+def rendering() -> str:
+    """A short hash over whatever clips are rendered with."""
+    return sha256(f"{sources_of(RENDERING)}\0{LIBRARIES}".encode()).hexdigest()[:8]

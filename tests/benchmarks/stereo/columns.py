@@ -1,0 +1,33 @@
+"""The trackers beside each other: the papers' own methods cue by cue, and ours."""
+
+from __future__ import annotations
+
+from tests.benchmarks.stereo.trackers import Variant
+
+OURS = Variant("stereo-joint")
+"""The default for stereo recordings."""
+
+DISTANCE, COLOUR, DIRECTION, OWN = "distance", "distance + colour", "all three", "stereo-joint"
+CUES = (DISTANCE, COLOUR, DIRECTION)
+COLUMNS = (*CUES, OWN)
+
+_EXACT = (("paper", True), ("smooth", False))
+_NO_COLOUR = ("colour_weight", 0.0)
+_NO_DIRECTION = ("direction_weight", 0.0)
+_OF_2012 = {
+    DISTANCE: Variant("stereo-colour", (*_EXACT, _NO_COLOUR)),
+    COLOUR: Variant("stereo-colour", _EXACT),
+}
+_OF_2014 = {
+    DISTANCE: Variant("stereo-direction", (*_EXACT, _NO_COLOUR, _NO_DIRECTION)),
+    COLOUR: Variant("stereo-direction", (*_EXACT, _NO_DIRECTION)),
+}
+
+PAPER_2012 = ("indoor", "outdoor")
+"""Scenes of [Kawashita2012]; the others are [Kawashita2014]'s, and are measured by its method."""
+
+
+def columns_of(scene: str) -> dict[str, Variant]:
+    """What stands in each column for a scene."""
+    own_method = _OF_2012 if scene in PAPER_2012 else _OF_2014
+    return {**own_method, DIRECTION: Variant("stereo-direction", _EXACT), OWN: OURS}

@@ -1,0 +1,106 @@
+"""The rendered scenes as plain figures: who is kept by which tracker, and how well ours scores."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from tests.benchmarks.rendered import Clip
+from tests.benchmarks.stereo.clips import PAPERS, folder
+from tests.benchmarks.stereo.columns import OURS, columns_of
+from tests.benchmarks.stereo.reasons import VISIBLE_S, NotKept, not_kept
+from tests.benchmarks.stereo.trackers import Seen, runs_over
+from tests.benchmarks.stereo.truth import Truth, truth_of, visible_for
+from tracking.scoring import (
+    BoxMatch,
+    Score,
+    ScoringTable,
+    combined,
+    examine,
+    per_person_of,
+    score_of,
+)
+
+Figures = dict[str, Any]
+OfScene = Mapping[str, Sequence[Clip]]
+
+SCORES = ("tracking_accuracy", "MOTA", "IDF1", "HOTA", "id_switches")
+
+
+def tables(of_scene: OfScene, kept: Path | None = None) -> Figures:
+    """Of each scene of the papers, by column: who is detected, who is kept, why the others not."""
+    return {
+        scene: _columns(scene, clips, kept) for scene, clips in of_scene.items() if scene in PAPERS
+    }
+
+
+def goals(of_scene: OfScene, kept: Path | None = None) -> Figures:
+    """Of each scene: how well our tracker does, and who is not kept."""
+    return {
+        scene: _scored([folder(clip, kept) for clip in clips]) for scene, clips in of_scene.items()
+    }
+
+
+def _columns(scene: str, clips: Sequence[Clip], kept: Path | None) -> Figures:
+    columns = columns_of(scene)
+    found: Figures = {name: {"detected": [], "kept": [], "not_kept": []} for name in columns}
+    for clip in clips:
+        place = folder(clip, kept)
+        truth = truth_of(place)
+        runs = runs_over(place, list(columns.values()))
+        for name, variant in columns.items():
+            _add(found[name], truth, runs[variant], place.name)
+    return found
+
+
+def _add(column: Figures, truth: Truth, seen: Seen, clip: str) -> None:
+    """One clip's people; each is named by clip and id."""
+    examined = examine(truth.table, ScoringTable.from_columns(seen.tracks), BoxMatch(0.5))
+    for one in per_person_of(examined):
+        name = f"{clip}/{one.person}"
+        if one.followed.detected:
+            column["detected"].append(name)
+        if one.followed.kept:
+            column["kept"].append(name)
+    column["not_kept"] += [told(one, clip) for one in not_kept(truth, seen.tracks)]
+
+
+def told(one: NotKept, clip: str) -> Figures:
+    """Somebody who was not kept, as plain values."""
+    return {"name": f"{clip}/{one.person}", "clip": clip, **_flat(asdict(one))}
+
+
+def _flat(values: Figures) -> Figures:
+    circumstance = values.pop("circumstance")
+    return {**values, "tracks": list(values["tracks"]), **circumstance}
+
+
+def _scored(folders: Sequence[Path]) -> Figures:
+    scores, missing, visible, detected = [], [], 0, 0
+    for place in folders:
+        truth = truth_of(place)
+        tracks = runs_over(place, [OURS])[OURS].tracks
+        examined = examine(truth.table, ScoringTable.from_columns(tracks), BoxMatch(0.5))
+        scores.append(score_of(examined))
+        seen = visible_for(truth, VISIBLE_S)
+        found = {one.person for one in per_person_of(examined) if one.followed.detected}
+        visible, detected = visible + len(seen), detected + len(seen & found)
+        missing += [told(one, place.name) for one in not_kept(truth, tracks)]
+    return {
+        **figures_of(combined(scores)),
+        "visible": visible,
+        "visible_detected": detected,
+        "not_kept": missing,
+        "clips": [place.name for place in folders],
+    }
+
+
+def figures_of(score: Score) -> Figures:
+    """What is told of a score."""
+    figures = score.as_json()
+    return {
+        **{name: figures[name] for name in (*SCORES, "people_kept", "people_detected")},
+        "error_m": figures["position_error_m"]["mean"],
+    }
