@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,6 +54,14 @@ def newcomers(
     offset = seen.position[free, None, :2] - present[None, :, :]
     nearest = np.hypot(offset[..., 0], offset[..., 1]).min(axis=1, initial=np.inf)
     rows = free[nearest >= settings.birth_distance_m]
+    return started(replace(spots, free=rows), settings, random, view)
+
+
+def started(
+    spots: Newcomers, settings: StereoTrackerSettings, random: np.random.Generator, view: View
+) -> Population:
+    """A person at each free detection, seen once, without an id yet."""
+    seen, rows = spots.seen, spots.free
     count = len(rows)
     measured = seen.position[rows, :2]
     spread = np.full(count, settings.start_spread_m)

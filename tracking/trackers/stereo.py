@@ -28,10 +28,10 @@ from tracking.trackers.stereo_update import Match, aged, guests_kept, matched, u
 Colours = NDArray[np.float32]
 
 
-def start(
-    recording: Recording, settings: StereoTrackerSettings, cues: Cues, seed: int
-) -> tuple[StereoPerception, StereoTracker]:
-    """Perception and tracker at their start.
+def perception_and_view(
+    recording: Recording, settings: StereoTrackerSettings
+) -> tuple[StereoPerception, View]:
+    """Stereo perception at its start, and the camera that people are seen by.
 
     Raises `CalibrationError`: the recording has not what metres on the floor need.
     """
@@ -49,7 +49,7 @@ def start(
         stereo=settings.stereo,
         people=settings.people,
     )
-    return perception, StereoTracker(view, settings, cues, seed)
+    return perception, view
 
 
 class StereoTracker:

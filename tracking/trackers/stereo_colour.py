@@ -11,7 +11,8 @@ from tracking.people import Detections, StereoPerception
 from tracking.recording import Recording
 from tracking.setting import setting
 from tracking.trackers.population import Population
-from tracking.trackers.stereo import StereoTracker, start
+from tracking.trackers.stereo import StereoTracker, perception_and_view
+from tracking.trackers.stereo_paper import PaperTracker
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 
 Floats = NDArray[np.float64]
@@ -21,6 +22,9 @@ Floats = NDArray[np.float64]
 class StereoColourSettings(StereoTrackerSettings):
     """Settings of `stereo-colour`."""
 
+    paper: bool = setting(
+        False, "", None, "follow people exactly as the paper does, without what was added to it"
+    )
     particles: int = setting(700, "", (10, 20000), "particles for each person")
     cost_limit: float = setting(
         2.5, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
@@ -62,6 +66,8 @@ class HalvesOfFirstFrames:
 
 def build(
     recording: Recording, settings: StereoColourSettings, seed: int
-) -> tuple[StereoPerception, StereoTracker]:
+) -> tuple[StereoPerception, StereoTracker | PaperTracker]:
     """Perception and tracker at their start."""
-    return start(recording, settings, HalvesOfFirstFrames(settings), seed)
+    perception, view = perception_and_view(recording, settings)
+    follow = PaperTracker if settings.paper else StereoTracker
+    return perception, follow(view, settings, HalvesOfFirstFrames(settings), seed)

@@ -74,15 +74,10 @@ def costs_of(
         colours: (detections, cues, bins).
         shown: (people,) share of each body, 0 to 1, that the others leave to be seen.
     """
-    offset = measured[None, :, :] - people.position[:, None, :]
-    distance = np.hypot(offset[..., 0], offset[..., 1])
+    distance, colour, direction = cue_values(people, measured, colours, cues)
     wider = (1.0 + settings.gate_growth * people.missed_s)[:, None] * (
         likelihood_sigma(measured, settings) / settings.sigma_near_m
     )
-    colour = np.zeros_like(distance)
-    for cue in range(people.colour.shape[1]):
-        colour += bhattacharyya_distance(people.colour[:, cue], colours[:, cue])
-    direction = cues.direction(people, measured)
     total = (
         settings.distance_weight * distance / wider
         + settings.colour_weight * colour
@@ -90,6 +85,18 @@ def costs_of(
         + settings.hidden_weight * (1.0 - shown)[:, None]
     )
     return Costs(distance, colour, direction, total, distance <= settings.gate_m * wider)
+
+
+def cue_values(
+    people: Population, measured: Floats, colours: NDArray[np.float32], cues: Cues
+) -> tuple[Floats, Floats, Floats]:
+    """Dd in metres, Dc and Da of all pairs, each (people, detections); as in `costs_of`."""
+    offset = measured[None, :, :] - people.position[:, None, :]
+    distance = np.hypot(offset[..., 0], offset[..., 1])
+    colour = np.zeros_like(distance)
+    for cue in range(people.colour.shape[1]):
+        colour += bhattacharyya_distance(people.colour[:, cue], colours[:, cue])
+    return distance, colour, cues.direction(people, measured)
 
 
 def likelihood_sigma(measured: Floats, settings: StereoTrackerSettings) -> Floats:

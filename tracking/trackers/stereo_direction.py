@@ -12,7 +12,8 @@ from tracking.people import Detections, StereoPerception
 from tracking.recording import Recording
 from tracking.setting import setting
 from tracking.trackers.population import Population
-from tracking.trackers.stereo import StereoTracker, start
+from tracking.trackers.stereo import StereoTracker, perception_and_view
+from tracking.trackers.stereo_paper import PaperTracker
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 
 Floats = NDArray[np.float64]
@@ -22,6 +23,9 @@ Floats = NDArray[np.float64]
 class StereoDirectionSettings(StereoTrackerSettings):
     """Settings of `stereo-direction`."""
 
+    paper: bool = setting(
+        False, "", None, "follow people exactly as the paper does, without what was added to it"
+    )
     direction_weight: float = setting(
         0.2, "", (0.0, 10.0), "cost of a turn by the threshold or more (k)"
     )
@@ -91,6 +95,8 @@ class MiddleUpdated:
 
 def build(
     recording: Recording, settings: StereoDirectionSettings, seed: int
-) -> tuple[StereoPerception, StereoTracker]:
+) -> tuple[StereoPerception, StereoTracker | PaperTracker]:
     """Perception and tracker at their start."""
-    return start(recording, settings, MiddleUpdated(settings), seed)
+    perception, view = perception_and_view(recording, settings)
+    follow = PaperTracker if settings.paper else StereoTracker
+    return perception, follow(view, settings, MiddleUpdated(settings), seed)

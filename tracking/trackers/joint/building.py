@@ -6,11 +6,12 @@ from tracking.people import StereoPerception
 from tracking.recording import Recording
 from tracking.trackers.joint.cues import AllCues
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.stereo import StereoTracker, start
+from tracking.trackers.stereo import StereoTracker, perception_and_view
 
 
 def build_joint(
     recording: Recording, settings: JointSettings, seed: int
 ) -> tuple[StereoPerception, StereoTracker]:
     """Perception and tracker at their start."""
-    return start(recording, settings, AllCues(settings), seed)
+    perception, view = perception_and_view(recording, settings)
+    return perception, StereoTracker(view, settings, AllCues(settings), seed)

@@ -1,0 +1,178 @@
+"""The papers' own method over stereo observations, without anything added."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import Association, associate, move, resample, weigh, weighted_mean
+from tracking.geometry import View
+from tracking.people import Detections, Observation
+from tracking.trackers.births_and_ends import Newcomers, confirmed, started
+from tracking.trackers.population import Population, joined, nobody
+from tracking.trackers.protocol import StepResult
+from tracking.trackers.resuming import Resume
+from tracking.trackers.stereo_boxes import outlines_of
+from tracking.trackers.stereo_cues import Costs, Cues, cue_values
+from tracking.trackers.stereo_result import step_result
+from tracking.trackers.stereo_resuming import resumed
+from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.trackers.stereo_update import aged
+
+Floats = NDArray[np.float64]
+Colours = NDArray[np.float32]
+_LEFT_OUT = 1e3
+"""More than any pair inside the gate costs: as many are paired as can be."""
+
+
+class PaperTracker:
+    """Follows people as [Kawashita2012] and [Kawashita2014] do, with the `Cues` of either.
+
+    Predict by the last movement, or while somebody is missed by the velocity of the last frames
+    they were matched in, with a spread that grows then; pair people and detections by the
+    smallest total of `D = Dd + Dc + Da`; weigh by the likelihood; resample. Everybody has an id
+    from the first sighting, and ends once missed for a set time. Regions of several people are
+    nobody's observation ([Kawashita2014] section 3.4).
+
+    What the papers leave open: a detection farther than `gate_m` from where a person is expected
+    is not theirs.
+    """
+
+    def __init__(self, view: View, settings: StereoTrackerSettings, cues: Cues, seed: int) -> None:
+        """Nobody is followed yet; all randomness comes from the seed."""
+        self._view = view
+        self._settings = settings
+        self._cues = cues
+        self._random = np.random.default_rng(seed)
+        self._people: Population | None = None
+        self._moved = np.zeros((0, 2))
+        self._last_id = 0
+        self._time_s = 0.0
+
+    @property
+    def settings(self) -> StereoTrackerSettings:
+        """The settings in force."""
+        return self._settings
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Nothing is to be told."""
+        return ()
+
+    def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
+        """Go on with the people as corrected; those who are new get ids above all there were."""
+        self._people, self._time_s = resumed(
+            resume, observations, self._view, self._settings, self._cues, self._random
+        )
+        self._moved = self._people.velocity
+        self._last_id = resume.highest_track
+
+    def step(self, observation: Observation) -> StepResult:
+        """Take one frame further."""
+        seen = observation.people
+        colours = self._cues.seen(seen)
+        if self._people is None:
+            self._people = nobody(self._settings.particles, *colours.shape[1:])
+            self._time_s = observation.time_s
+        elapsed_s = observation.time_s - self._time_s
+        self._time_s = observation.time_s
+        expected = self._predicted(self._people, elapsed_s)
+        costs = paper_costs(expected, seen.position[:, :2], colours, self._cues, self._settings)
+        allowed = costs.allowed & ~seen.merged
+        pairs = associate(costs.total, allowed, _LEFT_OUT)
+        people, moved = self._weighed(expected, pairs, seen, colours, elapsed_s)
+        people = self._cues.walked(people, elapsed_s)
+        free = ~seen.merged
+        free[pairs.detection] = False
+        spots = Newcomers(seen, colours, np.flatnonzero(free))
+        new = started(spots, self._settings, self._random, self._view)
+        new, self._last_id = confirmed(new, 1, self._last_id)
+        everybody = joined((people, new))
+        self._people, self._moved = self._carried(everybody, np.concatenate((moved, new.velocity)))
+        return _told(observation, everybody, pairs, spots, costs, self._view)
+
+    def _predicted(self, people: Population, elapsed_s: float) -> Population:
+        """Everybody moved on; the spread grows while they are missed."""
+        settings = self._settings
+        spread = settings.spread_m * np.sqrt(elapsed_s)
+        spreads = spread * (1.0 + settings.spread_growth * people.missed_s)
+        missed = people.missed_s[:, None] > 0.0
+        step = np.where(missed, people.velocity, self._moved) * elapsed_s
+        particles = move(people.particles, step, spreads, self._random)
+        return people.replace(particles=particles, position=people.position + step)
+
+    def _weighed(
+        self,
+        people: Population,
+        pairs: Association,
+        seen: Detections,
+        colours: Colours,
+        elapsed_s: float,
+    ) -> tuple[Population, Floats]:
+        """Those matched weighed with their detections; the others as predicted.
+
+        Returns the people and the last movement of each, (people, 2) m/s.
+        """
+        rows, chosen = pairs.track, pairs.detection
+        mine, measured = people.select(rows), seen.position[chosen, :2]
+        weight = weigh(mine.particles, measured, np.full(len(rows), self._settings.sigma_near_m))
+        position = weighted_mean(mine.particles, weight)
+        since_s = np.maximum(mine.missed_s + elapsed_s, 1e-6)[:, None]
+        movement = (position - mine.seen_at) / since_s
+        kept = np.exp(-elapsed_s / self._settings.velocity_memory_s)
+        share = np.maximum(1.0 / mine.matches, 1.0 - kept)[:, None]
+        moved = self._moved.copy()
+        moved[rows] = movement
+        return aged(people, rows, elapsed_s).changed(
+            rows,
+            weight=weight,
+            position=position,
+            velocity=mine.velocity + share * (movement - mine.velocity),
+            matches=mine.matches + 1,
+            seen_at=position,
+            colour=self._cues.updated(mine.colour, colours[chosen], mine.matches),
+            outline=outlines_of(seen.box[chosen], position, self._view),
+        ), moved
+
+    def _carried(self, people: Population, moved: Floats) -> tuple[Population, Floats]:
+        """Who goes into the next frame, resampled; those missed for too long have ended."""
+        there = people.missed_s <= self._settings.lost_after_s
+        kept = people.select(there)
+        particles = resample(kept.particles, kept.weight, self._random)
+        return kept.replace(particles=particles), moved[there]
+
+
+def paper_costs(
+    people: Population,
+    measured: Floats,
+    colours: Colours,
+    cues: Cues,
+    settings: StereoTrackerSettings,
+) -> Costs:
+    """`D = Dd + Dc + Da`, the distance in metres; Dc by `colour_weight`, which is 1 in the papers.
+
+    Args:
+        people: predicted to this frame. measured: (detections, 2) m.
+        colours: (detections, cues, bins).
+    """
+    distance, colour, direction = cue_values(people, measured, colours, cues)
+    total = distance + settings.colour_weight * colour + np.nan_to_num(direction)
+    return Costs(distance, colour, direction, total, distance <= settings.gate_m)
+
+
+def _told(
+    observation: Observation,
+    people: Population,
+    pairs: Association,
+    spots: Newcomers,
+    costs: Costs,
+    view: View,
+) -> StepResult:
+    """The frame's result; the last of the people are newcomers at the free detections."""
+    result = step_result(observation, people, pairs, np.ones(len(pairs.track), bool), costs, view)
+    track = result.detections["track"].copy()
+    track[spots.free] = people.track[len(people) - len(spots.free) :]
+    return replace(result, detections={**result.detections, "track": track})
