@@ -53,7 +53,7 @@ def keep(path: Path, tables: Tables) -> None:
     }
     image = io.BytesIO()
     np.savez_compressed(image, **columns)  # type: ignore[arg-type]  # names are not its options
-    path.parent.mkdir(exist_ok=True)
+    path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_suffix(f".{os.getpid()}.part")
     part.write_bytes(image.getvalue())
     part.replace(path)

@@ -23,6 +23,10 @@ _BEFALLEN = ("lobby", "plaza")
 _DIMMED_S, _SHORT_S = 7.0, 15.0
 
 
+KEPT = Path(tempfile.gettempdir()) / "trackwright-stereo"
+"""Where clips and runs are kept unless told otherwise."""
+
+
 @dataclass(frozen=True, slots=True)
 class Clips:
     """All that one report or one round of tuning looks at.
@@ -73,8 +77,7 @@ def folder(clip: Clip, kept: Path | None = None) -> Path:
     Clips in the temporary folder stand apart by what they were rendered with; those in a folder
     that is named are taken as they are.
     """
-    above = kept or Path(tempfile.gettempdir()) / "trackwright-stereo" / rendering()
-    return folder_of(clip, above)
+    return folder_of(clip, kept or KEPT / rendering())
 
 
 @cache

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from tests.benchmarks.flow.real import BY_EYE, OVERHEAD
+from tests.benchmarks.stereo.clips import KEPT
 from tests.benchmarks.stereo.columns import OURS
 from tests.benchmarks.stereo.trackers import runs_over
 from tracking.tracks import Columns
@@ -21,7 +22,7 @@ def measure(data: Path) -> dict[str, Any]:
     folder = data / OVERHEAD
     if not (folder / "recording.toml").is_file():
         return {}
-    return passages_by_eye(runs_over(folder, [OURS])[OURS].tracks)
+    return passages_by_eye(runs_over(folder, [OURS], KEPT / "runs")[OURS].tracks)
 
 
 def passages_by_eye(tracks: Columns) -> dict[str, Any]:

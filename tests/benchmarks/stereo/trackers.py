@@ -25,15 +25,9 @@ _SEEN_BY = ("foreground", "stereo", "people")
 
 _ROOMS = (
     *("errors.py", "filtering/**/*.py", "foreground/**/*.py", "geometry/**/*.py"),
-    *(
-        "people/*.py",
-        "pipeline.py",
-        "pipeline/**/*.py",
-        "recording/**/*.py",
-        "setting*.py",
-        "stereo/**/*.py",
-    ),
-    *("trackers/*.py", "trackers/joint/**/*.py", "trackers/linking/**/*.py", "tracks/**/*.py"),
+    *("people/*.py", "pipeline/**/*.py", "recording/**/*.py", "setting*.py"),
+    *("stereo/**/*.py", "trackers/*.py", "trackers/joint/**/*.py"),
+    *("trackers/linking/**/*.py", "tracks/**/*.py"),
 )
 
 
@@ -62,12 +56,16 @@ class Seen:
     detections: Columns
 
 
-def runs_over(folder: Path, variants: Sequence[Variant]) -> dict[Variant, Seen]:
-    """What each tracker makes of a recording; runs are kept.
+def runs_over(
+    folder: Path, variants: Sequence[Variant], kept: Path | None = None
+) -> dict[Variant, Seen]:
+    """What each tracker makes of a recording; runs are kept, beside it if nowhere else.
 
     Trackers with the same settings of perception share one, so that each frame is looked at once.
     """
     places = {variant: _place(folder, variant) for variant in variants}
+    if kept is not None:
+        places = {variant: kept / place.name for variant, place in places.items()}
     missing = [variant for variant, place in places.items() if not place.is_file()]
     for variant, run in _fresh_runs(folder, missing):
         keep(places[variant], {"tracks": run.tracks, "detections": run.detections})
