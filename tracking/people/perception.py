@@ -161,12 +161,7 @@ class StereoPerception:
         return masks
 
     def _overlays(self, mask: Mask, shadow: Mask, disparity: NDArray[np.float32]) -> Overlays:
-        shown = np.where(shadow == 255, np.uint8(127), mask)
-        size = self._rectification.size
-        if self._shrink > 1:
-            shown = cv2.resize(shown, size, interpolation=cv2.INTER_NEAREST)
-        ranged = cv2.resize(disparity * self._shrink, size, interpolation=cv2.INTER_NEAREST)
-        return Overlays(np.asarray(shown, np.uint8), np.asarray(ranged, np.float32))
+        return Overlays(mask, disparity, shadow, self._rectification.size, self._shrink)
 
 
 def _grey(picture: Image) -> NDArray[np.uint8]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from tracking.people.observation import Overlays
 
 _EVERY_PX = 8
@@ -21,12 +19,9 @@ class RangedShare:
 
     def add(self, overlays: Overlays) -> None:
         """Take in one frame; without stereo it says nothing."""
-        if overlays.disparity is None:
-            return
-        grid = np.s_[::_EVERY_PX, ::_EVERY_PX]
-        moving = overlays.foreground[grid] == 255
-        self._seen += int(np.count_nonzero(moving))
-        self._ranged += int(np.count_nonzero(np.isfinite(overlays.disparity[grid][moving])))
+        seen, ranged = overlays.ranged(_EVERY_PX)
+        self._seen += seen
+        self._ranged += ranged
 
     @property
     def is_too_small(self) -> bool:
