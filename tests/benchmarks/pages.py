@@ -7,8 +7,13 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
 Figures = Mapping[str, Any]
 DOCS = Path(__file__).parents[2] / "docs"
+_QUALITY = 82
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
@@ -23,6 +28,13 @@ def met(ours: float, goal: float, *, at_most: bool = False, digits: int = 1) -> 
     if lack <= 0:
         return "met"
     return f"missed by {lack:.{digits}f}" if lack == lack else "not measured"
+
+
+def save_jpeg(path: Path, picture: NDArray[np.uint8]) -> None:
+    """Write a picture (rows, columns, 3) BGR."""
+    _, data = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(data.tobytes())
 
 
 class Page:
@@ -50,6 +62,10 @@ class Page:
     def picture(self, name: str, drawn: str) -> None:
         """Put an SVG picture beside the page, as `<subject>-<name>.svg`."""
         (self._folder / f"{self._subject}-{name}.svg").write_text(drawn, encoding="utf-8")
+
+    def photograph(self, name: str, picture: NDArray[np.uint8]) -> None:
+        """Put a picture (rows, columns, 3) BGR beside the page, as `<subject>-<name>.jpg`."""
+        save_jpeg(self._folder / f"{self._subject}-{name}.jpg", picture)
 
     def write(self, introduction: str, writers: Mapping[str, Callable[[Any], str]]) -> None:
         """Write the page; sections that were not measured are left out."""

@@ -83,12 +83,13 @@ def _report(sections: tuple[str, ...] | list[str], clips: Path | None, data: Pat
 
 
 def _picture(clips: Path | None) -> None:
+    from tests.benchmarks.pages import save_jpeg
     from tests.benchmarks.parts import clips as known
     from tests.benchmarks.parts import pictures
     from tests.benchmarks.parts.running import ADJUSTED, PLAIN
 
     shown = pictures.side_by_side(known.REPORTED[0], (ADJUSTED, PLAIN), (150, 190), clips)
-    pictures.save(_DOCS / "parts-walkway.jpg", shown)
+    save_jpeg(_DOCS / "parts-walkway.jpg", shown)
 
 
 def _without(figures: dict[str, Any], name: str) -> dict[str, Any]:

@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tests.benchmarks.pages import save_jpeg
 from tests.benchmarks.parts.clips import Clip, folder_of
 from tests.benchmarks.parts.real import folders_in
 from tests.benchmarks.parts.running import ADJUSTED, PLAIN, Variant, fresh_run
@@ -18,7 +19,6 @@ from tracking.tracks import Columns
 _COLOURS = ((0, 255, 255), (80, 255, 80), (255, 160, 40))  # head, torso, hip-leg
 _LOST = (40, 40, 255)
 _SHOWN_ROWS = 360  # nobody stands farther down
-_QUALITY = 80
 _SHARES = (0.3, 0.5, 0.7)
 """Of a real recording's length: which frames are shown."""
 
@@ -41,7 +41,7 @@ def of_real_footage(data: Path | None, shown: Path) -> list[Path]:
         with open_recording(folder) as recording:
             frames = [round(recording.frame_count * share) for share in _SHARES]
         written.append(shown / f"{folder.name}.jpg")
-        save(written[-1], _side_by_side(folder, (ADJUSTED, PLAIN), frames, None))
+        save_jpeg(written[-1], _side_by_side(folder, (ADJUSTED, PLAIN), frames, None))
     return written
 
 
@@ -59,12 +59,6 @@ def _side_by_side(
             _write(image, variant.name, (8, 22))
         columns.append(np.concatenate(drawn))
     return np.concatenate(columns, axis=1)
-
-
-def save(path: Path, picture: NDArray[np.uint8]) -> None:
-    """Write a picture as JPEG."""
-    _, data = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
-    path.write_bytes(data.tobytes())
 
 
 def _drawn(image: NDArray[np.uint8], parts: Columns, frame: int) -> NDArray[np.uint8]:

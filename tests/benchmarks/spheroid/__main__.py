@@ -29,7 +29,7 @@ def main() -> None:
             page.keep(name, found)
             page.write(words.INTRODUCTION, report.writers())
             if name == "situations":
-                _picture(wish)
+                _picture(page, wish)
         else:
             print(report.writers()[name](found), flush=True)
     if wish.rewrite:
@@ -68,13 +68,12 @@ def _marks(known: Any, wish: Asked) -> dict[str, Any]:
     }
 
 
-def _picture(wish: Asked) -> None:
-    from tests.benchmarks.pages import DOCS
+def _picture(page: Any, wish: Asked) -> None:
     from tests.benchmarks.spheroid import clips, pictures
 
     crossing, hidden = clips.REPORTED.situations[6], clips.REPORTED.situations[11]
     shown = pictures.in_a_row(((crossing, 4.0), (crossing, 5.5), (hidden, 6.0)), wish.clips)
-    pictures.save(DOCS / "results" / "spheroid-situations.jpg", shown)
+    page.photograph("situations", shown)
 
 
 def _speed() -> dict[str, Any]:

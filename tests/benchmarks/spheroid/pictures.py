@@ -19,19 +19,11 @@ from tracking.tracks.run import Run
 _COLOURS = ((60, 220, 60), (255, 180, 40), (60, 200, 255), (255, 90, 255))
 _WIDTH = 480
 _FEW_PARTICLES = 60
-_QUALITY = 82
 
 
 def in_a_row(shown: Sequence[tuple[Clip, float]], kept: Path | None = None) -> NDArray[np.uint8]:
     """Pictures of clips at some second, one beside the other; (rows, columns, 3) BGR."""
     return np.concatenate([_one(clip, second, kept) for clip, second in shown], axis=1)
-
-
-def save(path: Path, picture: NDArray[np.uint8]) -> None:
-    """Write a picture as JPEG."""
-    _, data = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(data.tobytes())
 
 
 def _one(clip: Clip, second: float, kept: Path | None) -> NDArray[np.uint8]:

@@ -44,6 +44,11 @@ class Clips:
         """Clips whose right eye is troubled afterwards."""
         return tuple(self.of_scene[scene][0] for scene in _BEFALLEN)
 
+    def folders(self, kept: Path | None = None) -> dict[str, Path]:
+        """The recordings of all scenes by their clips' names."""
+        clips = [clip for several in self.of_scene.values() for clip in several]
+        return {clip.name: folder(clip, kept) for clip in clips}
+
 
 def _clips(first_seed: int, numbers: Mapping[str, int]) -> Clips:
     circumstances = Circumstances(dimmed_s=_DIMMED_S)

@@ -43,6 +43,19 @@ def goals(of_scene: OfScene, kept: Path | None = None) -> Figures:
     }
 
 
+def not_kept_of(of_scene: OfScene, kept: Path | None = None) -> dict[str, list[Figures]]:
+    """Of each scene: everybody our tracker did not keep."""
+    return {
+        scene: [one for clip in clips for one in _not_kept(folder(clip, kept))]
+        for scene, clips in of_scene.items()
+    }
+
+
+def _not_kept(place: Path) -> list[Figures]:
+    found = not_kept(truth_of(place), runs_over(place, [OURS])[OURS].tracks)
+    return [told(one, place.name) for one in found]
+
+
 def _columns(scene: str, clips: Sequence[Clip], kept: Path | None) -> Figures:
     columns = columns_of(scene)
     found: Figures = {name: {"detected": [], "kept": [], "not_kept": []} for name in columns}
@@ -78,7 +91,7 @@ def _flat(values: Figures) -> Figures:
 
 
 def _scored(folders: Sequence[Path]) -> Figures:
-    scores, missing, visible, detected = [], [], 0, 0
+    scores, visible, detected = [], 0, 0
     for place in folders:
         truth = truth_of(place)
         tracks = runs_over(place, [OURS])[OURS].tracks
@@ -87,12 +100,10 @@ def _scored(folders: Sequence[Path]) -> Figures:
         seen = visible_for(truth, VISIBLE_S)
         found = {one.person for one in per_person_of(examined) if one.followed.detected}
         visible, detected = visible + len(seen), detected + len(seen & found)
-        missing += [told(one, place.name) for one in not_kept(truth, tracks)]
     return {
         **figures_of(combined(scores)),
         "visible": visible,
         "visible_detected": detected,
-        "not_kept": missing,
         "clips": [place.name for place in folders],
     }
 

@@ -1,0 +1,117 @@
+"""What the report says between its tables."""
+
+from __future__ import annotations
+
+from tests.benchmarks.stereo import reasons
+
+INTRODUCTION = """
+# Results: stereo trackers
+
+How well people are followed by two eyes, measured and written by one command:
+
+    python -m tests.benchmarks.stereo --report
+
+(half an hour on one core; `--only tables` and the like measure one section anew; clips are rendered
+once, and runs are kept for as long as nothing they were made with changes). The figures stand in
+[stereo.json](stereo.json), everybody who was not kept among them. "Paper" are Kawashita and others
+2012 and 2014, measured by their authors in scenes of their own that are not public; ours are
+rendered with the same camera heights, tilts and resolution, so that truth is exact and everybody
+can repeat them. Settings were chosen on clips with other seeds; on those reported here nothing was.
+
+A person is *kept*, as in the papers, while the id given at the first detection stays the same until
+the person leaves, and no other person bears it. Boxes match at an overlap (IoU) of one half.
+"Tracking accuracy" is the share of the people detected who are kept. Behind it, in brackets, stands
+Wilson's 95 % interval: it is wide with some forty people, and so were the papers'.
+"""
+
+TABLES = """
+## Both papers' tables
+
+Clips of 30 s (seeds in `tests/benchmarks/stereo/clips.py`), at least 30 people a scene. The first
+three columns are the papers' own methods and nothing of ours (`--set paper=true --set
+smooth=false`; weights of cues that are left out are 0): indoors and outdoors `stereo-colour` in the
+first two, everywhere else `stereo-direction`. What they are given to see, the regions of people, is
+ours in all columns. The last column is our default, as it comes.
+"""
+
+CUES = """
+Each cue that did not help, and why, as told by comparing people one by one: who is kept with the
+cue but not without it, who only without it, and what went wrong first for the latter.
+"""
+
+GOALS = """
+## Goals, on scenes never used for tuning
+
+`stereo-joint` as it comes, on the clips above and on three more scenes. "Detected" is the share of
+the people visible for a second who were matched in ten frames; visible means that at least three
+tenths of the person are seen, in every frame of that second. The error is the distance on the
+floor between track and truth, whose place is where the person stands.
+"""
+
+PEERS = """
+## Identity switches beside other trackers
+
+The same detections for everybody, as ours sees them in the clips; each program in an environment
+of its own with the settings its authors give. "Half of the best" is the goal.
+"""
+
+NO_PEERS = """
+## Identity switches beside other trackers
+
+Not measured: none of the other programs is installed (`make peers`).
+"""
+
+REAL = """
+## Real footage
+
+The overhead recording (two eyes 7.4 cm apart, 2.74 m, straight down, grey, hard shadows and sun
+flecks, 627 frames): four people pass, one after the other. When they do was seen by eye, so the
+first and last frames are not exact; people are only partly in the picture then.
+"""
+
+NO_REAL = """
+## Real footage
+
+Not measured: the overhead recording is not beside the checkout, nor where `--data` or
+TRACKWRIGHT_DATA says.
+"""
+
+LOST = """
+## What goes wrong
+
+Everybody our tracker did not keep in the scenes above, by what went wrong first, read off truth and
+tracks by a script (`python -m tests.benchmarks.stereo.lost CLIP...` tells each of them by clip,
+person and frame):
+
+{meanings}
+"""
+
+WHERE = """
+And where they were then, when least of them was seen; "beside somebody" is within a metre of
+somebody and in full sight:
+"""
+
+PICTURE = """
+![two people who were not kept, before and after](stereo-lost.jpg)
+
+{captions} True boxes are white; the boxes of tracks are in the colour of their id.
+"""
+
+BEFALLEN = """
+## Light that changes, a right eye that fails or lags
+
+A part of the light goes out within a second (clips of 15 s), or the right eye of a clip of 30 s is
+late by frames throughout, dark, or shows one picture for four seconds from the twelfth on. "Longest
+alone" is the longest stretch in which a track stands where nobody is within a metre.
+"""
+
+MEANINGS = {
+    reasons.SWAPPED: "two people exchanged their tracks",
+    reasons.TAKEN: "a track went from one person to another; both count",
+    reasons.INHERITED: "a newcomer was given the track of somebody who had left or was lost",
+    reasons.FALSE: "a track that stood on somebody else counted for a while, as boxes overlap",
+    reasons.DOUBLED: "a second track on the same person took over",
+    reasons.RENAMED: "lost and found again under a new id",
+    reasons.LOST: "followed for less than half of the time",
+    reasons.NEVER: "visible for a second and never detected",
+}
