@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.errors import SettingsError
+from tracking.formats import TRACK_ENDINGS
 
 RESULT, TRUTH = "result.txt", "truth.txt"
 _CHALLENGE = Path("gt") / "gt.txt"
 _DATA = "data"
 """The folder that TrackEval keeps a tracker's files in."""
-_ENDINGS = (".txt", ".h5", ".hdf5", ".csv", ".xml", ".json", ".sqlite")
 _NAMED = 5
 
 
@@ -87,7 +87,7 @@ def _sequences(folder: Path, *, truths: bool) -> dict[str, Path]:
     if not truths and inner.is_dir():
         folder = inner
     entries = sorted(each for each in folder.iterdir() if not each.name.startswith("."))
-    files = [each for each in entries if each.is_file() and each.suffix.lower() in _ENDINGS]
+    files = [each for each in entries if each.is_file() and each.suffix.lower() in TRACK_ENDINGS]
     held = ((each, _truth_in(each) if truths else _result_in(each)) for each in entries)
     inside = _called((_printable(each.name), path) for each, path in held if path is not None)
     named = _by_name([each for each in files if not (truths and _name_of(each) in inside)])
@@ -141,7 +141,7 @@ def _name_of(path: Path) -> str:
         path = whole.parent.parent
     elif path.name in (RESULT, TRUTH):
         path = whole.parent
-    return _printable(path.stem if path.suffix.lower() in _ENDINGS else path.name)
+    return _printable(path.stem if path.suffix.lower() in TRACK_ENDINGS else path.name)
 
 
 def _printable(name: str) -> str:

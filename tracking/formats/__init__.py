@@ -1,6 +1,12 @@
 """Files of other tools."""
 
-from tracking.formats.catalogue import FORMATS, format_named, format_of
+from tracking.formats.catalogue import (
+    FORMATS,
+    READABLE,
+    TRACK_ENDINGS,
+    format_named,
+    format_of,
+)
 from tracking.formats.measurable import Measurable, measurable
 from tracking.formats.mot_reading import read_mot
 from tracking.formats.mot_writing import write_mot
@@ -15,6 +21,8 @@ from tracking.replacing import replacing
 
 __all__ = [
     "FORMATS",
+    "READABLE",
+    "TRACK_ENDINGS",
     "BadRow",
     "Exported",
     "Filmed",

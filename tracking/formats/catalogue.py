@@ -40,6 +40,14 @@ _ALL = (
 FORMATS: Mapping[str, TrackFormat] = MappingProxyType({each.name: each for each in _ALL})
 """In the order in which a file's content is asked about."""
 
+READABLE: tuple[TrackFormat, ...] = tuple(each for each in _ALL if each.read is not None)
+"""The formats that are read."""
+
+TRACK_ENDINGS: tuple[str, ...] = tuple(
+    dict.fromkeys(ending for each in READABLE for ending in each.extensions)
+)
+"""Of files that tracks are read from, with the dot."""
+
 
 def format_named(name: str) -> TrackFormat:
     """The format of that name.
@@ -70,10 +78,10 @@ def format_of(path: Path) -> TrackFormat:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
     if not head.strip():
         raise FormatError(f"{path} is empty; name a file with tracks")
-    for each in FORMATS.values():
-        if each.read is not None and each.recognises(path, head):
+    for each in READABLE:
+        if each.recognises(path, head):
             return each
     if begins_as_hdf5(path):
         raise FormatError(f"{path}{why_refused(path)}")
-    known = ", ".join(name for name, each in FORMATS.items() if each.read is not None)
+    known = ", ".join(each.name for each in READABLE)
     raise FormatError(f"{path} is of no format known here", f"choose one of: {known} (--format)")

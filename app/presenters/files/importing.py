@@ -12,7 +12,7 @@ from app.presenters.correcting.planning import refuse_too_large
 from app.presenters.words import counted, tr
 from tracking.editing import Written, plan_import
 from tracking.errors import EditError, FormatError
-from tracking.formats import FORMATS, Filmed, Imported, TrackFormat, format_of
+from tracking.formats import TRACK_ENDINGS, Filmed, Imported, TrackFormat, format_of
 from tracking.progress import Progress
 from tracking.session import Importable, ImportOrigin, ImportWish, importable
 from tracking.tracks import Labels, TrackTable, row_keys
@@ -78,15 +78,9 @@ class ImportScene:
     why_not: str = ""
 
 
-def readable() -> tuple[TrackFormat, ...]:
-    """The formats that are read."""
-    return tuple(each for each in FORMATS.values() if each.read is not None)
-
-
 def holds_tracks_alone(path: Path) -> bool:
     """Whether a file's name says that it is of tracks, and neither a recording nor a session."""
-    endings = {end for each in readable() for end in each.extensions} - _OF_SESSIONS
-    return path.suffix.lower() in endings
+    return path.suffix.lower() in set(TRACK_ENDINGS) - _OF_SESSIONS
 
 
 def read_tracks(

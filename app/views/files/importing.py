@@ -19,7 +19,6 @@ from app.presenters.files.importing import (
     fitting,
     import_scene,
     read_tracks,
-    readable,
     with_good,
 )
 from app.presenters.words import counted, tr
@@ -28,7 +27,7 @@ from app.views.files.import_dialog import ImportDialog
 from app.views.widgets.questions import choose_file
 from app.views.widgets.work import Work
 from tracking.errors import SessionError, TrackwrightError
-from tracking.formats import TrackFormat, format_named
+from tracking.formats import READABLE, TRACK_ENDINGS, TrackFormat, format_named
 from tracking.progress import Progress
 from tracking.session import Session, filmed_by
 from tracking.tracks import Labels
@@ -52,8 +51,7 @@ class Importing(QObject):
 
     def ask(self) -> None:
         """Ask for the file."""
-        known = dict.fromkeys(end for each in readable() for end in each.extensions)
-        endings = " ".join(f"*{end}" for end in known)  # several formats share one: each once
+        endings = " ".join(f"*{each}" for each in TRACK_ENDINGS)
         filters = f"{tr('Tracks of other tools')} ({endings})"
         choose_file(self._window, tr("Import tracks"), filters, self.read)
 
@@ -126,7 +124,7 @@ class LookedOver(QObject):
     def __init__(self, importing: Importing, desk: Desk, read: ReadFile) -> None:
         super().__init__(importing)
         self._importing, self._desk, self._read = importing, desk, read
-        formats = [(each.name, each.title) for each in readable()]
+        formats = [(each.name, each.title) for each in READABLE]
         self._dialog = ImportDialog(read.path.name, formats, desk.window_page)
         self._fitted: Fitted | None = None
         self._search = Newest("import", self._prepare, self)

@@ -21,10 +21,11 @@ from app.views.playing.playback import Playback
 from app.views.timeline.axis import TimeAxis
 from app.views.widgets.questions import choose_file
 from tracking.errors import TrackwrightError
+from tracking.formats import TRACK_ENDINGS
 from tracking.progress import Progress
 from tracking.scoring import ErrorKind
 
-_TRUTHS = "Tracks (*.txt *.h5 *.hdf5 *.csv *.xml *.json *.sqlite)"
+_TRUTHS = "Tracks ({endings})"
 
 
 class Scoring(QObject):
@@ -147,7 +148,9 @@ class Scoring(QObject):
 
     def ask_truth(self) -> None:
         """Ask for a file with the truth."""
-        choose_file(self._workspace, tr("The truth"), tr(_TRUTHS), self.choose_file)
+        endings = " ".join(f"*{each}" for each in TRACK_ENDINGS)
+        known = tr(_TRUTHS).format(endings=endings)
+        choose_file(self._workspace, tr("The truth"), known, self.choose_file)
 
     def choose_file(self, path: Path) -> None:
         """Take a file as truth."""
