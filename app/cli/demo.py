@@ -53,7 +53,7 @@ def _session(recording: Path, place: Path) -> Path:
         return place
     check_folder(place.parent, _BYTES)
     with open_recording(recording) as footage:
-        save_session(footage, tracked(footage, Order()), place)
+        save_session(footage, tracked(footage, Order(), place.parent), place)
     return place
 
 

@@ -22,8 +22,8 @@ from tracking.session import IMPORTED, Session
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
 from tracking.tracks import Run
 
-BYTES_A_FRAME = 32 << 10
-"""Of a session with its particles, at most."""
+BYTES_A_FRAME = 64 << 10
+"""Of a session and what is put aside while it is made, with ten people all the time."""
 
 _NOBODY = (
     "note: nobody was found; what stands still for half of the footage is taken for background: "
@@ -41,7 +41,7 @@ def run_track(
         for note in recording.notes:
             say(f"note: {note}")
         began_s = time.perf_counter()
-        run = tracked(recording, order)
+        run = tracked(recording, order, out.parent)
         rate = (run.frames[1] - run.frames[0]) / (time.perf_counter() - began_s)
         save_session(recording, run, out)
     people = len(set(run.tracks["track"].tolist()))
@@ -56,10 +56,13 @@ def run_track(
         print(out)
 
 
-def tracked(recording: Recording, order: Order) -> Run:
+def tracked(recording: Recording, order: Order, spool: Path) -> Run:
     """The run of a tracker over the recording, with a progress bar.
 
     What turned out odd on the way is told in the end.
+
+    Args:
+        spool: the folder for particles that are too many for the memory.
 
     Raises:
         SettingsError: unknown tracker or setting, or a wrong range.
@@ -68,7 +71,7 @@ def tracked(recording: Recording, order: Order) -> Run:
     spec = tracker_named(order.tracker or best_tracker(recording))
     settings = parsed_settings(spec, settings_texts(spec, order))
     frames = typed_range(order.frames, recording.frame_count)
-    with track(recording, spec.name, settings, order.seed, frames) as work:
+    with track(recording, spec.name, settings, order.seed, frames, spool=spool) as work:
         return run_of(work, recording, f"tracking with {spec.name}")
 
 

@@ -176,7 +176,9 @@ def _tracked_again(
     name, settings = _tracker(session, recording, order)
     stop = recording.frame_count if request.until is None else request.until
     resume = Resume.of(session.tracks, request.start, recording.fps) if request.start else None
-    with track(recording, name, settings, order.seed, (request.start, stop), resume) as work:
+    asked = (name, settings, order.seed, (request.start, stop), resume)
+    spool = (request.out or request.session).parent
+    with track(recording, *asked, spool=spool) as work:
         return run_of(work, recording, f"tracking again from frame {request.start} with {name}")
 
 

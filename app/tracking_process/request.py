@@ -79,9 +79,10 @@ class TrackingRequest:
         return open_from_manifest(Path(self.folder), self.manifest, options)
 
     def begin(self, recording: Recording) -> Tracking:
-        """Put the tracker to work on it."""
+        """Put the tracker to work on it; only its steps are asked for."""
         settings = settings_from(tracker_named(self.tracker).settings_type, self.settings)
-        return track(recording, self.tracker, settings, self.seed, self.frames, self.resume)
+        asked = (self.tracker, settings, self.seed, self.frames, self.resume)
+        return track(recording, *asked, keep=False)
 
 
 def _as_json(resume: Resume) -> dict[str, Any]:

@@ -1,0 +1,167 @@
+"""What a tracker found so far, kept in little memory however long the footage is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import tracking
+from tracking.pipeline.spool import Spool
+from tracking.pipeline.spooled import SpooledTable
+from tracking.recording import Recording
+from tracking.trackers import (
+    ASSOCIATION_COLUMNS,
+    Resume,
+    StepResult,
+    detector_of,
+    tracker_named,
+)
+from tracking.tracks import (
+    DETECTION_COLUMNS,
+    PART_COLUMNS,
+    SIGNAL_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+    Run,
+)
+from tracking.tracks.growing import GrowingTable
+
+_TABLES = {
+    "tracks": TRACK_COLUMNS,
+    "detections": DETECTION_COLUMNS,
+    "associations": ASSOCIATION_COLUMNS,
+    "signals": SIGNAL_COLUMNS,
+    "parts": PART_COLUMNS,
+}
+_CLOUDS = ("particles", "part_particles", "tracklets")
+_WAITING = 32
+"""Steps are put into the tables by so many: one by one would take several times as long."""
+_TIED_S = 1.0
+"""Of corrected tracks before the first frame, which smoothed tracks begin at."""
+
+
+class KeptSteps:
+    """The steps of a tracker in order: tables in memory, particles in 16 bits a value in a spool.
+
+    Positions of particles are rounded to 1/1024 m and weights to half precision (11 bits), at
+    most 0.5 mm and 0.03 percent off. `add` and `run` belong to one thread, everything else may be
+    asked by another one meanwhile.
+    """
+
+    def __init__(self, folder: Path | None = None, first: int = 0) -> None:
+        """Nothing yet.
+
+        Args:
+            folder: where particles that are too many for the memory are put aside, see `Spool`.
+            first: the frame where steps are to begin; they tell it themselves once they come.
+        """
+        spool = Spool(folder)
+        self._tables = {name: GrowingTable(types) for name, types in _TABLES.items()}
+        self._clouds = {name: SpooledTable(spool, name) for name in _CLOUDS}
+        self._first = first
+        # How many steps are in the tables, and those behind them: replaced together.
+        self._state: tuple[int, list[StepResult]] = (0, [])
+
+    @property
+    def frames(self) -> tuple[int, int]:
+        """The half-open range of frames so far."""
+        settled, waiting = self._state
+        return self._first, self._first + settled + len(waiting)
+
+    def add(self, steps: Iterable[StepResult]) -> None:
+        """Take further steps. Raises OutputError where there is no room for their particles."""
+        for step in steps:
+            settled, waiting = self._state
+            if not settled and not waiting:
+                self._first = step.frame
+            waiting.append(step)
+            if len(waiting) >= _WAITING:
+                self._settle()
+
+    def rows(self, table: str, start: int, stop: int) -> Columns:
+        """The rows of some frames (half-open) in one of the tables of a `StepResult`.
+
+        Raises OutputError where the disk fails.
+        """
+        settled, waiting = self._state
+        until = settled + len(waiting)
+        low, high = (min(max(0, frame - self._first), until) for frame in (start, stop))
+        stored = self._tables.get(table) or self._clouds[table]
+        early = stored.rows(min(low, settled), min(max(low, high), settled))
+        late = [getattr(s, table) for s in waiting[max(0, low - settled) : max(0, high - settled)]]
+        if not late:
+            return early
+        return {
+            name: np.concatenate([early[name], *(part[name] for part in late)]) for name in early
+        }
+
+    def run(
+        self,
+        tracker: str,
+        settings: Mapping[str, Any],
+        seed: int,
+        recording: Recording,
+        resume: Resume | None = None,
+    ) -> Run:
+        """All so far as one immutable run; see `run_of_steps`."""
+        self._settle()
+        first, stop = self.frames
+        rows = {name: table.columns for name, table in self._tables.items()}
+        clouds = {
+            name: cloud.particles(first, recording.frame_count)
+            for name, cloud in self._clouds.items()
+        }
+        run = Run(
+            tracker=tracker,
+            settings=settings,
+            seed=seed,
+            frames=(first, stop),
+            tracks=rows["tracks"],
+            detections=rows["detections"],
+            particles=clouds["particles"],
+            associations=rows["associations"],
+            signals=rows["signals"],
+            parts=rows["parts"],
+            part_particles=clouds["part_particles"],
+            tracklets=clouds["tracklets"],
+            software=f"trackwright {tracking.__version__}",
+            detector=detector_of(tracker, settings),
+            known_tracks=resume.highest_track if resume is not None else 0,
+        )
+        if not settings.get("smooth") or recording.view is None:
+            return run
+        given = resume.last(_TIED_S) if resume is not None else None
+        return tracker_named(tracker).finish(run, recording.view, recording.fps, given)
+
+    def _settle(self) -> None:
+        """Put what waits into the tables."""
+        settled, waiting = self._state
+        if waiting:
+            for name, table in self._tables.items():
+                table.extend([getattr(step, name) for step in waiting])
+            for name, cloud in self._clouds.items():
+                cloud.extend([getattr(step, name) for step in waiting])
+            self._state = (settled + len(waiting), [])
+
+
+def run_of_steps(
+    steps: Sequence[StepResult],
+    tracker: str,
+    settings: Mapping[str, Any],
+    seed: int,
+    start: int,
+    recording: Recording,
+    resume: Resume | None = None,
+) -> Run:
+    """The steps of a tracker, in order from frame `start` on, as one immutable run.
+
+    `settings` are plain values by their dotted names. With `smooth` among them, the tracks take
+    into account what came later (see `TrackerSpec.finish`); the steps stay as they were.
+    `resume`: what the tracker went on from, if it did; the smoothed tracks begin there.
+    """
+    kept = KeptSteps(first=start)
+    kept.add(steps)
+    return kept.run(tracker, settings, seed, recording, resume)

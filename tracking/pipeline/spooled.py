@@ -1,0 +1,111 @@
+"""Tables of particles put aside frame by frame, and read again as they are asked for."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.pipeline.coding import CODINGS, Block, Coding
+from tracking.pipeline.spool import Spool
+from tracking.tracks import (
+    PART_PARTICLE_COLUMNS,
+    PARTICLE_COLUMNS,
+    TRACKLET_COLUMNS,
+    Columns,
+    ParticleColumn,
+    Particles,
+)
+from tracking.tracks.growing import FrameStarts
+
+_TYPES = {
+    "particles": PARTICLE_COLUMNS,
+    "part_particles": PART_PARTICLE_COLUMNS,
+    "tracklets": TRACKLET_COLUMNS,
+}
+
+
+class SpooledColumn:
+    """A column in a spool, read by slices; as a whole by `numpy.asarray`."""
+
+    def __init__(self, spool: Spool, coding: Coding, dtype: np.dtype[Any]) -> None:
+        """No rows yet."""
+        self.dtype = dtype
+        self._spool, self._coding = spool, coding
+        self._blocks: list[Block] = []
+        self._ends: list[int] = []
+
+    def __len__(self) -> int:
+        """The number of rows."""
+        return self._ends[-1] if self._ends else 0
+
+    def __getitem__(self, rows: slice) -> NDArray[Any]:
+        """A stretch of rows, read-only. Raises OutputError where the disk fails."""
+        start, stop, _ = slice(rows.start, rows.stop).indices(len(self))
+        if stop <= start:
+            return np.zeros(0, self.dtype)
+        first, last = bisect_right(self._ends, start), bisect_right(self._ends, stop - 1)
+        parts = [self._part(number, start, stop) for number in range(first, last + 1)]
+        return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """The whole column."""
+        return np.asarray(self[0 : len(self)], dtype)
+
+    def append(self, values: NDArray[Any]) -> None:
+        """Put further rows aside. Raises OutputError where the disk refuses."""
+        if len(values):
+            self._blocks.append(self._coding.put(self._spool, values))
+            self._ends.append(len(self) + len(values))
+
+    def as_it_is(self) -> SpooledColumn:
+        """The same without what will be appended."""
+        same = SpooledColumn(self._spool, self._coding, self.dtype)
+        same._blocks, same._ends = self._blocks.copy(), self._ends.copy()
+        return same
+
+    def _part(self, number: int, start: int, stop: int) -> NDArray[Any]:
+        """What a block holds of a stretch of the column."""
+        block = self._blocks[number]
+        begin = self._ends[number] - block.rows
+        rows = slice(max(0, start - begin), min(block.rows, stop - begin))
+        return self._coding.get(self._spool, block, rows, self.dtype)
+
+
+class SpooledTable:
+    """One of a run's tables of particles, growing by frames in order."""
+
+    def __init__(self, spool: Spool, name: str) -> None:
+        """No frames yet."""
+        self._spool = spool
+        self._columns = {
+            column: SpooledColumn(spool, CODINGS[name][column], dtype)
+            for column, dtype in _TYPES[name].items()
+        }
+        self._starts = FrameStarts()
+
+    def extend(self, frames: Sequence[Columns]) -> None:
+        """Put the rows of further frames aside. Raises OutputError where the disk refuses."""
+        for name, column in self._columns.items():
+            column.append(np.concatenate([frame[name] for frame in frames], dtype=column.dtype))
+        self._starts.extend([len(frame["track"]) for frame in frames])
+
+    def rows(self, first: int, stop: int) -> Columns:
+        """The rows of some frames, counted from the table's first."""
+        rows = self._starts.rows(first, stop)
+        return {name: column[rows] for name, column in self._columns.items()}
+
+    def particles(self, first: int, frame_count: int) -> Particles:
+        """All so far; in memory where they are few.
+
+        Args:
+            first: the number of the table's first frame. frame_count: of the recording.
+        """
+        columns: dict[str, ParticleColumn] = {
+            name: column.as_it_is() if self._spool.is_on_disk else np.asarray(column)
+            for name, column in self._columns.items()
+        }
+        return Particles(self._starts.of_recording(first, frame_count), columns)
