@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from tracking.filtering import scatter
 from tracking.geometry import View
 from tracking.people import Detections
-from tracking.trackers.population import Population
+from tracking.trackers.population import Population, unknown_looks
 from tracking.trackers.stereo_boxes import expected_visibility, outlines_of, share_in_view
-from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.trackers.stereo_settings import StereoFilterSettings
 
 _PATIENCE_S = 0.15
 """How long a newcomer may go unseen before it is taken for noise."""
@@ -38,7 +38,7 @@ class Newcomers:
 def newcomers(
     people: Population,
     spots: Newcomers,
-    settings: StereoTrackerSettings,
+    settings: StereoFilterSettings,
     random: np.random.Generator,
     view: View,
 ) -> Population:
@@ -58,7 +58,7 @@ def newcomers(
 
 
 def started(
-    spots: Newcomers, settings: StereoTrackerSettings, random: np.random.Generator, view: View
+    spots: Newcomers, settings: StereoFilterSettings, random: np.random.Generator, view: View
 ) -> Population:
     """A person at each free detection, seen once, without an id yet."""
     seen, rows = spots.seen, spots.free
@@ -79,6 +79,7 @@ def started(
         anchor_age_s=np.zeros(count),
         outline=outlines_of(seen.box[rows], measured, view),
         confidence=np.full(count, 0.5),
+        looks=unknown_looks(count),
     )
 
 
@@ -93,7 +94,7 @@ def confirmed(people: Population, matches: int, last_id: int) -> tuple[Populatio
 
 
 def still_there(
-    people: Population, settings: StereoTrackerSettings, view: View
+    people: Population, settings: StereoFilterSettings, view: View
 ) -> NDArray[np.bool_]:
     """Whether each person is followed on: (people,)."""
     inside = share_in_view(people, view)

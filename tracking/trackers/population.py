@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+LOOKS = 7
+"""Numbers that `Population.looks` has."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +35,8 @@ class Population:
         outline: (people, 4) m, left, top, right, bottom of the body's box from the body's middle,
             as far as they look at its distance.
         confidence: (people,) share of the recent past in which the person was matched.
+        looks: (people, 7) float32 mean CIELAB of the upper and of the lower body and the height
+            in m, of those who ask for them; NaN where not known.
     """
 
     track: NDArray[np.int32]
@@ -48,6 +52,7 @@ class Population:
     anchor_age_s: Floats
     outline: Floats
     confidence: Floats
+    looks: NDArray[np.float32]
 
     def __len__(self) -> int:
         """The number of people followed, newcomers included."""
@@ -79,6 +84,11 @@ class Population:
 _NAMES = tuple(field.name for field in dataclasses.fields(Population))
 
 
+def unknown_looks(people: int) -> NDArray[np.float32]:
+    """`Population.looks` of whom nothing is known."""
+    return np.full((people, LOOKS), np.nan, np.float32)
+
+
 def joined(populations: Sequence[Population]) -> Population:
     """The people of all populations, in order."""
     return Population(
@@ -102,5 +112,6 @@ def nobody(particles: int, cues: int, bins: int) -> Population:
         "anchor_age_s": ((), np.float64),
         "outline": ((4,), np.float64),
         "confidence": ((), np.float64),
+        "looks": ((LOOKS,), np.float32),
     }
     return Population(*(np.zeros((0, *shapes[name][0]), shapes[name][1]) for name in _NAMES))

@@ -21,7 +21,7 @@ from tracking.trackers.stereo_cues import Cues, costs_of
 from tracking.trackers.stereo_matching import match_people
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_resuming import resumed
-from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
 from tracking.trackers.stereo_sharing import shared_regions
 from tracking.trackers.stereo_update import Match, aged, guests_kept, matched, unseen
 
@@ -29,7 +29,7 @@ Colours = NDArray[np.float32]
 
 
 def perception_and_view(
-    recording: Recording, settings: StereoTrackerSettings
+    recording: Recording, settings: StereoFilterSettings
 ) -> tuple[StereoPerception, View]:
     """Stereo perception at its start, and the camera that people are seen by.
 

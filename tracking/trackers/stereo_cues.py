@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracking.filtering import bhattacharyya_distance
 from tracking.people import Detections
 from tracking.trackers.population import Population
-from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
 
 Floats = NDArray[np.float64]
 
@@ -99,7 +99,7 @@ def cue_values(
     return distance, colour, cues.direction(people, measured)
 
 
-def likelihood_sigma(measured: Floats, settings: StereoTrackerSettings) -> Floats:
+def likelihood_sigma(measured: Floats, settings: StereoFilterSettings) -> Floats:
     """The likelihood's standard deviation at places (n, 2) on the floor: (n,) m.
 
     It grows with the square of the distance from the camera, as the error of range does.

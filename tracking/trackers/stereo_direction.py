@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.filtering import direction_cost, turning_angle
 from tracking.people import Detections, StereoPerception
 from tracking.recording import Recording
 from tracking.setting import setting
@@ -15,6 +14,7 @@ from tracking.trackers.population import Population
 from tracking.trackers.stereo import StereoTracker, perception_and_view
 from tracking.trackers.stereo_paper import PaperTracker
 from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.trackers.stereo_walking import turning_cost, walked_on
 
 Floats = NDArray[np.float64]
 
@@ -65,32 +65,12 @@ class MiddleUpdated:
         return model + share.astype(np.float32)[:, None, None] * (seen - model)
 
     def direction(self, people: Population, measured: Floats) -> Floats:
-        """Da of every pair: how much the way to each detection turns from the way walked.
-
-        The way to a detection starts at the newer anchor, or at the older one where the detection
-        is too close to the newer to give a direction.
-        """
-        settings = self.settings
-        older, newer = people.anchors[:, 0], people.anchors[:, 1]
-        standing = people.anchor_age_s > settings.direction_memory_s
-        walked = np.where(standing[:, None], np.nan, newer - older)
-        from_newer = measured[None] - newer[:, None]
-        too_close = np.hypot(from_newer[..., 0], from_newer[..., 1]) < settings.direction_step_m
-        way = np.where(too_close[..., None], measured[None] - older[:, None], from_newer)
-        angle = turning_angle(walked, way)
-        return direction_cost(angle, settings.direction_threshold_rad, settings.direction_weight)
+        """Da of every pair: how much the way to each detection turns from the way walked."""
+        return turning_cost(people, measured, self.settings)
 
     def walked(self, people: Population, elapsed_s: float) -> Population:
-        """Where the person is becomes the newer anchor once it is far enough from the last."""
-        newer = people.anchors[:, 1]
-        gone = people.position - newer
-        seen = people.missed_s == 0.0
-        far = seen & (np.hypot(gone[:, 0], gone[:, 1]) >= self.settings.direction_step_m)
-        moved = np.stack((newer, people.position), axis=1)
-        return people.replace(
-            anchors=np.where(far[:, None, None], moved, people.anchors),
-            anchor_age_s=np.where(far, 0.0, people.anchor_age_s + elapsed_s),
-        )
+        """The people with the positions brought up to date that directions are taken between."""
+        return walked_on(people, elapsed_s, self.settings.direction_step_m)
 
 
 def build(

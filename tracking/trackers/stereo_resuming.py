@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from tracking.filtering import associate, scatter
 from tracking.geometry import View
 from tracking.people import Detections, Observation
-from tracking.trackers.population import Population
+from tracking.trackers.population import Population, unknown_looks
 from tracking.trackers.resuming import Resume, is_apart, is_seen, only
 from tracking.trackers.stereo_boxes import outlines_of
 from tracking.trackers.stereo_cues import Cues
-from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.trackers.stereo_settings import StereoFilterSettings
 from tracking.tracks.columns import Columns
 
 Floats = NDArray[np.float64]
@@ -57,7 +57,7 @@ def resumed(
     resume: Resume,
     observations: Iterable[Observation],
     view: View,
-    settings: StereoTrackerSettings,
+    settings: StereoFilterSettings,
     cues: Cues,
     random: np.random.Generator,
 ) -> tuple[Population, float]:
@@ -91,6 +91,7 @@ def resumed(
         anchor_age_s=np.zeros(len(people)),
         outline=_outlines(rows, people, view),
         confidence=confidence,
+        looks=unknown_looks(len(people)),
     )
     return _walked(population, rows, resume, cues), time_s
 
@@ -172,7 +173,7 @@ def _colours(views: Views, people: int) -> tuple[Colours, NDArray[np.int32]]:
 
 
 def _now(
-    rows: Columns, people: NDArray[np.int32], resume: Resume, settings: StereoTrackerSettings
+    rows: Columns, people: NDArray[np.int32], resume: Resume, settings: StereoFilterSettings
 ) -> tuple[Floats, Floats, Floats, Floats]:
     """Position, velocity, seconds missed and confidence in the frame before the first one."""
     last = _last_rows(rows, people, np.ones(len(rows["frame"]), bool))

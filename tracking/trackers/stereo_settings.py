@@ -1,4 +1,4 @@
-"""The settings the two stereo trackers share."""
+"""The settings that stereo trackers share."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from tracking.stereo import StereoSettings
 
 
 @dataclass(frozen=True, slots=True)
-class StereoTrackerSettings:
-    """What a stereo tracker can be told; see the `help` of each field."""
+class StereoFilterSettings:
+    """What every stereo tracker can be told; see the `help` of each field."""
 
     particles: int = setting(500, "", (10, 20000), "particles for each person")
     start_spread_m: float = setting(
@@ -32,22 +32,6 @@ class StereoTrackerSettings:
     )
     velocity_memory_s: float = setting(
         0.4, "s", (0.05, 5.0), "time over which the velocity is smoothed"
-    )
-    gate_m: float = setting(
-        0.9, "m", (0.1, 5.0), "farthest a detection may lie from where a person is expected"
-    )
-    gate_growth: float = setting(
-        1.0, "1/s", (0.0, 10.0), "how much wider that is with each second a person is missed"
-    )
-    cost_limit: float = setting(
-        2.0, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
-    )
-    distance_weight: float = setting(
-        2.0, "1/m", (0.0, 20.0), "weight of the distance cue in the cost"
-    )
-    colour_weight: float = setting(1.0, "", (0.0, 10.0), "weight of the colour cue in the cost")
-    hidden_weight: float = setting(
-        0.5, "", (0.0, 10.0), "cost of seeing somebody who is expected to be hidden by others"
     )
     hidden_below: float = setting(
         0.3, "", (0.0, 1.0), "share of a body that must be expected to show to look for it"
@@ -82,3 +66,25 @@ class StereoTrackerSettings:
     foreground: ForegroundSettings = field(default_factory=ForegroundSettings)
     stereo: StereoSettings = field(default_factory=StereoSettings)
     people: PeopleSettings = field(default_factory=PeopleSettings)
+
+
+@dataclass(frozen=True, slots=True)
+class StereoTrackerSettings(StereoFilterSettings):
+    """What a tracker that sums up the costs of the papers' cues can be told."""
+
+    gate_m: float = setting(
+        0.9, "m", (0.1, 5.0), "farthest a detection may lie from where a person is expected"
+    )
+    gate_growth: float = setting(
+        1.0, "1/s", (0.0, 10.0), "how much wider that is with each second a person is missed"
+    )
+    cost_limit: float = setting(
+        2.0, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
+    )
+    distance_weight: float = setting(
+        2.0, "1/m", (0.0, 20.0), "weight of the distance cue in the cost"
+    )
+    colour_weight: float = setting(1.0, "", (0.0, 10.0), "weight of the colour cue in the cost")
+    hidden_weight: float = setting(
+        0.5, "", (0.0, 10.0), "cost of seeing somebody who is expected to be hidden by others"
+    )

@@ -20,7 +20,7 @@ from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.population import Population
 from tracking.trackers.stereo_cues import Cues, likelihood_sigma
-from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.trackers.stereo_settings import StereoFilterSettings
 from tracking.trackers.stereo_sharing import Shared
 
 Floats = NDArray[np.float64]
@@ -64,7 +64,7 @@ def matched(
     people: Population,
     match: Match,
     cues: Cues,
-    settings: StereoTrackerSettings,
+    settings: StereoFilterSettings,
     random: np.random.Generator,
 ) -> Population:
     """The matched people weighed with their detections, and what is learnt from them.
@@ -98,7 +98,7 @@ def guests_kept(
     people: Population,
     expected: Population,
     shared: Shared,
-    settings: StereoTrackerSettings,
+    settings: StereoFilterSettings,
     random: np.random.Generator,
 ) -> Population:
     """People seen only as a part of somebody else's region: weighed, and no longer missed.
@@ -118,7 +118,7 @@ def guests_kept(
 
 
 def unseen(
-    people: Population, elapsed_s: float, view: View, settings: StereoTrackerSettings
+    people: Population, elapsed_s: float, view: View, settings: StereoFilterSettings
 ) -> Population:
     """Those not seen, weighed by where they would not be: behind the people who were seen.
 
