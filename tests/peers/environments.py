@@ -92,6 +92,15 @@ PYCOCOTOOLS = Peer("pycocotools", ("pycocotools==2.0.11",))
 JUPEDSIM = Peer("jupedsim", ("jupedsim==1.4.2",))
 SLEAP_IO = Peer("sleap-io", ("sleap-io==0.9.5",))
 
+# They follow the same detections; norfair and motpy are older than NumPy 2.
+_OLD_NUMPY = ("numpy==1.26.4", "scipy==1.15.3")
+_NEW_NUMPY = ("numpy==2.4.6", "scipy==1.17.1")
+NORFAIR = Peer("norfair", ("norfair==2.3.0", "filterpy==1.4.5", *_OLD_NUMPY))
+MOTPY = Peer("motpy", ("motpy==0.0.10", "filterpy==2.0.0", *_OLD_NUMPY))
+TRACKERS = Peer("trackers", ("trackers==2.6.1", "supervision==0.31.2", *_NEW_NUMPY))
+STONESOUP = Peer("stonesoup", ("stonesoup==1.9.1", *_NEW_NUMPY))
+
 SCORERS = (TRACKEVAL, MOTMETRICS, MOTRICS)
 OTHER_TOOLS = (DATUMARO, PYCOCOTOOLS, JUPEDSIM, SLEAP_IO)
-PEERS = {peer.name: peer for peer in (*SCORERS, *OTHER_TOOLS)}
+FOLLOWERS = (NORFAIR, MOTPY, TRACKERS, STONESOUP)
+PEERS = {peer.name: peer for peer in (*SCORERS, *OTHER_TOOLS, *FOLLOWERS)}

@@ -1,0 +1,45 @@
+"""Our stereo trackers over the same detections as the trackers of others."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tests.benchmarks.tracker_peers.clips import Clip
+from tests.peers.followers import Followed
+from tracking.pipeline import run_of_steps
+from tracking.recording import open_recording
+from tracking.settings import settings_values
+from tracking.trackers import StepResult, tracker_named
+from tracking.tracks import Columns
+
+_SEED = 0
+
+
+def follow(tracker: str, clip: Clip) -> tuple[Followed, Followed]:
+    """Its rows as frames came, and of the run looked over as a whole, with its own settings.
+
+    The time of the second includes the first's.
+    """
+    spec = tracker_named(tracker)
+    settings = spec.settings_type()
+    with open_recording(clip.recording) as recording:
+        _, following = spec.build(recording, settings, _SEED)
+        begun = time.process_time()
+        steps = [following.step(observation) for observation in clip.observations]
+        online_s = time.process_time() - begun
+        run = run_of_steps(steps, spec.name, settings_values(settings), _SEED, 0, recording)
+        finished_s = time.process_time() - begun
+    return (_joined(steps), online_s), (_rows(run.tracks), finished_s)
+
+
+def _joined(steps: Sequence[StepResult]) -> NDArray[np.float64]:
+    return np.concatenate([_rows(step.tracks) for step in steps])
+
+
+def _rows(tracks: Columns) -> NDArray[np.float64]:
+    """(n, 4) by `tests.peers.following.FOLLOWED`."""
+    return np.column_stack([tracks[name] for name in ("frame", "track", "x", "y")])
