@@ -144,8 +144,8 @@ class BackgroundModel:
         """Make the 8-bit pictures that subtraction compares with."""
         self._background = _exposed(self._mean, self._exposure)
         limit = cv2.convertScaleAbs(self._noise, alpha=self._settings.noise_factor)
-        lowest = np.full_like(limit, round(self._settings.threshold))
-        self._limit = np.asarray(cv2.max(limit, lowest), np.uint8)
+        lowest = np.uint8(round(self._settings.threshold))
+        self._limit = np.maximum(np.asarray(limit, np.uint8), lowest)
 
     def _follow_exposure(self, picture: Picture) -> None:
         """Scale what is compared with where the whole picture became brighter or darker.
@@ -174,21 +174,21 @@ class BackgroundModel:
 
     def _absorb(self, seen: Subtraction, people: Mask | None) -> None:
         """Take foreground that keeps still and is nobody into the background."""
-        moved = cv2.compare(
-            largest_difference(seen.picture, self._candidate), self._limit, cv2.CMP_GT
-        )
-        calm = cv2.bitwise_or(moved, cv2.bitwise_not(seen.mask)).view(bool)
-        np.copyto(self._candidate, seen.picture, where=(moved > 0)[..., None])
-        self._stillness_s += np.float32(self._period_s)
-        self._stillness_s[calm] = 0
-        needed_s = np.float32(self._absorb_after_s())
-        settled = self._stillness_s > needed_s
+        changed = largest_difference(seen.picture, self._candidate)
+        moved = np.asarray(cv2.compare(changed, self._limit, cv2.CMP_GT), np.uint8)
+        cv2.copyTo(seen.picture, moved, self._candidate)
+        still = cv2.bitwise_and(seen.mask, cv2.bitwise_not(moved))
+        longer_s = self._stillness_s + np.float32(self._period_s)
+        self._stillness_s = np.asarray(cv2.copyTo(longer_s, still), np.float32)
+        settled = self._stillness_s > np.float32(self._absorb_after_s())
         if people is not None:
-            lasting = self._stillness_s > self._settings.absorb_person_s
+            lasting = self._stillness_s > np.float32(self._settings.absorb_person_s)
             settled &= (people == 0) | lasting
-        if settled.any():
-            self._mean[settled] = seen.picture[settled]
-            self._noise[settled] = _NOISE_AT_FIRST
+        box = _around(settled)
+        if box is not None:
+            settled = settled[box]
+            self._mean[box][settled] = seen.picture[box][settled]
+            self._noise[box][settled] = _NOISE_AT_FIRST
 
     def _absorb_after_s(self) -> float:
         elapsed_s = self._frames * self._period_s / self._every
@@ -199,6 +199,12 @@ class BackgroundModel:
 def _exposed(mean: NDArray[np.float32], exposure: float) -> Picture:
     """The mean as 8-bit picture at an exposure."""
     return np.asarray(cv2.convertScaleAbs(mean, alpha=exposure), np.uint8)
+
+
+def _around(where: NDArray[np.bool_]) -> tuple[slice, slice] | None:
+    """The box round everything that is true; None without anything."""
+    x, y, width, height = cv2.boundingRect(where.view(np.uint8))
+    return (slice(y, y + height), slice(x, x + width)) if width else None
 
 
 def _within(value: float, bounds: tuple[float, float]) -> bool:

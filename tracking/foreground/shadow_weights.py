@@ -7,9 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.foreground.background import Subtraction
-from tracking.foreground.shadow import (
+from tracking.foreground.look import (
+    BackgroundLook,
+    Look,
+    chroma_distance,
+    even_box,
+    half_box,
     halved,
-    hue_distance,
     is_grey,
     log_ratio,
     texture_change,
@@ -22,6 +26,7 @@ _DARKEST, _BRIGHTEST = -1.4, 0.0
 """Logarithms of the light's ratio between which there may be a shadow."""
 _BODY = _LEVELS**3
 """The kind of pixels that are brighter than any shadow, or darker."""
+_LEAST_PX = 4
 _PRIOR_PX = 300.0
 """How many pixels the first guess of a kind is worth."""
 _SCORES = (0.15, 0.4)
@@ -48,6 +53,7 @@ class ShadowWeights:
         self._off = (1.0 - self._first) * _PRIOR_PX
         self._kinds: NDArray[np.uint16] = np.zeros((0, 0), np.uint16)
         self._table = self._weights()
+        self._usual = BackgroundLook()
 
     def weigh(self, seen: Subtraction) -> Picture:
         """(height, width) uint8: 255 what is a body for sure, 0 what is a shadow for sure.
@@ -56,12 +62,11 @@ class ShadowWeights:
         """
         self._kinds = np.full((seen.mask.shape[0] // 2, seen.mask.shape[1] // 2), _BODY, np.uint16)
         weight = np.full(seen.mask.shape, 255, np.uint8)
-        box = _even_box(seen.mask)
+        box = even_box(seen.mask, _LEAST_PX)
         if box is None:
             return weight
-        small = tuple(slice(side.start // 2, side.stop // 2) for side in box)
-        kinds = _kinds(halved(seen.picture[box]), halved(seen.background[box]))
-        self._kinds[small] = kinds
+        kinds = _kinds(halved(seen.picture[box]), self._usual.within(seen.background, box))
+        self._kinds[half_box(box)] = kinds
         size = (box[1].stop - box[1].start, box[0].stop - box[0].start)
         weight[box] = cv2.resize(self._table[kinds], size, interpolation=cv2.INTER_LINEAR)
         return weight
@@ -93,18 +98,19 @@ class ShadowWeights:
         return np.append(np.rint(255 * level), 255).astype(np.uint8)
 
 
-def _kinds(picture: Picture, background: Picture) -> NDArray[np.uint16]:
-    """(height, width) the kind of each pixel."""
-    light, usual, ratio = log_ratio(picture, background)
+def _kinds(picture: Picture, usual: Look) -> NDArray[np.uint16]:
+    """(height, width) the kind of each pixel of a picture, beside its background's look."""
+    now = Look.of(picture)
+    ratio = log_ratio(now, usual)
     change = texture_change(ratio)
-    hue = change if is_grey(picture) else hue_distance(picture, background)
+    hue = change if is_grey(picture) else chroma_distance(now, usual)
     dark = (ratio - np.float32(_DARKEST)) * np.float32(1 / (_BRIGHTEST - _DARKEST))
     kind = _level(change)
     kind *= _LEVELS
     kind += _level(hue)
     kind *= _LEVELS
     kind += _level(dark)
-    kind[(light >= usual) | (dark < 0)] = _BODY
+    kind[(now.light >= usual.light) | (dark < 0)] = _BODY
     return kind
 
 
@@ -120,15 +126,3 @@ def _first_guess() -> NDArray[np.float64]:
     score = 0.5 * middle[:, None, None] + 0.5 * middle[None, :, None]
     level = np.clip((score - _SCORES[0]) / (_SCORES[1] - _SCORES[0]), 0.02, 0.98)
     return np.asarray(np.broadcast_to(level, (_LEVELS,) * 3).ravel().copy())
-
-
-def _even_box(mask: Picture) -> tuple[slice, slice] | None:
-    """Round the foreground, between even corners, where halving is exact; None without any."""
-    x, y, width, height = cv2.boundingRect(mask)
-    if width < 2 or height < 2:
-        return None
-    low = x // 2 * 2, y // 2 * 2
-    high = min(x + width + 1, mask.shape[1]) // 2 * 2, min(y + height + 1, mask.shape[0]) // 2 * 2
-    if high[0] - low[0] < 4 or high[1] - low[1] < 4:
-        return None
-    return slice(low[1], high[1]), slice(low[0], high[0])

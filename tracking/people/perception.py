@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import find_objects
 
 from tracking.errors import RecordingError
 from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
@@ -16,7 +17,7 @@ from tracking.people.finder import PeopleFinder
 from tracking.people.observation import Observation, Overlays
 from tracking.people.settings import PeopleSettings
 from tracking.recording.frame import Image, StereoFrame
-from tracking.stereo import SightLines, StereoSettings, SubtractionStereo
+from tracking.stereo import STEP, SightLines, StereoSettings, SubtractionStereo
 
 Mask = NDArray[np.uint8]
 
@@ -150,18 +151,28 @@ class StereoPerception:
         """Masks of both eyes that cover the people generously."""
         masks = (np.zeros(shape, np.uint8), np.zeros(shape, np.uint8))
         shift = self._rectification.disparity_from_world(people.position) / self._shrink
-        for k in range(len(people)):
-            x, y, width, height = cv2.boundingRect((people.regions == k + 1).view(np.uint8))
-            low = np.array((x, y)) // self._shrink - _PROTECTED_MARGIN_PX
-            high = np.array((x + width, y + height)) // self._shrink + _PROTECTED_MARGIN_PX
-            for mask, moved in zip(masks, (0, round(float(shift[k]))), strict=True):
-                rows = slice(max(low[1], 0), max(high[1], 0))
-                columns = slice(max(low[0] - moved, 0), max(high[0] - moved, 0))
-                mask[rows, columns] = 255
+        each = STEP * self._shrink
+        places = find_objects(people.regions[::each, ::each], len(people))
+        for place, moved in zip(places, np.rint(shift).astype(int).tolist(), strict=True):
+            if not place:
+                continue
+            rows, columns = (_wider(side) for side in place)
+            masks[0][rows, columns] = 255
+            masks[1][rows, _moved_left(columns, moved)] = 255
         return masks
 
     def _overlays(self, mask: Mask, shadow: Mask, disparity: NDArray[np.float32]) -> Overlays:
         return Overlays(mask, disparity, shadow, self._rectification.size, self._shrink)
+
+
+def _wider(side: slice) -> slice:
+    """A side on the grid in working pixels, with the margin that is protected."""
+    low, high = side.start * STEP - _PROTECTED_MARGIN_PX, side.stop * STEP + _PROTECTED_MARGIN_PX
+    return slice(max(low, 0), high)
+
+
+def _moved_left(side: slice, pixels: int) -> slice:
+    return slice(max(side.start - pixels, 0), max(side.stop - pixels, 0))
 
 
 def _grey(picture: Image) -> NDArray[np.uint8]:
