@@ -31,7 +31,7 @@ def body(
     world = np.column_stack((place, random.uniform(0.35, 1.75, count))).astype(np.float32)
     area = np.full(count, 0.6 / count, np.float32)
     noise = np.full(count, max(noise_m, 0.02), np.float32)
-    return SurfacePoints(np.arange(count), world, area, noise)
+    return SurfacePoints(np.arange(count), world, area, noise, mass=area)
 
 
 def together(*bodies: SurfacePoints) -> SurfacePoints:
@@ -41,6 +41,7 @@ def together(*bodies: SurfacePoints) -> SurfacePoints:
         np.concatenate([b.world for b in bodies]),
         np.concatenate([b.area for b in bodies]),
         np.concatenate([b.range_noise for b in bodies]),
+        np.concatenate([b.mass for b in bodies]),
     )
 
 
@@ -117,7 +118,7 @@ def test_foreground_without_range_goes_to_the_person_it_touches() -> None:
     known[5:35, 12:14] = True
     pixel = np.flatnonzero(known)
     points = SurfacePoints(
-        pixel, np.zeros((len(pixel), 3), np.float32), *(np.ones(len(pixel), np.float32),) * 2
+        pixel, np.zeros((len(pixel), 3), np.float32), *(np.ones(len(pixel), np.float32),) * 3
     )
     labels = paint(np.zeros(len(pixel), np.intp), points, certain)
     assert (labels[5:35, 10:20] == 1).all()

@@ -19,8 +19,13 @@ _MOST_SEEDS = 80
 _KERNEL = 0.28
 """Standard deviation of the mean-shift kernel, as a share of a person's breadth."""
 _STEPS = 5
-_SAME_PERSON = 0.4
+_SAME_PERSON = 0.35
 """Squared distance of two places, in units of a person's breadth, below which they are one."""
+_AROUND = np.ones((5, 5), np.uint8)
+_BETWEEN_PX, _BETWEEN_M = 0.3, 0.15
+"""What lies by both behind one neighbour and before another is a mixture of the two."""
+_MIXTURE = 0.3
+"""What a mixture counts for when people are told apart: a hand or a hip is one at times."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,18 +37,20 @@ class SurfacePoints:
         world: (n, 3) metres.
         area: (n,) m² of surface, seen squarely, that the pixel covers.
         range_noise: (n,) m, the spread of the distance from the camera on the floor.
+        mass: (n,) m², what the point counts for when people are told apart: its area, but less
+            where it lies between a nearer and a farther surface, which the window of block
+            matching blends into people who are not there.
     """
 
     pixel: NDArray[np.intp]
     world: Floats
     area: Floats
     range_noise: Floats
+    mass: Floats
 
     def chosen(self, rows: NDArray[np.bool_] | slice) -> SurfacePoints:
         """Some of the points."""
-        return SurfacePoints(
-            self.pixel[rows], self.world[rows], self.area[rows], self.range_noise[rows]
-        )
+        return SurfacePoints(*(getattr(self, name)[rows] for name in self.__slots__))
 
 
 def surface_points(
@@ -60,6 +67,7 @@ def surface_points(
     """
     pixel = np.flatnonzero(np.isfinite(disparity))
     depth = lines.depth(disparity.ravel()[pixel])
+    per_m = np.float32(lines.focal_baseline) / depth**2
     sight = rays.reshape(-1, 3)[pixel]
     world = depth[:, None] * sight
     world += lines.centre.astype(np.float32)
@@ -67,7 +75,23 @@ def surface_points(
     # Straight below the camera, noise of range is noise of height: it moves nobody on the floor.
     level = np.hypot(sight[:, 0], sight[:, 1])
     noise = depth**2 * level * np.float32(noise_px / lines.focal_baseline)
-    return SurfacePoints(pixel, world, area, noise)
+    mixed = _mixed(disparity, pixel, np.maximum(per_m * _BETWEEN_M, np.float32(_BETWEEN_PX)))
+    mass = np.where(mixed, np.float32(_MIXTURE), np.float32(1)) * area
+    return SurfacePoints(pixel, world, area, noise, mass)
+
+
+def _mixed(disparity: Floats, pixel: NDArray[np.intp], limit_px: Floats) -> NDArray[np.bool_]:
+    """(n,) which of the places lie between a nearer and a farther neighbour, by the limit each."""
+    if len(pixel) == 0:
+        return np.zeros(0, np.bool_)
+    columns = disparity.shape[1]
+    first, stop = int(pixel[0]) // columns, int(pixel[-1]) // columns + 1
+    here, place = disparity.ravel()[pixel], pixel - first * columns
+    least, most = (np.full((stop - first, columns), none, np.float32) for none in (np.inf, -np.inf))
+    least.ravel()[place] = most.ravel()[place] = here
+    behind = here - np.asarray(cv2.erode(least, _AROUND), np.float32).ravel()[place]
+    before = np.asarray(cv2.dilate(most, _AROUND), np.float32).ravel()[place] - here
+    return np.asarray(np.minimum(behind, before) > limit_px, np.bool_)
 
 
 def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) -> Floats:
@@ -86,11 +110,11 @@ def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) ->
     if len(points.area) == 0:
         return np.zeros((0, 2), np.float32)
     thinned = points.chosen(slice(None, None, -(-len(points.area) // _MOST_POINTS)))
-    share = np.float32(points.area.sum() / max(float(thinned.area.sum()), 1e-9))
+    share = np.float32(points.mass.sum() / max(float(thinned.mass.sum()), 1e-9))
     places = _seeds(thinned, share, settings)
     mass = noise = np.zeros(len(places), np.float32)
     for _ in range(_STEPS):
-        weight = _kernel(places, thinned, eye, settings) * thinned.area
+        weight = _kernel(places, thinned, eye, settings) * thinned.mass
         mass = weight.sum(axis=1)
         weight /= np.maximum(mass, 1e-9)[:, None]
         places = np.asarray(weight @ thinned.world[:, :2], np.float32)
@@ -129,7 +153,7 @@ def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -
     cell = ((points.world[:, :2] - low) / _SEED_CELL_M).astype(np.intp)
     columns, rows = (cell.max(axis=0) + 2).tolist()
     flat = cell[:, 1] * columns + cell[:, 0]
-    surface = np.bincount(flat, points.area * share, rows * columns).reshape(rows, columns)
+    surface = np.bincount(flat, points.mass * share, rows * columns).reshape(rows, columns)
     around = cv2.boxFilter(
         surface.astype(np.float32), -1, (3, 3), normalize=False, borderType=cv2.BORDER_CONSTANT
     )

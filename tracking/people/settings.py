@@ -32,7 +32,7 @@ class PeopleSettings:
         "a region this many times wider or higher than a person is several people",
     )
     disparity_noise_px: float = setting(
-        0.35,
+        0.2,
         "px",
         (0.02, 3.0),
         "spread of disparity; how far apart in range people must be to be told apart",
