@@ -9,12 +9,15 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 
 from app.tracking_process import TrackerProcess, TrackingRequest
-from tracking.pipeline import run_of_steps
+from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
-from tracking.trackers import Resume, StepResult
+from tracking.trackers import Resume
 from tracking.tracks import Run
 
 _log = logging.getLogger(__name__)
+_MOST_AHEAD = 50
+"""Batches on their way to a window that is busy: then the tracker waits, so that they stay few."""
+_LOOK_EVERY_S = 0.1
 
 
 class LiveTracker(QObject):
@@ -25,6 +28,9 @@ class LiveTracker(QObject):
     `finished(run)` carries the run over the frames that were tracked (None where there were none),
     the very same as `pipeline.track` makes; `failed(error)` comes instead where the tracker could
     not go on.
+
+    Attributes:
+        kept: the steps so far, those not told of yet among them; may be read on any thread.
     """
 
     tracked = Signal(object)
@@ -47,7 +53,11 @@ class LiveTracker(QObject):
         self.tracker = tracker
         self._recording = recording
         self._request = TrackingRequest.of(recording, tracker, settings, seed, frames, resume)
+        self.kept = KeptSteps()
         self._process = TrackerProcess(self._request)
+        self._room = threading.Semaphore(_MOST_AHEAD)
+        self._closed = threading.Event()
+        self.tracked.connect(self._make_room, Qt.ConnectionType.QueuedConnection)
         self._thread = threading.Thread(target=self._run, name="live tracker", daemon=True)
         self._ended.connect(self._report, Qt.ConnectionType.QueuedConnection)
 
@@ -67,6 +77,7 @@ class LiveTracker(QObject):
     def close(self) -> None:
         """End the process and the thread; nothing is reported any more."""
         self._ended.disconnect(self._report)
+        self._closed.set()
         self._process.kill()
         if self._thread.is_alive():
             self._thread.join()
@@ -81,17 +92,23 @@ class LiveTracker(QObject):
         self._ended.emit(run, problem)
 
     def _track(self) -> Run | None:
-        steps: list[StepResult] = []
         for batch in self._process.batches():
-            steps += batch
+            while not self._room.acquire(timeout=_LOOK_EVERY_S):
+                if self._closed.is_set():
+                    return None
+            self.kept.add(batch)
             self.tracked.emit(batch)
-        asked = self._request
-        if not steps:
+        first, stop = self.kept.frames
+        if first == stop:
             return None
-        first = steps[0].frame
-        return run_of_steps(
-            steps, asked.tracker, asked.settings, asked.seed, first, self._recording, asked.resume
+        asked = self._request
+        return self.kept.run(
+            asked.tracker, asked.settings, asked.seed, self._recording, asked.resume
         )
+
+    def _make_room(self, _batch: object) -> None:
+        """The window has taken a batch."""
+        self._room.release()
 
     def _report(self, run: Run | None, problem: Exception | None) -> None:
         self._thread.join()

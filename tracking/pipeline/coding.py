@@ -91,7 +91,7 @@ class Steps:
 
     def put(self, spool: Spool, values: NDArray[Any]) -> Block:
         """See `Coding`."""
-        steps = np.rint(values * np.float32(1 / self.size))
+        steps = np.rint(values * np.float32(1 / self.size)) + np.float32(0)  # no 0 is negative
         low, high = float(steps.min()), float(steps.max())
         origin = np.floor((low + high) / 2)
         near = high - low < 2 * _HALF_RANGE - 1 and max(-low, high) < _WHOLE_NUMBERS

@@ -86,17 +86,20 @@ class KeptSteps:
 
         Raises OutputError where the disk fails.
         """
+        parts = self.parts(table, start, stop)
+        if len(parts) == 1:
+            return parts[0]
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+    def parts(self, table: str, start: int, stop: int) -> list[Columns]:
+        """The same in pieces one behind the other, without a copy of tables in memory."""
         settled, waiting = self._state
         until = settled + len(waiting)
         low, high = (min(max(0, frame - self._first), until) for frame in (start, stop))
         stored = self._tables.get(table) or self._clouds[table]
         early = stored.rows(min(low, settled), min(max(low, high), settled))
-        late = [getattr(s, table) for s in waiting[max(0, low - settled) : max(0, high - settled)]]
-        if not late:
-            return early
-        return {
-            name: np.concatenate([early[name], *(part[name] for part in late)]) for name in early
-        }
+        late = waiting[max(0, low - settled) : max(0, high - settled)]
+        return [early, *(getattr(step, table) for step in late)]
 
     def run(
         self,

@@ -24,6 +24,7 @@ from app.presenters.timeline.lanes import TimelinePresenter
 from app.presenters.words import tr
 from tracking.editing import Change, Written
 from tracking.errors import EditError
+from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
 from tracking.session import Session, author_named
 from tracking.trackers import StepResult
@@ -94,15 +95,21 @@ class Document:
         occluders = self.session.labels.occluders if self.session is not None else ()
         return PartsAsked(self.detector, occluders)
 
-    def begin_live(self, continues_at: int | None = None, at_work: AtWork | None = None) -> None:
+    def begin_live(
+        self,
+        continues_at: int | None = None,
+        at_work: AtWork | None = None,
+        kept: KeptSteps | None = None,
+    ) -> None:
         """A tracker starts; what it finds is shown until it has come to its end.
 
         The corrected tracks of a session stay as they are; where the tracker goes on from them at
-        a frame, they are shown before it. `at_work` is the tracker with its settings.
+        a frame, they are shown before it. `at_work` is the tracker with its settings, `kept`
+        where its steps are kept (see `LiveTracks`).
         """
         self.correcting.leave()
         self.selection.choose(0)
-        self._showing.begin_live(continues_at, at_work)
+        self._showing.begin_live(continues_at, at_work, kept)
         self._retake()
 
     def take_live(self, results: Iterable[StepResult]) -> None:

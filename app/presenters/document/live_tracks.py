@@ -9,37 +9,38 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.document.shown import ShownTracks, Spans, WholeTracks, joined
+from tracking.pipeline import KeptSteps
 from tracking.trackers import StepResult
-from tracking.tracks import (
-    DETECTION_COLUMNS,
-    PART_COLUMNS,
-    PART_PARTICLE_COLUMNS,
-    PARTICLE_COLUMNS,
-    SIGNAL_COLUMNS,
-    TRACK_COLUMNS,
-    TRACKLET_COLUMNS,
-    Columns,
-    empty,
-)
+from tracking.tracks import PART_COLUMNS, TRACK_COLUMNS, Columns, empty
 
 
 class LiveTracks:
-    """Results of a tracker at work, kept frame by frame as they come in order."""
+    """Results of a tracker at work, as they come in order.
 
-    def __init__(self) -> None:
-        self._steps: list[StepResult] = []
+    Args:
+        kept: where whoever runs the tracker keeps its steps before they are taken here; None:
+            they are kept here.
+    """
+
+    def __init__(self, kept: KeptSteps | None = None) -> None:
+        self._kept, self._keeps = kept or KeptSteps(), kept is None
         self._first = 0
         self._spans: dict[int, list[list[int]]] = {}
         self._made: dict[int, Spans] = {}  # of tracks that did not change since they were asked for
         self._people = array("H")
-        self._parts: tuple[int, int, Columns] = (0, 0, empty(PART_COLUMNS))  # track, steps taken
+        self._parts: tuple[int, int, Columns] = (
+            0,
+            0,
+            empty(PART_COLUMNS),
+        )  # track, until which frame
 
     def extend(self, results: Iterable[StepResult]) -> None:
         """Take further frames."""
         for step in results:
-            if not self._steps:
+            if not self._people:
                 self._first = step.frame
-            self._steps.append(step)
+            if self._keeps:
+                self._kept.add((step,))
             self._people.append(len(step.tracks["track"]))
             predicted = step.tracks["predicted"].tolist()
             for track, lost in zip(step.tracks["track"].tolist(), predicted, strict=True):
@@ -48,7 +49,7 @@ class LiveTracks:
     @property
     def frames(self) -> tuple[int, int]:
         """The frames tracked so far."""
-        return self._first, self._first + len(self._steps)
+        return self._first, self._first + len(self._people)
 
     @property
     def ids(self) -> Sequence[int]:
@@ -57,12 +58,11 @@ class LiveTracks:
 
     def of_frame(self, frame: int) -> Columns:
         """The frame's rows; none where it was not tracked yet."""
-        step = self._step(frame)
-        return empty(TRACK_COLUMNS) if step is None else step.tracks
+        return self._rows("tracks", frame, frame + 1)
 
     def recent(self, frame: int, back: int) -> Columns:
         """The rows of the frame's people, from `back` frames before it."""
-        rows = self._rows(frame - back, frame + 1)
+        rows = self._rows("tracks", frame - back, frame + 1)
         mine = np.isin(rows["track"], self.of_frame(frame)["track"])
         return {name: column[mine] for name, column in rows.items()}
 
@@ -71,55 +71,45 @@ class LiveTracks:
         spans = self._spans.get(track)
         if not spans:
             return empty(TRACK_COLUMNS)
-        rows = self._rows(spans[0][0], spans[-1][1])
+        rows = self._rows("tracks", spans[0][0], spans[-1][1])
         mine = rows["track"] == track
         return {name: column[mine] for name, column in rows.items()}
 
     def detections(self, frame: int) -> Columns:
         """What was measured in the frame."""
-        step = self._step(frame)
-        return empty(DETECTION_COLUMNS) if step is None else step.detections
+        return self._rows("detections", frame, frame + 1)
 
     def particles(self, frame: int) -> Columns:
         """The frame's particles."""
-        step = self._step(frame)
-        return empty(PARTICLE_COLUMNS) if step is None else step.particles
+        return self._rows("particles", frame, frame + 1)
 
     def parts(self, frame: int) -> Columns:
         """The frame's parts."""
-        step = self._step(frame)
-        return empty(PART_COLUMNS) if step is None else step.parts
+        return self._rows("parts", frame, frame + 1)
 
     def part_particles(self, frame: int) -> Columns:
         """The particles of the frame's parts."""
-        step = self._step(frame)
-        return empty(PART_PARTICLE_COLUMNS) if step is None else step.part_particles
+        return self._rows("part_particles", frame, frame + 1)
 
     def tracklets(self, frame: int) -> Columns:
         """The frame's tracklets."""
-        step = self._step(frame)
-        return empty(TRACKLET_COLUMNS) if step is None else step.tracklets
+        return self._rows("tracklets", frame, frame + 1)
 
     def signals(self, frame: int) -> Columns:
         """What was noticed of the frame's people."""
-        step = self._step(frame)
-        return empty(SIGNAL_COLUMNS) if step is None else step.signals
+        return self._rows("signals", frame, frame + 1)
 
     def parts_of_track(self, track: int) -> Columns:
         """The parts of a track so far."""
         known, until, rows = self._parts
+        stop = self.frames[1]
         if known != track:
-            until, rows = 0, empty(PART_COLUMNS)
-        if until < len(self._steps):
-            new = [step.parts for step in self._steps[until:] if len(step.parts["track"])]
-            mine = [part["track"] == track for part in new]
-            rows = {
-                name: np.concatenate(
-                    [column, *(part[name][own] for part, own in zip(new, mine, strict=True))]
-                )
-                for name, column in rows.items()
-            }
-        self._parts = (track, len(self._steps), rows)
+            until, rows = self._first, empty(PART_COLUMNS)
+        if until < stop:
+            new = self._rows("parts", until, stop)
+            mine = new["track"] == track
+            rows = {name: np.concatenate((rows[name], new[name][mine])) for name in rows}
+        self._parts = (track, stop, rows)
         return rows
 
     def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
@@ -145,16 +135,14 @@ class LiveTracks:
 
     def held(self, names: Sequence[str]) -> Callable[[], Columns]:
         """Takes hold of all rows so far; they are read frame by frame."""
-        steps = tuple(self._steps)
-        return lambda: joined([step.tracks for step in steps], names)
+        parts = self._kept.parts("tracks", *self.frames)
+        return lambda: joined(parts, names)
 
-    def _rows(self, start: int, stop: int) -> Columns:
-        low, high = (min(max(0, n - self._first), len(self._steps)) for n in (start, stop))
-        return joined([step.tracks for step in self._steps[low:high]])
-
-    def _step(self, frame: int) -> StepResult | None:
-        index = frame - self._first
-        return self._steps[index] if 0 <= index < len(self._steps) else None
+    def _rows(self, table: str, start: int, stop: int) -> Columns:
+        """Of frames that were taken: more may be kept already."""
+        first, until = self.frames
+        start = min(max(start, first), until)
+        return self._kept.rows(table, start, min(max(start, stop), until))
 
     def _lengthen(self, track: int, frame: int, predicted: int) -> None:
         spans = self._spans.setdefault(track, [])

@@ -9,6 +9,7 @@ from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.document.shown import WholeTracks
 from app.presenters.pictures.of_run import AtWork, MadeBy
+from tracking.pipeline import KeptSteps
 from tracking.session import Session
 from tracking.trackers import StepResult
 from tracking.tracks import Labels, TrackLabel, TrackTable
@@ -66,9 +67,14 @@ class Showing:
             return self._at_work
         return None if self.session is None else self.session.corrected_run
 
-    def begin_live(self, continues_at: int | None, at_work: AtWork | None = None) -> None:
-        """Show what a tracker finds from now on; before `continues_at`, if any, the session."""
-        self._live, self.is_live = LiveTracks(), True
+    def begin_live(
+        self, continues_at: int | None, at_work: AtWork | None = None, kept: KeptSteps | None = None
+    ) -> None:
+        """Show what a tracker finds from now on; before `continues_at`, if any, the session.
+
+        kept: see `LiveTracks`.
+        """
+        self._live, self.is_live = LiveTracks(kept), True
         self._at_work = at_work
         self._continues_at = continues_at
         self.tracks = self._chosen()

@@ -90,8 +90,9 @@ class TrackerAtWork(QObject):
         if settings is None:
             settings = self._document.parts_asked.filled(tracker_named(tracker).settings_type)
         at_work = AtWork.of(tracker, settings)
-        self._document.begin_live(resume.frame if resume is not None else None, at_work)
-        self.live.start(tracker, settings, seed, frames, resume)
+        kept = self.live.start(tracker, settings, seed, frames, resume)
+        first = resume.frame if resume is not None else None
+        self._document.begin_live(first, at_work, kept)
         if frames is not None and not frames[0] <= self._playback.clock.frame < frames[1]:
             self._playback.go(frames[0])
         self.changed.emit()

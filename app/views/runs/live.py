@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.background import LiveTracker
 from app.presenters.words import tr
+from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
 from tracking.trackers import Resume, StepResult
 
@@ -52,10 +53,11 @@ class LiveTracking(QObject):
         seed: int = 0,
         frames: tuple[int, int] | None = None,
         resume: Resume | None = None,
-    ) -> None:
+    ) -> KeptSteps:
         """Put a tracker to work on a half-open range of frames; None: on all of them.
 
         With `resume` it goes on from corrected tracks; the range begins where they end then.
+        Gives where its steps are kept before `tracked` tells of them.
         """
         self.close()
         first = resume.frame if resume is not None else 0
@@ -67,6 +69,7 @@ class LiveTracking(QObject):
         worker.failed.connect(self._fail)
         self._worker = worker
         worker.start()
+        return worker.kept
 
     def stop(self) -> None:
         """Stop after the frame in work and keep what was tracked."""

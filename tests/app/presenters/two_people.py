@@ -6,6 +6,7 @@ import numpy as np
 
 from tracking.trackers import StepResult
 from tracking.tracks import (
+    ASSOCIATION_COLUMNS,
     DETECTION_COLUMNS,
     PARTICLE_COLUMNS,
     TRACK_COLUMNS,
@@ -79,5 +80,9 @@ def steps() -> list[StepResult]:
         here = rows["frame"] == frame
         tracks = {name: column[here] for name, column in rows.items()}
         particles = made.particles.of_frame(frame)
-        results.append(StepResult(frame, tracks, empty(DETECTION_COLUMNS), particles, {}))
+        results.append(
+            StepResult(
+                frame, tracks, empty(DETECTION_COLUMNS), particles, empty(ASSOCIATION_COLUMNS)
+            )
+        )
     return results

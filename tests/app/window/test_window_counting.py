@@ -15,7 +15,14 @@ from app.presenters.counting.subject import SHOWN
 from tracking.counting import occupancy, passages
 from tracking.editing import plan_delete_tracks, plan_lines, plan_regions
 from tracking.trackers import StepResult
-from tracking.tracks import DETECTION_COLUMNS, CountingLine, Region, between, empty
+from tracking.tracks import (
+    ASSOCIATION_COLUMNS,
+    DETECTION_COLUMNS,
+    CountingLine,
+    Region,
+    between,
+    empty,
+)
 
 GATE = CountingLine("gate", (1.0, -1.0), (1.2, 9.0))
 SCREEN = CountingLine("screen", (0.0, 100.0), (320.0, 99.0), in_picture=True)
@@ -354,7 +361,8 @@ def _steps_of(run, first: int, stop: int) -> list[StepResult]:
         rows = between(run.tracks["frame"], frame, frame + 1)
         tracks = {name: column[rows] for name, column in run.tracks.items()}
         particles = run.particles.of_frame(frame)
-        steps.append(StepResult(frame, tracks, empty(DETECTION_COLUMNS), particles, {}))
+        seen, pairs = empty(DETECTION_COLUMNS), empty(ASSOCIATION_COLUMNS)
+        steps.append(StepResult(frame, tracks, seen, particles, pairs))
     return steps
 
 
