@@ -2,17 +2,74 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
 from tracking.geometry import View
+from tracking.trackers.linking.candidates import links_between
+from tracking.trackers.linking.choosing import chains, chosen
+from tracking.trackers.linking.doubts import Doubt, doubts
+from tracking.trackers.linking.looks import looks_of
+from tracking.trackers.linking.renaming import renamed
+from tracking.trackers.linking.seen import Integers, seen_of
+from tracking.trackers.linking.tracklets import Tracklets, tracklets
 from tracking.trackers.smoothing import smoothed
 from tracking.tracks.columns import Columns
 from tracking.tracks.run import Run
 
 
 def linked(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
-    """The run with what was seen later taken into account, from both ends; see `smoothed`.
+    """The run with one id for each person, smoothed from both ends; see `smoothed`.
+
+    Trackers decide frame by frame, and where two people meet or somebody is lost they may go on
+    with the wrong one. Of a recording it is known what came later: tracks are cut where it is
+    doubtful who goes on, and the pieces are linked again over the whole recording at once, by how
+    people walk, how they look and where they come from and go to.
+
+    A person has the lowest of the ids that were first given to it, or else a new one above all
+    there are. Rows that stand fast keep theirs, and who is known by an id keeps it.
 
     Args:
         view: the camera the boxes were seen by. fps: frames a second.
-        given: rows of frames before the run's that stand fast, as corrected by people.
+        given: rows of frames before the run's that stand fast, as corrected by people: its people
+            go on from there.
     """
+    before = 0 if given is None else len(given["frame"])
+    seen, meetings = seen_of(run if given is None else _behind(given, run), view)
+    own = seen.row >= before
+    if own.any():
+        doubt = doubts(seen, meetings, view, fps)
+        doubt[~own & (doubt != Doubt.TRACK)] = Doubt.NONE
+        pieces = tracklets(seen, doubt, fps)
+        known = max(run.known_tracks, int(seen.track[~own].max(initial=0)))
+        fixed = (pieces.doubt == Doubt.TRACK) & (pieces.track <= known)
+        links = links_between(seen, pieces, view, fps, run.frames, fixed)
+        person = chains(chosen(links, pieces, looks_of(seen, pieces, fps)))
+        highest = max(known, int(run.tracks["track"].max()))
+        name = _names(pieces, person, highest)[pieces.of_rows]
+        run = renamed(run, seen.row[own] - before, name[own], view)
     return smoothed(run, view, fps, given)
+
+
+def _behind(given: Columns, run: Run) -> Run:
+    """The run with the rows given before its own; nothing was noticed of them."""
+    tracks = {name: np.concatenate((given[name], column)) for name, column in run.tracks.items()}
+    signals = {
+        name: np.concatenate((np.full(len(given["frame"]), np.nan, column.dtype), column))
+        if column.dtype.kind == "f"
+        else np.concatenate((given[name], column))
+        for name, column in run.signals.items()
+    }
+    return replace(run, tracks=tracks, signals=signals)
+
+
+def _names(pieces: Tracklets, person: NDArray[np.intp], highest: int) -> Integers:
+    """(pieces,) the id of each one's person; new ones are above the highest."""
+    begins = pieces.doubt == Doubt.TRACK
+    id_of = np.full(int(person.max()) + 1, np.iinfo(np.int64).max)
+    np.minimum.at(id_of, person[begins], pieces.track[begins])
+    fresh = np.flatnonzero(id_of > highest)
+    id_of[fresh] = highest + 1 + np.arange(len(fresh))
+    return id_of[person]

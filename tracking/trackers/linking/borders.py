@@ -1,0 +1,59 @@
+"""Where people come from and go to: cheap at the picture's edges, dear within."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracking.geometry import View
+from tracking.trackers.linking.seen import Floats, Seen
+from tracking.trackers.linking.tracklets import State, Tracklets
+
+_BODY_M = (1.7, 0.5)
+_AHEAD_S = 0.5
+"""Who walks out of the picture within this time may have left."""
+_INSIDE, _OUTSIDE = 0.95, 0.6
+"""Share of a body in the picture: from the one on nobody, from the other on everybody may leave."""
+_BIRTHS_EDGE, _BIRTHS_WITHIN = 0.05, 0.0005
+"""People who come, a square metre and second, at the edge and within."""
+_DEATHS_EDGE, _DEATHS_WITHIN = 0.5, 0.005
+"""Share of the tracklets that end there and are not found again."""
+
+
+def birth_costs(seen: Seen, pieces: Tracklets, view: View, fps: float, start: int) -> Floats:
+    """(t,) minus the log-density, in 1/(m² s), of people who come where tracklets begin.
+
+    Args:
+        start: first frame of the run; who is there then costs as little as who enters.
+    """
+    edge = _leaving(pieces.first, -_AHEAD_S, view)
+    edge[seen.at_edge[pieces.start] | (pieces.first.frame <= start + fps / 2)] = 1.0
+    return -_between(edge, _BIRTHS_WITHIN, _BIRTHS_EDGE)
+
+
+def death_costs(seen: Seen, pieces: Tracklets, view: View, fps: float, stop: int) -> Floats:
+    """(t,) minus the log of how likely people go where tracklets end."""
+    edge = _leaving(pieces.last, _AHEAD_S, view)
+    edge[seen.at_edge[pieces.stop - 1] | (pieces.last.frame >= stop - 1 - fps / 2)] = 1.0
+    return -_between(edge, _DEATHS_WITHIN, _DEATHS_EDGE)
+
+
+def share_inside(place: Floats, view: View) -> Floats:
+    """(n,) how much of a usual body at places (n, 2) the picture shows."""
+    box = view.box_of_person(place, *_BODY_M)
+    low = np.clip(box[:, :2], 0.0, view.camera.size)
+    high = np.clip(box[:, :2] + box[:, 2:], 0.0, view.camera.size)
+    share = np.prod(high - low, axis=1) / np.prod(box[:, 2:], axis=1)
+    return np.asarray(np.nan_to_num(share))
+
+
+def _leaving(state: State, ahead_s: float, view: View) -> Floats:
+    """(t,) 0 to 1, how far people are out of the picture, now or soon."""
+    share = np.minimum(
+        share_inside(state.place, view),
+        share_inside(state.place + ahead_s * state.velocity, view),
+    )
+    return np.clip((_INSIDE - share) / (_INSIDE - _OUTSIDE), 0.0, 1.0)
+
+
+def _between(edge: Floats, within: float, outside: float) -> Floats:
+    return np.asarray((1.0 - edge) * np.log(within) + edge * np.log(outside))

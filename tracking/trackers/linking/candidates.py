@@ -1,0 +1,80 @@
+"""What links between tracklets cost, looks aside."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import View
+from tracking.trackers.linking.borders import birth_costs, death_costs
+from tracking.trackers.linking.doubts import Doubt
+from tracking.trackers.linking.links import Links
+from tracking.trackers.linking.motion import fresh_likelihood, walk_likelihood
+from tracking.trackers.linking.seen import Floats, Seen
+from tracking.trackers.linking.tracklets import Tracklets
+
+Rows = NDArray[np.intp]
+
+_LONGEST_S = 6.0
+"""Who is not found again by then is somebody new."""
+_MISSED, _MISSED_S = 0.1, 0.1
+"""Share of gaps that are no short failure to detect, and how long those are."""
+_LOST_S = 1.5
+"""How long others are, while nothing is known that hides the person."""
+_TRACKER, _TRACKER_GAP = 3.0, 1.5
+"""Log-odds of what the tracker said, which knew more of looks; after a gap it was less sure."""
+_GAP_S = 0.25
+_BACK_AT_ONCE = 1.0
+"""Log-odds that who leaves and who enters at the same place and moment are two people."""
+
+
+def links_between(
+    seen: Seen,
+    pieces: Tracklets,
+    view: View,
+    fps: float,
+    frames: tuple[int, int],
+    fixed: NDArray[np.bool_],
+) -> Links:
+    """The pairs of tracklets that may be one person's, with their costs.
+
+    A link costs less than nothing where one person who goes on is likelier than one who leaves
+    and another who comes.
+
+    Args:
+        frames: half-open range of the run. fixed: (t,) tracklets that begin as somebody known.
+    """
+    end, start = _pairs(pieces, round(_LONGEST_S * fps))
+    free = ~fixed[start]
+    end, start = end[free], start[free]
+    gap_s = (pieces.first.frame[start] - pieces.last.frame[end]) / fps
+    together = walk_likelihood(pieces.last, pieces.first, end, start, gap_s)
+    together += _found_again(gap_s, fps)
+    same = (pieces.track[end] == pieces.track[start]) & (start > end)
+    together += same * np.where(gap_s > _GAP_S, _TRACKER_GAP, _TRACKER)
+    apart = fresh_likelihood(pieces.first) - birth_costs(seen, pieces, view, fps, frames[0])
+    gone = -death_costs(seen, pieces, view, fps, frames[1])
+    cost = apart[start] + gone[end] - together
+    edges = np.cumsum(pieces.doubt == Doubt.EDGE)
+    cost[same & (edges[start] > edges[end])] = _BACK_AT_ONCE
+    return Links(end, start, cost)
+
+
+def _pairs(pieces: Tracklets, longest: int) -> tuple[Rows, Rows]:
+    """Tracklets (k,) that end and (k,) that begin later, within so many frames."""
+    order = np.argsort(pieces.first.frame, kind="stable")
+    begins = pieces.first.frame[order]
+    low = np.searchsorted(begins, pieces.last.frame, side="right")
+    high = np.searchsorted(begins, pieces.last.frame + longest, side="right")
+    count = high - low
+    end = np.repeat(np.arange(len(pieces)), count)
+    nth = np.arange(len(end)) - np.repeat(np.cumsum(count) - count, count)
+    return end, order[low[end] + nth]
+
+
+def _found_again(gap_s: Floats, fps: float) -> Floats:
+    """(k,) log-density, in 1/s, of being seen again after these gaps."""
+    unseen_s = np.maximum(gap_s - 1.0 / fps, 0.0)
+    short = np.log((1.0 - _MISSED) / _MISSED_S) - unseen_s / _MISSED_S
+    long = np.log(_MISSED / _LOST_S) - unseen_s / _LOST_S
+    return np.asarray(np.logaddexp(short, long))

@@ -1,0 +1,111 @@
+"""Which tracklets follow each other: one choice for the whole recording, the least costly."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from tracking.trackers.linking.links import Links
+from tracking.trackers.linking.looks import Looks
+from tracking.trackers.linking.seen import Floats
+from tracking.trackers.linking.short import with_short
+from tracking.trackers.linking.tracklets import Tracklets
+
+Rows = NDArray[np.intp]
+
+_ROUNDS = 8
+_LEAST_ROWS = 4
+"""Of a tracklet that is linked before the others."""
+
+
+def chosen(links: Links, pieces: Tracklets, looks: Looks) -> Rows:
+    """(t,) the tracklet that follows each; -1 where nobody does.
+
+    Tracklets of few rows tell neither where somebody goes nor how they look: they are put where
+    they fit after all others are linked.
+    """
+    long = np.asarray(pieces.stop - pieces.start >= _LEAST_ROWS)
+    following = _between_long(links, pieces, looks, long)
+    return with_short(following, links, pieces, np.flatnonzero(~long))
+
+
+def _between_long(links: Links, pieces: Tracklets, looks: Looks, long: NDArray[np.bool_]) -> Rows:
+    """The links of long tracklets.
+
+    One globally cheapest assignment of beginnings to ends. Looks are compared between all of a
+    person before and all after, which depends on the other links: it is repeated with those of
+    the round before, from the tracker's own on, and the cheapest round is taken.
+    """
+    following = _of_tracker(pieces, long)
+    links = links.only(long[links.end] & long[links.start])
+    best, least = following, np.inf
+    for _ in range(_ROUNDS):
+        cost = links.cost - _alike(following, links, pieces, looks)
+        total = cost[following[links.end] == links.start].sum()
+        if total < least:
+            best, least = following, total
+        again = _cheapest(links, cost, len(pieces))
+        if (again == following).all():
+            break
+        following = again
+    return best
+
+
+def chains(following: Rows) -> Rows:
+    """(t,) the number of each tracklet's person, in the order of the first tracklets."""
+    first = np.ones(len(following), bool)
+    first[following[following >= 0]] = False
+    person = np.full(len(following), -1)
+    for number, piece in enumerate(np.flatnonzero(first).tolist()):
+        while piece >= 0:
+            person[piece] = number
+            piece = int(following[piece])
+    return person
+
+
+def _of_tracker(pieces: Tracklets, long: NDArray[np.bool_]) -> Rows:
+    """(t,) what the tracker said of the long ones: every track is one person."""
+    following = np.full(len(pieces), -1)
+    rows = np.flatnonzero(long)
+    same = np.flatnonzero(np.diff(pieces.track[rows]) == 0)
+    following[rows[same]] = rows[same + 1]
+    return following
+
+
+def _alike(following: Rows, links: Links, pieces: Tracklets, looks: Looks) -> Floats:
+    """(links,) log-likelihood ratio that all before and all after look like one person."""
+    person = chains(following)
+    order = np.lexsort((pieces.first.frame, person))
+    opens = np.flatnonzero(np.diff(person[order], prepend=-1))
+    length = np.diff(np.append(opens, len(order)))
+    before, after = [], []
+    for values in (looks.told, looks.value):
+        running = np.concatenate((np.zeros((1, values.shape[1])), np.cumsum(values[order], axis=0)))
+        upto, since = np.empty_like(values), np.empty_like(values)
+        upto[order] = running[1:] - np.repeat(running[opens], length, axis=0)
+        since[order] = np.repeat(running[opens + length], length, axis=0) - running[:-1]
+        before.append(upto[links.end])
+        after.append(since[links.start])
+    return looks.alike((before[0], before[1]), (after[0], after[1]))
+
+
+def _cheapest(links: Links, cost: Floats, count: int) -> Rows:
+    """(count,) who follows whom at least cost; links that cost more than two people are left."""
+    following = np.full(count, -1)
+    good = cost < 0.0
+    end, start, cost = links.end[good], links.start[good], cost[good]
+    graph = coo_array((np.ones(len(end)), (end, start + count)), shape=(2 * count, 2 * count))
+    group = connected_components(graph, directed=False)[1][end]
+    order = np.argsort(group, kind="stable")
+    for rows in np.split(order, np.flatnonzero(np.diff(group[order])) + 1):
+        ends, i = np.unique(end[rows], return_inverse=True)
+        starts, j = np.unique(start[rows], return_inverse=True)
+        matrix = np.zeros((len(ends), len(starts)))
+        matrix[i, j] = cost[rows]
+        i, j = linear_sum_assignment(matrix)
+        real = matrix[i, j] < 0.0
+        following[ends[i[real]]] = starts[j[real]]
+    return following

@@ -1,0 +1,30 @@
+"""What there is to choose from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.trackers.linking.seen import Floats
+
+Rows = NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class Links:
+    """Pairs of tracklets that may be one person's, one after the other.
+
+    Attributes:
+        end, start: (k,) the tracklet left and the one gone on with.
+        cost: (k,) by what is known without looks, less the cost of two different people.
+    """
+
+    end: Rows
+    start: Rows
+    cost: Floats
+
+    def only(self, rows: NDArray[np.bool_]) -> Links:
+        """Some of them."""
+        return Links(self.end[rows], self.start[rows], self.cost[rows])

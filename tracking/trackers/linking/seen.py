@@ -1,0 +1,108 @@
+"""The rows of a run in which people were seen, one track behind the other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import View
+from tracking.trackers.linking.encounters import Encounters, encounters
+from tracking.tracks.columns import CLOTHES, Columns
+from tracking.tracks.run import Run
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Integers = NDArray[np.int64]
+
+SIDES = ("left", "top", "width", "height")
+LOOKS = (*CLOTHES, "height_m")
+EDGE_SHARE = 0.006
+"""Of the picture's size: boxes that come so close to its edge are cut off by it."""
+_WELL_SEEN = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """Rows with a detection and a place, ordered by track and frame.
+
+    Attributes:
+        frame, track: (n,) with the ids of the tracker. row: (n,) of the run's tracks.
+        place: (n, 2) m, where the detection stood. box: (n, 4) px, of the detection.
+        looks: (n, 7) `LOOKS`, NaN where they are not known, cut off or not this person's alone.
+        at_edge: (n,) the box is cut off by the picture's edge.
+        alone: (n,) nobody else is near or in front.
+    """
+
+    frame: Integers
+    track: Integers
+    row: NDArray[np.intp]
+    place: Floats
+    box: Floats
+    looks: Floats
+    at_edge: Flags
+    alone: Flags
+
+    def __len__(self) -> int:
+        """The number of rows."""
+        return len(self.frame)
+
+
+def seen_of(run: Run, view: View) -> tuple[Seen, Encounters]:
+    """The rows of a run that were seen, and who came near whom."""
+    tracks = run.tracks
+    place = np.stack((tracks["x"], tracks["y"]), axis=1)
+    box = np.stack([tracks[name] for name in SIDES], axis=1)
+    known = np.isfinite(place).all(axis=1) & np.isfinite(box).all(axis=1)
+    order = np.lexsort((tracks["frame"], tracks["track"]))
+    row = order[(known & ~tracks["predicted"])[order]]
+    meetings = encounters(tracks["frame"], tracks["track"], place, box, known)
+    _measure(place, box, run.detections, tracks, row)
+    alone = ~meetings.met[row] & (tracks["visibility"][row] >= _WELL_SEEN)
+    edge = _at_edge(box[row], view)
+    looks = _looks(run.signals, tracks)[row]
+    around = np.convolve(edge, np.ones(7), mode="same") > 0
+    looks[~alone | around] = np.nan
+    frame, track = tracks["frame"][row].astype(np.int64), tracks["track"][row].astype(np.int64)
+    return Seen(frame, track, row, place[row], box[row], looks, edge, alone), meetings
+
+
+def keys(frame: NDArray[np.integer], track: NDArray[np.integer]) -> Integers:
+    """One number for each frame and track."""
+    return np.asarray(frame.astype(np.int64) * 2**32 + track.astype(np.int64))
+
+
+def _measure(
+    place: Floats, box: Floats, detections: Columns, tracks: Columns, row: NDArray[np.intp]
+) -> None:
+    """Put the detections' places and boxes in the rows that were matched with one.
+
+    The filter's own are smoothed forwards, the boxes drawn to an outline remembered.
+    """
+    own = keys(tracks["frame"][row], tracks["track"][row])
+    order = np.argsort(own)
+    own, row = own[order], row[order]
+    known = [np.isfinite(detections[name]) for name in ("x", "y", *SIDES)]
+    matched = np.flatnonzero(np.logical_and.reduce(known) & (detections["track"] > 0))
+    theirs = keys(detections["frame"][matched], detections["track"][matched])
+    at = np.minimum(np.searchsorted(own, theirs), max(len(own) - 1, 0))
+    hit = own[at] == theirs if len(own) else np.zeros(len(theirs), bool)
+    at, matched = row[at[hit]], matched[hit]
+    place[at] = np.stack((detections["x"][matched], detections["y"][matched]), axis=1)
+    box[at] = np.stack([detections[name][matched] for name in SIDES], axis=1)
+
+
+def _looks(signals: Columns, tracks: Columns) -> Floats:
+    """(rows of the tracks, 7) what the run noticed of each; NaN where it noticed nothing."""
+    if len(signals["frame"]) != len(tracks["frame"]):
+        return np.full((len(tracks["frame"]), len(LOOKS)), np.nan)
+    return np.stack([signals[name].astype(np.float64) for name in LOOKS], axis=1)
+
+
+def _at_edge(box: Floats, view: View) -> Flags:
+    """(n,) whether a box touches the picture's edge."""
+    size = np.array(view.camera.size, float)
+    margin = EDGE_SHARE * size.max()
+    high = box[:, :2] + box[:, 2:]
+    return np.asarray((box[:, :2] <= margin).any(axis=1) | (high >= size - 1 - margin).any(axis=1))
