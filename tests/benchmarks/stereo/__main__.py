@@ -44,10 +44,20 @@ def _measures(wish: Asked) -> dict[str, Callable[[], Any]]:
     return {
         "tables": lambda: measuring.tables(known.of_scene, wish.clips),
         "goals": lambda: measuring.goals(known.of_scene, wish.clips),
+        "peers": lambda: _peers(known, wish),
         "real": lambda: real.measure(wish.data),
         "lost": lambda: _lost(known, wish),
         "befallen": lambda: befallen.measure(known.dimmed, known.sound, wish.clips),
     }
+
+
+def _peers(known: Any, wish: Asked) -> dict[str, Any]:
+    from tests.benchmarks.stereo import peers
+    from tests.benchmarks.tracker_peers import REPORTED_SEEDS
+    from tests.benchmarks.tracker_peers.choosing import CHOOSING_SEEDS
+
+    seeds = REPORTED_SEEDS if wish.report else CHOOSING_SEEDS[:1]
+    return peers.measure(known.of_scene, seeds, wish.clips)
 
 
 def _lost(known: Any, wish: Asked) -> dict[str, Any]:

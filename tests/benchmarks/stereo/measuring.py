@@ -7,10 +7,12 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from tests.benchmarks.rendered import Clip
 from tests.benchmarks.stereo.clips import PAPERS, folder
 from tests.benchmarks.stereo.columns import OURS, columns_of
-from tests.benchmarks.stereo.reasons import VISIBLE_S, NotKept, not_kept
+from tests.benchmarks.stereo.reasons import VISIBLE_S, NotKept, matches_of, not_kept
 from tests.benchmarks.stereo.trackers import Seen, runs_over
 from tests.benchmarks.stereo.truth import Truth, truth_of, visible_for
 from tracking.scoring import (
@@ -22,9 +24,13 @@ from tracking.scoring import (
     per_person_of,
     score_of,
 )
+from tracking.scoring.papers import detected_and_kept
 
 Figures = dict[str, Any]
 OfScene = Mapping[str, Sequence[Clip]]
+
+_KINDS = ("detected", "kept", "detected_by_place", "kept_by_place", "not_kept")
+"""Of people; "by place" where only tracks count that stand nearer to them than to anybody else."""
 
 SCORES = ("tracking_accuracy", "MOTA", "IDF1", "HOTA", "id_switches")
 
@@ -58,7 +64,7 @@ def _not_kept(place: Path) -> list[Figures]:
 
 def _columns(scene: str, clips: Sequence[Clip], kept: Path | None) -> Figures:
     columns = columns_of(scene)
-    found: Figures = {name: {"detected": [], "kept": [], "not_kept": []} for name in columns}
+    found: Figures = {name: {kind: [] for kind in _KINDS} for name in columns}
     for clip in clips:
         place = folder(clip, kept)
         truth = truth_of(place)
@@ -71,12 +77,12 @@ def _columns(scene: str, clips: Sequence[Clip], kept: Path | None) -> Figures:
 def _add(column: Figures, truth: Truth, seen: Seen, clip: str) -> None:
     """One clip's people; each is named by clip and id."""
     examined = examine(truth.table, ScoringTable.from_columns(seen.tracks), BoxMatch(0.5))
-    for one in per_person_of(examined):
-        name = f"{clip}/{one.person}"
-        if one.followed.detected:
-            column["detected"].append(name)
-        if one.followed.kept:
-            column["kept"].append(name)
+    by_place = examined.matched.some(matches_of(truth, examined).right)
+    people = np.unique(examined.comparison.truth.track)
+    for matched, kinds in ((examined.matched, _KINDS[:2]), (by_place, _KINDS[2:4])):
+        flags = detected_and_kept(examined.comparison, matched)
+        for kind, flag in zip(kinds, flags, strict=True):
+            column[kind] += [f"{clip}/{person}" for person in people[flag]]
     column["not_kept"] += [told(one, clip) for one in not_kept(truth, seen.tracks)]
 
 

@@ -86,7 +86,7 @@ class Stretch:
 def not_kept(truth: Truth, tracks: Columns) -> tuple[NotKept, ...]:
     """Everybody who was detected and not kept, and who was seen for a second and not detected."""
     examined = examine(truth.table, ScoringTable.from_columns(dict(tracks)), BoxMatch(0.5))
-    matches = _matches(truth, examined)
+    matches = matches_of(truth, examined)
     visible = visible_for(truth, VISIBLE_S)
     found = []
     for one in per_person_of(examined):
@@ -97,7 +97,8 @@ def not_kept(truth: Truth, tracks: Columns) -> tuple[NotKept, ...]:
     return tuple(found)
 
 
-def _matches(truth: Truth, examined: Examination) -> Matches:
+def matches_of(truth: Truth, examined: Examination) -> Matches:
+    """What was matched, and whether it stands where the person does."""
     comparison, rows = examined.comparison, examined.matched.rows
     frame = comparison.truth.frame[rows.truth]
     person = comparison.truth.track[rows.truth]

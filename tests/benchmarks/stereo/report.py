@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from tests.benchmarks.pages import Figures, met, table
-from tests.benchmarks.stereo import cues, losses, words
+from tests.benchmarks.stereo import cues, losses, peers, words
 from tests.benchmarks.stereo.columns import COLUMNS
 from tests.benchmarks.stereo.real import LONGEST
 from tests.benchmarks.stereo.shares import interval, percent
@@ -30,7 +30,7 @@ def writers() -> Mapping[str, Callable[[Any], str]]:
     return {
         "tables": _tables,
         "goals": _goals,
-        "peers": _peers,
+        "peers": peers.written,
         "real": _real,
         "lost": losses.written,
         "befallen": _befallen,
@@ -40,10 +40,12 @@ def writers() -> Mapping[str, Callable[[Any], str]]:
 def _tables(figures: Figures) -> str:
     rows = []
     for scene, columns in figures.items():
-        rows.append([f"{_titled(scene)}, ours", *(_kept(columns[name]) for name in COLUMNS)])
+        for said, ending in (("ours", ""), ("by place", "_by_place")):
+            cells = [_kept(columns[name], ending) for name in COLUMNS]
+            rows.append([f"{_titled(scene)}, {said}", *cells])
         if scene in PAPER:
-            said = ["" if value is None else f"{value:g} %" for value in PAPER[scene]]
-            rows.append([f"{_titled(scene)}, paper", *said, ""])
+            shares = ["" if value is None else f"{value:g} %" for value in PAPER[scene]]
+            rows.append([f"{_titled(scene)}, paper", *shares, ""])
     added = [f"- {line}" for line in cues.sentences(figures)]
     parts = [words.TABLES.strip(), table(("", *COLUMNS), rows)]
     if added:
@@ -55,8 +57,8 @@ def _titled(scene: str) -> str:
     return SCENES[scene].title.lower()
 
 
-def _kept(column: Figures) -> str:
-    kept, detected = len(column["kept"]), len(column["detected"])
+def _kept(column: Figures, ending: str) -> str:
+    kept, detected = len(column[f"kept{ending}"]), len(column[f"detected{ending}"])
     low, high = interval(kept, detected)
     share = f"{percent(kept, detected)} % ({100 * low:.0f} to {100 * high:.0f})"
     return f"{share}, {kept} of {detected}"
@@ -112,10 +114,6 @@ def _verdicts(figures: Figures) -> str:
 
 def _met(ours: float, goal: float, *, at_most: bool = False) -> str:
     return met(ours, goal, at_most=at_most, digits=3)
-
-
-def _peers(rows: Sequence[Figures]) -> str:
-    raise NotImplementedError
 
 
 def _real(figures: Figures) -> str:

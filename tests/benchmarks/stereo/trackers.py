@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from tests.benchmarks.kept import LIBRARIES, keep, path_of, sources_of, tables_in
-from tracking.pipeline import background_samples, run_of_steps
+from tracking.pipeline import KeptSteps, background_samples
 from tracking.recording import Recording, open_recording
 from tracking.settings import settings_from, settings_values
-from tracking.trackers import StepResult, tracker_named
+from tracking.trackers import tracker_named
 from tracking.trackers.protocol import Perception, Tracker
 from tracking.tracks import Columns
 from tracking.tracks.run import Run
@@ -109,14 +109,14 @@ def _tracked(recording: Recording, variants: list[Variant]) -> Iterator[tuple[Va
     built = [_build(recording, variant) for variant in variants]
     perception = built[0][0]
     perception.learn(background_samples(recording))
-    steps: list[list[StepResult]] = [[] for _ in variants]
+    steps = [KeptSteps() for _ in variants]
     for frame in recording.frames(0, recording.frame_count):
         seen = perception.observe(frame)
         for (_, tracker), own in zip(built, steps, strict=True):
-            own.append(tracker.step(seen))
+            own.add([tracker.step(seen)])
     for variant, own in zip(variants, steps, strict=True):
         values = settings_values(variant.chosen())
-        yield variant, run_of_steps(own, variant.tracker, values, SEED, 0, recording)
+        yield variant, own.run(variant.tracker, values, SEED, recording)
 
 
 def _build(recording: Recording, variant: Variant) -> tuple[Perception, Tracker]:
