@@ -103,7 +103,7 @@ def test_points_far_from_everybody_belong_to_nobody() -> None:
 
 def test_a_region_is_measured_in_metres() -> None:
     seen = body(0, 4, 0.02, count=2000)
-    extent = measure(1, np.zeros(2000, np.intp), seen, EYE)
+    extent = measure(1, np.zeros(2000, np.intp), seen, EYE, columns=80)
     assert abs(extent.high[0] - 1.72) < 0.04
     assert abs(extent.low[0] - 0.38) < 0.04
     assert abs(extent.width[0] - 0.4) < 0.05

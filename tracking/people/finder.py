@@ -17,6 +17,10 @@ from tracking.people.settings import PeopleSettings
 from tracking.stereo import STEP, SightLines
 
 _CERTAIN = 255
+_CUT_ROWS = 6
+"""What is ranged up to so many rows of the grid below the picture's upper edge goes on above it."""
+_LEAST_BELOW_EDGE_M = 0.5
+"""Nobody's legs are seen less high where the upper edge cuts off the rest."""
 
 
 class PeopleFinder:
@@ -74,12 +78,22 @@ class PeopleFinder:
         owner = assign_points(places, points, self._eye, settings)
         # What lies on the floor and looks like shadow is nobody's foot.
         owner[~high & (certain.ravel()[points.pixel] == 0)] = -1
-        extent = measure(len(places), owner, points, self._eye)
-        real = (extent.high >= settings.least_height_m) & (extent.area >= settings.least_area_m2)
+        extent = measure(len(places), owner, points, self._eye, certain.shape[1])
+        real = self._are_people(extent)
         owner = _renumbered(owner, real)
         labels = paint(owner, points, certain)
         kept = Extent(*(getattr(extent, name)[real] for name in Extent.__slots__))
         return self._describe(places[real], kept, labels, picture)
+
+    def _are_people(self, extent: Extent) -> NDArray[np.bool_]:
+        """(k,) which regions are high and large enough; of some the edge leaves the legs only."""
+        settings = self._settings
+        least_m = np.where(
+            extent.top < _CUT_ROWS, _LEAST_BELOW_EDGE_M, np.float32(settings.least_height_m)
+        )
+        return np.asarray(
+            (extent.high >= least_m) & (extent.area >= settings.least_area_m2), np.bool_
+        )
 
     def _describe(
         self,

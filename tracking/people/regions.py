@@ -27,6 +27,7 @@ class Extent:
         low, high: (k,) m, heights of its lowest and highest points, outliers left out.
         width: (k,) m across the line of sight, outliers left out.
         area: (k,) m² of surface.
+        top: (k,) the grid row of its highest place in the picture.
     """
 
     middle: NDArray[np.float32]
@@ -34,6 +35,7 @@ class Extent:
     high: NDArray[np.float32]
     width: NDArray[np.float32]
     area: NDArray[np.float32]
+    top: NDArray[np.intp]
 
 
 def assign_points(
@@ -81,11 +83,24 @@ def paint(
 
 
 def measure(
-    count: int, owner: NDArray[np.intp], points: SurfacePoints, eye: NDArray[np.float32]
+    count: int,
+    owner: NDArray[np.intp],
+    points: SurfacePoints,
+    eye: NDArray[np.float32],
+    columns: int,
 ) -> Extent:
-    """The real size of each region."""
+    """The real size of each region.
+
+    Args:
+        count: of the regions.
+        owner: (n,) of `assign_points`.
+        points: of the grid.
+        eye: (2,) m.
+        columns: of the grid.
+    """
     middle = np.zeros((count, 3), np.float32)
     low, high, width, area = (np.zeros(count, np.float32) for _ in range(4))
+    top = np.zeros(count, np.intp)
     order = np.argsort(owner, kind="stable")
     bounds = np.searchsorted(owner[order], np.arange(count + 1))
     for k in range(count):
@@ -94,13 +109,14 @@ def measure(
             continue
         world, surface = points.world[rows], points.area[rows]
         area[k] = surface.sum()
+        top[k] = points.pixel[rows[0]] // columns
         middle[k] = surface @ world / area[k]
         low[k], high[k] = _trimmed(world[:, 2], 0.02)
         sight = middle[k, :2] - eye
         normal = np.array((-sight[1], sight[0]), np.float32) / max(float(np.hypot(*sight)), 1e-3)
         left, right = _trimmed(world[:, :2] @ normal, 0.03)
         width[k] = right - left
-    return Extent(middle, low, high, width, area)
+    return Extent(middle, low, high, width, area, top)
 
 
 def _trimmed(values: NDArray[np.float32], share: float) -> tuple[float, float]:
