@@ -11,6 +11,7 @@ from typing import Any
 GROUPS = (
     "pipeline",
     "filter",
+    "trackers",
     "scoring",
     "session",
     "timeline",
@@ -21,7 +22,12 @@ GROUPS = (
     "formats",
 )
 
-_ELSEWHERE = {"parts": "parts.speed", "spheroid": "spheroid_speed", "flow": "flow_speed"}
+_ELSEWHERE = {
+    "trackers": "tracker_peers",
+    "parts": "parts.speed",
+    "spheroid": "spheroid_speed",
+    "flow": "flow_speed",
+}
 """Groups measured by a module of another name."""
 
 

@@ -1,6 +1,23 @@
 """Our stereo trackers beside those of others, on the same detections."""
 
-from tests.benchmarks.tracker_peers.comparing import REPORTED_SEEDS, compared, compared_on
+from tests.benchmarks.tracker_peers.comparing import (
+    REPORTED_SEEDS,
+    compared,
+    compared_on,
+    measure,
+)
+from tests.benchmarks.tracker_peers.rendered import rendered_clip
+from tests.benchmarks.tracker_peers.report import as_json, markdown
 from tests.benchmarks.tracker_peers.rows import Figures, PeerRow
 
-__all__ = ["REPORTED_SEEDS", "Figures", "PeerRow", "compared", "compared_on"]
+__all__ = [
+    "REPORTED_SEEDS",
+    "Figures",
+    "PeerRow",
+    "as_json",
+    "compared",
+    "compared_on",
+    "markdown",
+    "measure",
+    "rendered_clip",
+]

@@ -19,7 +19,7 @@ import numpy as np
 
 from tests.benchmarks.tracker_peers.clips import Clip
 from tests.benchmarks.tracker_peers.comparing import CHOSEN
-from tests.benchmarks.tracker_peers.crossing import crossing_clip
+from tests.benchmarks.tracker_peers.crossing import FRAMES, crossing_clip
 from tests.benchmarks.tracker_peers.rendered import rendered_clip
 from tests.benchmarks.tracker_peers.rows import Figures, figures_of
 from tests.peers.followers import FOLLOWERS, Follower
@@ -143,11 +143,12 @@ def main() -> None:
     parser.add_argument("names", nargs="*", help="of the trackers; all if left out")
     parser.add_argument("--recordings", nargs="*", type=Path, default=[], help="rendered ones")
     parser.add_argument("--count", type=int, default=60, help="settings to draw")
+    parser.add_argument("--frames", type=int, default=FRAMES, help="of crossing walkers")
     asked = parser.parse_args()
     kept = json.loads(CHOSEN.read_text(encoding="utf-8")) if CHOSEN.is_file() else {}
     with tempfile.TemporaryDirectory() as folder:
         clips = [rendered_clip(place) for place in asked.recordings] or [
-            crossing_clip(Path(folder) / "crossing", seed) for seed in CHOOSING_SEEDS
+            crossing_clip(Path(folder) / "crossing", seed, asked.frames) for seed in CHOOSING_SEEDS
         ]
     for follower in FOLLOWERS:
         if asked.names and follower.name not in asked.names:

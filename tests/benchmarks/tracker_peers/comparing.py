@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from tests.benchmarks.tracker_peers.clips import Clip
-from tests.benchmarks.tracker_peers.crossing import crossing_clip
+from tests.benchmarks.tracker_peers.crossing import FRAMES, crossing_clip
 from tests.benchmarks.tracker_peers.ours import follow
 from tests.benchmarks.tracker_peers.rows import PeerRow, figures_of
 from tests.peers.followers import FOLLOWERS, Follower, Settings
@@ -20,11 +21,13 @@ CHOSEN = Path(__file__).with_name("chosen.json")
 """Settings of the peers by what they are for, by tracker; made by `choosing`."""
 
 
-def compared(seeds: Sequence[int] = REPORTED_SEEDS) -> tuple[PeerRow, ...]:
+def compared(
+    seeds: Sequence[int] = REPORTED_SEEDS, ours: Sequence[str] = OURS, frames: int = FRAMES
+) -> tuple[PeerRow, ...]:
     """All trackers over the crossing walkers of these seeds."""
     with tempfile.TemporaryDirectory() as folder:
-        clips = [crossing_clip(Path(folder) / "crossing", seed) for seed in seeds]
-        return compared_on(clips, "crossing")
+        clips = [crossing_clip(Path(folder) / "crossing", seed, frames) for seed in seeds]
+        return compared_on(clips, "crossing", ours)
 
 
 def compared_on(
@@ -65,3 +68,26 @@ def _our_rows(tracker: str, clips: Sequence[Clip]) -> list[PeerRow]:
             followed = {name: result[at] for name, result in both.items()}
             rows.append(PeerRow(tracker, True, colour, finished, figures_of(clips, followed)))
     return rows
+
+
+def measure() -> dict[str, float | None]:
+    """Figures of each tracker on the crossing walkers, under `NAME_FIGURE`; null without a peer.
+
+    Ours are told without and with colours, as frames come; `best_peer_...` are the fewest switches
+    and the greatest IDF1 of all peers.
+    """
+    figures: dict[str, float | None] = {}
+    rows = compared()
+    for row in rows:
+        if row.finished:
+            continue
+        name = row.tracker.lower().replace(" ", "_").replace("-", "_")
+        name += "_with_colours" if row.colour else ""
+        for figure in ("id_switches", "idf1", "hota", "floor_error_m", "ms"):
+            figures[f"{name}_{figure}"] = getattr(row.figures, figure, None)
+        if row.absent:
+            print(row.absent, file=sys.stderr)
+    peers = [row.figures for row in rows if not row.ours and row.figures is not None]
+    figures["best_peer_id_switches"] = min((one.id_switches for one in peers), default=None)
+    figures["best_peer_idf1"] = max((one.idf1 for one in peers), default=None)
+    return figures
