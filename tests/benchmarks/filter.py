@@ -14,6 +14,9 @@ sys.path.append(str(Path(__file__).parents[1] / "trackers"))
 
 from people_on_a_floor import Walker, observations, straight, view
 
+from tests.benchmarks.tracker_peers.comparing import chosen_settings
+from tests.peers.followers import STONESOUP_GNN
+from tests.peers.following import SEEN
 from tracking.filtering import (
     associate,
     bhattacharyya_distance,
@@ -33,6 +36,7 @@ _FRAMES, _WARM = 200, 40
 _TRACKER_FRAMES, _TRACKER_WARM = 80, 20
 _ELAPSED_S, _BINS = 0.05, 64
 _SPREAD_M, _SIGMA_M, _GATE_M, _COST_LIMIT = 0.06, 0.15, 0.9, 2.0
+_NOISE_M = 0.06
 
 Floats = NDArray[np.float64]
 
@@ -45,12 +49,11 @@ def filter_ms(people: int, particles: int) -> float:
     """
     random = np.random.default_rng(people)
     start, velocity, colour = _walkers(people, random)
+    detections = _detected(start, velocity, random)
     crowd = np.repeat(start.astype(np.float32)[:, None], particles, axis=1)
     spread, sigma = np.full(people, _SPREAD_M), np.full(people, _SIGMA_M)
     position, taken = start, []
-    for frame in range(1, _FRAMES):
-        measured = start + frame * _ELAPSED_S * velocity
-        measured += random.normal(0.0, 0.06, measured.shape)
+    for measured in detections:
         begun = time.thread_time()
         crowd = move(crowd, velocity * _ELAPSED_S, spread, random)
         expected = position + velocity * _ELAPSED_S
@@ -74,6 +77,32 @@ def _walkers(
     velocity = random.uniform(-1.2, 1.2, (people, 2))
     colour = random.dirichlet(np.full(_BINS, 0.1), people).astype(np.float32)
     return start, velocity, colour
+
+
+def _detected(start: Floats, velocity: Floats, random: np.random.Generator) -> Floats:
+    """(frames, people, 2) where they are seen, off by 6 cm."""
+    elapsed_s = np.arange(1, _FRAMES)[:, None, None] * _ELAPSED_S
+    walked = start + elapsed_s * velocity
+    return np.asarray(walked + random.normal(0.0, _NOISE_M, walked.shape))
+
+
+def stonesoup_ms(people: int) -> float | None:
+    """The mean time Stone Soup's GNN tracker takes for a frame of the same detections.
+
+    None where it is not installed, which is told.
+    """
+    if not STONESOUP_GNN.peer.installed:
+        print(STONESOUP_GNN.peer.absent, file=sys.stderr)
+        return None
+    random = np.random.default_rng(people)
+    detections = _detected(*_walkers(people, random)[:2], random)
+    frame = np.repeat(np.arange(len(detections)), people)
+    seen = np.zeros((len(frame), len(SEEN)))
+    seen[:, SEEN.index("frame")] = frame
+    seen[:, SEEN.index("x") : SEEN.index("y") + 1] = detections.reshape(-1, 2)
+    clips = {"walkers": (len(detections), 1.0 / _ELAPSED_S, seen)}
+    (followed,) = STONESOUP_GNN.follow(clips, [chosen_settings("crossing")[STONESOUP_GNN.name]])
+    return 1000.0 * followed["walkers"][1] / len(detections)
 
 
 def tracker_ms(people: int) -> float:
@@ -112,17 +141,19 @@ def measure() -> dict[str, float | None]:
     the same for N people; `ms_N_particles`: 15 people of N particles; `tracker_ms_N_people`: the
     whole step of `stereo-direction`, 500 particles each, run columns made. `us_per_...`: slopes of
     straight lines through those, and `..._off_the_line` how far the farthest is from its line, as
-    a share of the longest time. A peer that is not installed gives None.
+    a share of the longest time. `vs_stonesoup`: `ms` over the time of Stone Soup's GNN tracker
+    for a frame of the same detections; None where it is not installed.
     """
     by_people = {n: filter_ms(n, _PARTICLES) for n in _NUMBERS_OF_PEOPLE}
     by_particles = {n: filter_ms(_PEOPLE, n) for n in _NUMBERS_OF_PARTICLES}
+    theirs = stonesoup_ms(_PEOPLE)
     by_tracked = {n: tracker_ms(n) for n in _NUMBERS_OF_PEOPLE}
     return {
         "ms": by_people[_PEOPLE],
         **_grown("ms", "people", by_people),
         **_grown("ms", "particles", by_particles),
         **_grown("tracker_ms", "people", by_tracked),
-        "vs_stonesoup": None,
+        "vs_stonesoup": None if theirs is None else by_people[_PEOPLE] / theirs,
     }
 
 
