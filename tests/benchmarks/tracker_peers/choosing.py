@@ -1,9 +1,10 @@
 """Settings of the trackers of others, chosen as well as we can: `python -m ...choosing`.
 
 Ranges hold what documentation recommends and what the scene says (the noise is known to whoever
-sets a filter). Drawn at random from them, a number of settings is tried on seeds that nothing is
-reported on, and the best is kept: IDF1 less a tenth of the identity switches a person. They are
-chosen for each kind of clip apart, while ours keep one setting for all.
+sets a filter). The setting kept so far and a number drawn at random are tried on seeds that nothing
+is reported on, then all that differ from the best in one value, and so on; the best is kept: IDF1
+less a tenth of the identity switches a person. They are chosen for each kind of clip apart, while
+ours keep one setting for all.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from tests.benchmarks.tracker_peers.clips import Clip
-from tests.benchmarks.tracker_peers.comparing import CHOSEN
+from tests.benchmarks.tracker_peers.comparing import CHOSEN, chosen_settings
 from tests.benchmarks.tracker_peers.crossing import FRAMES, crossing_clip
 from tests.benchmarks.tracker_peers.rendered import rendered_clip
 from tests.benchmarks.tracker_peers.rows import Figures, figures_of
@@ -120,43 +121,55 @@ def varied(best: Mapping[str, Any], tracker: str) -> list[dict[str, Any]]:
 
 
 def chosen(
-    follower: Follower, clips: Sequence[Clip], count: int, random: np.random.Generator
+    follower: Follower,
+    clips: Sequence[Clip],
+    first: Sequence[Mapping[str, Any]],
+    rounds: int,
 ) -> tuple[dict[str, Any], Figures]:
-    """The best of settings drawn at random, then of those that differ from it in one value."""
+    """The best of the first settings, then, round by round, of those one value away from it."""
     given = {clip.name: (len(clip.observations), clip.fps, clip.seen) for clip in clips}
-    best: tuple[dict[str, Any], Figures] | None = None
-    settings = drawn(follower.name, count, random)
-    for _ in range(2):
+    settings = list(first)
+    tried: list[tuple[Mapping[str, Any], Figures]] = []
+    for _ in range(1 + rounds):
         told = [figures_of(clips, one) for one in follower.follow(given, settings)]
-        at = max(range(len(told)), key=lambda number: worth(told[number]))
-        if best is None or worth(told[at]) > worth(best[1]):
-            best = settings[at], told[at]
-        settings = varied(best[0], follower.name)
-    assert best is not None
-    return best
+        tried += zip(settings, told, strict=True)
+        best = max(tried, key=lambda one: worth(one[1]))
+        known = [one for one, _ in tried]
+        settings = [one for one in varied(best[0], follower.name) if one not in known]
+    return dict(best[0]), best[1]
 
 
 def main() -> None:
     """Choose for the trackers and clips that are named, and write the settings."""
-    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.tracker_peers.choosing")
-    parser.add_argument("kind", choices=("crossing", "rendered"))
-    parser.add_argument("names", nargs="*", help="of the trackers; all if left out")
-    parser.add_argument("--recordings", nargs="*", type=Path, default=[], help="rendered ones")
-    parser.add_argument("--count", type=int, default=60, help="settings to draw")
-    parser.add_argument("--frames", type=int, default=FRAMES, help="of crossing walkers")
-    asked = parser.parse_args()
-    kept = json.loads(CHOSEN.read_text(encoding="utf-8")) if CHOSEN.is_file() else {}
+    asked = _asked()
     with tempfile.TemporaryDirectory() as folder:
         clips = [rendered_clip(place) for place in asked.recordings] or [
             crossing_clip(Path(folder) / "crossing", seed, asked.frames) for seed in CHOOSING_SEEDS
         ]
     for follower in FOLLOWERS:
-        if asked.names and follower.name not in asked.names:
-            continue
-        best, figures = chosen(follower, clips, asked.count, np.random.default_rng(6000))
-        print(follower.name, figures, best, flush=True)
-        kept.setdefault(asked.kind, {})[follower.name] = best
-        CHOSEN.write_text(json.dumps(kept, indent=2) + "\n", encoding="utf-8")
+        if not asked.names or follower.name in asked.names:
+            first = drawn(follower.name, asked.count, np.random.default_rng(CHOOSING_SEEDS[0]))
+            start = chosen_settings(asked.kind)[follower.name]
+            best, figures = chosen(follower, clips, [start, *first], asked.rounds)
+            print(follower.name, figures, best, flush=True)
+            _keep(asked.kind, follower.name, best)
+
+
+def _asked() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.tracker_peers.choosing")
+    parser.add_argument("kind", choices=("crossing", "rendered"))
+    parser.add_argument("names", nargs="*", help="of the trackers; all if left out")
+    parser.add_argument("--recordings", nargs="*", type=Path, default=[], help="rendered ones")
+    parser.add_argument("--count", type=int, default=60, help="settings to draw")
+    parser.add_argument("--rounds", type=int, default=2, help="of changes to the best one")
+    parser.add_argument("--frames", type=int, default=FRAMES, help="of crossing walkers")
+    return parser.parse_args()
+
+
+def _keep(kind: str, tracker: str, settings: Mapping[str, Any]) -> None:
+    kept = json.loads(CHOSEN.read_text(encoding="utf-8"))
+    kept[kind][tracker] = settings
+    CHOSEN.write_text(json.dumps(kept, indent=2) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,127 @@
+"""Our trackers beside those of others: clips, figures, and what is told of who is missing."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.benchmarks.tracker_peers import as_json, choosing, comparing, markdown, rows
+from tests.benchmarks.tracker_peers.clips import Clip
+from tests.benchmarks.tracker_peers.crossing import FPS, WALKERS, crossing_clip
+from tests.peers import environments
+from tests.peers.followers import FOLLOWERS
+from tests.peers.following import follow, read_followed, write_followed
+
+FRAMES = 60
+
+
+@pytest.fixture(scope="module")
+def clip(tmp_path_factory: pytest.TempPathFactory) -> Clip:
+    return crossing_clip(tmp_path_factory.mktemp("crossing"), seed=1, frames=FRAMES)
+
+
+@pytest.fixture
+def nobody_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(environments, "KEPT", tmp_path)
+
+
+def exact(clip: Clip) -> np.ndarray:
+    """Rows right where everybody is, under their own numbers."""
+    truth = clip.truth
+    return np.column_stack((truth.frame, truth.track, truth.position))
+
+
+def test_the_same_seed_gives_the_same_walkers(clip: Clip, tmp_path: Path) -> None:
+    again = crossing_clip(tmp_path, seed=1, frames=FRAMES)
+    assert np.array_equal(again.seen, clip.seen)
+    for one, other in zip(again.observations, clip.observations, strict=True):
+        assert np.array_equal(one.people.middle, other.people.middle)
+    assert not np.array_equal(crossing_clip(tmp_path, 2, FRAMES).seen[:20], clip.seen[:20])
+
+
+def test_detections_are_as_far_off_as_is_said(clip: Clip) -> None:
+    nearest = [
+        np.hypot(*(clip.truth.position[clip.truth.frame == row[0]] - row[5:7]).T).min()
+        for row in clip.seen
+    ]
+    assert np.median(nearest) == pytest.approx(0.06 * np.sqrt(2 * np.log(2)), rel=0.1)
+
+
+def test_without_colours_only_places_tell_people_apart(clip: Clip) -> None:
+    bare = clip.without_colours
+    assert np.array_equal(bare.seen, clip.seen)
+    for one in bare.observations:
+        assert len(np.unique(one.people.middle)) == 1
+        assert np.isnan(one.people.clothes).all()
+
+
+def test_whoever_is_right_everywhere_has_no_switch(clip: Clip) -> None:
+    figures = rows.figures_of([clip], {clip.name: (exact(clip), 0.3)})
+    assert (figures.id_switches, figures.idf1, figures.kept) == (0, 1.0, WALKERS)
+    assert figures.ms == pytest.approx(300.0 / FRAMES)
+
+
+def test_two_who_change_numbers_are_two_switches(clip: Clip) -> None:
+    found = exact(clip)
+    late = found[:, 0] >= FRAMES / 2
+    found[late, 1] = np.select([found[late, 1] == 1, found[late, 1] == 2], [2, 1], found[late, 1])
+    figures = rows.figures_of([clip], {clip.name: (found, 0.0)})
+    assert (figures.id_switches, figures.kept) == (2, WALKERS - 2)
+
+
+def test_a_tracker_gets_each_frame_once_and_its_names_become_numbers() -> None:
+    seen = np.zeros((3, 8))
+    seen[:, 0], seen[:, 5], seen[1, 7] = (0, 0, 2), (1, 2, 3), 1
+    asked = []
+
+    def start(settings: dict[str, bool], fps: float):
+        def step(frame: int, given: np.ndarray):
+            asked.append((frame, len(given)))
+            return [("anna", place) for place in given[:, 5:7]]
+
+        return step
+
+    told, _ = follow(start, seen, 3, FPS, {"with_merged": False})
+    assert asked == [(0, 1), (1, 0), (2, 1)]
+    assert told.tolist() == [[0, 1, 1, 0], [2, 1, 3, 0]]
+
+
+def test_what_trackers_made_comes_back_as_it_was(tmp_path: Path) -> None:
+    told = [{"a": (np.arange(8.0).reshape(2, 4), 1.5)}, {"a": (np.empty((0, 4)), 0.25)}]
+    write_followed(tmp_path / "told.npz", told)
+    again = read_followed(tmp_path / "told.npz")
+    assert [one["a"][1] for one in again] == [1.5, 0.25]
+    assert np.array_equal(again[0]["a"][0], told[0]["a"][0])
+    assert again[1]["a"][0].shape == (0, 4)
+
+
+@pytest.mark.usefixtures("nobody_installed")
+def test_every_tracker_has_its_row_and_who_is_missing_is_told(clip: Clip) -> None:
+    found = comparing.compared_on([clip], "crossing", ["stereo-direction"])
+    ours, peers = found[:4], found[4:]
+    assert {(row.colour, row.finished) for row in ours} == {(a, b) for a in (0, 1) for b in (0, 1)}
+    assert all(row.figures is not None and row.figures.idf1 > 0.9 for row in ours)
+    assert [row.tracker for row in peers] == [one.name for one in FOLLOWERS]
+    assert all(row["figures"] is None for row in as_json(found)[4:])
+    for name in {one.peer.name for one in FOLLOWERS}:
+        assert f"-m tests.peers {name}." in markdown(found)
+
+
+@pytest.mark.parametrize("kind", ["crossing", "rendered"])
+def test_the_settings_of_all_peers_were_chosen_from_their_ranges(kind: str) -> None:
+    chosen = comparing.chosen_settings(kind)
+    assert set(chosen) == {one.name for one in FOLLOWERS}
+    for tracker, settings in chosen.items():
+        ranges = choosing.RANGES[tracker]
+        assert set(settings) == set(ranges)
+        assert all(value in ranges[name] for name, value in settings.items())
+
+
+@pytest.mark.skipif(not environments.NORFAIR.installed, reason=environments.NORFAIR.absent)
+def test_a_peer_that_is_installed_follows_the_walkers(clip: Clip) -> None:
+    norfair = next(one for one in FOLLOWERS if one.name == "norfair")
+    settings = comparing.chosen_settings("crossing")["norfair"]
+    (told,) = norfair.follow({clip.name: (FRAMES, FPS, clip.seen)}, [settings])
+    assert rows.figures_of([clip], told).idf1 > 0.8
