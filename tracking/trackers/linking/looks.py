@@ -24,7 +24,7 @@ _TRUSTED = 0.6
 """Looks change with light and place in ways that windows of one tracklet do not tell."""
 _BIAS = 0.7
 """Part of the expected spread that windows of one track do not show: light, range, what hides."""
-_MISTAKEN = 1e-2
+_MISTAKEN = 3e-4
 """How often looks are somebody else's, seen through or beside the person."""
 
 

@@ -21,6 +21,7 @@ LOOKS = (*CLOTHES, "height_m")
 EDGE_SHARE = 0.006
 """Of the picture's size: boxes that come so close to its edge are cut off by it."""
 _WELL_SEEN = 0.5
+_NEAR_ROWS = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,8 +63,7 @@ def seen_of(run: Run, view: View) -> tuple[Seen, Encounters]:
     alone = ~meetings.met[row] & (tracks["visibility"][row] >= _WELL_SEEN)
     edge = _at_edge(box[row], view)
     looks = _looks(run.signals, tracks)[row]
-    around = np.convolve(edge, np.ones(7), mode="same") > 0
-    looks[~alone | around] = np.nan
+    looks[~alone | _near(edge)] = np.nan
     frame, track = tracks["frame"][row].astype(np.int64), tracks["track"][row].astype(np.int64)
     return Seen(frame, track, row, place[row], box[row], looks, edge, alone), meetings
 
@@ -98,6 +98,13 @@ def _looks(signals: Columns, tracks: Columns) -> Floats:
     if len(signals["frame"]) != len(tracks["frame"]):
         return np.full((len(tracks["frame"]), len(LOOKS)), np.nan)
     return np.stack([signals[name].astype(np.float64) for name in LOOKS], axis=1)
+
+
+def _near(edge: Flags) -> Flags:
+    """(n,) whether a row within a few is at the edge: the box flickers there."""
+    width = 2 * _NEAR_ROWS + 1
+    upto = np.cumsum(np.pad(edge, (_NEAR_ROWS + 1, _NEAR_ROWS)))
+    return np.asarray(upto[width:] > upto[:-width])
 
 
 def _at_edge(box: Floats, view: View) -> Flags:
