@@ -187,7 +187,7 @@ def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
         "tracklets": run.tracklets,
     }
     for name, particles in by_frame.items():
-        table = packer.table(group, name, RUN_TABLES[name], particles.columns)
+        table = packer.table(group, name, RUN_TABLES[name], particles.columns, noisy=True)
         packer.column(table, "start", particles.start, np.dtype(np.int64))
 
 
