@@ -28,12 +28,12 @@ class Association:
     margin: Floats
 
 
-def associate(cost: Floats, allowed: NDArray[np.bool_], left_out: float) -> Association:
+def associate(cost: Floats, allowed: NDArray[np.bool_], left_out: float | Floats) -> Association:
     """The pairs with the smallest total cost ([Kawashita2014] section 3.3).
 
     Args:
         cost: (tracks, detections) total D. allowed: the same shape; False is never a pair.
-        left_out: what it costs to leave a track without a detection.
+        left_out: what it costs to leave a track without a detection; (tracks,) or of all alike.
     """
     tracks, detections = cost.shape
     choices = np.full((tracks, detections + tracks), _NEVER)

@@ -100,16 +100,24 @@ def share_in_view(people: Population, view: View) -> Floats:
     return np.asarray(np.nan_to_num(share))
 
 
-def visibility(box: Floats, range_m: Floats, size: tuple[int, int]) -> Floats:
+def visibility(
+    box: Floats,
+    range_m: Floats,
+    size: tuple[int, int],
+    covering: NDArray[np.bool_] | None = None,
+) -> Floats:
     """The share of each box inside the picture and not covered by a nearer one: (people,).
 
     Args:
         box: (people, 4) px. range_m: (people,) distance from the camera over the floor.
         size: width and height of the picture.
+        covering: (people,) who covers others; None: everybody.
     """
     columns = box[:, None, 0] + box[:, None, 2] * _ACROSS
     rows = box[:, None, 1] + box[:, None, 3] * _DOWN
     nearer = range_m[None, :] < range_m[:, None]
+    if covering is not None:
+        nearer &= covering
     over_columns = _between(columns, box[:, 0], box[:, 2]) & nearer[:, :, None]
     over_rows = _between(rows, box[:, 1], box[:, 3])
     # A place is hidden where one nearer box lies over both its column and its row.
@@ -126,10 +134,16 @@ def _between(places: Floats, low: Floats, length: Floats) -> NDArray[np.bool_]:
     return np.asarray((offset >= 0) & (offset < length[None, :, None]))
 
 
-def expected_visibility(people: Population, view: View) -> Floats:
-    """The share of each body that the others, where they are expected, leave to be seen."""
+def expected_visibility(
+    people: Population, view: View, covering: NDArray[np.bool_] | None = None
+) -> Floats:
+    """The share of each body that the others, where they are expected, leave to be seen.
+
+    Args:
+        covering: (people,) whose place is known well enough to cover others; None: everybody's.
+    """
     range_m = np.hypot(people.position[:, 0], people.position[:, 1])
-    return visibility(body_boxes(people, view), range_m, view.camera.size)
+    return visibility(body_boxes(people, view), range_m, view.camera.size, covering)
 
 
 def overlap(box: Floats) -> Floats:

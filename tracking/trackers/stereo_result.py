@@ -31,10 +31,15 @@ def step_result(
     alone: NDArray[np.bool_],
     costs: Costs,
     view: View,
+    told: NDArray[np.bool_] | None = None,
 ) -> StepResult:
-    """The frame's result: confirmed people only, sorted by track."""
+    """The frame's result: confirmed people only, sorted by track.
+
+    Args:
+        told: (people,) who of those confirmed is to be told of; None: everybody.
+    """
     box = shown_boxes(people, pairs, alone, observation.people, view)
-    rows = np.flatnonzero(people.confirmed)
+    rows = np.flatnonzero(people.confirmed if told is None else people.confirmed & told)
     rows = rows[np.argsort(people.track[rows])]
     shown = people.select(rows)
     frame = observation.frame

@@ -87,7 +87,7 @@ def matched(
         matches=mine.matches + 1,
         seen_at=position,
         colour=np.where(
-            _alone(people, rows, settings.colour_distance_m)[:, None, None],
+            apart(people, rows, settings.colour_distance_m)[:, None, None],
             cues.updated(mine.colour, match.colours[chosen], mine.matches),
             mine.colour,
         ),
@@ -155,7 +155,7 @@ def _weighed(
     return particles, weight
 
 
-def _alone(people: Population, rows: NDArray[np.intp], distance_m: float) -> NDArray[np.bool_]:
+def apart(people: Population, rows: NDArray[np.intp], distance_m: float) -> NDArray[np.bool_]:
     """Whether nobody else followed is close, so that a region's colours are one person's."""
     offset = people.position[rows, None] - people.position[None]
     close = np.hypot(offset[..., 0], offset[..., 1]) < distance_m

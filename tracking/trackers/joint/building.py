@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from tracking.people import StereoPerception
 from tracking.recording import Recording
-from tracking.trackers.joint.cues import AllCues
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.stereo import StereoTracker, perception_and_view
+from tracking.trackers.joint.tracker import JointTracker
+from tracking.trackers.stereo import perception_and_view
 
 
 def build_joint(
     recording: Recording, settings: JointSettings, seed: int
-) -> tuple[StereoPerception, StereoTracker]:
+) -> tuple[StereoPerception, JointTracker]:
     """Perception and tracker at their start."""
     perception, view = perception_and_view(recording, settings)
-    return perception, StereoTracker(view, settings, AllCues(settings), seed)
+    return perception, JointTracker(view, settings, seed)

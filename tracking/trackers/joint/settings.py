@@ -5,11 +5,52 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tracking.setting import setting
-from tracking.trackers.stereo_direction import StereoDirectionSettings
+from tracking.trackers.stereo_settings import StereoFilterSettings
 
 
 @dataclass(frozen=True, slots=True)
-class JointSettings(StereoDirectionSettings):
+class JointSettings(StereoFilterSettings):
     """Settings of `stereo-joint`."""
 
-    colour_weight: float = setting(0.4, "", (0.0, 10.0), "weight of each colour cue in the cost")
+    confirm_matches: int = setting(
+        5, "", (1, 100), "frames a newcomer must be seen in before it becomes a track"
+    )
+    lost_after_s: float = setting(
+        0.5, "s", (0.05, 60.0), "time without a detection after which somebody is only remembered"
+    )
+    least_margin: float = setting(
+        0.1, "", (0.0, 5.0), "a detection that suits two people nearly alike is nobody's"
+    )
+    new_at_edge: float = setting(
+        1.0, "1/m²/s", (1e-6, 100.0), "people who appear at the picture's edge"
+    )
+    new_within: float = setting(
+        0.05, "1/m²/s", (1e-6, 100.0), "people who appear in the middle of the picture"
+    )
+    overlooked: float = setting(
+        0.05, "", (0.001, 0.9), "share of frames in which somebody in full view is not detected"
+    )
+    looks_weight: float = setting(
+        0.5, "", (0.0, 4.0), "how far colours and height are taken for independent of each other"
+    )
+    direction_weight: float = setting(
+        1.0, "nat", (0.0, 10.0), "cost of a turn by the threshold or more"
+    )
+    direction_threshold_rad: float = setting(
+        1.22, "rad", (0.01, 3.1416), "turn from which on the cost no longer grows"
+    )
+    direction_step_m: float = setting(
+        0.4, "m", (0.05, 5.0), "how far apart the positions are that a direction is taken between"
+    )
+    direction_memory_s: float = setting(
+        1.5, "s", (0.1, 60.0), "a person who takes longer for that distance is standing"
+    )
+    colour_memory: float = setting(
+        0.97, "", (0.0, 1.0), "share of the old colour model kept at each match"
+    )
+    remember_s: float = setting(
+        8.0, "s", (0.0, 60.0), "how long somebody lost within the picture is remembered"
+    )
+    slowing_s: float = setting(
+        2.0, "s", (0.1, 60.0), "time in which somebody missed is thought to slow down"
+    )

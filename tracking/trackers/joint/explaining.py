@@ -1,0 +1,46 @@
+"""The best explanation of a frame: who is which detection, who is missed, who is new."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import Association, associate, margins
+from tracking.trackers.joint.evidence import Evidence
+from tracking.trackers.population import Population
+
+NAT = 0.1
+"""What a nat is in costs that are told: as large as in the papers' sums of metres and colours."""
+_SEEN_S = 0.5
+"""Who was seen so recently may be meant by a detection as well as who has it."""
+
+
+def explained(
+    people: Population, evidence: Evidence, usable: NDArray[np.bool_], least_margin: float
+) -> tuple[Association, NDArray[np.intp]]:
+    """Pairs of people and detections: the likeliest of all explanations.
+
+    One assignment for everybody: each person has a detection or is missed, each detection is of
+    somebody or of somebody new. A detection that suits somebody left over nearly as well may be
+    both of them and is nobody's.
+
+    Args:
+        usable: (detections,) False for those that are nobody's.
+        least_margin: nats.
+
+    Returns the pairs, with margins in `NAT`, and the detections that nobody has but somebody new
+    may have.
+    """
+    columns = np.flatnonzero(usable)
+    match, allowed = evidence.match[:, columns], evidence.allowed[:, columns]
+    pairs = associate(match, allowed, evidence.missed)
+    rival = people.confirmed & (people.missed_s < _SEEN_S)
+    rival[pairs.track] = False
+    gain = np.where(allowed, match - evidence.missed[:, None], np.inf)[rival]
+    own = (match - evidence.missed[:, None])[pairs.track, pairs.detection]
+    gap = gain[:, pairs.detection].min(axis=0, initial=np.inf) - own
+    clear = gap >= least_margin
+    track, detection = pairs.track[clear], pairs.detection[clear]
+    margin = margins(match, allowed, track, detection)
+    free = np.delete(columns, pairs.detection)
+    return Association(track, columns[detection], NAT * margin), free

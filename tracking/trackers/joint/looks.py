@@ -1,0 +1,116 @@
+"""What people look like: colours, lightness of clothes and height, and how much they tell."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people import Detections
+from tracking.trackers.population import LOOKS, Population
+
+Floats = NDArray[np.float64]
+Colours = NDArray[np.float32]
+
+CUES = 5
+"""Hue of the upper and the lower body, hue and saturation of the middle, clothes, height."""
+_SAME = (0.06, 0.07, 0.06, 2.5, 0.04)
+_OTHER = (0.5, 0.5, 0.5, 10.0, 0.10)
+"""Mean difference between two looks at one person, and between two people, until it is learnt:
+`1 - rho` of histograms, CIELAB and metres."""
+_WORTH = 100.0
+"""Comparisons those are worth."""
+_MEMORY = 4000.0
+"""Comparisons that are remembered."""
+_LEAST = 0.02
+"""Share of looks that say nothing, as of people partly covered."""
+
+
+def colours_of(people: Detections) -> Colours:
+    """Hue of the upper and the lower body, and hue with saturation of the middle.
+
+    [Kawashita2012] looks at the first two, [Kawashita2014] at the third.
+
+    Returns:
+        (detections, 3, bins), each histogram summing to 1; the shorter ones end in zeros.
+    """
+    own = (people.upper, people.lower, people.middle)
+    bins = max(histogram.shape[1] for histogram in own)
+    together = np.zeros((len(people), len(own), bins), np.float32)
+    for cue, histogram in enumerate(own):
+        together[:, cue, : histogram.shape[1]] = histogram
+    return together
+
+
+def looks_of(people: Detections) -> NDArray[np.float32]:
+    """Clothes and height of each detection, as `Population.looks`."""
+    looks = np.empty((len(people), LOOKS), np.float32)
+    looks[:, :6] = people.clothes.reshape(-1, 6)
+    looks[:, 6] = np.where(people.truncated | people.merged, np.nan, people.size[:, 1])
+    return looks
+
+
+def differences(people: Population, colours: Colours, looks: NDArray[np.float32]) -> Floats:
+    """How much every person differs from every look: (people, looks, `CUES`); NaN: not known.
+
+    Args:
+        colours: as `colours_of`. looks: as `looks_of`.
+    """
+    found = np.empty((len(people), len(colours), CUES))
+    rho = np.sqrt(people.colour).transpose(1, 0, 2) @ np.sqrt(colours).transpose(1, 2, 0)
+    found[..., :3] = (1.0 - rho).transpose(1, 2, 0)
+    offset = people.looks[:, None] - looks[None]
+    found[..., 3] = np.sqrt(np.square(offset[..., :6]).mean(axis=2))
+    found[..., 4] = np.abs(offset[..., 6])
+    return np.maximum(found, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Telling:
+    """How much each cue tells people apart in this footage, learnt while it is tracked.
+
+    Attributes:
+        same, other: (`CUES`,) sums of differences between looks at one person, and between looks
+            at two people. same_count, other_count: (`CUES`,) of how many.
+    """
+
+    same: Floats
+    other: Floats
+    same_count: Floats
+    other_count: Floats
+
+    @classmethod
+    def usual(cls) -> Telling:
+        """What is expected before anything was seen."""
+        count = np.full(CUES, _WORTH)
+        return cls(np.array(_SAME) * count, np.array(_OTHER) * count, count, count)
+
+    def learnt(self, same: Floats, other: Floats) -> Telling:
+        """With more comparisons, (n, `CUES`) each; NaN says nothing."""
+        one = _more(self.same, self.same_count, same)
+        two = _more(self.other, self.other_count, other)
+        return Telling(one[0], two[0], one[1], two[1])
+
+    def likeness(self, difference: Floats) -> Floats:
+        """Log-likelihood ratio of one person against two, summed over the cues.
+
+        Both differences are taken as exponentially distributed. In clothes of one colour, two
+        people differ no more than looks at one do, and colours say nothing.
+
+        Args:
+            difference: (..., `CUES`).
+        """
+        same = self.same / self.same_count
+        other = np.maximum(self.other / self.other_count, same)
+        ratio = np.log(other / same) - difference * (1.0 / same - 1.0 / other)
+        told = np.log((1.0 - _LEAST) * np.exp(ratio) + _LEAST)
+        return np.asarray(np.nan_to_num(told).sum(axis=-1))
+
+
+def _more(total: Floats, count: Floats, values: Floats) -> tuple[Floats, Floats]:
+    known = np.isfinite(values)
+    total = total + np.where(known, values, 0.0).sum(axis=0)
+    count = count + known.sum(axis=0)
+    faded = np.minimum(1.0, _MEMORY / count)
+    return total * faded, count * faded
