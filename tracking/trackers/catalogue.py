@@ -15,6 +15,7 @@ from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.flow import FlowSettings, build_flow
 from tracking.trackers.flow import finished as flow_finished
 from tracking.trackers.joint import JointSettings, build_joint
+from tracking.trackers.linking import linked
 from tracking.trackers.protocol import Perception, Tracker
 from tracking.trackers.smoothing import smoothed
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
@@ -71,6 +72,7 @@ _BUILT = (
         needs_calibration=True,
         settings_type=JointSettings,
         build=build_joint,
+        finish=linked,
     ),
     TrackerSpec(
         name="stereo-direction",
