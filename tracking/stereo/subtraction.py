@@ -8,17 +8,21 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.stereo.areas import areas
 from tracking.stereo.settings import StereoSettings
 from tracking.stereo.sight_lines import SightLines
 
 Grey = NDArray[np.uint8]
 Mask = NDArray[np.uint8]
 Disparity = NDArray[np.float32]
+Parts = NDArray[np.int16]
 
 STEP = 2
 """Pixels between the places that get a disparity."""
 _PARTS_OF_PX = 16
 _SLACK_PX = 1.0
+_FILTER_PX = 2
+"""How far beyond a window what the matcher does before matching reaches."""
 _SAME_PLACE_M, _SAME_PLACE_PX = 0.15, 0.75
 """How far in range, and at most in disparity, a change may be from the background it is on."""
 
@@ -39,6 +43,11 @@ class SubtractionStereo:
             lines.disparity_at_height(self._settings.tallest_m, near, far)[::STEP, ::STEP]
             + _SLACK_PX
         )
+        self._least_parts = np.ceil(self._least * _PARTS_OF_PX).astype(np.int16)
+        self._most_parts = np.floor(self._most * _PARTS_OF_PX).astype(np.int16)
+        self._reach_px = self._settings.window_px // 2 + _FILTER_PX
+        least_disparities = 16 + max(0, math.floor(float(self._least.min())))
+        self._margin_px = (2 * self._reach_px, 2 * self._reach_px + least_disparities)
         self._lines = lines
         self._scene = np.full_like(self._least, np.nan)
         self._scene_slack = np.zeros_like(self._least)
@@ -63,7 +72,7 @@ class SubtractionStereo:
         whole = (slice(0, height), slice(0, width))
         low, high = math.floor(float(self._least.min())), math.ceil(float(self._most.max()))
         found = self._search(_rows_halved(left), _rows_halved(right), whole, low, high)
-        scene = found[:, ::STEP]
+        scene = found[:, ::STEP].astype(np.float32) / np.float32(_PARTS_OF_PX)
         self._scene = np.where(scene >= low, scene, np.nan).astype(np.float32)
         infinite = np.float32(self._lines.offset)
         per_m = (self._scene - infinite) ** 2 / np.float32(self._lines.focal_baseline)
@@ -73,7 +82,8 @@ class SubtractionStereo:
         """Disparity of the left eye's foreground, on every second pixel.
 
         Rows are halved before matching and columns are not: range needs full resolution across
-        only, and the window becomes as upright as people are.
+        only, and the window becomes as upright as people are. Each part of the foreground is
+        matched on its own, among the disparities that people can have there.
 
         Args:
             left, right: (height, width) rectified grey pictures.
@@ -84,54 +94,67 @@ class SubtractionStereo:
             and where nothing matched.
         """
         here, there = left_mask[::STEP], right_mask[::STEP]
-        disparity = np.full(left_mask[::STEP, ::STEP].shape, np.nan, np.float32)
-        x, y, width, height = cv2.boundingRect(here)
-        if width == 0 or not there.any():
+        disparity = np.full(self._least.shape, np.nan, np.float32)
+        if not there.any():
             return disparity
-        v, u = np.nonzero(here[y : y + height, ::STEP])
-        v, u = v + y, u * STEP
-        least, most = self._least[v, u // STEP], self._most[v, u // STEP]
-        if len(v) == 0:
-            return disparity
-        box = (slice(y, y + height), slice(x, x + width))
-        low, high = math.floor(float(least.min())), math.ceil(float(most.max()))
-        found = self._search(_rows_halved(left), _rows_halved(right), box, low, high)
-        d = found[v - y, u - x]
-        good = (d >= least) & (d <= most) & _foreground_there(there, v, u, d)
-        v, u, d = v[good], u[good] // STEP, d[good]
-        moved = ~(np.abs(d - self._scene[v, u]) < self._scene_slack[v, u])
-        disparity[v[moved], u[moved]] = d[moved]
+        parts = self._matched(_rows_halved(left), _rows_halved(right), here)
+        good = (parts >= self._least_parts) & (parts <= self._most_parts)
+        good &= here[:, ::STEP].view(np.bool_)
+        v, u = np.divmod(np.flatnonzero(good), good.shape[1])
+        d = parts[v, u].astype(np.float32) / np.float32(_PARTS_OF_PX)
+        kept = _foreground_there(there, v, u * STEP, d)
+        kept &= ~(np.abs(d - self._scene[v, u]) < self._scene_slack[v, u])
+        disparity[v[kept], u[kept]] = d[kept]
         return disparity
+
+    def _matched(self, left: Grey, right: Grey, here: Mask) -> Parts:
+        """(rows, columns) disparities of every second column, in parts of a pixel.
+
+        What is not near foreground is 0, and what did not match is below any disparity.
+        """
+        found = np.zeros(self._least.shape, np.int16)
+        for rows, columns in areas(here, self._margin_px):
+            small = np.s_[rows, columns.start // STEP : -(-columns.stop // STEP)]
+            own = here[rows, columns][:, ::STEP].view(np.bool_)
+            if not own.any():
+                continue
+            low = math.floor(float(self._least[small].min(where=own, initial=np.inf)))
+            high = math.ceil(float(self._most[small].max(where=own, initial=-np.inf)))
+            found[small] = self._search(left, right, (rows, columns), low, high)[:, ::STEP]
+        return found
 
     def _search(
         self, left: Grey, right: Grey, box: tuple[slice, slice], lowest: int, highest: int
-    ) -> Disparity:
-        """Block matching inside the box; its disparities in px."""
+    ) -> Parts:
+        """Block matching inside the box; its disparities in parts of a pixel."""
         count = -(-(highest - lowest + 1) // 16) * 16
         self._matcher.setMinDisparity(lowest)
         self._matcher.setNumDisparities(count)
         rows, columns = box
-        margin = self._settings.window_px
+        margin = self._reach_px
         before = max(0, count + lowest) + margin
         top, bottom = max(0, rows.start - margin), min(left.shape[0], rows.stop + margin)
         first, last = columns.start - before, columns.stop + margin
-        pad = (max(0, -first), max(0, last - left.shape[1]))
         cut = np.s_[top:bottom, max(0, first) : last]
-        found = self._matcher.compute(
-            *(
-                cv2.copyMakeBorder(eye[cut], 0, 0, *pad, cv2.BORDER_REPLICATE)
-                for eye in (left, right)
-            )
-        )
-        inner = found[rows.start - top :, before:][
-            : rows.stop - rows.start, : columns.stop - columns.start
-        ]
-        return inner.astype(np.float32) / np.float32(_PARTS_OF_PX)
+        eyes = [eye[cut] for eye in (left, right)]
+        if first < 0 or last > left.shape[1]:
+            pad = (max(0, -first), max(0, last - left.shape[1]))
+            eyes = [_beside(eye, pad) for eye in eyes]
+        found = self._matcher.compute(*eyes)
+        inner = found[rows.start - top :, before:]
+        return np.asarray(inner[: rows.stop - rows.start, : columns.stop - columns.start], np.int16)
 
 
 def _rows_halved(eye: Grey) -> Grey:
-    size = (eye.shape[1], -(-eye.shape[0] // STEP))
-    return np.asarray(cv2.resize(eye, size, interpolation=cv2.INTER_AREA), np.uint8)
+    """Each row the mean of two; a last odd one stays."""
+    if eye.shape[0] % STEP:
+        eye = np.concatenate((eye, eye[-1:]))
+    return np.asarray(cv2.addWeighted(eye[::STEP], 0.5, eye[1::STEP], 0.5, 0.0), np.uint8)
+
+
+def _beside(eye: Grey, pad: tuple[int, int]) -> Grey:
+    """The picture with its sides drawn out."""
+    return np.asarray(cv2.copyMakeBorder(eye, 0, 0, *pad, cv2.BORDER_REPLICATE), np.uint8)
 
 
 def _foreground_there(
