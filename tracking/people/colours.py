@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tracking.people.settings import PeopleSettings
 
 Histogram = NDArray[np.float32]
+Rows = NDArray[np.intp]
 
 _UPPER = (0.15, 0.5)
 _LOWER = (0.5, 0.85)
@@ -40,24 +41,21 @@ def colour_histograms(
     Returns:
         (k, hue_bins), (k, hue_bins) and (k, hue_bins * saturation_bins), each row summing to 1.
     """
-    count = len(boxes)
-    upper = np.full((count, settings.hue_bins), 1 / settings.hue_bins, np.float32)
-    lower = upper.copy()
-    bins = settings.hue_bins * settings.saturation_bins
-    middle = np.full((count, bins), 1 / bins, np.float32)
-    for k, box in enumerate(boxes):
-        hue, saturation, height = _inner_pixels(hue_saturation, labels, k + 1, box)
-        weight = saturation.astype(np.float32) + 1
-        above = (height >= _UPPER[0]) & (height < _UPPER[1])
-        below = (height >= _LOWER[0]) & (height < _LOWER[1])
-        hue_bin = hue.astype(np.intp) * settings.hue_bins // 180
-        _fill(upper[k], hue_bin[above], weight[above])
-        _fill(lower[k], hue_bin[below], weight[below])
-        level = saturation.astype(np.intp) * settings.saturation_bins // 256
-        both = hue_bin * settings.saturation_bins + level
-        inner = above | below
-        _fill(middle[k], both[inner], np.ones(np.count_nonzero(inner), np.float32))
-    return upper, lower, middle
+    count, bins = len(boxes), settings.hue_bins
+    region, v, u, height = _inner_pixels(labels, boxes)
+    hue, saturation = hue_saturation[v, u].T
+    weight = saturation.astype(np.float64) + 1
+    above = (height >= _UPPER[0]) & (height < _UPPER[1])
+    below = (height >= _LOWER[0]) & (height < _LOWER[1])
+    hue_bin = hue.astype(np.intp) * bins // 180
+    level = saturation.astype(np.intp) * settings.saturation_bins // 256
+    both = hue_bin * settings.saturation_bins + level
+    inner = above | below
+    return (
+        _histograms(region[above], hue_bin[above], weight[above], (count, bins)),
+        _histograms(region[below], hue_bin[below], weight[below], (count, bins)),
+        _histograms(region[inner], both[inner], None, (count, bins * settings.saturation_bins)),
+    )
 
 
 def clothes_colours(
@@ -110,22 +108,27 @@ def _lab(colour: NDArray[np.float64]) -> NDArray[np.float32]:
 
 
 def _inner_pixels(
-    hue_saturation: NDArray[np.uint8],
-    labels: NDArray[np.uint8],
-    label: int,
-    box: tuple[int, int, int, int],
-) -> tuple[NDArray[np.uint8], NDArray[np.uint8], NDArray[np.float32]]:
-    """Hue, saturation and height (0 top, 1 bottom) of a region's pixels off its sides."""
-    left, top, width, height = box
-    edge = int(width * (1 - _MIDDLE_ACROSS) / 2)
-    cut = np.s_[top : top + height, left + edge : left + width - edge]
-    v, u = np.nonzero(labels[cut] == label)
-    picked = hue_saturation[cut][v, u]
-    return picked[:, 0], picked[:, 1], ((v + 0.5) / max(height, 1)).astype(np.float32)
+    labels: NDArray[np.uint8], boxes: Sequence[tuple[int, int, int, int]]
+) -> tuple[Rows, Rows, Rows, NDArray[np.float32]]:
+    """The regions' pixels off their sides: region, row, column, and height (0 top, 1 bottom)."""
+    place = np.flatnonzero(labels != 0)
+    region = labels.ravel()[place].astype(np.intp) - 1
+    v, u = np.divmod(place, labels.shape[1])
+    left, top, width, height = np.array(boxes, np.intp).reshape(-1, 4).T
+    edge = (width * (1 - _MIDDLE_ACROSS) / 2).astype(np.intp)
+    down, across = v - top[region], u - (left + edge)[region]
+    own = (down >= 0) & (down < height[region])
+    own &= (across >= 0) & (across < (width - 2 * edge)[region])
+    share = (down[own] + 0.5) / np.maximum(height, 1)[region[own]]
+    return region[own], v[own], u[own], share.astype(np.float32)
 
 
-def _fill(histogram: Histogram, bins: NDArray[np.intp], weight: NDArray[np.float32]) -> None:
-    """Replace an even histogram by that of the values, if there are any."""
-    total = float(weight.sum())
-    if total > 0:
-        histogram[:] = np.bincount(bins, weight, len(histogram)) / total
+def _histograms(
+    region: Rows, bins: Rows, weight: NDArray[np.float64] | None, shape: tuple[int, int]
+) -> Histogram:
+    """(regions, bins) of pixels, rows summing to 1; even where a region has none."""
+    counted = np.bincount(region * shape[1] + bins, weight, shape[0] * shape[1]).reshape(shape)
+    total = counted.sum(axis=1, keepdims=True)
+    even = np.full(shape, 1 / shape[1])
+    np.divide(counted, total, out=even, where=total > 0)
+    return even.astype(np.float32)
