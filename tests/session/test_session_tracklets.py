@@ -62,6 +62,19 @@ def test_runs_from_before_there_were_tracklets_have_none_and_are_saved(
         assert list(session.runs[0].tracklets.of_frame(3)) == list(TRACKLET_COLUMNS)
 
 
+def test_runs_from_before_feet_were_noticed_have_none(made: tuple[Path, Run]) -> None:
+    path, run = made
+    with h5py.File(path, "r+") as file:
+        file.attrs["format_version"] = "1.3"
+        del file["runs/0/tracklets/foot_v"]
+    with closing(Session.open(path)) as session:
+        session.save()
+        found = session.runs[0].tracklets.of_frame(3)
+        assert list(found) == list(TRACKLET_COLUMNS)
+        assert np.isnan(found["foot_v"]).all()
+        assert np.array_equal(found["v2"], run.tracklets.of_frame(3)["v2"])
+
+
 @pytest.mark.parametrize("missing", ["start", "v2"])
 def test_tracklets_that_lack_a_column_are_refused(made: tuple[Path, Run], missing: str) -> None:
     path, _ = made

@@ -128,7 +128,7 @@ _FLOOR = Steps(1 / 1024)
 """m: an error of 0.49 mm at most."""
 _PICTURE = Steps(1 / 8)
 """px: of which rectangles' centres are made."""
-_EXACT = dict.fromkeys(("u0", "v0", "u1", "v1", "u2", "v2"), Plain())
+_EXACT = dict.fromkeys(("u0", "v0", "u1", "v1", "u2", "v2", "foot_v"), Plain())
 
 CODINGS: Mapping[str, Mapping[str, Coding]] = MappingProxyType(
     {

@@ -24,7 +24,7 @@ from tracking.tracks import (
 )
 
 FORMAT = "trackwright-session"
-VERSION = (1, 3)
+VERSION = (1, 4)
 """Major: older programs cannot read it. Minor: they can, and miss something."""
 
 CHUNK_ROWS = 65_536
@@ -152,9 +152,12 @@ LATER_RUN_TABLES = frozenset({"signals", "part_particles", "tracklets"})
 """Tables of a run that sessions of format 1.0 do not have; the last ones came with 1.2 and 1.3."""
 
 LATER_RUN_COLUMNS: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
-    {"parts": (frozenset({"entropy", "particles", "occluded"}),)}
+    {
+        "parts": (frozenset({"entropy", "particles", "occluded"}),),
+        "tracklets": (frozenset({"foot_v"}),),
+    }
 )
-"""The same of a run's tables; these came with format 1.2."""
+"""The same of a run's tables; these came with formats 1.2 and 1.4."""
 
 PARTICLE_TABLES = ("particles", "part_particles", "tracklets")
 """Tables of a run that stay in the file, with the column `start`: an offset a frame."""

@@ -101,6 +101,8 @@ class StoredRun:
             start,
             {
                 column: StoredColumn(self.path, f"{name}/{column}", rows, dtype)
+                if column in group
+                else np.broadcast_to(_unknown(dtype), rows)
                 for column, dtype in RUN_TABLES[table].items()
             },
         )
@@ -118,9 +120,13 @@ def _read_table(group: h5py.Group, name: str) -> Columns:
     columns = read_columns(group, {n: kind for n, kind in types.items() if n not in later})
     rows = len(columns["frame"])
     for column in later:
-        unknown = np.nan if types[column].kind == "f" else 0
-        columns[column] = np.full(rows, unknown, types[column])
+        columns[column] = np.full(rows, _unknown(types[column]))
     return {column: columns[column] for column in types}
+
+
+def _unknown(dtype: np.dtype[Any]) -> Any:
+    """What a column that came with a later format holds where it is missing."""
+    return dtype.type(np.nan if dtype.kind == "f" else 0)
 
 
 def _known_tracks(group: h5py.Group) -> int:

@@ -96,6 +96,7 @@ TRACKLET_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
         "v1": np.dtype(np.float32),
         "u2": np.dtype(np.float32),  # two steps before
         "v2": np.dtype(np.float32),
+        "foot_v": np.dtype(np.float32),  # where the foreground below it ends; NaN: not known
     }
 )
 """Points followed in the picture, with their last positions."""

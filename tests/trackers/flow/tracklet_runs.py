@@ -102,10 +102,11 @@ def _tracklets(
                 continue
             holder = [name for name, held, frames in tracks if held == who and frame in frames]
             seen = [_pixels(walker, frame - back) for back in range(3)]
-            rows.append(np.column_stack((np.full(len(_POINTS), sum(holder[:1])), *seen)))
+            unseen = np.full(len(_POINTS), np.nan)
+            rows.append(np.column_stack((np.full(len(_POINTS), sum(holder[:1])), *seen, unseen)))
             count[frame + 1] += len(_POINTS)
-    table = np.concatenate(rows) if rows else np.zeros((0, 7))
-    names = ("track", "u0", "v0", "u1", "v1", "u2", "v2")
+    table = np.concatenate(rows) if rows else np.zeros((0, 8))
+    names = ("track", "u0", "v0", "u1", "v1", "u2", "v2", "foot_v")
     return np.cumsum(count), typed(dict(zip(names, table.T, strict=True)), TRACKLET_COLUMNS)
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.trackers.flow.chains import Chains, Rows
 from tracking.trackers.flow.floor import Floor, sight_axes
+from tracking.trackers.flow.standing import feet_misfit, ratios
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -110,7 +111,8 @@ def bundle_of(
     """The tracklets near a way, and how well each suits a body that walks it.
 
     A point of a body keeps its height and its distance from the body's axis. Of one who walks
-    another way, or the same behind or before, it seems to rise, to sink or to drift aside.
+    another way, or the same behind or before, it seems to rise, to sink or to drift aside,
+    and the feet below it are not where the walker is.
 
     Args:
         led_s: how long before and after it the way is led on.
@@ -130,6 +132,8 @@ def bundle_of(
     )
     misfit = _means(number, misfit, frames) + _oddity(middle_z, middle_aside)
     misfit += _trends(number, frame / fps, z_m, aside_m, frames / fps)
+    ratio = ratios(chains.feet_m[rows], np.hypot(*place.T))
+    misfit += _means(number, feet_misfit(ratio), frames)
     enough = np.maximum(
         np.minimum(round(_LEAST_TREND_S * fps), chains.length[chain]),
         _LEAST_SHARE * chains.length[chain],

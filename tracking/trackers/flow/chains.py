@@ -17,6 +17,8 @@ Rows = NDArray[np.intp]
 
 _SHORTEST_S = 0.4
 """What was followed for less says little of who it belongs to."""
+_STRIDE_M = 0.35
+"""The foreground ends on the foot in front, so much nearer than the body's middle."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,6 +32,8 @@ class Chains:
         slope: (n, 2) where its ray goes, see `Floor`.
         held_at: (n, 2) m where the person stood, as far as was known in that frame, who held it;
             NaN: nobody did.
+        feet_m: (n,) how far away, along the floor, whoever stands below the point in front of all
+            others is, by the feet in the foreground; NaN: not known.
         start: (frames + 1,) where the rows of each frame begin.
         length, first, last: (m,) how many rows, first and last frame of each tracklet.
     """
@@ -39,6 +43,7 @@ class Chains:
     chain: Integers
     slope: Floats
     held_at: Floats
+    feet_m: Floats
     start: Integers
     length: Integers
     first: Integers
@@ -73,6 +78,7 @@ def chains_of(run: Run, floor: Floor, fps: float) -> Chains:
         chain=number,
         slope=slope[row],
         held_at=_held_at(run.tracks, frame[row], columns["track"][row]),
+        feet_m=_feet_m(columns, row, floor),
         start=np.searchsorted(frame[row], np.arange(len(run.tracklets.start))),
         length=np.bincount(number, minlength=count),
         first=first,
@@ -80,7 +86,13 @@ def chains_of(run: Run, floor: Floor, fps: float) -> Chains:
     )
 
 
-_COLUMNS = ("track", "u0", "v0", "u1", "v1")
+_COLUMNS = ("track", "u0", "v0", "u1", "v1", "foot_v")
+
+
+def _feet_m(columns: Columns, row: Rows, floor: Floor) -> Floats:
+    """(n,) m along the floor to whoever's feet are seen below tracklets."""
+    foot = np.stack((columns["u0"][row], columns["foot_v"][row]), axis=1).astype(np.float64)
+    return np.asarray(np.hypot(*floor.slopes(foot).T) * floor.camera_m + _STRIDE_M)
 
 
 def _linked(tracklets: Particles, columns: Columns) -> Integers:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from tracking.trackers.flow.bundles import Bundle, Way, bundle_of
 from tracking.trackers.flow.chains import Chains, Rows
 from tracking.trackers.flow.floor import Floor, sight_axes
+from tracking.trackers.flow.standing import feet_cost, ratios
 from tracking.trackers.flow.ways import reaching, refitted
 
 Floats = NDArray[np.float64]
@@ -157,6 +158,8 @@ class Chooser:
             height = np.median(floor.heights(slope[known], held[known]))
             off = ((_SEED_HEIGHTS_M - height) / _HELD_M) ** 2
             cost = cost + np.minimum(off, _HELD_COSTLIEST)
+        away = np.hypot(*slope.T)[:, None] * (floor.camera_m - _SEED_HEIGHTS_M)
+        cost = cost + feet_cost(ratios(chains.feet_m[rows, None], away))
         drop = floor.camera_m - _SEED_HEIGHTS_M[cost.argmin()]
         every = np.arange(frame[0], frame[-1] + 1)
         place = [np.interp(every, frame, slope[:, axis] * drop) for axis in (0, 1)]

@@ -36,6 +36,7 @@ def step_result(
     walkers: Walkers,
     tracklets: Tracklets,
     owner: NDArray[np.int32],
+    foot_v: NDArray[np.float32],
     view: View,
 ) -> StepResult:
     """The frame's result.
@@ -45,6 +46,7 @@ def step_result(
 
     Args:
         owner: (n,) the track each tracklet belongs to; 0: none.
+        foot_v: (n,) px where the foreground below each ends, see `foot_lines`.
     """
     seen = walkers.missed_s == 0.0
     box = view.box_of_person(walkers.place, USUAL_HEIGHT_M, BODY_WIDTH_M)
@@ -54,7 +56,7 @@ def step_result(
         detections=_detections(frame, walkers, seen, box),
         particles=empty(PARTICLE_COLUMNS),
         associations=empty(ASSOCIATION_COLUMNS),
-        tracklets=_tracklets(tracklets, owner),
+        tracklets=_tracklets(tracklets, owner, foot_v),
     )
 
 
@@ -89,12 +91,14 @@ def _detections(frame: int, walkers: Walkers, seen: NDArray[np.bool_], box: Floa
     return {name: column[seen] for name, column in typed(values, DETECTION_COLUMNS).items()}
 
 
-def _tracklets(tracklets: Tracklets, owner: NDArray[np.int32]) -> Columns:
+def _tracklets(
+    tracklets: Tracklets, owner: NDArray[np.int32], foot_v: NDArray[np.float32]
+) -> Columns:
     """Those with all their positions, grouped by track."""
     whole = np.flatnonzero(np.isfinite(tracklets.path[:, 2, 0]))
     rows = whole[np.argsort(owner[whole], kind="stable")]
     path = tracklets.path[rows]
-    values: dict[str, NDArray[Any]] = {"track": owner[rows]}
+    values: dict[str, NDArray[Any]] = {"track": owner[rows], "foot_v": foot_v[rows]}
     for step in range(3):
         values[f"u{step}"], values[f"v{step}"] = path[:, step, 0], path[:, step, 1]
     return typed(values, TRACKLET_COLUMNS)

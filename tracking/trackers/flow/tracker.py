@@ -14,6 +14,7 @@ from tracking.people import Observation
 from tracking.trackers.flow.clustered import ClusteredPeople
 from tracking.trackers.flow.floor import Floor
 from tracking.trackers.flow.following import PointFollower
+from tracking.trackers.flow.footing import foot_lines
 from tracking.trackers.flow.kernels import kernel_table
 from tracking.trackers.flow.people import HeldPeople
 from tracking.trackers.flow.perception import FlowObservation
@@ -90,7 +91,9 @@ class FlowTracker:
         owner = self._people.owner
         told = self._people.walkers.select(self._people.walkers.walked)
         shown = np.where(np.isin(owner, told.track), owner, 0)
-        result = step_result(observation.frame, told, seen.tracklets, shown, self._view)
+        points = seen.tracklets.path[:, 0].astype(np.float64)
+        foot_v = foot_lines(points, seen.slope, seen.mask, self._floor)
+        result = step_result(observation.frame, told, seen.tracklets, shown, foot_v, self._view)
         self._drop_still(seen, owner)
         return result
 

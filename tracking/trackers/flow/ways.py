@@ -11,6 +11,7 @@ from scipy.linalg import solveh_banded
 from tracking.trackers.flow.bundles import Bundle, Way
 from tracking.trackers.flow.chains import Chains, Rows
 from tracking.trackers.flow.floor import Floor, sight_axes
+from tracking.trackers.flow.standing import feet_say, ratios
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -25,8 +26,9 @@ _MOST_A_FRAME = 6
 _PACE_M_S, _PACE_ERROR = 1.2, 0.35
 _HELD_ERROR, _HELD_SPREADS, _HELD_FRAMES = 0.05, 3.0, 30
 _TOP_M, _TOP_ERROR_M, _TOP_ERROR, _TOP_ROWS = 1.62, 0.3, 0.1, 100
-"""Three hints at how far away a bundle is, and their errors, as shares of the distance: the usual
-pace; where those stood who held the tracklets; heads, as the topmost that is followed."""
+"""Hints at how far away a bundle is, and their errors, as shares of the distance: the usual pace;
+where those stood who held the tracklets; heads, as the topmost that is followed. The fourth, and
+surest, are feet."""
 _FARTHEST_STEP = 0.25
 _STRIDE_S = 0.8
 _SLOWEST_M_S, _FASTEST_M_S, _OVER_S = 0.35, 2.2, 0.5
@@ -77,6 +79,7 @@ def _scale(bundle: Bundle, chains: Chains, floor: Floor, fps: float) -> float:
         *_pace_says(bundle, chains, fps),
         *_holders_say(bundle, chains),
         *_top_says(bundle, floor),
+        *feet_say(ratios(chains.feet_m[bundle.rows], np.hypot(*bundle.place.T))),
     )
     weight = sum(weight for _, weight in hints)
     told = sum(log * weight for log, weight in hints) / weight if weight else 0.0
