@@ -20,6 +20,7 @@ GROUPS = (
     "spheroid",
     "flow",
     "formats",
+    "memory",
 )
 
 _ELSEWHERE = {

@@ -9,8 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tracking.pipeline import KeptSteps, kept
-from tracking.pipeline.spool import Spool
+from tracking.pipeline import KeptSteps
 from tracking.trackers import StepResult
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
@@ -56,10 +55,8 @@ STEPS = [step(frame) for frame in range(FIRST, FIRST + FRAMES)]
 
 
 @pytest.fixture(params=["memory", "disk"])
-def steps(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    if request.param == "disk":
-        monkeypatch.setattr(kept, "Spool", lambda folder: Spool(folder, in_memory=0))
-    return KeptSteps(tmp_path)
+def steps(request: pytest.FixtureRequest, tmp_path: Path) -> KeptSteps:
+    return KeptSteps(tmp_path, in_memory=0 if request.param == "disk" else 1 << 20)
 
 
 def made(steps: KeptSteps) -> Run:
@@ -117,15 +114,12 @@ def test_a_run_stays_as_it_is_when_more_comes(steps: KeptSteps):
     assert run.particles.start[-1] < later.particles.start[-1] == FRAMES * 0.9 * 2 * EACH
 
 
-def test_runs_in_memory_and_on_the_disk_are_the_same_to_the_byte(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-):
+def test_runs_in_memory_and_on_the_disk_are_the_same_to_the_byte(tmp_path: Path):
     rough = [
         replace(one, particles={**one.particles, "x": one.particles["x"] * np.float32(np.pi)})
         for one in STEPS
     ]
-    here, there = KeptSteps(), KeptSteps(tmp_path)
-    monkeypatch.setattr(there._clouds["particles"]._spool, "_in_memory", 0)
+    here, there = KeptSteps(), KeptSteps(tmp_path, in_memory=0)
     here.add(rough)
     for one in rough:
         there.add((one,))

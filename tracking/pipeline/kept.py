@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 import tracking
-from tracking.pipeline.spool import Spool
+from tracking.pipeline.spool import IN_MEMORY_BYTES, Spool
 from tracking.pipeline.spooled import SpooledTable
 from tracking.recording import Recording
 from tracking.trackers import (
@@ -51,16 +51,19 @@ class KeptSteps:
     asked by another one meanwhile.
     """
 
-    def __init__(self, folder: Path | None = None, first: int = 0) -> None:
+    def __init__(
+        self, folder: Path | None = None, first: int = 0, in_memory: int = IN_MEMORY_BYTES
+    ) -> None:
         """Nothing yet.
 
         Args:
-            folder: where particles that are too many for the memory are put aside, see `Spool`.
+            folder, in_memory: where particles that are too many for the memory are put aside, and
+                from how many bytes on; see `Spool`.
             first: the frame where steps are to begin; they tell it themselves once they come.
         """
-        spool = Spool(folder)
+        self._spool = Spool(folder, in_memory)
         self._tables = {name: GrowingTable(types) for name, types in _TABLES.items()}
-        self._clouds = {name: SpooledTable(spool, name) for name in _CLOUDS}
+        self._clouds = {name: SpooledTable(self._spool, name) for name in _CLOUDS}
         self._first = first
         # How many steps are in the tables, and those behind them: replaced together.
         self._state: tuple[int, list[StepResult]] = (0, [])
@@ -70,6 +73,11 @@ class KeptSteps:
         """The half-open range of frames so far."""
         settled, waiting = self._state
         return self._first, self._first + settled + len(waiting)
+
+    @property
+    def spooled_bytes(self) -> int:
+        """What the particles take, put aside."""
+        return self._spool.size
 
     def add(self, steps: Iterable[StepResult]) -> None:
         """Take further steps. Raises OutputError where there is no room for their particles."""
