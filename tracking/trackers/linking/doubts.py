@@ -35,7 +35,7 @@ def doubts(seen: Seen, meetings: Encounters, view: View, fps: float) -> NDArray[
     first = np.append(True, np.diff(seen.track) != 0)[: len(seen)]
     found = _lost_before(seen, fps) & ~first
     doubt = np.where(first, Doubt.TRACK, np.where(found, Doubt.LOST, Doubt.NONE)).astype(np.uint8)
-    returned = returned_over_edge(seen, first, view, fps)
+    returned = returned_over_edge(seen, first | found, view, fps)
     doubt[returned & (doubt == Doubt.NONE)] = Doubt.EDGE
     least = round(_LEAST_PIECE_S * fps)
     for row in _met(seen, meetings, first | found, fps):

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.seen import EDGE_SHARE, Flags, Floats, Seen
+from tracking.trackers.linking.seen import EDGE_SHARE, Flags, Floats, Seen, place_errors
 from tracking.trackers.stereo_boxes import MIDDLE_M
 
 Rows = NDArray[np.intp]
@@ -21,7 +21,9 @@ _LEAST_LINE = 3
 _BODY_M = (1.7, 0.5)
 """Height and width of a usual one."""
 _WAY_M = 0.12
-"""Who moves less than this, out and in again, may have stood there."""
+"""Who seems to move less than this, out and in again, may have stood there."""
+_ERRORS = 1.5
+"""The same on the floor, in errors of a measured place."""
 
 
 def returned_over_edge(seen: Seen, first: Flags, view: View, fps: float) -> Flags:
@@ -31,9 +33,10 @@ def returned_over_edge(seen: Seen, first: Flags, view: View, fps: float) -> Flag
     turns most, if it does from outwards to inwards.
 
     Args:
-        first: (n,) where tracks begin.
+        first: (n,) where tracks begin, or go on after a gap.
     """
     returned = np.zeros(len(seen), bool)
+    part = np.cumsum(first)
     track_ends = np.append(first, True)
     changes = np.diff(seen.at_edge.astype(np.int8), prepend=0, append=0) != 0
     ends = np.flatnonzero(changes | track_ends)
@@ -41,7 +44,7 @@ def returned_over_edge(seen: Seen, first: Flags, view: View, fps: float) -> Flag
     for start, stop in pairwise(ends.tolist()):
         if seen.at_edge[start] and not track_ends[start] and not track_ends[stop]:
             own = np.arange(max(start - reach, 0), min(stop + reach, len(seen)))
-            own = own[seen.track[own] == seen.track[start]]
+            own = own[part[own] == part[start]]
             row = _Ways.of(seen, own, view, fps).turn(start, stop, reach, view)
             returned[row] = row > 0
     return returned
@@ -94,7 +97,8 @@ class _Ways:
         touched = _outward(self.low[around].min(axis=0), self.high[around].max(axis=0), view)
         outward = _over_edge(place, touched, view)
         out_m, back_m = ((way.reshape(2, 2) * outward).sum(axis=1) for way in (out, back))
-        return bool((out_m > _WAY_M).all() and (back_m < -_WAY_M).all())
+        least_m = np.array((_WAY_M, _ERRORS * place_errors(place[None])[0]))
+        return bool((out_m > least_m).all() and (back_m < -least_m).all())
 
     def _line(self, rows: slice) -> tuple[Floats, float]:
         """The best straight way (4,) m through rows, and the sum of its squared misses."""

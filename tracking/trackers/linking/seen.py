@@ -20,6 +20,8 @@ SIDES = ("left", "top", "width", "height")
 LOOKS = (*CLOTHES, "height_m")
 EDGE_SHARE = 0.006
 """Of the picture's size: boxes that come so close to its edge are cut off by it."""
+_NEAR_M, _FAR_M = 0.08, 0.001
+"""How much a measured place errs: close by, and times the square of the range."""
 _WELL_SEEN = 0.5
 _NEAR_ROWS = 3
 
@@ -71,6 +73,11 @@ def seen_of(run: Run, view: View) -> tuple[Seen, Encounters]:
 def keys(frame: NDArray[np.integer], track: NDArray[np.integer]) -> Integers:
     """One number for each frame and track."""
     return np.asarray(frame.astype(np.int64) * 2**32 + track.astype(np.int64))
+
+
+def place_errors(place: Floats) -> Floats:
+    """(n,) m, how much measured places err."""
+    return np.asarray(_NEAR_M + _FAR_M * np.square(place).sum(axis=1))
 
 
 def _measure(

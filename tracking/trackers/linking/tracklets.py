@@ -7,12 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.linking.seen import Floats, Integers, Seen
+from tracking.trackers.linking.seen import Floats, Integers, Seen, place_errors
 
 _WINDOW_S = 0.6
 """Of a tracklet's end from which place and velocity there are taken."""
-_NEAR_M, _FAR_M = 0.08, 0.001
-"""How much a measured place errs: close by, and times the square of the range."""
 _DOUBTFUL = 2.0
 """Times as much err places of people cut off by the edge, or close to somebody."""
 _SPEED_M_S = 1.2
@@ -73,11 +71,6 @@ def tracklets(seen: Seen, doubt: NDArray[np.uint8], fps: float) -> Tracklets:
         _states(seen, start, stop, fps, last=False),
         _states(seen, start, stop, fps, last=True),
     )
-
-
-def place_errors(place: Floats) -> Floats:
-    """(n,) m, how much measured places err."""
-    return np.asarray(_NEAR_M + _FAR_M * np.square(place).sum(axis=1))
 
 
 def _states(
