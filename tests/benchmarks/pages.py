@@ -27,7 +27,10 @@ def met(ours: float, goal: float, *, at_most: bool = False, digits: int = 1) -> 
     lack = ours - goal if at_most else goal - ours
     if lack <= 0:
         return "met"
-    return f"missed by {lack:.{digits}f}" if lack == lack else "not measured"
+    if lack != lack:
+        return "not measured"
+    least = 10.0**-digits
+    return f"missed by {lack:.{digits}f}" if lack >= least / 2 else f"missed by less than {least:g}"
 
 
 def save_jpeg(path: Path, picture: NDArray[np.uint8]) -> None:

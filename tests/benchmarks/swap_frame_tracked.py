@@ -10,13 +10,15 @@ swaps that took longer than a second are left out. Rendered scenes stay in the t
 from __future__ import annotations
 
 import argparse
+import tempfile
 from collections.abc import Iterator
+from pathlib import Path
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.accuracy import rendered
+from tests.benchmarks.rendered import Clip, folder_of
 from tracking.editing import apply_change, plan_swap, propose_swap_frames, signals_of
 from tracking.formats import read_mot
 from tracking.pipeline import track
@@ -24,6 +26,7 @@ from tracking.recording import open_recording
 from tracking.tracks import Columns, Labels, Run, TrackTable
 
 REPORTED_SEED = 3201
+_KEPT = Path(tempfile.gettempdir()) / "trackwright-accuracy"
 WITHIN = 2
 _SCENES = ("lobby", "uniforms", "plaza")
 _TRACKERS = ("stereo-direction", "stereo-colour")
@@ -46,7 +49,7 @@ def main() -> None:
     print("| scene | tracker | injected | found | natural | found |")
     print("| --- | --- | --- | --- | --- | --- |")
     for scene in asked.scenes:
-        folder = rendered(scene, asked.seed)
+        folder = folder_of(Clip(scene, asked.seed), _KEPT)
         truth = read_mot(folder / "truth.txt")
         for tracker in _TRACKERS:
             with open_recording(folder) as recording, track(recording, tracker) as tracking:

@@ -14,8 +14,8 @@ clips that are not public; ours are rendered, so that truth is exact and everybo
 Settings were chosen on scenes with other seeds, and the built-in failure detector was trained on
 others again; on the scenes reported here nothing was chosen.
 
-The two systems of one calibrated camera have pages of their own: [spheroids](results/spheroid.md)
-and [flow](results/flow.md).
+The other systems have pages of their own: [two eyes](results/stereo.md), and with one calibrated
+camera [spheroids](results/spheroid.md) and [flow](results/flow.md).
 """
 
 HOW_RATES = """

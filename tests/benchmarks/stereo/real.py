@@ -26,11 +26,11 @@ def measure(data: Path) -> dict[str, Any]:
 
 
 def passages_by_eye(tracks: Columns) -> dict[str, Any]:
-    """Each track goes to the passage most of its frames are in; its longest there is the passer.
+    """Who passed: of each passage the track that covers most of its frames.
 
     Returns:
         passages: by passage its frames, by eye, the id of the passer, how many frames of the
-            passage it covers, where it began and ended.
+            passage it covers, how many went by before it began and after it ended.
         extra: every other track longer than `LONGEST` frames.
         short: how many others there are.
     """
@@ -55,8 +55,10 @@ def _passer(own: dict[int, Any], first: int, last: int, ahead: bool) -> dict[str
     track = max(within, key=lambda t: within[t], default=0)
     row = {"first": first, "last": last, "to_the_right": ahead, "frames": last - first + 1}
     if not within.get(track):
-        return {**row, "track": 0, "covered": 0}
-    return {**row, "covered": within[track], **_told(track, own[track])}
+        return {**row, "track": 0, "covered": 0, "before": 0, "after": 0}
+    told = _told(track, own[track])
+    before, after = max(0, told["began"] - first), max(0, last - told["ended"])
+    return {**row, **told, "covered": within[track], "before": before, "after": after}
 
 
 def _told(track: int, frames: Any) -> dict[str, int]:

@@ -147,15 +147,20 @@ def _said_of_real(figures: Figures) -> str:
     said.append(longer + (f"{len(extra)}: {ids} (missed)." if extra else "none (met)."))
     if figures["short"]:
         said.append(f"Shorter ones: {figures['short']}.")
-    missing = [row["frames"] - row["covered"] for row in rows]
-    said.append(
-        f"What fails: of the {sum(row['frames'] for row in rows)} frames of the passages "
-        f"{sum(missing)} have no track; people are followed late when they come in, lost early "
-        "when they go, and in the first passage not before the exposure has settled (frame 60)."
-        if sum(missing)
-        else "All frames of the passages are covered."
+    return " ".join((*said, _uncovered(rows)))
+
+
+def _uncovered(rows: Sequence[Figures]) -> str:
+    """Which frames of the passages have no track."""
+    frames = sum(row["frames"] for row in rows)
+    before, after = (sum(row[name] for row in rows) for name in ("before", "after"))
+    missing = frames - sum(row["covered"] for row in rows)
+    if not missing:
+        return "All frames of the passages are covered."
+    return (
+        f"What fails: {missing} of the {frames} frames of the passages have no track, {before} of "
+        f"them before it begins, {after} after it has ended."
     )
-    return " ".join(said)
 
 
 def _befallen(rows: Sequence[Figures]) -> str:

@@ -114,7 +114,7 @@ def test_a_passage_belongs_to_the_track_that_covers_most_of_it_and_others_are_ex
     page = report.writers()["real"](found)
     assert "4 tracks of their own (met)." in page
     assert "1: 5 (frames 330 to 344) (missed)." in page
-    assert "40 have no track" in page
+    assert "40 of the 414 frames of the passages have no track, 40 of them before it" in page
 
 
 def test_missing_footage_is_said() -> None:

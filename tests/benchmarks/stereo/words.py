@@ -71,8 +71,9 @@ REAL = """
 ## Real footage
 
 The overhead recording (two eyes 7.4 cm apart, 2.74 m, straight down, grey, hard shadows and sun
-flecks, 627 frames): four people pass, one after the other. When they do was seen by eye, so the
-first and last frames are not exact; people are only partly in the picture then.
+flecks, 627 frames; the exposure settles until about frame 60): four people pass, one after the
+other. When they do was seen by eye, so the first and last frames are not exact; people are only
+partly in the picture then.
 """
 
 NO_REAL = """
