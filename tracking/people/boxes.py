@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,20 +24,29 @@ def region_boxes(labels: NDArray[np.uint8], count: int) -> list[GridBox]:
 
     Rows and columns with a single pixel at a region's ends are left out: specks, not limbs.
     """
-    return [_bounding_box(labels, k) for k in range(1, count + 1)]
+    place = np.flatnonzero(labels != 0)
+    region = labels.ravel()[place].astype(np.intp)
+    row, column = np.divmod(place, labels.shape[1])
+    top, height = _extents(region, row, count, labels.shape[0])
+    left, width = _extents(region, column, count, labels.shape[1])
+    return list(zip(left, top, width, height, strict=True))
 
 
-def _bounding_box(labels: NDArray[np.uint8], label: int) -> GridBox:
-    own = (labels == label).view(np.uint8)
-    left, top, width, height = cv2.boundingRect(own)
-    own = own[top : top + height, left : left + width]
-    columns = np.flatnonzero(own.sum(axis=0, dtype=np.int32) >= _FEWEST_PLACES)
-    rows = np.flatnonzero(own.sum(axis=1, dtype=np.int32) >= _FEWEST_PLACES)
-    if len(columns) == 0 or len(rows) == 0:
-        return left, top, width, height
-    first, last = int(columns[0]), int(columns[-1])
-    highest, lowest = int(rows[0]), int(rows[-1])
-    return left + first, top + highest, last - first + 1, lowest - highest + 1
+def _extents(
+    region: NDArray[np.intp], line: NDArray[np.intp], count: int, lines: int
+) -> tuple[list[int], list[int]]:
+    """First line and number of lines of the regions 1 to count, along rows or columns.
+
+    Args:
+        region, line: of each pixel. lines: of the picture.
+    """
+    pixels = np.bincount(region * lines + line, minlength=(count + 1) * lines)
+    pixels = pixels.reshape(-1, lines)[1 : count + 1]
+    several = pixels >= _FEWEST_PLACES
+    shown = np.where(several.any(axis=1, keepdims=True), several, pixels > 0)
+    first = shown.argmax(axis=1)
+    number = np.where(shown.any(axis=1), lines - shown[:, ::-1].argmax(axis=1) - first, 0)
+    return first.tolist(), number.tolist()
 
 
 def hidden_sides(
@@ -73,7 +81,7 @@ def hidden_sides(
             labels[top:bottom, right : right + 1],
             labels[bottom : bottom + 1, left:right],
         )
-        covered = [strip.size > 0 and nearer[strip].mean() > _COVERED for strip in strips]
+        covered = [np.count_nonzero(nearer[strip]) > _COVERED * strip.size for strip in strips]
         hidden[k] = np.logical_or(at_edge, covered)
         truncated[k] = any(at_edge)
     return hidden, truncated

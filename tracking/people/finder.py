@@ -106,9 +106,9 @@ class PeopleFinder:
         boxes = region_boxes(labels, len(places))
         hidden, truncated = hidden_sides(labels, boxes, extent.middle[:, :2] - self._eye)
         position = axis_positions(places, extent, hidden, self._lines, settings)
-        colours = np.ascontiguousarray(picture[::STEP, ::STEP])
-        colours = np.asarray(cv2.cvtColor(colours, cv2.COLOR_BGR2HSV), np.uint8)
-        upper, lower, middle = colour_histograms(colours[..., :2], labels, boxes, settings)
+        colours = _on_the_grid(picture)
+        hsv = np.asarray(cv2.cvtColor(colours, cv2.COLOR_BGR2HSV), np.uint8)
+        upper, lower, middle = colour_histograms(hsv[..., :2], labels, boxes, settings)
         width = np.maximum(extent.width, 0)
         return Detections(
             box=self._boxes.whole(boxes, position, extent, hidden),
@@ -120,7 +120,7 @@ class PeopleFinder:
             lower=lower,
             middle=middle,
             regions=self._full_size(labels),
-            clothes=clothes_colours(picture[::STEP, ::STEP], labels, boxes),
+            clothes=clothes_colours(colours, labels, boxes),
         )
 
     def _merged(self, extent: Extent) -> NDArray[np.bool_]:
@@ -132,6 +132,15 @@ class PeopleFinder:
 
     def _full_size(self, labels: NDArray[np.uint8]) -> NDArray[np.int32]:
         return cv2.resize(labels, self._size, interpolation=cv2.INTER_NEAREST).astype(np.int32)
+
+
+def _on_the_grid(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """The picture's pixels [::STEP, ::STEP]."""
+    rows, columns = picture.shape[:2]
+    if rows % STEP or columns % STEP:
+        return np.ascontiguousarray(picture[::STEP, ::STEP])
+    size = (columns // STEP, rows // STEP)
+    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_NEAREST), np.uint8)
 
 
 def _renumbered(owner: NDArray[np.intp], kept: NDArray[np.bool_]) -> NDArray[np.intp]:
