@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -33,6 +34,9 @@ _BODY = ((0.1, 0.2), (1.35, 0.25), (1.7, 0.08))
 _OWN_BOX = 0.85
 """Weight of the box seen, where it suits the outline."""
 _LEAST_SHOWN = 0.05
+_MATCHED = ("frame", "track", "x", "y")
+_BATCH_ROWS = 100_000
+"""Smoothed at a time; longer tracks are batches by themselves."""
 _INSIDE = 0.75
 """Share of a box inside the picture from which on its person cannot have left unseen."""
 
@@ -102,19 +106,57 @@ def smoothed(
         memory_s: how long a path on the floor is led by what was seen.
     """
     tracks, first = _joined(given, run.tracks)
-    paths = _paths(tracks)
-    if not paths.measured.any():
-        return run
-    position, velocity = _walked(paths, run.detections, fps, memory_s)
+    kept = np.ones(len(tracks["frame"]), bool)
+    for rows, detections in _batches(tracks, run.detections):
+        paths = _paths(tracks, rows)
+        if paths.measured.any():
+            _smooth(tracks, paths, detections, view, fps, memory_s)
+            kept[paths.rows[_vanished(paths, run.frames[1], view)]] = False
+    own = {name: column[first:] for name, column in tracks.items()}
+    return replace(run, tracks=_rows(own, kept[first:]), signals=_rows(run.signals, kept[first:]))
+
+
+def _smooth(
+    tracks: Columns, paths: _Paths, detections: Columns, view: View, fps: float, memory_s: float
+) -> None:
+    """Put paths and boxes as they were, from each track's first to its last measured row."""
+    position, velocity = _walked(paths, detections, fps, memory_s)
     box = _drawn(paths, position, view, fps)
     new = np.concatenate((position, velocity, box), axis=1)
     changed = paths.enclosed
     for name, column in zip(("x", "y", "vx", "vy", *_SIDES), new.T, strict=True):
         tracks[name][paths.rows[changed]] = column[changed]
-    kept = np.ones(len(tracks["frame"]), bool)
-    kept[paths.rows[_vanished(paths, run.frames[1], view)]] = False
-    own = {name: column[first:] for name, column in tracks.items()}
-    return replace(run, tracks=_rows(own, kept[first:]), signals=_rows(run.signals, kept[first:]))
+
+
+def _batches(tracks: Columns, detections: Columns) -> Iterator[tuple[Rows, Columns]]:
+    """Rows of whole tracks, by track and frame, with their detections: some at a time.
+
+    Tracks are smoothed each by itself; all at once would take many times the memory of the run.
+    """
+    order = np.lexsort((tracks["frame"], tracks["track"]))
+    known = [np.isfinite(tracks[name]) for name in ("x", "y", *_SIDES)]
+    order = order[np.logical_and.reduce(known)[order]]
+    track = tracks["track"][order]
+    seen = np.argsort(detections["track"], kind="stable")
+    for batch in _whole_tracks(track):
+        ends = track[batch.start], track[batch.stop - 1] + 1
+        low, high = np.searchsorted(detections["track"], ends, sorter=seen)
+        theirs = np.sort(seen[low:high])
+        yield order[batch], {name: detections[name][theirs] for name in _MATCHED}
+
+
+def _whole_tracks(track: NDArray[np.int32]) -> Iterator[slice]:
+    """Stretches of rows (n,) sorted by track, none of which cuts a track."""
+    start = 0
+    while start < len(track):
+        wanted = min(start + _BATCH_ROWS, len(track))
+        before = int(np.searchsorted(track, track[wanted - 1]))
+        whole = wanted == len(track) or track[wanted] != track[wanted - 1]
+        stop = wanted if whole else before
+        if stop <= start:
+            stop = int(np.searchsorted(track, track[start], side="right"))
+        yield slice(start, stop)
+        start = stop
 
 
 def _joined(given: Columns | None, tracks: Columns) -> tuple[dict[str, NDArray[Any]], int]:
@@ -135,11 +177,8 @@ def _rows(columns: Columns, kept: Flags) -> Columns:
     }
 
 
-def _paths(tracks: Columns) -> _Paths:
-    """The rows with a place and a box, ordered by track and frame."""
-    order = np.lexsort((tracks["frame"], tracks["track"]))
-    known = [np.isfinite(tracks[name]) for name in ("x", "y", *_SIDES)]
-    rows = order[np.logical_and.reduce(known)[order]]
+def _paths(tracks: Columns, rows: Rows) -> _Paths:
+    """Rows with a place and a box, ordered by track and frame."""
     columns = {name: column[rows] for name, column in tracks.items()}
     measured = ~columns["predicted"]
     first, last = _ends_of_measured(columns["track"], measured)
