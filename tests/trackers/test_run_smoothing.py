@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from people_on_a_floor import FPS, straight, view
 
 from tracking.geometry import View
-from tracking.trackers import smoothed
+from tracking.trackers import smoothed, smoothing
 from tracking.tracks import Run
 from tracking.tracks.columns import DETECTION_COLUMNS, TRACK_COLUMNS, empty
 from tracking.tracks.run import Particles
@@ -220,3 +220,17 @@ def test_somebody_hidden_where_the_run_begins_walks_on_from_the_rows_given():
     late = {name: column[50:] for name, column in whole.items()}
     tied = smoothed(replace(run_of(late), frames=(50, FRAMES)), VIEW, FPS, given)
     np.testing.assert_allclose(tied.tracks["x"], walk()["x"][50:], atol=0.02)
+
+
+@pytest.mark.parametrize("rows", [1, 150, 250])
+def test_tracks_smoothed_some_at_a_time_are_the_same_to_the_byte(
+    monkeypatch: pytest.MonkeyPatch, rows: int
+):
+    people = [
+        astray(walk((0.7 * track - 1.0, 6.0), track), slice(30, 40 + track)) for track in (1, 2, 3)
+    ]
+    whole = smoothed(run_of(*people), VIEW, FPS)
+    monkeypatch.setattr(smoothing, "_BATCH_ROWS", rows)
+    parts = smoothed(run_of(*people), VIEW, FPS)
+    for name, column in whole.tracks.items():
+        assert parts.tracks[name].tobytes() == column.tobytes()
