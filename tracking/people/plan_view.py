@@ -112,14 +112,55 @@ def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) ->
     thinned = points.chosen(slice(None, None, -(-len(points.area) // _MOST_POINTS)))
     share = np.float32(points.mass.sum() / max(float(thinned.mass.sum()), 1e-9))
     places = _seeds(thinned, share, settings)
+    floor, noise = thinned.world[:, :2], thinned.range_noise
+    units = Units.of(floor, noise, eye, settings.body_width_m * _KERNEL)
+    summed = np.column_stack((floor, noise, np.ones_like(noise))) * thinned.mass[:, None]
     mass = noise = np.zeros(len(places), np.float32)
     for _ in range(_STEPS):
-        weight = _kernel(places, thinned, eye, settings) * thinned.mass
-        mass = weight.sum(axis=1)
-        weight /= np.maximum(mass, 1e-9)[:, None]
-        places = np.asarray(weight @ thinned.world[:, :2], np.float32)
-        noise = np.asarray(weight @ thinned.range_noise, np.float32)
-    return _distinct(places, mass * share, noise, eye, settings)
+        weight = units.squared(places)
+        weight *= np.float32(-0.5)
+        sums = np.exp(weight, out=weight) @ summed
+        mass = sums[:, 3]
+        places, noise = np.split(sums[:, :3] / np.maximum(mass, 1e-9)[:, None], [2], axis=1)
+    return _distinct(places, mass * share, noise.ravel(), eye, settings)
+
+
+@dataclass(frozen=True, slots=True)
+class Units:
+    """Points on the floor, each with a person's breadth as its unit of length.
+
+    Along the line of sight the unit is longer by the noise of range.
+
+    Attributes:
+        along: (3, n) what a place's x, y and 1 are multiplied with for its distance along the
+            line of sight; x and y are from the eye. across: (2, n) the same across it.
+        eye: (2,) m.
+    """
+
+    along: Floats
+    across: Floats
+    eye: Floats
+
+    @classmethod
+    def of(cls, points: Floats, spread: Floats, eye: Floats, width_m: float) -> Units:
+        """Of points (n, 2) m with noise of range (n,) m; `width_m` is the unit across."""
+        x, y = (points - eye).T
+        distance = np.maximum(np.hypot(x, y), np.float32(1e-3))
+        unit = np.sqrt(np.float32(width_m**2) + spread * spread)
+        along = np.stack((x / distance, y / distance, -distance)) / unit
+        across = np.stack((-y, x)) / (distance * np.float32(width_m))
+        return cls(along, across, eye)
+
+    def squared(self, places: Floats) -> Floats:
+        """(k, n) squared distances of the points from places (k, 2) m."""
+        at = np.ones((len(places), 3), np.float32)
+        at[:, :2] = places - self.eye
+        squared = at @ self.along
+        squared *= squared
+        across = at[:, :2] @ self.across
+        across *= across
+        squared += across
+        return squared
 
 
 def apart(places: Floats, points: Floats, spread: Floats, eye: Floats, width_m: float) -> Floats:
@@ -131,20 +172,7 @@ def apart(places: Floats, points: Floats, spread: Floats, eye: Floats, width_m: 
         places: (k, 2) m. points: (n, 2) m. spread: (n,) m noise of range of the points.
         eye: (2,) m. width_m: the unit across.
     """
-    from_eye = points - eye
-    distance = np.maximum(np.hypot(from_eye[:, 0], from_eye[:, 1]), 1e-3)
-    along = from_eye / distance[:, None]
-    to_eye = places - eye
-    radial = distance[None] - to_eye @ along.T
-    across = to_eye @ np.stack((-along[:, 1], along[:, 0]))
-    unit = np.sqrt(width_m**2 + spread**2)
-    return np.asarray((radial / unit) ** 2 + (across / np.float32(width_m)) ** 2, np.float32)
-
-
-def _kernel(places: Floats, points: SurfacePoints, eye: Floats, settings: PeopleSettings) -> Floats:
-    width = settings.body_width_m * _KERNEL
-    squared = apart(places, points.world[:, :2], points.range_noise, eye, width)
-    return np.asarray(np.exp(np.float32(-0.5) * squared), np.float32)
+    return Units.of(points, spread, eye, width_m).squared(places)
 
 
 def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -> Floats:
@@ -170,10 +198,9 @@ def _distinct(
     """The places with enough surface, each once."""
     order = np.argsort(-mass, kind="stable")
     order = order[mass[order] > settings.least_area_m2]
-    kept: list[int] = []
-    for i in order.tolist():
-        one = slice(i, i + 1)
-        close = apart(places[kept], places[one], noise[one], eye, settings.body_width_m)
-        if not kept or float(close.min()) >= _SAME_PERSON:
-            kept.append(i)
+    places, noise = places[order], noise[order]
+    near = apart(places, places, noise, eye, settings.body_width_m) < _SAME_PERSON
+    kept = np.zeros(len(places), np.bool_)
+    for row, others in enumerate(near.T):
+        kept[row] = not others[kept].any()
     return places[kept]

@@ -49,10 +49,11 @@ def assign_points(
         return np.full(len(points.pixel), -1, np.intp)
     squared = apart(places, points.world[:, :2], points.range_noise, eye, settings.body_width_m / 2)
     owner = squared.argmin(axis=0)
-    far = squared[owner, np.arange(len(owner))] > _FARTHEST**2
+    nearest = squared.min(axis=0)
+    far = nearest > _FARTHEST**2
     # Close to the floor only feet are people; they stand nearer to the middle than shadows reach.
     low = points.world[:, 2] < _FLOOR_SLACK_M + 0.2 * points.range_noise
-    far |= low & (squared[owner, np.arange(len(owner))] > 1.0)
+    far |= low & (nearest > 1.0)
     return np.where(far, -1, owner)
 
 
