@@ -36,6 +36,11 @@ def linked(run: Run, view: View, fps: float, given: Columns | None = None) -> Ru
         given: rows of frames before the run's that stand fast, as corrected by people: its people
             go on from there.
     """
+    return smoothed(_relinked(run, view, fps, given), view, fps, given)
+
+
+def _relinked(run: Run, view: View, fps: float, given: Columns | None) -> Run:
+    """The run with an id for each person; what that takes in memory is free again afterwards."""
     before = 0 if given is None else len(given["frame"])
     seen, meetings = seen_of(run if given is None else _behind(given, run), view)
     own = seen.row >= before
@@ -50,7 +55,7 @@ def linked(run: Run, view: View, fps: float, given: Columns | None = None) -> Ru
         highest = max(known, int(run.tracks["track"].max()))
         name = _names(pieces, person, highest)[pieces.of_rows]
         run = renamed(run, seen.row[own] - before, name[own], view)
-    return smoothed(run, view, fps, given)
+    return run
 
 
 def _behind(given: Columns, run: Run) -> Run:

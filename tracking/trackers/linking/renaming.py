@@ -129,9 +129,17 @@ class RenamedTracks:
         return len(self.track)
 
     def __getitem__(self, rows: slice, /) -> NDArray[Any]:
-        numbers = np.arange(*rows.indices(len(self)))
-        frame = np.searchsorted(self.start, numbers, side="right") - 1
-        return self.names.looked_up(frame, np.asarray(self.track[rows]))
+        first, stop, _ = rows.indices(len(self))
+        track = np.asarray(self.track[first:stop])
+        if not len(track):
+            return track
+        # Each person's particles stand together: one look-up for all of them.
+        low, high = np.searchsorted(self.start, (first, stop - 1), side="right")
+        changes = np.flatnonzero(track[1:] != track[:-1]) + 1
+        begin = np.unique(np.concatenate(((0,), self.start[low:high] - first, changes)))
+        frame = np.searchsorted(self.start, begin + first, side="right") - 1
+        new = self.names.looked_up(frame, track[begin])
+        return np.repeat(new, np.diff(begin, append=len(track)))
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
         return np.asarray(self[:], dtype)
