@@ -47,6 +47,7 @@ _SPINE = slice(0, 13, 3)
 """Of the spots of a body those on its axis, from the head to the knees."""
 _OUTLINE = ((-0.1, 1.78), (-0.22, 1.5), (-0.2, 0.8), (-0.12, 0.0))
 """Half the outline of a body that hides what is behind it: m across the sight, over the floor."""
+_FARTHEST_PX = 1e4
 _AHEAD_M = 0.25
 """Who is so much nearer stands before a body."""
 _BESIDE_WEIGHT = 0.8
@@ -149,10 +150,11 @@ def cover_of(place: Floats, floor: Floor) -> Cover:
     half = np.concatenate((left, left[::-1] * (-1.0, 1.0)))
     outline = _pixels(place, np.column_stack((half, np.zeros(len(half)))), floor) / 2
     distance = np.hypot(place[:, 0], place[:, 1])
+    drawable = (np.abs(outline) < _FARTHEST_PX).all(axis=(1, 2))  # False where it is NaN
+    corners = np.rint(np.where(drawable[:, None, None], outline, 0.0)).astype(np.int32)
     for person in np.argsort(-distance, kind="stable"):
-        corners = outline[person]
-        if np.isfinite(corners).all() and np.abs(corners).max() < 1e4:
-            cv2.fillConvexPoly(cover, np.rint(corners).astype(np.int32), float(distance[person]))
+        if drawable[person]:
+            cv2.fillConvexPoly(cover, corners[person], float(distance[person]))
     return cover
 
 
