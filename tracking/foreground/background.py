@@ -109,6 +109,10 @@ class BackgroundModel:
         """Whether the next `update` will look at its frame."""
         return self._frames % self._every == 0
 
+    def skip(self) -> None:
+        """Let a frame pass of which nothing is to be learnt."""
+        self._frames += 1
+
     def update(self, seen: Subtraction, people: Mask | None = None) -> None:
         """Let the background follow what was seen; does its work only every few frames.
 

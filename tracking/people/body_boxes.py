@@ -6,7 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ground, Rectification, View
-from tracking.people.boxes import GridBox, full_body_boxes, standing_boxes, with_feet
+from tracking.people.boxes import (
+    GridBox,
+    full_body_boxes,
+    recorded_boxes,
+    standing_boxes,
+    with_feet,
+)
 from tracking.people.regions import Extent
 from tracking.people.settings import PeopleSettings
 from tracking.stereo import STEP, SightLines
@@ -102,14 +108,6 @@ class BodyBoxes:
 
     def _recorded(self, boxes: list[GridBox]) -> Floats:
         """(k, 4) boxes of the grid as boxes of the recorded picture."""
-        if not boxes:
-            return np.zeros((0, 4))
-        left, top, width, height = np.array(boxes, np.float64).T * self._grid_px
-        share = np.array((0, 0.5, 1))
-        u = left[:, None] + width[:, None] * share
-        v = top[:, None] + height[:, None] * share
-        outline = np.stack(np.broadcast_arrays(u[:, :, None], v[:, None, :]), axis=-1)
-        recorded = self._rectification.recorded_from_rectified(outline.reshape(-1, 2) - 0.5)
-        corners = recorded.reshape(len(boxes), 9, 2)
-        low, high = corners.min(axis=1), corners.max(axis=1)
-        return np.concatenate((low, high - low), axis=1)
+        left, top, width, height = np.array(boxes, np.float64).reshape(-1, 4).T * self._grid_px
+        rectified = np.stack((left - 0.5, top - 0.5, width, height), axis=1)
+        return recorded_boxes(rectified, self._rectification)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.geometry import View
+from tracking.geometry import Rectification, View
 
 Boxes = NDArray[np.float64]
 GridBox = tuple[int, int, int, int]
@@ -85,6 +85,18 @@ def hidden_sides(
         hidden[k] = np.logical_or(at_edge, covered)
         truncated[k] = any(at_edge)
     return hidden, truncated
+
+
+def recorded_boxes(boxes: Boxes, rectification: Rectification) -> Boxes:
+    """Boxes (n, 4) in recorded pixels round boxes (n, 4) in rectified ones."""
+    share = np.array((0, 0.5, 1))
+    u = boxes[:, :1] + boxes[:, 2:3] * share
+    v = boxes[:, 1:2] + boxes[:, 3:] * share
+    outline = np.stack(np.broadcast_arrays(u[:, :, None], v[:, None, :]), axis=-1)
+    recorded = rectification.recorded_from_rectified(outline.reshape(-1, 2))
+    places = recorded.reshape(len(boxes), 9, 2)
+    low, high = places.min(axis=1), places.max(axis=1)
+    return np.concatenate((low, high - low), axis=1)
 
 
 def standing_boxes(view: View, xy: Boxes, height_m: Boxes, width_m: float) -> Boxes:

@@ -47,6 +47,12 @@ class Detections:
         """The number of people seen."""
         return len(self.box)
 
+    def chosen(self, kept: NDArray[np.bool_]) -> Detections:
+        """Some of the people; the pixels of the others are nobody's."""
+        number = np.concatenate(([0], np.where(kept, np.cumsum(kept), 0))).astype(np.int32)
+        rows = {name: getattr(self, name)[kept] for name in self.__slots__ if name != "regions"}
+        return Detections(**rows, regions=number[self.regions])
+
     @classmethod
     def none(cls, shape: tuple[int, ...]) -> Detections:
         """Nobody, in a picture of this height and width."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable
 
 import cv2
@@ -13,8 +14,10 @@ from tracking.errors import RecordingError
 from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
 from tracking.geometry import Ground, Rectification
 from tracking.people.detections import Detections
+from tracking.people.eyes_watch import MOST_LAG, EyesWatch, shows_nothing
 from tracking.people.finder import PeopleFinder
 from tracking.people.observation import Observation, Overlays
+from tracking.people.one_eye import OneEye
 from tracking.people.settings import PeopleSettings
 from tracking.recording.frame import Image, StereoFrame
 from tracking.stereo import STEP, SightLines, StereoSettings, SubtractionStereo
@@ -33,7 +36,8 @@ class StereoPerception:
 
     Each frame passes the stages `rectify`, `subtract`, `shade`, `match` and `find`; `remember`
     then lets the backgrounds follow. `observe` does all of them; they are public so that each can
-    be timed.
+    be timed. While the right eye fails, people are found by the left one alone; where one eye is
+    late, pictures of the same instant are paired.
 
     Args:
         rectification: of the recording.
@@ -59,6 +63,14 @@ class StereoPerception:
         self._stereo = SubtractionStereo(lines, stereo)
         self._updates = 0
         self._finder = PeopleFinder(rectification, ground, lines, people or PeopleSettings())
+        self._one_eye = OneEye(rectification, ground, self._shrink, people or PeopleSettings())
+        self._watch = EyesWatch(fps)
+        self._recent: deque[tuple[Image, Image]] = deque(maxlen=MOST_LAG + 1)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should be told of the eyes, a line each."""
+        return self._watch.told()
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn both backgrounds from frames spread over some time, before the first `observe`.
@@ -67,6 +79,7 @@ class StereoPerception:
         Some twenty frames, each a second or more from the next, do well.
         """
         pairs = [self.rectify(frame) for frame in frames]
+        pairs = [pair for pair in pairs if not shows_nothing(*pair)] or pairs
         for background, pictures in zip(self._eyes, zip(*pairs, strict=True), strict=True):
             background.learn(pictures)
         self._learn_scene()
@@ -77,13 +90,36 @@ class StereoPerception:
         Raises:
             RecordingError: the frame has no right eye.
         """
-        left, right = self.subtract(*self.rectify(frame))
+        eyes = self.rectify(frame)
+        self._watch.look(frame.number, *eyes)
+        if self._watch.failing:
+            return self._by_left_eye(frame, eyes[0])
+        left, right = self.subtract(*self._of_one_instant(*eyes))
         shadow = self.shade(left)
         disparity = self.match(left, right)
         people = self.find(left, shadow, disparity)
         self.remember(left, right, people)
         overlays = self._overlays(left.mask, shadow, disparity)
         return Observation(frame.number, frame.time_s, people, overlays)
+
+    def _by_left_eye(self, frame: StereoFrame, eye: Image) -> Observation:
+        """What is seen while the right eye fails; its background is left as it was."""
+        left = self._eyes[0].subtract(eye)
+        shadow = self.shade(left)
+        people = self._one_eye.find(left, shadow)
+        self.remember(left, None, people)
+        overlays = self._overlays(left.mask, shadow, None)
+        return Observation(frame.number, frame.time_s, people, overlays)
+
+    def _of_one_instant(self, left: Image, right: Image) -> tuple[Image, Image]:
+        """The latest pictures of both eyes that were taken together, where one eye is late."""
+        lag = self._watch.lag
+        if lag == 0:
+            return left, right
+        self._recent.append((left, right))
+        last = len(self._recent) - 1
+        then = last - min(abs(lag), last)
+        return (self._recent[then][0], right) if lag > 0 else (left, self._recent[then][1])
 
     def overlays(self, frame: StereoFrame) -> Overlays:
         """What a view may lay over a frame; nothing is remembered, frames come in any order.
@@ -132,14 +168,17 @@ class StereoPerception:
         body = np.asarray(cv2.subtract(left.mask, shadow), np.uint8)
         return self._finder.find(self._finder.points(disparity), body, left.picture)
 
-    def remember(self, left: Subtraction, right: Subtraction, people: Detections) -> None:
-        """Let both backgrounds follow what was seen, except where people are."""
+    def remember(self, left: Subtraction, right: Subtraction | None, people: Detections) -> None:
+        """Let the backgrounds of eyes that see follow what was seen, except where people are."""
         protected: tuple[Mask | None, Mask | None] = (None, None)
         if self._eyes[0].update_is_due:
             protected = self._protected(people, left.mask.shape)
             self._updates += 1
         for eye, seen, mask in zip(self._eyes, (left, right), protected, strict=True):
-            eye.update(seen, mask)
+            if seen is None:
+                eye.skip()
+            else:
+                eye.update(seen, mask)
         if self._updates % _UPDATES_PER_SCENE == 1:
             self._updates += 1
             self._learn_scene()
@@ -161,7 +200,9 @@ class StereoPerception:
             masks[1][rows, _moved_left(columns, moved)] = 255
         return masks
 
-    def _overlays(self, mask: Mask, shadow: Mask, disparity: NDArray[np.float32]) -> Overlays:
+    def _overlays(
+        self, mask: Mask, shadow: Mask, disparity: NDArray[np.float32] | None
+    ) -> Overlays:
         return Overlays(mask, disparity, shadow, self._rectification.size, self._shrink)
 
 
