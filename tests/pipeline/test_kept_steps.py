@@ -39,10 +39,11 @@ def step(frame: int) -> StepResult:
         "y": rng.integers(2000, 9000, rows) / 1024,
         "weight": np.full(rows, 1 / 32),
     }
+    seen = {name: rng.random(3).astype(dtype) for name, dtype in DETECTION_COLUMNS.items()}
     return StepResult(
         frame,
         tracks,
-        empty(DETECTION_COLUMNS),
+        seen,
         {name: cloud[name].astype(dtype) for name, dtype in PARTICLE_COLUMNS.items()},
         empty(ASSOCIATION_COLUMNS),
         tracklets={
@@ -133,4 +134,22 @@ def test_nothing_kept_is_an_empty_run_where_it_was_to_begin():
     run = KeptSteps(first=30).run("made up", {}, 7, RECORDING)
     assert run.frames == (30, 30)
     assert all(len(column) == 0 for column in (*run.tracks.values(), *run.parts.values()))
+
+
+def test_tables_of_a_long_run_stay_on_the_disk_and_read_as_arrays(tmp_path: Path):
+    steps = KeptSteps(tmp_path, in_memory=0)
+    steps.add(STEPS)
+    seen = made(steps).detections
+    assert not isinstance(seen, dict)
+    assert list(seen) == list(DETECTION_COLUMNS)
+    whole = {n: np.concatenate([one.detections[n] for one in STEPS]) for n in DETECTION_COLUMNS}
+    assert_same(seen, whole)
+    del steps
+    assert_same({**seen}, whole)
+    assert not seen["x"].flags.writeable
+    assert len(made(KeptSteps(tmp_path, in_memory=0)).detections["x"]) == 0
+
+
+def test_the_starts_of_nothing_kept_are_all_the_first():
+    run = KeptSteps(first=30).run("made up", {}, 7, RECORDING)
     assert run.particles.start.tolist() == [0] * (RECORDING.frame_count + 1)

@@ -9,7 +9,7 @@ from hypothesis.extra import numpy as arrays
 from tracking.pipeline.coding import CODINGS, Plain, Runs, Shares, Steps
 from tracking.pipeline.spool import Spool
 from tracking.pipeline.spooled import SpooledColumn
-from tracking.tracks import PART_PARTICLE_COLUMNS, PARTICLE_COLUMNS, TRACKLET_COLUMNS
+from tracking.tracks import PART_PARTICLE_COLUMNS, PARTICLE_COLUMNS
 
 FLOAT, WHOLE = np.dtype(np.float32), np.dtype(np.int32)
 PLACES = arrays.arrays(np.float32, 40, elements=st.floats(-500, 500, width=32))
@@ -73,6 +73,11 @@ def test_what_a_tracker_links_by_its_bits_is_kept_bit_by_bit():
     assert np.asarray(column(Plain(), FLOAT, values)).tobytes() == values.tobytes()
 
 
-def test_every_column_of_particles_has_its_way():
-    types = (PARTICLE_COLUMNS, PART_PARTICLE_COLUMNS, TRACKLET_COLUMNS)
-    assert [list(coding) for coding in CODINGS.values()] == [list(table) for table in types]
+def test_places_and_weights_of_particles_take_sixteen_bits_each():
+    for table, types in (
+        ("particles", PARTICLE_COLUMNS),
+        ("part_particles", PART_PARTICLE_COLUMNS),
+    ):
+        assert list(CODINGS[table]) == list(types)
+        for name, coding in CODINGS[table].items():
+            assert isinstance(coding, Steps | Shares) == (types[name] == FLOAT)

@@ -140,10 +140,10 @@ CODINGS: Mapping[str, Mapping[str, Coding]] = MappingProxyType(
             "v": _PICTURE,
             "weight": Shares(),
         },
-        "tracklets": {"track": Runs(), **_EXACT},
+        "tracklets": {"track": Runs()},
     }
 )
-"""How the columns of a run's tables of particles are put aside."""
+"""How columns of a run's tables are put aside; those that are not named, as they are."""
 
 
 def _plain(spool: Spool, values: NDArray[Any]) -> Block:

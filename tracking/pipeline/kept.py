@@ -22,21 +22,25 @@ from tracking.trackers import (
 from tracking.tracks import (
     DETECTION_COLUMNS,
     PART_COLUMNS,
+    PART_PARTICLE_COLUMNS,
+    PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
+    TRACKLET_COLUMNS,
     Columns,
     Run,
 )
 from tracking.tracks.growing import GrowingTable
 
-_TABLES = {
-    "tracks": TRACK_COLUMNS,
+_SPOOLED = {
     "detections": DETECTION_COLUMNS,
     "associations": ASSOCIATION_COLUMNS,
     "signals": SIGNAL_COLUMNS,
     "parts": PART_COLUMNS,
+    "particles": PARTICLE_COLUMNS,
+    "part_particles": PART_PARTICLE_COLUMNS,
+    "tracklets": TRACKLET_COLUMNS,
 }
-_CLOUDS = ("particles", "part_particles", "tracklets")
 _WAITING = 32
 """Steps are put into the tables by so many: one by one would take several times as long."""
 _TIED_S = 1.0
@@ -44,11 +48,11 @@ _TIED_S = 1.0
 
 
 class KeptSteps:
-    """The steps of a tracker in order: tables in memory, particles in 16 bits a value in a spool.
+    """The steps of a tracker in order: the tracks in memory, all else in a spool.
 
-    Positions of particles are rounded to 1/1024 m and weights to half precision (11 bits), at
-    most 0.5 mm and 0.03 percent off. `add` and `run` belong to one thread, everything else may be
-    asked by another one meanwhile.
+    Particles take 16 bits a value there: positions are rounded to 1/1024 m, at most 0.5 mm off,
+    weights to half precision (11 bits), at most 0.03 percent off. `add` and `run` belong to one
+    thread, everything else may be asked by another one meanwhile.
     """
 
     def __init__(
@@ -57,13 +61,13 @@ class KeptSteps:
         """Nothing yet.
 
         Args:
-            folder, in_memory: where particles that are too many for the memory are put aside, and
-                from how many bytes on; see `Spool`.
+            folder, in_memory: where what is too much for the memory is put aside, and from how
+                many bytes on; see `Spool`.
             first: the frame where steps are to begin; they tell it themselves once they come.
         """
         self._spool = Spool(folder, in_memory)
-        self._tables = {name: GrowingTable(types) for name, types in _TABLES.items()}
-        self._clouds = {name: SpooledTable(self._spool, name) for name in _CLOUDS}
+        self._tracks = GrowingTable(TRACK_COLUMNS)
+        self._spooled = {n: SpooledTable(self._spool, n, types) for n, types in _SPOOLED.items()}
         self._first = first
         # How many steps are in the tables, and those behind them: replaced together.
         self._state: tuple[int, list[StepResult]] = (0, [])
@@ -76,7 +80,7 @@ class KeptSteps:
 
     @property
     def spooled_bytes(self) -> int:
-        """What the particles take, put aside."""
+        """What is put aside."""
         return self._spool.size
 
     def add(self, steps: Iterable[StepResult]) -> None:
@@ -104,7 +108,7 @@ class KeptSteps:
         settled, waiting = self._state
         until = settled + len(waiting)
         low, high = (min(max(0, frame - self._first), until) for frame in (start, stop))
-        stored = self._tables.get(table) or self._clouds[table]
+        stored = self._tracks if table == "tracks" else self._spooled[table]
         early = stored.rows(min(low, settled), min(max(low, high), settled))
         late = waiting[max(0, low - settled) : max(0, high - settled)]
         return [early, *(getattr(step, table) for step in late)]
@@ -120,24 +124,20 @@ class KeptSteps:
         """All so far as one immutable run; see `run_of_steps`."""
         self._settle()
         first, stop = self.frames
-        rows = {name: table.columns for name, table in self._tables.items()}
-        clouds = {
-            name: cloud.particles(first, recording.frame_count)
-            for name, cloud in self._clouds.items()
-        }
+        stored, count = self._spooled, recording.frame_count
         run = Run(
             tracker=tracker,
             settings=settings,
             seed=seed,
             frames=(first, stop),
-            tracks=rows["tracks"],
-            detections=rows["detections"],
-            particles=clouds["particles"],
-            associations=rows["associations"],
-            signals=rows["signals"],
-            parts=rows["parts"],
-            part_particles=clouds["part_particles"],
-            tracklets=clouds["tracklets"],
+            tracks=self._tracks.columns,
+            detections=stored["detections"].columns(),
+            particles=stored["particles"].particles(first, count),
+            associations=stored["associations"].columns(),
+            signals=stored["signals"].columns(),
+            parts=stored["parts"].columns(),
+            part_particles=stored["part_particles"].particles(first, count),
+            tracklets=stored["tracklets"].particles(first, count),
             software=f"trackwright {tracking.__version__}",
             detector=detector_of(tracker, settings),
             known_tracks=resume.highest_track if resume is not None else 0,
@@ -151,10 +151,9 @@ class KeptSteps:
         """Put what waits into the tables."""
         settled, waiting = self._state
         if waiting:
-            for name, table in self._tables.items():
+            self._tracks.extend([step.tracks for step in waiting])
+            for name, table in self._spooled.items():
                 table.extend([getattr(step, name) for step in waiting])
-            for name, cloud in self._clouds.items():
-                cloud.extend([getattr(step, name) for step in waiting])
             self._state = (settled + len(waiting), [])
 
 

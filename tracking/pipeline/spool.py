@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import mmap
 import os
 import shutil
 import tempfile
@@ -51,8 +52,10 @@ class Spool:
         """How many bytes were appended."""
         return self._size
 
-    def append(self, data: bytes) -> int:
-        """Add bytes; gives where they begin."""
+    def append(self, data: bytes, *, to_map: bool = False) -> int:
+        """Add bytes; gives where they begin. to_map: there they can be mapped."""
+        if to_map:
+            self.append(bytes(-self._size % mmap.ALLOCATIONGRANULARITY))
         place = self._size
         with self._lock:
             if self._handle is None and place + len(data) > self._in_memory:
@@ -70,6 +73,13 @@ class Spool:
             if self._handle is None:
                 return bytes(self._held[place : place + size])
             return _read(self._handle, place, size)
+
+    def mapped(self, place: int, size: int) -> bytes | mmap.mmap:
+        """The same of bytes that were appended to be mapped, which then take no memory."""
+        with self._lock:
+            if self._handle is None:
+                return bytes(self._held[place : place + size])
+            return mmap.mmap(self._handle, size, access=mmap.ACCESS_READ, offset=place)
 
     def _begin_file(self) -> None:
         """Put what is held into a file."""

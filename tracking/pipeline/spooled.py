@@ -1,31 +1,21 @@
-"""Tables of particles put aside frame by frame, and read again as they are asked for."""
+"""Tables put aside frame by frame, and read again as they are asked for."""
 
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.pipeline.coding import CODINGS, Block, Coding
+from tracking.pipeline.coding import CODINGS, Block, Coding, Plain
 from tracking.pipeline.spool import Spool
-from tracking.tracks import (
-    PART_PARTICLE_COLUMNS,
-    PARTICLE_COLUMNS,
-    TRACKLET_COLUMNS,
-    Columns,
-    ParticleColumn,
-    Particles,
-)
+from tracking.tracks import Columns, ParticleColumn, Particles
 from tracking.tracks.growing import FrameStarts
 
-_TYPES = {
-    "particles": PARTICLE_COLUMNS,
-    "part_particles": PART_PARTICLE_COLUMNS,
-    "tracklets": TRACKLET_COLUMNS,
-}
+Types = Mapping[str, np.dtype[Any]]
 
 
 class SpooledColumn:
@@ -75,15 +65,45 @@ class SpooledColumn:
         return self._coding.get(self._spool, block, rows, self.dtype)
 
 
-class SpooledTable:
-    """One of a run's tables of particles, growing by frames in order."""
+@dataclass(frozen=True, slots=True, eq=False)
+class MappedColumns(Mapping[str, NDArray[Any]]):
+    """A table in a spool's file; a column takes memory only while somebody has it.
 
-    def __init__(self, spool: Spool, name: str) -> None:
+    Attributes:
+        places: of each column. types: theirs. rows: how many.
+    """
+
+    spool: Spool
+    places: Mapping[str, int]
+    types: Types
+    rows: int
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        """A column, read-only."""
+        if not self.rows:
+            return np.zeros(0, self.types[name])
+        size = self.rows * self.types[name].itemsize
+        return np.frombuffer(self.spool.mapped(self.places[name], size), self.types[name])
+
+    def __iter__(self) -> Iterator[str]:
+        """The columns' names."""
+        return iter(self.places)
+
+    def __len__(self) -> int:
+        """How many columns there are."""
+        return len(self.places)
+
+
+class SpooledTable:
+    """One of a run's tables, growing by frames in order."""
+
+    def __init__(self, spool: Spool, name: str, types: Types) -> None:
         """No frames yet."""
-        self._spool = spool
+        self._spool, self._types = spool, types
+        codings = CODINGS.get(name, {})
         self._columns = {
-            column: SpooledColumn(spool, CODINGS[name][column], dtype)
-            for column, dtype in _TYPES[name].items()
+            column: SpooledColumn(spool, codings.get(column, Plain()), dtype)
+            for column, dtype in types.items()
         }
         self._starts = FrameStarts()
 
@@ -98,8 +118,17 @@ class SpooledTable:
         rows = self._starts.rows(first, stop)
         return {name: column[rows] for name, column in self._columns.items()}
 
+    def columns(self) -> Columns:
+        """All so far as arrays; where there are many, they stay on the disk."""
+        whole = ((name, np.asarray(column)) for name, column in self._columns.items())
+        if not self._spool.is_on_disk:
+            return dict(whole)
+        places = {name: self._spool.append(column.tobytes(), to_map=True) for name, column in whole}
+        rows = len(next(iter(self._columns.values())))
+        return MappedColumns(self._spool, places, self._types, rows)
+
     def particles(self, first: int, frame_count: int) -> Particles:
-        """All so far; in memory where they are few.
+        """All so far as particles; in memory where they are few.
 
         Args:
             first: the number of the table's first frame. frame_count: of the recording.

@@ -40,6 +40,7 @@ from tracking.tracks import (
     TrackTable,
     empty,
 )
+from tracking.tracks.growing import ColumnInOrder
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,14 +192,14 @@ def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
         packer.column(table, "start", particles.start, np.dtype(np.int64))
 
 
-def _by_frame_and_track(columns: Columns) -> Columns:
+def _by_frame_and_track(columns: Columns) -> Mapping[str, ParticleColumn]:
     """The rows sorted as the file has them; trackers give those of one frame in any order."""
     frame, track = columns["frame"], columns["track"]
     later, same = frame[1:] > frame[:-1], frame[1:] == frame[:-1]
     if bool((later | (same & (track[1:] >= track[:-1]))).all()):
         return columns
     order = np.lexsort((track, frame))
-    return {name: column[order] for name, column in columns.items()}
+    return {name: ColumnInOrder(column.__getitem__, order) for name, column in columns.items()}
 
 
 def _write_labels(packer: Packer, file: h5py.File, labels: Labels) -> None:
