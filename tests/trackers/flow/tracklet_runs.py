@@ -27,6 +27,7 @@ _POINTS = np.array(
     [(aside, height) for height in (0.4, 0.8, 1.1, 1.4, 1.6) for aside in (-0.1, 0.1)]
 )
 """Of a body: m beside its middle, m over the floor."""
+_STRIDE_M = 0.35
 
 Pair = tuple[float, float]
 
@@ -50,15 +51,20 @@ class Walker:
 
 
 def run_with(
-    walkers: Sequence[Walker], tracks: Sequence[tuple[int, int, range]], known_tracks: int = 0
+    walkers: Sequence[Walker],
+    tracks: Sequence[tuple[int, int, range]],
+    known_tracks: int = 0,
+    *,
+    feet: bool = False,
 ) -> Run:
     """A run in which tracks followed walkers.
 
     Args:
         tracks: track, number of the walker followed, and in which frames.
+        feet: whether everybody's foot in front is seen.
     """
     table = _tracks(walkers, tracks)
-    start, tracklets = _tracklets(walkers, tracks)
+    start, tracklets = _tracklets(walkers, tracks, feet)
     values = {name: table.get(name, np.ones(len(table["x"]))) for name in DETECTION_COLUMNS}
     return Run(
         tracker="flow",
@@ -92,7 +98,7 @@ def _tracks(walkers: Sequence[Walker], tracks: Sequence[tuple[int, int, range]])
 
 
 def _tracklets(
-    walkers: Sequence[Walker], tracks: Sequence[tuple[int, int, range]]
+    walkers: Sequence[Walker], tracks: Sequence[tuple[int, int, range]], feet: bool
 ) -> tuple[NDArray[np.int64], Columns]:
     """Each point in each frame from its third on, with where it was in the two before."""
     count, rows = np.zeros(FRAMES + 1, np.int64), []
@@ -102,8 +108,8 @@ def _tracklets(
                 continue
             holder = [name for name, held, frames in tracks if held == who and frame in frames]
             seen = [_pixels(walker, frame - back) for back in range(3)]
-            unseen = np.full(len(_POINTS), np.nan)
-            rows.append(np.column_stack((np.full(len(_POINTS), sum(holder[:1])), *seen, unseen)))
+            foot_v = np.full(len(_POINTS), _foot_line(walker, frame) if feet else np.nan)
+            rows.append(np.column_stack((np.full(len(_POINTS), sum(holder[:1])), *seen, foot_v)))
             count[frame + 1] += len(_POINTS)
     table = np.concatenate(rows) if rows else np.zeros((0, 8))
     names = ("track", "u0", "v0", "u1", "v1", "u2", "v2", "foot_v")
@@ -114,3 +120,9 @@ def _pixels(walker: Walker, frame: int) -> NDArray[np.float64]:
     x, y = walker.at(frame)
     points = np.column_stack((x + _POINTS[:, 0], np.full(len(_POINTS), y), _POINTS[:, 1]))
     return VIEW.pixel_from_world(points)
+
+
+def _foot_line(walker: Walker, frame: int) -> float:
+    x, y = walker.at(frame)
+    nearer = 1.0 - _STRIDE_M / np.hypot(x, y)
+    return float(VIEW.pixel_from_world(np.array([[x * nearer, y * nearer, 0.0]]))[0, 1])

@@ -34,21 +34,23 @@ def foot_lines(points: Floats, slope: Floats, mask: Mask, floor: Floor) -> NDArr
     strips = _strips(points, slope, mask, floor)
     goes_on = strips.copy()
     for back in range(1, _GAP_ROWS + 1):
-        goes_on[back:] |= strips[:-back]
-    ended = ~goes_on & (np.arange(rows)[:, None] > row)
-    last = np.maximum(np.where(ended.any(axis=0), ended.argmax(axis=0) - 1 - _GAP_ROWS, rows), row)
+        goes_on[:, back:] |= strips[:, :-back]
+    goes_on |= np.arange(rows) <= row[:, None]
+    first = goes_on.argmin(axis=1)
+    last = np.where(goes_on[np.arange(len(row)), first], rows, first - 1 - _GAP_ROWS)
+    last = np.maximum(last, row)
     known = (last < rows - _EDGE_ROWS) & np.isfinite(slope).all(axis=1)
     return np.where(known, 2 * last + 1.5, np.nan).astype(np.float32)
 
 
 def _strips(points: Floats, slope: Floats, mask: Mask, floor: Floor) -> NDArray[np.bool_]:
-    """(rows, n) whether anything is foreground in each line of the strips round points."""
+    """(n, rows) whether anything is foreground in each line of the strips round points."""
     columns = mask.shape[1]
     column = np.clip(points[:, 0] / 2, 0, columns - 1).astype(np.intp)
     away = np.hypot(np.hypot(*np.nan_to_num(slope, nan=_FAR).T), 1.0) * _CHEST_DROP_M
     half_px = _HALF_WIDTH_M * floor.view.camera.matrix[0, 0] / away
     half = np.maximum(np.rint(half_px / 2), 1).astype(np.intp)
-    sums = np.zeros((len(mask), columns + 1), np.int32)
-    np.cumsum(mask > 0, axis=1, dtype=np.int32, out=sums[:, 1:])
+    sums = np.zeros((columns + 1, len(mask)), np.int16)
+    np.cumsum(np.ascontiguousarray(mask.T) > 0, axis=0, dtype=np.int16, out=sums[1:])
     right, left = np.minimum(column + half + 1, columns), np.maximum(column - half, 0)
-    return np.asarray(sums[:, right] > sums[:, left])
+    return np.asarray(sums[right] > sums[left])
