@@ -150,7 +150,7 @@ def cover_of(place: Floats, floor: Floor) -> Cover:
     half = np.concatenate((left, left[::-1] * (-1.0, 1.0)))
     outline = _pixels(place, np.column_stack((half, np.zeros(len(half)))), floor) / 2
     distance = np.hypot(place[:, 0], place[:, 1])
-    drawable = (np.abs(outline) < _FARTHEST_PX).all(axis=(1, 2))  # False where it is NaN
+    drawable = np.asarray((np.abs(outline) < _FARTHEST_PX).all(axis=(1, 2)))  # NaN: not
     corners = np.rint(np.where(drawable[:, None, None], outline, 0.0)).astype(np.int32)
     for person in np.argsort(-distance, kind="stable"):
         if drawable[person]:
