@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.geometry import View
-from tracking.trackers.linking.seen import Floats, Seen
+from tracking.trackers.linking.seen import Flags, Floats, Seen
 from tracking.trackers.linking.tracklets import State, Tracklets
 
 _BODY_M = (1.7, 0.5)
@@ -13,6 +13,8 @@ _AHEAD_S = 0.5
 """Who walks out of the picture within this time may have left."""
 _INSIDE, _OUTSIDE = 0.95, 0.6
 """Share of a body in the picture: from the one on nobody, from the other on everybody may leave."""
+_INWARDS = 0.05
+"""Who will be seen by so much more soon walks into the picture, not out of it."""
 _BIRTHS_EDGE, _BIRTHS_WITHIN = 0.05, 0.0005
 """People who come, a square metre and second, at the edge and within."""
 _DEATHS_EDGE, _DEATHS_WITHIN = 0.5, 0.005
@@ -25,15 +27,15 @@ def birth_costs(seen: Seen, pieces: Tracklets, view: View, fps: float, start: in
     Args:
         start: first frame of the run; who is there then costs as little as who enters.
     """
-    edge = _leaving(pieces.first, -_AHEAD_S, view)
-    edge[seen.at_edge[pieces.start] | (pieces.first.frame <= start + fps / 2)] = 1.0
+    edge = _leaving(pieces.first, seen.at_edge[pieces.start], -_AHEAD_S, view)
+    edge[pieces.first.frame <= start + fps / 2] = 1.0
     return -_between(edge, _BIRTHS_WITHIN, _BIRTHS_EDGE)
 
 
 def death_costs(seen: Seen, pieces: Tracklets, view: View, fps: float, stop: int) -> Floats:
     """(t,) minus the log of how likely people go where tracklets end."""
-    edge = _leaving(pieces.last, _AHEAD_S, view)
-    edge[seen.at_edge[pieces.stop - 1] | (pieces.last.frame >= stop - 1 - fps / 2)] = 1.0
+    edge = _leaving(pieces.last, seen.at_edge[pieces.stop - 1], _AHEAD_S, view)
+    edge[pieces.last.frame >= stop - 1 - fps / 2] = 1.0
     return -_between(edge, _DEATHS_WITHIN, _DEATHS_EDGE)
 
 
@@ -46,13 +48,12 @@ def share_inside(place: Floats, view: View) -> Floats:
     return np.asarray(np.nan_to_num(share))
 
 
-def _leaving(state: State, ahead_s: float, view: View) -> Floats:
+def _leaving(state: State, at_edge: Flags, ahead_s: float, view: View) -> Floats:
     """(t,) 0 to 1, how far people are out of the picture, now or soon."""
-    share = np.minimum(
-        share_inside(state.place, view),
-        share_inside(state.place + ahead_s * state.velocity, view),
-    )
-    return np.clip((_INSIDE - share) / (_INSIDE - _OUTSIDE), 0.0, 1.0)
+    now = share_inside(state.place, view)
+    soon = share_inside(state.place + ahead_s * state.velocity, view)
+    edge = np.clip((_INSIDE - np.minimum(now, soon)) / (_INSIDE - _OUTSIDE), 0.0, 1.0)
+    return np.asarray(np.where(at_edge & (soon < now + _INWARDS), 1.0, edge))
 
 
 def _between(edge: Floats, within: float, outside: float) -> Floats:

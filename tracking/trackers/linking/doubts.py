@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.geometry import View
-from tracking.trackers.linking.edges import returned_over_edge
+from tracking.trackers.linking.edges import Return
 from tracking.trackers.linking.encounters import NEAR_M, Encounters
 from tracking.trackers.linking.seen import Flags, Seen
 
@@ -30,18 +29,28 @@ class Doubt:
     MET = 4  # close to somebody else, or who was is lost or found
 
 
-def doubts(seen: Seen, meetings: Encounters, view: View, fps: float) -> NDArray[np.uint8]:
-    """(n,) whether another person may begin at a row that was seen, and why: see `Doubt`."""
-    first = np.append(True, np.diff(seen.track) != 0)[: len(seen)]
-    found = _lost_before(seen, fps) & ~first
+def doubts(
+    seen: Seen, meetings: Encounters, returns: list[Return], fps: float
+) -> NDArray[np.uint8]:
+    """(n,) whether another person may begin at a row that was seen, and why: see `Doubt`.
+
+    Args:
+        returns: over the picture's edge.
+    """
+    first, found = begins(seen, fps)
     doubt = np.where(first, Doubt.TRACK, np.where(found, Doubt.LOST, Doubt.NONE)).astype(np.uint8)
-    returned = returned_over_edge(seen, first | found, view, fps)
-    doubt[returned & (doubt == Doubt.NONE)] = Doubt.EDGE
+    doubt[[one.row for one in returns]] = Doubt.EDGE
     least = round(_LEAST_PIECE_S * fps)
     for row in _met(seen, meetings, first | found, fps):
         if not doubt[max(row - least, 0) : row + least].any():
             doubt[row] = Doubt.MET
     return doubt
+
+
+def begins(seen: Seen, fps: float) -> tuple[Flags, Flags]:
+    """(n,) rows where tracks begin, and rows where they go on after a gap."""
+    first = np.append(True, np.diff(seen.track) != 0)[: len(seen)]
+    return first, _lost_before(seen, fps) & ~first
 
 
 def _lost_before(seen: Seen, fps: float) -> Flags:

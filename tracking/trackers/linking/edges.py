@@ -16,26 +16,28 @@ Rows = NDArray[np.intp]
 
 _TURN_S = 0.6
 """Of the way before and after somebody may have left, and somebody else come."""
-_LEAST_LINE = 3
+_LEAST_LINE = 5
 """Rows of a line."""
 _BODY_M = (1.7, 0.5)
 """Height and width of a usual one."""
 _WAY_M = 0.12
 """Who seems to move less than this, out and in again, may have stood there."""
+_SURE = 3.0
+"""In errors of a measured place: how much worse two ways must part elsewhere."""
 _ERRORS = 1.5
 """The same on the floor, in errors of a measured place."""
 
 
-def returned_over_edge(seen: Seen, first: Flags, view: View, fps: float) -> Flags:
-    """(n,) rows where a track that went out over the picture's edge comes back over it.
+def returned_over_edge(seen: Seen, first: Flags, view: View, fps: float) -> list[Return]:
+    """Where tracks that went out over the picture's edge come back over it.
 
-    One row in each stretch along the edge that has others before and after it: where the way
+    At most once in each stretch along the edge that has others before and after it: where the way
     turns most, if it does from outwards to inwards.
 
     Args:
         first: (n,) where tracks begin, or go on after a gap.
     """
-    returned = np.zeros(len(seen), bool)
+    returns = []
     part = np.cumsum(first)
     track_ends = np.append(first, True)
     changes = np.diff(seen.at_edge.astype(np.int8), prepend=0, append=0) != 0
@@ -45,9 +47,25 @@ def returned_over_edge(seen: Seen, first: Flags, view: View, fps: float) -> Flag
         if seen.at_edge[start] and not track_ends[start] and not track_ends[stop]:
             own = np.arange(max(start - reach, 0), min(stop + reach, len(seen)))
             own = own[part[own] == part[start]]
-            row = _Ways.of(seen, own, view, fps).turn(start, stop, reach, view)
-            returned[row] = row > 0
-    return returned
+            ways = _Ways.of(seen, own, view, fps)
+            row = ways.turn(start, stop, reach, view)
+            if row:
+                returns.append(ways.sharpened(row, reach))
+    return returns
+
+
+@dataclass(frozen=True, slots=True)
+class Return:
+    """A track that comes back over the picture's edge.
+
+    Attributes:
+        row: of `Seen`, the first that may be somebody else. start, stop: the rows, half-open, of
+            which it is not sure on which side they are.
+    """
+
+    row: int
+    start: int
+    stop: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,28 +98,38 @@ class _Ways:
         """
         best, most = 0, 0.0
         for row in range(start, stop + 1):
-            before = slice(*np.searchsorted(self.row, (row - reach, row)))
-            after = slice(*np.searchsorted(self.row, (row, row + reach)))
-            if min(before.stop - before.start, after.stop - after.start) < _LEAST_LINE:
+            low, at, high = np.searchsorted(self.row, (row - reach, row, row + reach)).tolist()
+            if min(at - low, high - at) < _LEAST_LINE:
                 continue
-            around = slice(before.start, after.stop)
-            out, parted = self._line(before)
-            back, other = self._line(after)
-            gain = self._line(around)[1] - parted - other
-            if gain > most and self._returns(around, self.where[after.start, 2:], out, back, view):
+            out, back = self._line(low, at), self._line(at, high)
+            gain = self._line(low, high)[1] - out[1] - back[1]
+            if gain > most and self._returns(low, at, high, out[0], back[0], view):
                 best, most = row, gain
         return best
 
-    def _returns(self, around: slice, place: Floats, out: Floats, back: Floats, view: View) -> bool:
+    def sharpened(self, row: int, reach: int) -> Return:
+        """The row close by that parts the same stretch best, and those that do nearly as well."""
+        low, at, high = np.searchsorted(self.row, (row - reach, row, row + reach)).tolist()
+        nearby = np.arange(
+            max(at - reach // 2, low + _LEAST_LINE), min(at + reach // 2, high - _LEAST_LINE) + 1
+        )
+        misses = np.array([self._line(low, n)[1] + self._line(n, high)[1] for n in nearby.tolist()])
+        error_m = place_errors(self.where[at : at + 1, 2:])[0]
+        rows = self.row[nearby[misses <= 2.0 * misses.min() + (_SURE * error_m) ** 2]]
+        return Return(int(self.row[nearby[misses.argmin()]]), int(rows[0]), int(rows[-1]))
+
+    def _returns(self, low: int, at: int, high: int, out: Floats, back: Floats, view: View) -> bool:
         """Whether ways (4,) m lead over the edge and back, as it looks and on the floor."""
-        touched = _outward(self.low[around].min(axis=0), self.high[around].max(axis=0), view)
+        touched = _outward(self.low[low:high].min(axis=0), self.high[low:high].max(axis=0), view)
+        place = self.where[at, 2:]
         outward = _over_edge(place, touched, view)
         out_m, back_m = ((way.reshape(2, 2) * outward).sum(axis=1) for way in (out, back))
         least_m = np.array((_WAY_M, _ERRORS * place_errors(place[None])[0]))
         return bool((out_m > least_m).all() and (back_m < -least_m).all())
 
-    def _line(self, rows: slice) -> tuple[Floats, float]:
+    def _line(self, start: int, stop: int) -> tuple[Floats, float]:
         """The best straight way (4,) m through rows, and the sum of its squared misses."""
+        rows = slice(start, stop)
         time_s = self.time_s[rows] - self.time_s[rows].mean()
         offset = self.where[rows] - self.where[rows].mean(axis=0)
         speed = time_s @ offset / max(float(time_s @ time_s), 1e-9)

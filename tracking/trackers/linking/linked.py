@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from tracking.geometry import View
 from tracking.trackers.linking.candidates import links_between
 from tracking.trackers.linking.choosing import chains, chosen
-from tracking.trackers.linking.doubts import Doubt, doubts
+from tracking.trackers.linking.doubts import Doubt, begins, doubts
+from tracking.trackers.linking.edges import returned_over_edge
 from tracking.trackers.linking.looks import looks_of
 from tracking.trackers.linking.renaming import renamed
 from tracking.trackers.linking.seen import Integers, seen_of
@@ -45,7 +46,9 @@ def _relinked(run: Run, view: View, fps: float, given: Columns | None) -> Run:
     seen, meetings = seen_of(run if given is None else _behind(given, run), view)
     own = seen.row >= before
     if own.any():
-        doubt = doubts(seen, meetings, view, fps)
+        first, found = begins(seen, fps)
+        returns = returned_over_edge(seen, first | found, view, fps)
+        doubt = doubts(seen, meetings, returns, fps)
         doubt[~own & (doubt != Doubt.TRACK)] = Doubt.NONE
         pieces = tracklets(seen, doubt, fps)
         known = max(run.known_tracks, int(seen.track[~own].max(initial=0)))
@@ -54,6 +57,9 @@ def _relinked(run: Run, view: View, fps: float, given: Columns | None) -> Run:
         person = chains(chosen(links, pieces, looks_of(seen, pieces, fps)))
         highest = max(known, int(run.tracks["track"].max()))
         name = _names(pieces, person, highest)[pieces.of_rows]
+        for one in returns:
+            if name[one.row - 1] != name[one.row]:
+                name[one.start : one.stop] = 0
         run = renamed(run, seen.row[own] - before, name[own], view)
     return run
 

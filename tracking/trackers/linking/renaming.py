@@ -27,7 +27,7 @@ def renamed(run: Run, row: Rows, name: Integers, view: View) -> Run:
 
     Args:
         row: (k,) of the run's tracks, those that were seen, by track and frame.
-        name: (k,) their new ids.
+        name: (k,) their new ids; 0: nobody's.
     """
     new = _of_rows(run.tracks, row, name)
     names = _Names.of(run.tracks, new)
@@ -74,8 +74,9 @@ def _with(tracks: Columns, new: Ids) -> dict[str, NDArray[Any]]:
 
 
 def _sorted(columns: Columns) -> Columns:
-    """By frame, then track."""
+    """By frame, then track; without those of nobody."""
     order = np.lexsort((columns["track"], columns["frame"]))
+    order = order[columns["track"][order] > 0]
     return {name: column[order] for name, column in columns.items()}
 
 
