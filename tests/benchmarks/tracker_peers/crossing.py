@@ -28,8 +28,8 @@ HIDDEN = 0.9
 """Share of a person that others cover from which on the person is not seen."""
 _AREA_M = ((-4.0, 4.0), (4.0, 11.0))
 _SPEED_M_S = (0.8, 1.5)
-_TURNING_S = 0.4
-_BODY_M, _PUSH_M_S2, _PUSH_RANGE_M = 0.5, 4.0, 0.15
+_TURNING_S, _GAIN_M_S2 = 0.3, 3.0
+_PASSING_M, _AHEAD_S, _ASIDE_M_S = 0.8, 1.5, 3.0
 _BINS, _HUES, _COLOUR_NOISE = 16, 16, 0.1
 _HEIGHT_M, _WIDTH_M = 1.7, 0.5
 _GROUND = Ground(6.5, 50.0)
@@ -85,23 +85,38 @@ def _walked(random: np.random.Generator, frames: int) -> Floats:
     for at in range(frames):
         way = goal - place
         left_m = np.hypot(way[:, 0], way[:, 1])[:, None]
-        wanted = speed * way / np.maximum(left_m, 1e-9)
-        velocity += (wanted - velocity) / (_TURNING_S * FPS) + _aside(place) / FPS
+        wanted = speed * way / np.maximum(left_m, 1e-9) + _aside(place, velocity)
+        gained = (wanted - velocity) / _TURNING_S
+        gained *= np.minimum(1.0, _GAIN_M_S2 / np.maximum(np.linalg.norm(gained, axis=1), 1e-9))[
+            :, None
+        ]
+        velocity = velocity + gained / FPS
         place = place + velocity / FPS
-        goal = np.where(left_m < 0.5, random.uniform(low, high, (WALKERS, 2)), goal)
+        goal = np.where(left_m < 0.7, random.uniform(low, high, (WALKERS, 2)), goal)
         walked[at] = place
     return walked
 
 
-def _aside(place: Floats) -> Floats:
-    """(WALKERS, 2) m/s² away from whoever is close, and to the right of them: nobody collides."""
-    apart = place[:, None] - place[None]
-    far_m = np.hypot(apart[..., 0], apart[..., 1])
-    np.fill_diagonal(far_m, np.inf)
-    away = apart / np.maximum(far_m, 0.05)[..., None]
-    right = np.stack((-away[..., 1], away[..., 0]), axis=-1)
-    push = _PUSH_M_S2 * np.exp((_BODY_M - far_m) / _PUSH_RANGE_M)
-    return np.asarray((push[..., None] * (away + 0.5 * right)).sum(axis=1))
+def _aside(place: Floats, velocity: Floats) -> Floats:
+    """(WALKERS, 2) m/s added to what everybody wants, so that they pass beside each other.
+
+    Looks at how close each two will come within a second and a half if they go on as they do.
+    """
+    apart, nearing = place[:, None] - place[None], velocity[:, None] - velocity[None]
+    speed2 = np.maximum((nearing**2).sum(axis=2), 1e-6)
+    in_s = np.clip(-(apart * nearing).sum(axis=2) / speed2, 0.0, _AHEAD_S)
+    miss = apart + in_s[..., None] * nearing
+    miss_m = np.hypot(miss[..., 0], miss[..., 1])
+    np.fill_diagonal(miss_m, np.inf)
+    side = np.where(miss_m[..., None] > 0.05, miss, _right_of(nearing))
+    side /= np.maximum(np.hypot(side[..., 0], side[..., 1]), 1e-9)[..., None]
+    push = np.maximum(0.0, _PASSING_M - miss_m) / _PASSING_M * (1.0 - in_s / _AHEAD_S)
+    return np.asarray(_ASIDE_M_S * (push[..., None] * side).sum(axis=1))
+
+
+def _right_of(way: Floats) -> Floats:
+    """What lies to the right of a way, turned by a right angle."""
+    return np.stack((way[..., 1], -way[..., 0]), axis=-1)
 
 
 def _covering(box: Floats, path: Floats) -> Floats:
