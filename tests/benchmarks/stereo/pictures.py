@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import cv2
@@ -20,9 +21,8 @@ from tracking.tracks import Columns
 
 Picture = NDArray[np.uint8]
 
-_COLOURS = ((60, 220, 60), (255, 180, 40), (60, 200, 255), (255, 90, 255), (90, 90, 255))
-_TRUE = (255, 255, 255)
-_SIZE = (320, 240)
+_HAD, _GOT, _OTHERS, _TRUE = (60, 220, 60), (255, 90, 255), (190, 190, 190), (255, 255, 255)
+_SIZE = (360, 270)
 _MARGIN_S = 0.5
 _ROOM = 2.0
 """Times the height of the person's box: what of the picture is shown."""
@@ -60,44 +60,81 @@ def _row(one: Figures, folder: Path) -> Picture:
         frames = [min(max(frame, 0), last) for frame in wanted]
         images = [recording.read(frame).left.copy() for frame in frames]
     shown = [
-        _cut(_drawn(image, truth, tracks, frame, one["person"]), _focus(truth, one, frame))
+        _drawn(image, _Window.of(truth, one, frame), truth, tracks, one, frame)
         for image, frame in zip(images, frames, strict=True)
     ]
     return np.concatenate(shown, axis=1)
 
 
-def _focus(truth: Truth, one: Figures, frame: int) -> Floats:
-    """(3,) centre and height of the person's box in the frame nearest to that one."""
-    own = np.flatnonzero(truth.person == one["person"])
-    row = own[np.argmin(np.abs(truth.frame[own] - frame))]
-    left, top, width, height = truth.box[row]
-    return np.array([left + width / 2, top + height / 2, height])
+@dataclass(frozen=True, slots=True)
+class _Window:
+    """The part of a picture that is shown, at one size: left, top, height in px."""
+
+    left: int
+    top: int
+    height: int
+
+    @classmethod
+    def of(cls, truth: Truth, one: Figures, frame: int) -> _Window:
+        """Round the person, as large as fits into the picture."""
+        own = np.flatnonzero(truth.person == one["person"])
+        left, top, width, height = truth.box[own[np.argmin(np.abs(truth.frame[own] - frame))]]
+        columns, rows = truth.size
+        shown = min(rows, columns * _SIZE[1] // _SIZE[0], round(_ROOM * height))
+        return cls(
+            int(np.clip(left + width / 2 - cls._width(shown) / 2, 0, columns - cls._width(shown))),
+            int(np.clip(top + height / 2 - shown / 2, 0, rows - shown)),
+            shown,
+        )
+
+    @staticmethod
+    def _width(height: int) -> int:
+        return height * _SIZE[0] // _SIZE[1]
+
+    def cut(self, image: Picture) -> Picture:
+        """What is shown of a picture."""
+        right, bottom = self.left + self._width(self.height), self.top + self.height
+        part = image[self.top : bottom, self.left : right]
+        way = cv2.INTER_AREA if self.height > _SIZE[1] else cv2.INTER_CUBIC
+        return np.asarray(cv2.resize(part, _SIZE, interpolation=way), np.uint8)
+
+    def corners(self, box: Floats) -> tuple[tuple[int, int], tuple[int, int]]:
+        """Top left and bottom right of a box where it is shown."""
+        scale = _SIZE[1] / self.height
+        low = np.rint((box[:2] - (self.left, self.top)) * scale).astype(int).tolist()
+        high = np.rint((box[:2] + box[2:] - (self.left, self.top)) * scale).astype(int).tolist()
+        return (low[0], low[1]), (high[0], high[1])
 
 
-def _drawn(image: Picture, truth: Truth, tracks: Columns, frame: int, person: int) -> Picture:
-    for row in truth.of(person, frame, frame):
-        _box(image, truth.box[row], _TRUE)
-    for row in np.flatnonzero(tracks["frame"] == frame):
-        track = int(tracks["track"][row])
-        box = np.array([tracks[name][row] for name in ("left", "top", "width", "height")])
-        colour = _COLOURS[track % len(_COLOURS)]
-        _box(image, box, colour)
-        corner = (int(box[0]) + 3, max(12, int(box[1]) + 13))
-        cv2.putText(image, str(track), corner, cv2.FONT_HERSHEY_SIMPLEX, 0.5, colour, 1)
-    return image
+def _drawn(
+    image: Picture, window: _Window, truth: Truth, tracks: Columns, one: Figures, frame: int
+) -> Picture:
+    """The person's true box, the tracks it had and got with their ids, and all others thin."""
+    shown = window.cut(image)
+    had, got = one["tracks"]
+    now = tracks["frame"] == frame
+    for row in np.flatnonzero(now & ~np.isin(tracks["track"], (had, got))):
+        cv2.rectangle(shown, *window.corners(_box(tracks, int(row))), _OTHERS, 1)
+    for row in truth.of(one["person"], frame, frame):
+        cv2.rectangle(shown, *window.corners(truth.box[row]), _TRUE, 2)
+    for track, colour in ((got, _GOT), (had, _HAD)):
+        for row in np.flatnonzero(now & (tracks["track"] == track)):
+            low, high = window.corners(_box(tracks, int(row)))
+            cv2.rectangle(shown, low, high, colour, 2)
+            _write(shown, str(track), (max(low[0], 0) + 4, max(low[1], 0) + 18), colour)
+    _write(shown, f"frame {frame}", (8, _SIZE[1] - 10), _TRUE)
+    return shown
 
 
-def _box(image: Picture, box: Floats, colour: tuple[int, int, int]) -> None:
-    left, top, width, height = np.rint(box).astype(int).tolist()
-    cv2.rectangle(image, (left, top), (left + width, top + height), colour, 1)
+def _box(tracks: Columns, row: int) -> Floats:
+    return np.array([tracks[name][row] for name in ("left", "top", "width", "height")])
 
 
-def _cut(image: Picture, focus: Floats) -> Picture:
-    """The part round the person, as large as fits into the picture, at one size."""
-    rows, columns = image.shape[:2]
-    height = min(rows, columns * _SIZE[1] // _SIZE[0], round(_ROOM * focus[2]))
-    width = height * _SIZE[0] // _SIZE[1]
-    left = int(np.clip(focus[0] - width / 2, 0, columns - width))
-    top = int(np.clip(focus[1] - height / 2, 0, rows - height))
-    part = image[top : top + height, left : left + width]
-    return np.asarray(cv2.resize(part, _SIZE, interpolation=cv2.INTER_AREA), np.uint8)
+def _write(image: Picture, text: str, place: tuple[int, int], colour: tuple[int, int, int]) -> None:
+    """Text on a dark plate."""
+    font, size = cv2.FONT_HERSHEY_SIMPLEX, 0.5
+    (width, height), below = cv2.getTextSize(text, font, size, 1)
+    left, bottom = place
+    low, high = (left - 2, bottom - height - 2), (left + width + 1, bottom + below)
+    cv2.rectangle(image, low, high, (0, 0, 0), -1)
+    cv2.putText(image, text, place, font, size, colour, 1, cv2.LINE_AA)

@@ -100,9 +100,10 @@ somebody and in full sight:
 """
 
 PICTURE = """
-![two people who were not kept, before and after](stereo-lost.jpg)
+![people who were not kept, before, while and after it went wrong](stereo-lost.jpg)
 
-{captions} True boxes are white; the boxes of tracks are in the colour of their id.
+{captions} White is the person's true box, green the track it had, magenta the one it got,
+grey everybody else's.
 """
 
 BEFALLEN = """
