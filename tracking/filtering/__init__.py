@@ -5,7 +5,12 @@ weights (people, N) beside it. Particles that are rectangles in the picture stan
 as their number differs; see `Clouds`. Nothing here loops over particles or people.
 """
 
-from tracking.filtering.association import Association, associate, margins
+from tracking.filtering.association import (
+    Association,
+    associate,
+    cheapest_pairs,
+    margins,
+)
 from tracking.filtering.clouds import cloud_shapes
 from tracking.filtering.direction import direction_cost, turning_angle
 from tracking.filtering.hiding import hiding_reach, out_of_hiding
@@ -48,6 +53,7 @@ __all__ = [
     "Clouds",
     "associate",
     "bhattacharyya_distance",
+    "cheapest_pairs",
     "cloud_shapes",
     "direction_cost",
     "drifted",

@@ -35,14 +35,23 @@ def associate(cost: Floats, allowed: NDArray[np.bool_], left_out: float | Floats
         cost: (tracks, detections) total D. allowed: the same shape; False is never a pair.
         left_out: what it costs to leave a track without a detection; (tracks,) or of all alike.
     """
+    track, detection = cheapest_pairs(cost, allowed, left_out)
+    return Association(track, detection, margins(cost, allowed, track, detection))
+
+
+def cheapest_pairs(
+    cost: Floats, allowed: NDArray[np.bool_], left_out: float | Floats
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """The tracks and detections of `associate`, without the margins."""
     tracks, detections = cost.shape
+    if not (tracks and detections):
+        return np.zeros(0, np.intp), np.zeros(0, np.intp)
     choices = np.full((tracks, detections + tracks), _NEVER)
     choices[:, :detections] = np.where(allowed, cost, _NEVER)
     choices[np.arange(tracks), detections + np.arange(tracks)] = left_out
     rows, columns = linear_sum_assignment(choices)
     real = columns < detections
-    track, detection = rows[real], columns[real]
-    return Association(track, detection, margins(cost, allowed, track, detection))
+    return rows[real], columns[real]
 
 
 def margins(
@@ -61,8 +70,10 @@ def margins(
     """
     cost = np.where(allowed, cost, np.inf)
     own = cost[track, detection]
-    free_tracks = np.delete(cost, track, axis=0)[:, detection]
-    free_detections = np.delete(cost, detection, axis=1)[track]
+    free_track, free_detection = (np.ones(length, np.bool_) for length in cost.shape)
+    free_track[track] = free_detection[detection] = False
+    free_tracks = cost[free_track][:, detection]
+    free_detections = cost[track][:, free_detection]
     best = np.minimum(
         free_tracks.min(axis=0, initial=np.inf), free_detections.min(axis=1, initial=np.inf)
     )

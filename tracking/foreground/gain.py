@@ -26,4 +26,13 @@ def brightness_ratio(picture: NDArray[np.uint8], background: NDArray[np.uint8]) 
     usable = (now < _BRIGHTEST) & (usual < _BRIGHTEST) & (usual > _DARKEST) & (now > _DARKEST)
     if np.count_nonzero(usable) < _FEWEST_SAMPLES:
         return 1.0
-    return float(np.median(now[usable] / usual[usable].astype(np.float32)))
+    return _median(now[usable] / usual[usable].astype(np.float32))
+
+
+def _median(values: NDArray[np.float32]) -> float:
+    """As `numpy.median`, without its checks, which cost several times as much as the rest."""
+    middle = len(values) // 2
+    ordered = np.partition(values, (middle - 1, middle))
+    if len(values) % 2:
+        return float(ordered[middle])
+    return float((ordered[middle - 1] + ordered[middle]) / 2)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -151,13 +153,19 @@ def full_body_boxes(seen: Boxes, standing: Boxes, reach: Boxes, hidden: NDArray[
     return np.concatenate((corners[:, :2], corners[:, 2:] - corners[:, :2]), axis=1)
 
 
+@lru_cache(maxsize=32)
 def _body_points(width_m: float) -> Boxes:
-    """Points (k, 3) on a body's outline: x, y in metres, z as a share of its height."""
+    """Points (k, 3) on a body's outline: x, y in metres, z as a share of its height.
+
+    Kept, as every frame asks for the same few; not to be written to.
+    """
     angle = np.arange(_RING_POINTS) * (2 * np.pi / _RING_POINTS)
     circle = np.column_stack((np.cos(angle), np.sin(angle))) * (width_m / 2)
-    return np.concatenate(
+    points = np.concatenate(
         [np.column_stack((circle * r, np.full(_RING_POINTS, z))) for z, r in _RINGS]
     )
+    points.flags.writeable = False
+    return points
 
 
 def _corners(boxes: Boxes) -> Boxes:

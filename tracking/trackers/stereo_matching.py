@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.filtering import Association, associate, margins
+from tracking.filtering import Association, cheapest_pairs, margins
 from tracking.trackers.population import Population
 from tracking.trackers.stereo_cues import Costs
 from tracking.trackers.stereo_settings import StereoTrackerSettings
@@ -35,8 +35,8 @@ def match_people(
     for turn in (present, missed, ~people.confirmed):
         rows, columns = np.flatnonzero(turn), np.flatnonzero(free)
         block = np.ix_(rows, columns)
-        found = associate(costs.total[block], costs.allowed[block], settings.cost_limit)
-        track, detection = rows[found.track], columns[found.detection]
+        row, column = cheapest_pairs(costs.total[block], costs.allowed[block], settings.cost_limit)
+        track, detection = rows[row], columns[column]
         if turn is present:
             own = _suits_better(costs, track, detection, missed, 0.0)
             track, detection = track[own], detection[own]

@@ -38,6 +38,9 @@ class Shared:
     guest_at: Floats
 
 
+_NOBODY = Shared(*np.zeros((2, 0), np.intp), *np.zeros((2, 0, 2)))
+
+
 def shared_regions(people: Population, pairs: Association, seen: Detections, view: View) -> Shared:
     """Find the regions that hold two people and put each on its side.
 
@@ -57,8 +60,9 @@ def shared_regions(people: Population, pairs: Association, seen: Detections, vie
     room = region[:, 2] > _WIDER * box[pairs.track, 2]
     inside[:, ~room] = 0.0
     rows = np.flatnonzero(inside.max(axis=1, initial=0.0) >= _INSIDE)
-    owner = inside[rows].argmax(axis=1) if len(rows) else np.zeros(0, np.intp)
-    owner, first = np.unique(owner, return_index=True)
+    if len(rows) == 0:
+        return _NOBODY
+    owner, first = np.unique(inside[rows].argmax(axis=1), return_index=True)
     guest = guest[rows[first]]
     host = pairs.track[owner]
     left_guest = (box[guest, 0] + box[guest, 2] / 2) < (box[host, 0] + box[host, 2] / 2)
