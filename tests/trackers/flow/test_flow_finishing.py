@@ -77,6 +77,24 @@ def run_of(*pieces: Piece, hold: bool = True) -> Run:
 ONE = (0.2, 12.0), (0.0, -1.2)
 
 
+def with_points(run: Run, frames: range, feet_m: float = 0.0) -> Run:
+    """The run with points, of nobody, on the chest of `ONE` in these frames and no others.
+
+    Args:
+        feet_m: how much farther away than `ONE` the foreground below them ends.
+    """
+    place = np.array([_at(frame, *ONE) for frame in frames])
+    chest = VIEW.pixel_from_world(np.column_stack((place, np.full(len(place), 1.2))))
+    away = place * (1 + feet_m / np.hypot(*place.T))[:, None]
+    foot = VIEW.pixel_from_world(np.column_stack((away, np.zeros(len(place)))))
+    columns = {name: np.zeros(len(frames), dtype) for name, dtype in TRACKLET_COLUMNS.items()}
+    for step in range(3):
+        columns[f"u{step}"][:], columns[f"v{step}"][:] = chest.T
+    columns["foot_v"][:] = foot[:, 1]
+    start = np.searchsorted(np.array(frames), np.arange(FRAMES + 1))
+    return replace(run, tracklets=Particles(start, columns))
+
+
 def test_pieces_of_one_way_are_one_track() -> None:
     found = finished(run_of((1, range(20, 40), *ONE), (2, range(52, 70), *ONE)), VIEW, FPS)
     assert set(found.tracks["track"]) == {1}
@@ -113,11 +131,30 @@ def test_of_two_who_walk_abreast_each_goes_on_as_who_they_are() -> None:
 
 
 def test_ways_are_led_back_and_on() -> None:
-    found = finished(run_of((1, range(30, 50), *ONE)), VIEW, FPS).tracks
+    run = with_points(run_of((1, range(30, 50), *ONE)), range(FRAMES))
+    found = finished(run, VIEW, FPS).tracks
     assert (found["frame"].min(), found["frame"].max()) == (15, 64)
     assert found["y"] == pytest.approx(12.0 - 0.12 * found["frame"], abs=0.02)
     seen = (found["frame"] >= 30) & (found["frame"] < 50)
     assert found["predicted"].tolist() == (~seen).tolist()
+
+
+def test_ways_are_led_no_farther_than_points_are_followed_there() -> None:
+    run = with_points(run_of((1, range(30, 50), *ONE)), range(25, 56))
+    found = finished(run, VIEW, FPS).tracks
+    assert (found["frame"].min(), found["frame"].max()) == (25, 55)
+
+
+@pytest.mark.parametrize(("feet_m", "led"), [(-3.0, True), (0.0, True), (3.0, False)])
+def test_who_would_stand_before_the_feet_seen_is_not_there(feet_m: float, led: bool) -> None:
+    run = with_points(run_of((1, range(30, 50), *ONE)), range(FRAMES), feet_m)
+    assert finished(run, VIEW, FPS).tracks["predicted"].any() == led
+
+
+def test_runs_of_which_no_points_are_known_are_led_all_the_same() -> None:
+    run = run_of((1, range(30, 50), *ONE))
+    found = finished(replace(run, tracklets=Particles.none(TRACKLET_COLUMNS)), VIEW, FPS).tracks
+    assert (found["frame"].min(), found["frame"].max()) == (15, 64)
 
 
 def test_who_stands_is_led_nowhere() -> None:
@@ -129,6 +166,7 @@ def test_who_stands_is_led_nowhere() -> None:
 def test_nobody_is_led_out_of_the_picture_nor_of_the_frames_tracked() -> None:
     aside = (-4.2, 7.0), (1.2, 0.0)
     run = run_of((1, range(45, 60), *aside), (2, range(80, 100), (0.2, 14.0), (0.0, -1.2)))
+    run = replace(run, tracklets=Particles.none(TRACKLET_COLUMNS))
     found = finished(run, VIEW, FPS).tracks
     assert found["frame"].max() < FRAMES
     place = np.stack((found["x"], found["y"], np.full(len(found["x"]), 1.2)), axis=1)

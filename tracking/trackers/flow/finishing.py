@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
+from tracking.trackers.flow.floor import Floor
 from tracking.trackers.flow.pieces import Ends, ends, joined
 from tracking.trackers.flow.result import BODY_WIDTH_M
 from tracking.trackers.flow.retelling import retold
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
+from tracking.trackers.flow.witnesses import Witnesses
 from tracking.trackers.smoothing import smoothed
 from tracking.tracks.columns import TRACK_COLUMNS, Columns
 from tracking.tracks.run import Run
@@ -38,7 +40,8 @@ def finished(run: Run, view: View, fps: float, given: Columns | None = None) -> 
         - pieces that lead from one to the other are one track;
         - where a track has no rows in between, the person walked straight;
         - paths are smoothed, see `trackers.smoothed`;
-        - ways are led back and on for a while, at the pace they had, within the picture.
+        - ways are led back and on for a while, at the pace they had, within the picture, as long
+          as the tracklets leave room for somebody there, see `Witnesses`.
     What was added counts as predicted. With `hold` off runs are only smoothed.
 
     Args:
@@ -50,7 +53,7 @@ def finished(run: Run, view: View, fps: float, given: Columns | None = None) -> 
     run = replace(run, tracks=_without_gaps(run.tracks, view, fps))
     run = smoothed(run, view, fps, given, memory_s=_MEMORY_S)
     led_s = float(run.settings.get("led_s", _USUAL_LED_S))
-    return replace(run, tracks=_led(run.tracks, run.frames, view, fps, led_s))
+    return replace(run, tracks=_led(run, view, fps, led_s))
 
 
 def _without_gaps(tracks: Columns, view: View, fps: float) -> Columns:
@@ -68,8 +71,9 @@ def _without_gaps(tracks: Columns, view: View, fps: float) -> Columns:
     return _with(tracks, added)
 
 
-def _led(tracks: Columns, frames: tuple[int, int], view: View, fps: float, led_s: float) -> Columns:
-    """With the ways led back to before their beginning and on after their end."""
+def _led(run: Run, view: View, fps: float, led_s: float) -> Columns:
+    """The tracks with ways led back to before their beginning and on after their end."""
+    tracks, witnesses = run.tracks, Witnesses(run, Floor(view))
     order = np.lexsort((tracks["frame"], tracks["track"]))
     pieces = np.split(order, np.flatnonzero(np.diff(tracks["track"][order])) + 1)
     pieces = [rows for rows in pieces if len(rows) and _leads(tracks, rows, fps)]
@@ -77,7 +81,7 @@ def _led(tracks: Columns, frames: tuple[int, int], view: View, fps: float, led_s
     for last in (False, True):
         end = ends(tracks, pieces, fps, last=last)
         steps = np.arange(1, round(led_s * fps) + 1) * (1 if last else -1)
-        added = _line(end, name, frames, view, fps, steps)
+        added = _line(end, name, run.frames, fps, steps, witnesses)
         tracks = _with(tracks, added)
         pieces = _found_again(tracks, name)
     return tracks
@@ -101,11 +105,15 @@ def _line(
     end: Ends,
     name: NDArray[np.int64],
     frames: tuple[int, int],
-    view: View,
     fps: float,
     steps: NDArray[np.int64],
+    witnesses: Witnesses,
 ) -> Columns:
-    """Rows along straight lines, so many frames from ends, until they leave the picture."""
+    """Rows along straight lines, so many frames from ends.
+
+    They end where they leave the picture, or come to where nobody can be.
+    """
+    view = witnesses.floor.view
     frame = np.rint(end.time_s * fps).astype(np.int64)[:, None] + steps
     place = end.place[:, None] + (steps / fps)[:, None] * end.pace[:, None]
     flat = place.reshape(-1, 2)
@@ -113,6 +121,7 @@ def _line(
     inside = ((chest > 0) & (chest < np.array(view.camera.size))).all(axis=1)
     inside = inside.reshape(frame.shape) & (frame >= frames[0]) & (frame < frames[1])
     inside &= (np.hypot(*end.pace.T) >= _LEAST_M_S)[:, None]
+    inside &= witnesses.allow_for_a_while(place, frame)
     kept = np.logical_and.accumulate(inside, axis=1)
     track = np.broadcast_to(name[:, None], frame.shape)[kept]
     pace = np.broadcast_to(end.pace[:, None], place.shape)[kept]

@@ -42,6 +42,8 @@ def retold(run: Run, view: View, fps: float) -> Run:
     """
     floor = Floor(view)
     chains = chains_of(run, floor, fps)
+    if not len(chains):
+        return run
     pieces = pieces_of(run.tracks, fps)
     walks = Chooser(chains, floor, fps).walks(
         [_straightened(run.tracks, rows) for rows in pieces if len(rows) > _LEAST_S * fps]

@@ -111,7 +111,7 @@ class FlowSettings:
         True, "", None, "with hold: draw people to where their bodies fill the foreground"
     )
     led_s: float = setting(
-        1.5,
+        2.0,
         "s",
         (0.0, 10.0),
         "time people are thought to have walked on, in a finished run, before they were found and "
