@@ -29,7 +29,7 @@ def brightness_ratio(picture: NDArray[np.uint8], background: NDArray[np.uint8]) 
     return _median(now[usable] / usual[usable].astype(np.float32))
 
 
-def _median(values: NDArray[np.float32]) -> float:
+def _median(values: NDArray[np.floating]) -> float:
     """As `numpy.median`, without its checks, which cost several times as much as the rest."""
     middle = len(values) // 2
     ordered = np.partition(values, (middle - 1, middle))
