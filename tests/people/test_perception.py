@@ -136,3 +136,27 @@ def test_a_frame_without_a_right_eye_is_refused(shared_data: Path) -> None:
         left = recording.read(0).left
     with pytest.raises(RecordingError, match="no right eye"):
         perception.observe(StereoFrame(0, 0.0, left, None))
+
+
+def test_while_the_right_eye_is_black_the_left_one_places_people(shared_data: Path) -> None:
+    truth = truth_of(shared_data / "rendered-plaza")
+    with open_recording(shared_data / "rendered-plaza") as recording:
+        perception = prepared(recording)
+        errors: list[float] = []
+        wanted = found = 0
+        for frame in recording.frames(300, 320):
+            assert frame.right is not None
+            black = StereoFrame(frame.number, frame.time_s, frame.left, np.zeros_like(frame.right))
+            seen = perception.observe(black if frame.number < 316 else frame).people
+            apart = np.hypot(
+                *(truth[frame.number][:, None, 4:] - seen.position[None, :, :2]).transpose(2, 0, 1)
+            )
+            wanted, found = wanted + len(apart), found + len(seen)
+            errors += [e for e in apart.min(axis=1).tolist() if e < 0.6]
+    assert len(errors) > 0.8 * wanted
+    assert found < 1.05 * wanted
+    assert np.mean(errors) < 0.2
+    assert perception.notes == (
+        "the right eye shows nothing new in frames 300 to 315: people are placed by the left eye "
+        "alone there, less exactly; look after the camera or its cable",
+    )

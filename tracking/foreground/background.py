@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from tracking.foreground.difference import largest_difference
 from tracking.foreground.first_look import commonest_picture
 from tracking.foreground.gain import brightness_ratio
+from tracking.foreground.local_light import change_of_light
 from tracking.foreground.settings import ForegroundSettings
 
 Picture = NDArray[np.uint8]
@@ -25,6 +26,8 @@ _READABLE_EXPOSURE = (0.5, 1.8)
 _PATIENCE_S = 2.0
 """How long a change of the whole scene or of exposure lasts before a learnt background yields."""
 _NOISE_AT_FIRST = 2.0
+_MUCH_CHANGED = 0.2
+"""Where more of the picture differs than this, light is suspected before people are."""
 _OPENING = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
 
@@ -86,13 +89,29 @@ class BackgroundModel:
         if self._frames == 0 and not self._primed:
             self._start(smooth)
         self._follow_exposure(smooth)
-        difference = largest_difference(smooth, self._background)
-        mask = cv2.compare(difference, self._limit, cv2.CMP_GT)
-        mask = cv2.morphologyEx(mask, cv2.MORPH_OPEN, _OPENING)
-        changed = cv2.countNonZero(mask) > self._settings.scene_change * mask.size
+        mask, differs = self._compared(smooth)
+        if differs > _MUCH_CHANGED and self._took_light(smooth, mask):
+            mask, differs = self._compared(smooth)
+        changed = differs > self._settings.scene_change
         if changed or not _within(self._exposure, _READABLE_EXPOSURE):
             return Subtraction(smooth, self._background, np.zeros(mask.shape, np.uint8), True)
-        return Subtraction(smooth, self._background, np.asarray(mask, np.uint8), False)
+        return Subtraction(smooth, self._background, mask, False)
+
+    def _compared(self, picture: Picture) -> tuple[Mask, float]:
+        """Where a picture differs from the background, and in how large a share of it."""
+        difference = largest_difference(picture, self._background)
+        mask = cv2.compare(difference, self._limit, cv2.CMP_GT)
+        mask = cv2.morphologyEx(mask, cv2.MORPH_OPEN, _OPENING)
+        return np.asarray(mask, np.uint8), cv2.countNonZero(mask) / mask.size
+
+    def _took_light(self, picture: Picture, mask: Mask) -> bool:
+        """Whether light changed on a part of the scene; the background then has it, too."""
+        ratio = change_of_light(picture, self.background, mask)
+        if ratio is None:
+            return False
+        self._mean *= ratio[..., None]
+        self._background = _exposed(self._mean, self._exposure)
+        return True
 
     @property
     def background(self) -> Picture:

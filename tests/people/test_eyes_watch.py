@@ -1,0 +1,61 @@
+"""A right eye that fails or is late is noticed; what is well is left alone."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from tracking.people.eyes_watch import EyesWatch, shows_nothing
+
+Picture = NDArray[np.uint8]
+FPS, SHIFT_PX = 20.0, 12
+
+
+def eye(frame: int, shift_px: int = 0) -> Picture:
+    """A grained scene past which three people bob and stride, seen by one eye."""
+    grain = np.random.default_rng(0).normal(110, 12, (240, 320))
+    for k, speed in enumerate((2.0, -1.5, 1.0)):
+        left = int(60 + 70 * k + speed * frame) % 240 + 30 - shift_px
+        top = 40 + 20 * k + round(6 * np.sin(0.6 * frame + 2 * k))
+        grain[top : top + 100, left : left + 24 + round(8 * np.sin(0.3 * frame + k))] = 40
+    return np.repeat(grain.clip(0, 255).astype(np.uint8)[..., None], 3, axis=2)
+
+
+def watched(late: int, frames: int = 60) -> EyesWatch:
+    watch = EyesWatch(FPS)
+    for k in range(10, 10 + frames):
+        watch.look(k, eye(k), eye(k - late, SHIFT_PX))
+    return watch
+
+
+@pytest.mark.parametrize("late", [-2, 0, 1, 3])
+def test_an_eye_that_is_late_is_found_to_be_so_many_frames(late: int) -> None:
+    watch = watched(late)
+    assert watch.lag == late
+    assert not watch.failing
+    assert len(watch.told()) == (late != 0)
+
+
+def test_an_eye_that_freezes_fails_until_it_moves_again() -> None:
+    watch = EyesWatch(FPS)
+    failing = []
+    for k in range(40):
+        watch.look(k, eye(k), eye(15 if 15 <= k < 30 else k, SHIFT_PX))
+        failing.append(watch.failing)
+    assert not any(failing[:16])
+    assert all(failing[18:30])
+    assert not any(failing[30:])
+    assert "frames 18 to 29" in watch.told()[0]
+
+
+def test_a_black_half_is_a_failing_eye_at_once() -> None:
+    right = eye(1, SHIFT_PX)
+    assert not shows_nothing(eye(1), right)
+    right[120:] = 0
+    assert shows_nothing(eye(1), right)
+
+
+def test_a_scene_in_which_nothing_can_be_seen_tells_nothing() -> None:
+    dark = np.zeros((240, 320, 3), np.uint8)
+    assert not shows_nothing(dark, dark)
