@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tracking.filtering import scatter
 from tracking.geometry import View
 from tracking.people import Detections
-from tracking.trackers.population import Population, unknown_looks
+from tracking.trackers.population import Population, unknown_looks, unknown_motion
 from tracking.trackers.stereo_boxes import expected_visibility, outlines_of, share_in_view
 from tracking.trackers.stereo_settings import StereoFilterSettings
 
@@ -80,6 +80,7 @@ def started(
         outline=outlines_of(seen.box[rows], measured, view),
         confidence=np.full(count, 0.5),
         looks=unknown_looks(count),
+        motion=unknown_motion(spread),
     )
 
 

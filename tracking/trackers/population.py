@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+_WALK_M_PER_S = 1.0
 LOOKS = 7
 """Numbers that `Population.looks` has."""
 
@@ -37,6 +38,8 @@ class Population:
         confidence: (people,) share of the recent past in which the person was matched.
         looks: (people, 7) float32 mean CIELAB of the upper and of the lower body and the height
             in m, of those who ask for them; NaN where not known.
+        motion: (people, 3) variance of the position in m², covariance with the velocity in m²/s
+            and variance of that in m²/s², along each axis, of those who ask for them.
     """
 
     track: NDArray[np.int32]
@@ -53,6 +56,7 @@ class Population:
     outline: Floats
     confidence: Floats
     looks: NDArray[np.float32]
+    motion: Floats
 
     def __len__(self) -> int:
         """The number of people followed, newcomers included."""
@@ -89,6 +93,12 @@ def unknown_looks(people: int) -> NDArray[np.float32]:
     return np.full((people, LOOKS), np.nan, np.float32)
 
 
+def unknown_motion(position_m: Floats) -> Floats:
+    """`Population.motion` of people whose place errs so much (people,) and who may walk anyhow."""
+    none = np.zeros(len(position_m))
+    return np.stack((position_m**2, none, none + _WALK_M_PER_S**2), axis=1)
+
+
 def joined(populations: Sequence[Population]) -> Population:
     """The people of all populations, in order."""
     return Population(
@@ -113,5 +123,6 @@ def nobody(particles: int, cues: int, bins: int) -> Population:
         "outline": ((4,), np.float64),
         "confidence": ((), np.float64),
         "looks": ((LOOKS,), np.float32),
+        "motion": ((3,), np.float64),
     }
     return Population(*(np.zeros((0, *shapes[name][0]), shapes[name][1]) for name in _NAMES))

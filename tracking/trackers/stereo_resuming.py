@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracking.filtering import associate, scatter
 from tracking.geometry import View
 from tracking.people import Detections, Observation
-from tracking.trackers.population import Population, unknown_looks
+from tracking.trackers.population import Population, unknown_looks, unknown_motion
 from tracking.trackers.resuming import Resume, is_apart, is_seen, only
 from tracking.trackers.stereo_boxes import outlines_of
 from tracking.trackers.stereo_cues import Cues
@@ -34,6 +34,8 @@ _GOOD = 0.5
 """Views worth less than this share of a person's best one are left out."""
 _WALK_S = 2.0
 _SLOPE_S = 0.5
+_WIDER_PER_S = 1.0
+"""How much the particles of somebody missed spread with each second."""
 _LED_ON_S = 1.0
 """Who has no row in the last frames is thought to have walked on for so long."""
 
@@ -75,11 +77,11 @@ def resumed(
     views, time_s = _views(rows, people, observations, cues)
     colour, matches = _colours(views, len(people))
     position, velocity, missed_s, confidence = _now(rows, people, resume, settings)
-    wider = 1.0 + settings.spread_growth * missed_s
+    spread = settings.start_spread_m * (1.0 + _WIDER_PER_S * missed_s)
     count = (len(people), settings.particles)
     population = Population(
         track=people.astype(np.int32),
-        particles=scatter(position, settings.start_spread_m * wider, settings.particles, random),
+        particles=scatter(position, spread, settings.particles, random),
         weight=np.full(count, 1.0 / settings.particles, np.float32),
         position=position,
         velocity=velocity,
@@ -92,6 +94,7 @@ def resumed(
         outline=_outlines(rows, people, view),
         confidence=confidence,
         looks=unknown_looks(len(people)),
+        motion=unknown_motion(spread),
     )
     return _walked(population, rows, resume, cues), time_s
 

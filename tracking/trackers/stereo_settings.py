@@ -18,20 +18,11 @@ class StereoFilterSettings:
     start_spread_m: float = setting(
         0.25, "m", (0.01, 2.0), "spread of a newcomer's particles around the first detection"
     )
-    spread_m: float = setting(
-        0.25, "m", (0.01, 3.0), "random spread of the particles after one second of prediction"
-    )
-    spread_growth: float = setting(
-        1.0, "1/s", (0.0, 10.0), "how much the spread grows with each second a person is missed"
-    )
     sigma_near_m: float = setting(
         0.12, "m", (0.01, 2.0), "likelihood's standard deviation close to the camera"
     )
     sigma_range: float = setting(
         0.001, "m/m²", (0.0, 0.1), "growth of that deviation with the square of the range"
-    )
-    velocity_memory_s: float = setting(
-        0.4, "s", (0.05, 5.0), "time over which the velocity is smoothed"
     )
     hidden_below: float = setting(
         0.3, "", (0.0, 1.0), "share of a body that must be expected to show to look for it"
@@ -72,6 +63,15 @@ class StereoFilterSettings:
 class StereoTrackerSettings(StereoFilterSettings):
     """What a tracker that sums up the costs of the papers' cues can be told."""
 
+    spread_m: float = setting(
+        0.25, "m", (0.01, 3.0), "random spread of the particles after one second of prediction"
+    )
+    spread_growth: float = setting(
+        1.0, "1/s", (0.0, 10.0), "how much the spread grows with each second a person is missed"
+    )
+    velocity_memory_s: float = setting(
+        0.4, "s", (0.05, 5.0), "time over which the velocity is smoothed"
+    )
     gate_m: float = setting(
         0.9, "m", (0.1, 5.0), "farthest a detection may lie from where a person is expected"
     )

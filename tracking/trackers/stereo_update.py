@@ -20,7 +20,7 @@ from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.population import Population
 from tracking.trackers.stereo_cues import Cues, likelihood_sigma
-from tracking.trackers.stereo_settings import StereoFilterSettings
+from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
 from tracking.trackers.stereo_sharing import Shared
 
 Floats = NDArray[np.float64]
@@ -64,7 +64,7 @@ def matched(
     people: Population,
     match: Match,
     cues: Cues,
-    settings: StereoFilterSettings,
+    settings: StereoTrackerSettings,
     random: np.random.Generator,
 ) -> Population:
     """The matched people weighed with their detections, and what is learnt from them.
@@ -76,7 +76,7 @@ def matched(
     measured = match.seen.position[chosen, :2]
     measured[match.shared.owner] = match.shared.owner_at
     sigma = likelihood_sigma(measured, settings)
-    particles, weight = _weighed(mine.particles, measured, sigma, random)
+    particles, weight = weighed(mine.particles, measured, sigma, random)
     position = weighted_mean(particles, weight)
     return people.changed(
         rows,
@@ -107,7 +107,7 @@ def guests_kept(
     """
     rows = shared.guest
     sigma = 2.0 * likelihood_sigma(shared.guest_at, settings)
-    particles, weight = _weighed(people.particles[rows], shared.guest_at, sigma, random)
+    particles, weight = weighed(people.particles[rows], shared.guest_at, sigma, random)
     return people.changed(
         rows,
         particles=particles,
@@ -140,7 +140,7 @@ def unseen(
     return people.changed(lost, weight=weight, position=position)
 
 
-def _weighed(
+def weighed(
     particles: NDArray[np.float32],
     measured: Floats,
     sigma: Floats,

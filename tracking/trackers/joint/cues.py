@@ -30,8 +30,18 @@ class JointCues:
         self, model: NDArray[np.float32], seen: NDArray[np.float32], matches: NDArray[np.int32]
     ) -> NDArray[np.float32]:
         """The models after one more match: a running mean, at first of everything seen."""
+        return model + self._share(matches)[:, None, None] * (seen - model)
+
+    def looked(self, mine: Population, seen: NDArray[np.float32]) -> NDArray[np.float32]:
+        """`Population.looks` after one more match, alike; what is not known now stays."""
+        old = np.where(np.isfinite(mine.looks), mine.looks, seen)
+        return np.where(
+            np.isfinite(seen), old + self._share(mine.matches)[:, None] * (seen - old), old
+        )
+
+    def _share(self, matches: NDArray[np.int32]) -> NDArray[np.float32]:
         share = np.maximum(1.0 / (matches + 1), 1.0 - self.settings.colour_memory)
-        return model + share.astype(np.float32)[:, None, None] * (seen - model)
+        return share.astype(np.float32)
 
     def direction(self, people: Population, measured: Floats) -> Floats:
         """What the turn to each detection costs, in nats; NaN where a direction is missing."""

@@ -21,6 +21,9 @@ class JointSettings(StereoFilterSettings):
     least_margin: float = setting(
         0.1, "", (0.0, 5.0), "a detection that suits two people nearly alike is nobody's"
     )
+    agility: float = setting(
+        0.5, "m²/s³", (0.001, 100.0), "how much people change their velocity, as white noise"
+    )
     new_at_edge: float = setting(
         1.0, "1/m²/s", (1e-6, 100.0), "people who appear at the picture's edge"
     )

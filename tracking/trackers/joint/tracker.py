@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.filtering import Association, move, resample
+from tracking.filtering import Association, resample
 from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.births_and_ends import Newcomers, confirmed, newcomers
@@ -16,17 +16,20 @@ from tracking.trackers.joint.evidence import Evidence, arrivals, evidence_of, fo
 from tracking.trackers.joint.explaining import NAT, explained
 from tracking.trackers.joint.finding import found_again
 from tracking.trackers.joint.looks import Telling, differences, looks_of
+from tracking.trackers.joint.motion import predicted
+from tracking.trackers.joint.noise import Noise
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.joint.staying import staying, told
+from tracking.trackers.joint.updating import matched
 from tracking.trackers.population import Population, joined, nobody
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.resuming import Resume
 from tracking.trackers.stereo_boxes import expected_visibility, outlined
-from tracking.trackers.stereo_cues import Costs, likelihood_sigma
+from tracking.trackers.stereo_cues import Costs
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_resuming import resumed
 from tracking.trackers.stereo_sharing import shared_regions
-from tracking.trackers.stereo_update import Match, aged, apart, guests_kept, matched, unseen
+from tracking.trackers.stereo_update import Match, aged, apart, guests_kept, unseen
 
 Floats = NDArray[np.float64]
 Colours = NDArray[np.float32]
@@ -43,6 +46,7 @@ class JointTracker:
         self._random = np.random.default_rng(seed)
         self._people: Population | None = None
         self._telling = Telling.usual()
+        self._noise = Noise.usual(settings)
         self._last_id = 0
         self._time_s = 0.0
 
@@ -72,19 +76,20 @@ class JointTracker:
             self._time_s = observation.time_s
         elapsed_s = observation.time_s - self._time_s
         self._time_s = observation.time_s
-        expected = self._predicted(self._people, elapsed_s)
+        expected = predicted(self._people, settings, elapsed_s, self._random)
         shown = expected_visibility(expected, view, expected.missed_s < settings.lost_after_s)
         new = arrivals(seen, settings, elapsed_s, view)
         difference = differences(expected, colours, looks)
-        costs, evidence = self._judged(expected, seen, difference, new, shown)
+        sigma = self._noise.sigma(seen.position[:, :2], settings)
+        costs, evidence = self._judged(expected, seen, sigma, difference, new, shown)
         pairs, free = explained(expected, evidence, ~seen.merged, settings.least_margin / NAT)
         people = aged(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
         shared = shared_regions(expected, pairs, seen, view)
         alone = ~np.isin(np.arange(len(pairs.track)), shared.owner)
         match = Match(pairs, shared, seen, colours, since_s)
-        people = matched(people, match, self._cues, settings, self._random)
-        people = self._looked_at(people, expected, pairs, looks, difference)
+        people = matched(people, match, looks, sigma, self._cues, self._random)
+        self._learn(expected, pairs, difference, seen)
         people = unseen(people, elapsed_s, view, settings)
         people = guests_kept(people, expected, shared, settings, self._random)
         people = outlined(people, pairs, alone, seen, elapsed_s, view)
@@ -96,58 +101,42 @@ class JointTracker:
         self._people = self._carried(people, Newcomers(seen, colours, free), elapsed_s)
         return result
 
-    def _predicted(self, people: Population, elapsed_s: float) -> Population:
-        """Everybody moved at their velocity; those missed slow down, and spread more and more."""
-        settings = self._settings
-        spread = settings.spread_m * np.sqrt(elapsed_s)
-        spreads = spread * (1.0 + settings.spread_growth * people.missed_s)
-        slower = np.where(people.missed_s > 0.0, np.exp(-elapsed_s / settings.slowing_s), 1.0)
-        velocity = people.velocity * slower[:, None]
-        step = velocity * elapsed_s
-        return people.replace(
-            particles=move(people.particles, step, spreads, self._random),
-            position=people.position + step,
-            velocity=velocity,
-        )
-
     def _judged(
-        self, people: Population, seen: Detections, difference: Floats, new: Floats, shown: Floats
+        self,
+        people: Population,
+        seen: Detections,
+        sigma: Floats,
+        difference: Floats,
+        new: Floats,
+        shown: Floats,
     ) -> tuple[Costs, Evidence]:
         """The evidence of all pairs, and as costs to tell of."""
         measured = seen.position[:, :2]
         likeness = self._settings.looks_weight * self._telling.likeness(difference)
         turn = self._cues.direction(people, measured)
         found = found_share(people, shown, self._settings)
-        sigma = likelihood_sigma(measured, self._settings)
         evidence = evidence_of(people, seen, sigma, new, likeness, turn, found)
         colour = np.sqrt(difference[..., :3]).sum(axis=2)
         total = NAT * (evidence.match - evidence.missed[:, None])
         return Costs(evidence.distance, colour, NAT * turn, total, evidence.allowed), evidence
 
-    def _looked_at(
-        self,
-        people: Population,
-        expected: Population,
-        pairs: Association,
-        looks: NDArray[np.float32],
-        difference: Floats,
-    ) -> Population:
-        """The looks of those matched brought up to date, and what looks tell learnt from them."""
-        rows, chosen = pairs.track, pairs.detection
-        clear = apart(people, rows, self._settings.colour_distance_m)
-        rows, chosen = rows[clear], chosen[clear]
-        known = expected.confirmed[rows]
-        others = np.broadcast_to(expected.confirmed[:, None], difference.shape[:2]).copy()
-        others[pairs.track, pairs.detection] = False
-        unclear = np.ones(difference.shape[1], bool)
-        unclear[chosen] = False
-        others[:, unclear] = False
-        self._telling = self._telling.learnt(difference[rows, chosen][known], difference[others])
-        old, new = people.looks[rows], looks[chosen]
-        share = np.maximum(1.0 / people.matches[rows], 1.0 - self._settings.colour_memory)
-        mean = old + share.astype(np.float32)[:, None] * (new - old)
-        mean = np.where(np.isfinite(old), np.where(np.isfinite(new), mean, old), new)
-        return people.changed(rows, looks=mean)
+    def _learn(
+        self, people: Population, pairs: Association, difference: Floats, seen: Detections
+    ) -> None:
+        """How far off places are and what looks tell, from those matched with nobody close.
+
+        Args:
+            people: predicted to this frame.
+        """
+        clear = apart(people, pairs.track, self._settings.colour_distance_m)
+        clear &= people.confirmed[pairs.track]
+        rows, chosen = pairs.track[clear], pairs.detection[clear]
+        others = np.zeros(difference.shape[:2], bool)
+        others[:, chosen] = people.confirmed[:, None]
+        others[rows, chosen] = False
+        self._telling = self._telling.learnt(difference[rows, chosen], difference[others])
+        measured = seen.position[chosen, :2]
+        self._noise = self._noise.learnt(people.select(rows), measured, self._settings)
 
     def _named(self, people: Population, pairs: Association, new: Floats) -> Population:
         """Newcomers seen often enough have the id of somebody lost, or the next one."""

@@ -1,0 +1,62 @@
+"""How far off detections are in this footage, learnt while it is tracked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.trackers.joint.settings import JointSettings
+from tracking.trackers.population import Population
+from tracking.trackers.stereo_cues import likelihood_sigma
+
+Floats = NDArray[np.float64]
+
+_WORTH = 200.0
+"""Matches that the settings are worth."""
+_MEMORY = 4000.0
+"""Matches that are remembered."""
+_MOST = 9.0
+"""Squared errors beyond this multiple of what was expected are accidents, and count as much."""
+_LEAST_SHARE, _MOST_SHARE = 0.1, 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class Noise:
+    """The error of detections' places, as a share of what the settings say.
+
+    Attributes:
+        off: sum of squared errors. expected: sum of what the settings expect of them; both m².
+        count: of how many matches.
+    """
+
+    off: float
+    expected: float
+    count: float
+
+    @classmethod
+    def usual(cls, settings: JointSettings) -> Noise:
+        """What the settings say."""
+        expected = _WORTH * settings.sigma_near_m**2
+        return cls(expected, expected, _WORTH)
+
+    def sigma(self, measured: Floats, settings: JointSettings) -> Floats:
+        """(n,) m, the error along each axis of places (n, 2); it grows with the range."""
+        share = np.clip(self.off / self.expected, _LEAST_SHARE, _MOST_SHARE)
+        return np.asarray(np.sqrt(share) * likelihood_sigma(measured, settings))
+
+    def learnt(self, mine: Population, measured: Floats, settings: JointSettings) -> Noise:
+        """With more matches: people predicted, and where (people, 2) they were then seen.
+
+        What the prediction itself may err is not the detection's error.
+        """
+        square = 0.5 * np.square(measured - mine.position).sum(axis=1)
+        place = mine.motion[:, 0]
+        usual = np.square(likelihood_sigma(measured, settings))
+        now = usual * np.clip(self.off / self.expected, _LEAST_SHARE, _MOST_SHARE)
+        own = np.minimum(square, _MOST * (place + now)) - place
+        off, expected = self.off + float(own.sum()), self.expected + float(usual.sum())
+        count = self.count + len(own)
+        faded = min(1.0, _MEMORY / count)
+        return Noise(max(off, 0.0) * faded, expected * faded, count * faded)

@@ -1,0 +1,50 @@
+"""What a match changes of the people, in the joint tracker."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import weighted_mean
+from tracking.trackers.joint.cues import JointCues
+from tracking.trackers.joint.motion import measured_motion
+from tracking.trackers.joint.settings import JointSettings
+from tracking.trackers.population import Population
+from tracking.trackers.stereo_update import Match, apart, weighed
+
+
+def matched(
+    people: Population,
+    match: Match,
+    looks: NDArray[np.float32],
+    sigma: NDArray[np.float64],
+    cues: JointCues,
+    random: np.random.Generator,
+) -> Population:
+    """The matched people weighed with their detections, and what is learnt from them.
+
+    Args:
+        people: predicted. looks: (detections, k) as `Population.looks`. sigma: (detections,) m.
+    """
+    settings: JointSettings = cues.settings
+    rows, chosen = match.pairs.track, match.pairs.detection
+    mine = people.select(rows)
+    measured = match.seen.position[chosen, :2]
+    measured[match.shared.owner] = match.shared.owner_at
+    particles, weight = weighed(mine.particles, measured, sigma[chosen], random)
+    position = weighted_mean(particles, weight)
+    velocity, motion = measured_motion(mine, measured, sigma[chosen])
+    clear = apart(people, rows, settings.colour_distance_m)
+    colour = cues.updated(mine.colour, match.colours[chosen], mine.matches)
+    return people.changed(
+        rows,
+        particles=particles,
+        weight=weight,
+        position=position,
+        velocity=velocity,
+        motion=motion,
+        matches=mine.matches + 1,
+        seen_at=position,
+        colour=np.where(clear[:, None, None], colour, mine.colour),
+        looks=np.where(clear[:, None], cues.looked(mine, looks[chosen]), mine.looks),
+    )
