@@ -7,9 +7,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from tracking.geometry import Camera, Ground, Rectification, StereoCalibration
 from tracking.people import PeopleSettings
-from tracking.people.plan_view import SurfacePoints, find_people
+from tracking.people.plan_view import SurfacePoints, find_people, surface_points
 from tracking.people.regions import assign_points, measure, paint
+from tracking.stereo import SightLines
 
 EYE = np.zeros(2, np.float32)
 SETTINGS = PeopleSettings()
@@ -87,6 +89,20 @@ def test_two_people_side_by_side_are_two(y: float, beside: float, behind: float,
 def test_people_behind_each_other_in_the_picture_are_told_apart_by_range() -> None:
     places = find_people(together(body(0, 3, 0.05), body(0, 4.2, 0.1, seed=1)), EYE, SETTINGS)
     assert len(places) == 2
+
+
+def test_what_lies_between_a_nearer_and_a_farther_surface_counts_less() -> None:
+    camera = Camera(np.array([[510.0, 0, 80], [0, 510, 60], [0, 0, 1]]), np.zeros(0), 160, 120)
+    pair = StereoCalibration(camera, camera, np.eye(3), np.array([-0.12, 0, 0]))
+    lines = SightLines(Rectification(pair, Ground(2.4, 30.0)))
+    disparity = np.full((60, 80), np.nan, np.float32)
+    disparity[20:40, 20:30], disparity[20:40, 30], disparity[20:40, 31:41] = 12.0, 10.5, 9.0
+    rays = np.ascontiguousarray(lines.rays[::2, ::2])
+    points = surface_points(disparity, lines, rays, 4, 0.2)
+    share = points.mass / points.area
+    between = disparity.ravel()[points.pixel] == 10.5
+    assert (share[between] < 0.5).all()
+    assert (share[~between] == 1.0).all()
 
 
 def test_points_belong_to_whom_they_are_near() -> None:

@@ -111,6 +111,7 @@ class Tracking:
         self._seed = seed
         self._resume = resume
         self._tracker: Tracker | None = None
+        self._perception: Perception | None = None
         self._kept = kept
         self._followed = False
         self._ranged = RangedShare()
@@ -156,6 +157,8 @@ class Tracking:
     def notes(self) -> tuple[str, ...]:
         """What the user should be told of the frames tracked so far, a line each."""
         told = self._tracker.notes if self._tracker is not None else ()
+        eyes: tuple[str, ...] = getattr(self._perception, "notes", ())
+        told = (*told, *eyes)
         if self._followed or not self._spec.needs_stereo or not self._ranged.is_too_small:
             return told
         swapped = f"{self._recording.name}: no distance for what moves: are the eyes swapped?"
@@ -164,7 +167,7 @@ class Tracking:
     def _work(self) -> Generator[StepResult]:
         timed = self._stages.timed
         perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
-        self._tracker = tracker
+        self._perception, self._tracker = perception, tracker
         timed("learn", _learn, perception, self._recording)
         if self._resume is not None:
             seen = (perception.observe(self._recording.read(n)) for n in self._resume.looks)

@@ -64,7 +64,11 @@ class StepResult:
 
 
 class Perception(Protocol):
-    """Turns pictures into observations; holds the background model."""
+    """Turns pictures into observations; holds the background model.
+
+    One that watches over what it sees by has `notes`, too: what the user should be told, a line
+    each.
+    """
 
     def learn(self, frames: Sequence[StereoFrame]) -> None:
         """Take the background from frames spread over the recording, before the first step."""
