@@ -37,31 +37,39 @@ def linked(run: Run, view: View, fps: float, given: Columns | None = None) -> Ru
         given: rows of frames before the run's that stand fast, as corrected by people: its people
             go on from there.
     """
-    return smoothed(_relinked(run, view, fps, given), view, fps, given)
+    row, name = _names_of_rows(run, view, fps, given)
+    if len(row):
+        run = renamed(run, row, name, view)
+    return smoothed(run, view, fps, given)
 
 
-def _relinked(run: Run, view: View, fps: float, given: Columns | None) -> Run:
-    """The run with an id for each person; what that takes in memory is free again afterwards."""
+def _names_of_rows(
+    run: Run, view: View, fps: float, given: Columns | None
+) -> tuple[NDArray[np.intp], Integers]:
+    """The rows (k,) of the run's tracks that were seen, by track and frame, and their new ids.
+
+    What finding them takes in memory is free again afterwards.
+    """
     before = 0 if given is None else len(given["frame"])
     seen, meetings = seen_of(run if given is None else _behind(given, run), view)
     own = seen.row >= before
-    if own.any():
-        first, found = begins(seen, fps)
-        returns = returned_over_edge(seen, first | found, view, fps)
-        doubt = doubts(seen, meetings, returns, fps)
-        doubt[~own & (doubt != Doubt.TRACK)] = Doubt.NONE
-        pieces = tracklets(seen, doubt, fps)
-        known = max(run.known_tracks, int(seen.track[~own].max(initial=0)))
-        fixed = (pieces.doubt == Doubt.TRACK) & (pieces.track <= known)
-        links = links_between(seen, pieces, view, fps, run.frames, fixed)
-        person = chains(chosen(links, pieces, looks_of(seen, pieces, fps)))
-        highest = max(known, int(run.tracks["track"].max()))
-        name = _names(pieces, person, highest)[pieces.of_rows]
-        for one in returns:
-            if name[one.row - 1] != name[one.row]:
-                name[one.start : one.stop] = 0
-        run = renamed(run, seen.row[own] - before, name[own], view)
-    return run
+    if not own.any():
+        return np.zeros(0, np.intp), np.zeros(0, np.int64)
+    first, found = begins(seen, fps)
+    returns = returned_over_edge(seen, first | found, view, fps)
+    doubt = doubts(seen, meetings, returns, fps)
+    doubt[~own & (doubt != Doubt.TRACK)] = Doubt.NONE
+    pieces = tracklets(seen, doubt, fps)
+    known = max(run.known_tracks, int(seen.track[~own].max(initial=0)))
+    fixed = (pieces.doubt == Doubt.TRACK) & (pieces.track <= known)
+    links = links_between(seen, pieces, view, fps, run.frames, fixed)
+    person = chains(chosen(links, pieces, looks_of(seen, pieces, fps)))
+    highest = max(known, int(run.tracks["track"].max()))
+    name = _names(pieces, person, highest)[pieces.of_rows]
+    for one in returns:
+        if name[one.row - 1] != name[one.row]:
+            name[one.start : one.stop] = 0
+    return seen.row[own] - before, name[own]
 
 
 def _behind(given: Columns, run: Run) -> Run:
