@@ -1,0 +1,70 @@
+"""A tracker that is quicker than the window."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QObject
+from pytestqt.qtbot import QtBot
+
+from app.background import LiveTracker, live
+from app.tracking_process import TrackerProcess
+from tracking.pipeline import track
+from tracking.recording import Recording, open_recording
+from tracking.trackers import StepResult
+
+FRAMES, AHEAD = (30, 45), 4
+
+
+@pytest.fixture(scope="module")
+def recording(tiny_recording: Path) -> Iterator[Recording]:
+    with open_recording(tiny_recording) as opened:
+        yield opened
+
+
+@pytest.fixture(scope="module")
+def steps(recording: Recording) -> list[StepResult]:
+    with track(recording, frames=FRAMES) as tracking:
+        return list(tracking)
+
+
+@pytest.fixture
+def tracker(
+    recording: Recording, steps: list[StepResult], monkeypatch: pytest.MonkeyPatch
+) -> Iterator[LiveTracker]:
+    monkeypatch.setattr(live, "_MOST_AHEAD", AHEAD)
+    monkeypatch.setattr(TrackerProcess, "batches", lambda _: ((step,) for step in steps))
+    owner = QObject()
+    made = LiveTracker(recording, "stereo-direction", None, 0, owner, FRAMES)
+    yield made
+    if any(thread.name == "live tracker" for thread in threading.enumerate()):
+        made.close()
+
+
+def settled(count: Callable[[], int]) -> int:
+    """What is counted once it has not changed for a while."""
+    before = -1
+    while before != (before := count()):
+        time.sleep(0.05)
+    return before
+
+
+def test_it_waits_for_a_window_that_is_busy_and_goes_on_when_that_has_time(
+    tracker: LiveTracker, qtbot: QtBot
+):
+    with qtbot.waitSignal(tracker.finished) as finished:
+        tracker.start()
+        kept = settled(lambda: tracker.kept.frames[1])
+        assert kept == FRAMES[0] + AHEAD
+    assert tracker.kept.frames == finished.args[0].frames == FRAMES
+
+
+def test_it_ends_while_it_waits_for_the_window(tracker: LiveTracker):
+    tracker.start()
+    settled(lambda: tracker.kept.frames[1])
+    tracker.close()
+    assert all(thread.name != "live tracker" for thread in threading.enumerate())
