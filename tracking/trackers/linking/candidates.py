@@ -24,6 +24,8 @@ _LOST_S = 1.5
 _TRACKER, _TRACKER_GAP = 3.0, 1.5
 """Log-odds of what the tracker said, which knew more of looks; after a gap it was less sure."""
 _GAP_S = 0.25
+_HOPELESS = 12.0
+"""What costs more, looks do not make up for."""
 _BACK_AT_ONCE = 1.0
 """Log-odds that who leaves and who enters at the same place and moment are two people."""
 
@@ -57,7 +59,7 @@ def links_between(
     cost = apart[start] + gone[end] - together
     edges = np.cumsum(pieces.doubt == Doubt.EDGE)
     cost[same & (edges[start] > edges[end])] = _BACK_AT_ONCE
-    return Links(end, start, cost)
+    return Links(end, start, cost).only(cost < _HOPELESS)
 
 
 def _pairs(pieces: Tracklets, longest: int) -> tuple[Rows, Rows]:

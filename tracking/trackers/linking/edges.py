@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.linking.seen import EDGE_SHARE, Flags, Floats, Seen, place_errors
-from tracking.trackers.stereo_boxes import MIDDLE_M
+from tracking.trackers.stereo_boxes import MIDDLE_M, middles
 
 Rows = NDArray[np.intp]
 
@@ -18,8 +18,6 @@ _TURN_S = 0.6
 """Of the way before and after somebody may have left, and somebody else come."""
 _LEAST_LINE = 5
 """Rows of a line."""
-_BODY_M = (1.7, 0.5)
-"""Height and width of a usual one."""
 _WAY_M = 0.12
 """Who seems to move less than this, out and in again, may have stood there."""
 _SURE = 3.0
@@ -38,7 +36,7 @@ def returned_over_edge(seen: Seen, first: Flags, view: View, fps: float) -> list
         first: (n,) where tracks begin, or go on after a gap.
     """
     returns = []
-    part = np.cumsum(first)
+    part, scale = np.cumsum(first), _Scale.of(seen.place, view)
     track_ends = np.append(first, True)
     changes = np.diff(seen.at_edge.astype(np.int8), prepend=0, append=0) != 0
     ends = np.flatnonzero(changes | track_ends)
@@ -47,8 +45,8 @@ def returned_over_edge(seen: Seen, first: Flags, view: View, fps: float) -> list
         if seen.at_edge[start] and not track_ends[start] and not track_ends[stop]:
             own = np.arange(max(start - reach, 0), min(stop + reach, len(seen)))
             own = own[part[own] == part[start]]
-            ways = _Ways.of(seen, own, view, fps)
-            row = ways.turn(start, stop, reach, view)
+            ways = _Ways.of(seen, own, scale, view, fps)
+            row = ways.turn(start, stop, reach)
             if row:
                 returns.append(ways.sharpened(row, reach))
     return returns
@@ -69,86 +67,129 @@ class Return:
 
 
 @dataclass(frozen=True, slots=True)
+class _Scale:
+    """How the picture lies over the floor at every row.
+
+    Attributes:
+        px_per_m: (n,) how large a metre looks. step_m: (n, 2, 2) where somebody goes on the floor
+            who moves a pixel to the right, and a pixel down; NaN where that is not on it.
+    """
+
+    px_per_m: Floats
+    step_m: Floats
+
+    @classmethod
+    def of(cls, place: Floats, view: View) -> _Scale:
+        middle, px_per_m = middles(place, view)
+        here = view.floor_from_pixel(middle, MIDDLE_M)
+        steps = [view.floor_from_pixel(middle + step, MIDDLE_M) - here for step in np.eye(2)]
+        return cls(px_per_m[:, 0], np.stack(steps, axis=1))
+
+    def outward(self, rows: Rows, touched: Floats) -> Floats:
+        """(k, 2, 2) unit vectors over an edge, as it looks and on the floor; 0 without an edge."""
+        floor = np.nan_to_num((self.step_m[rows] * touched[:, None]).sum(axis=1))
+        both = np.stack((np.broadcast_to(touched, floor.shape), floor), axis=1)
+        return np.asarray(both / np.maximum(np.hypot(both[..., :1], both[..., 1:]), 1e-9))
+
+
+@dataclass(frozen=True, slots=True)
 class _Ways:
     """A track's way along the edge.
 
     Attributes:
-        row: (k,) of `Seen`. time_s: (k,). low, high: (k, 2) px, the box's corners.
+        row: (k,) of `Seen`. time_s: (k,) from their middle.
         where: (k, 4) m, the box's middle as large as metres look there, and the place.
+        outward: (k, 2, 2) unit vectors out of the picture, as it looks and on the floor.
+        upto: (k + 1, 3, 4) sums over the rows before each: `where`, times time, squared.
+        time_upto: (k + 1, 3) the same of 1, time and its square.
     """
 
     row: Rows
     time_s: Floats
-    low: Floats
-    high: Floats
     where: Floats
+    outward: Floats
+    upto: Floats
+    time_upto: Floats
 
     @classmethod
-    def of(cls, seen: Seen, rows: Rows, view: View, fps: float) -> _Ways:
+    def of(cls, seen: Seen, rows: Rows, scale: _Scale, view: View, fps: float) -> _Ways:
         low, high = seen.box[rows, :2], seen.box[rows, :2] + seen.box[rows, 2:]
-        across_px = np.median(view.box_of_person(seen.place[rows], *_BODY_M)[:, 2])
-        middle_m = (low + high) / 2 * (_BODY_M[1] / across_px)
+        middle_m = (low + high) / (2.0 * np.median(scale.px_per_m[rows]))
         where = np.concatenate((middle_m, seen.place[rows]), axis=1)
-        return cls(rows, seen.frame[rows] / fps, low, high, where)
+        time_s = (seen.frame[rows] - seen.frame[rows].mean()) / fps
+        offset, time = where - where.mean(axis=0), time_s[:, None]
+        return cls(
+            rows,
+            time_s,
+            where,
+            scale.outward(rows, _touched(low.min(axis=0), high.max(axis=0), view)),
+            _upto(np.stack((offset, time * offset, offset**2), axis=1)),
+            _upto(np.concatenate((time**0, time, time**2), axis=1)),
+        )
 
-    def turn(self, start: int, stop: int, reach: int, view: View) -> int:
+    def turn(self, start: int, stop: int, reach: int) -> int:
         """The row from start to stop from which on somebody comes back; 0 where nobody does.
 
         Two straight lines explain most more than one there.
         """
-        best, most = 0, 0.0
-        for row in range(start, stop + 1):
-            low, at, high = np.searchsorted(self.row, (row - reach, row, row + reach)).tolist()
-            if min(at - low, high - at) < _LEAST_LINE:
-                continue
-            out, back = self._line(low, at), self._line(at, high)
-            gain = self._line(low, high)[1] - out[1] - back[1]
-            if gain > most and self._returns(low, at, high, out[0], back[0], view):
-                best, most = row, gain
-        return best
+        low, at, high = self._around(np.arange(start, stop + 1), reach)
+        enough = np.minimum(at - low, high - at) >= _LEAST_LINE
+        low, at, high = low[enough], at[enough], high[enough]
+        (out, one), (back, other) = self._lines(low, at), self._lines(at, high)
+        gain = self._lines(low, high)[1] - one - other
+        gain[~self._return(at, out, back)] = 0.0
+        return int(self.row[at[gain.argmax()]]) if gain.max(initial=0.0) > 0.0 else 0
 
     def sharpened(self, row: int, reach: int) -> Return:
         """The row close by that parts the same stretch best, and those that do nearly as well."""
-        low, at, high = np.searchsorted(self.row, (row - reach, row, row + reach)).tolist()
-        nearby = np.arange(
-            max(at - reach // 2, low + _LEAST_LINE), min(at + reach // 2, high - _LEAST_LINE) + 1
+        low, at, high = (int(n[0]) for n in self._around(np.array([row]), reach))
+        first, last = (
+            max(at - reach // 2, low + _LEAST_LINE),
+            min(at + reach // 2, high - _LEAST_LINE),
         )
-        misses = np.array([self._line(low, n)[1] + self._line(n, high)[1] for n in nearby.tolist()])
+        near = np.arange(first, last + 1)
+        misses = self._lines(np.full_like(near, low), near)[1]
+        misses += self._lines(near, np.full_like(near, high))[1]
         error_m = place_errors(self.where[at : at + 1, 2:])[0]
-        rows = self.row[nearby[misses <= 2.0 * misses.min() + (_SURE * error_m) ** 2]]
-        return Return(int(self.row[nearby[misses.argmin()]]), int(rows[0]), int(rows[-1]))
+        rows = self.row[near[misses <= 2.0 * misses.min() + (_SURE * error_m) ** 2]]
+        return Return(int(self.row[near[misses.argmin()]]), int(rows[0]), int(rows[-1]))
 
-    def _returns(self, low: int, at: int, high: int, out: Floats, back: Floats, view: View) -> bool:
-        """Whether ways (4,) m lead over the edge and back, as it looks and on the floor."""
-        touched = _outward(self.low[low:high].min(axis=0), self.high[low:high].max(axis=0), view)
-        place = self.where[at, 2:]
-        outward = _over_edge(place, touched, view)
-        out_m, back_m = ((way.reshape(2, 2) * outward).sum(axis=1) for way in (out, back))
-        least_m = np.array((_WAY_M, _ERRORS * place_errors(place[None])[0]))
-        return bool((out_m > least_m).all() and (back_m < -least_m).all())
+    def _around(self, rows: Rows, reach: int) -> tuple[Rows, Rows, Rows]:
+        """(k,) where the stretch around each row begins, where the row is, where it ends."""
+        low, at, high = np.searchsorted(self.row, (rows - reach, rows, rows + reach))
+        return low, at, high
 
-    def _line(self, start: int, stop: int) -> tuple[Floats, float]:
-        """The best straight way (4,) m through rows, and the sum of its squared misses."""
-        rows = slice(start, stop)
-        time_s = self.time_s[rows] - self.time_s[rows].mean()
-        offset = self.where[rows] - self.where[rows].mean(axis=0)
-        speed = time_s @ offset / max(float(time_s @ time_s), 1e-9)
-        misses = float(np.square(offset - time_s[:, None] * speed).sum())
-        return speed * np.ptp(time_s), misses
+    def _return(self, at: Rows, out: Floats, back: Floats) -> Flags:
+        """(k,) whether ways (k, 4) m lead over the edge and back, as it looks and on the floor."""
+        error_m = place_errors(self.where[at, 2:])
+        least_m = np.stack((np.full(len(at), _WAY_M), _ERRORS * error_m), axis=1)
+        out_m, back_m = (
+            (way.reshape(-1, 2, 2) * self.outward[at]).sum(axis=2) for way in (out, back)
+        )
+        return np.asarray(((out_m > least_m) & (back_m < -least_m)).all(axis=1))
+
+    def _lines(self, start: Rows, stop: Rows) -> tuple[Floats, Floats]:
+        """The best straight ways (k, 4) m through rows, and the sums (k,) of squared misses."""
+        count, time, time2 = (self.time_upto[stop] - self.time_upto[start]).T[:, :, None]
+        where, slanted, squared = np.moveaxis(self.upto[stop] - self.upto[start], 1, 0)
+        count = np.maximum(count, 1.0)
+        spread = np.maximum(time2 - time**2 / count, 1e-9)
+        speed = (slanted - time * where / count) / spread
+        misses = squared - where**2 / count - speed**2 * spread
+        elapsed_s = (
+            self.time_s[np.maximum(stop, 1) - 1] - self.time_s[np.minimum(start, len(self.row) - 1)]
+        )
+        return speed * elapsed_s[:, None], misses.sum(axis=1)
 
 
-def _outward(low: Floats, high: Floats, view: View) -> Floats:
+def _upto(values: Floats) -> Floats:
+    """Sums over all rows before each, one more than there are rows."""
+    return np.concatenate((np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)))
+
+
+def _touched(low: Floats, high: Floats, view: View) -> Floats:
     """(2,) right and down: 1 or -1 where a box reaches out over that edge or the opposite one."""
     size = np.array(view.camera.size, float)
     out = np.stack((-low, high - (size - 1.0)))
     side = np.where(out[1] > out[0], 1.0, -1.0)
     return np.where(out.max(axis=0) >= -EDGE_SHARE * size.max(), side, 0.0)
-
-
-def _over_edge(place: Floats, touched: Floats, view: View) -> Floats:
-    """(2, 2) unit vectors out of the picture, as it looks and on the floor; 0 without an edge."""
-    chest = np.append(place, MIDDLE_M)[None]
-    pixel = view.pixel_from_world(chest)
-    floor = view.floor_from_pixel(pixel + touched, MIDDLE_M)[0] - place
-    both = np.nan_to_num(np.stack((touched, floor)))
-    return np.asarray(both / np.maximum(np.hypot(*both.T), 1e-9)[:, None])
