@@ -27,6 +27,10 @@ second; "seen" leaves out people of whom less than a tenth is seen. A sum hides 
 doubles, so passages are told, too: over three lines across the passage a passage is hit where one
 over the same line, in the same direction and within a second is counted, each counted one
 standing for one that happened.
+
+How far away somebody is, feet seen in the foreground tell; most of what is missed all the same are
+people behind others at nearly the same bearing, whose tracklets are taken for those of whoever
+walks in front, and people whose tracklets move too unsteadily to be anybody's.
 """
 
 STRETCHES = """
