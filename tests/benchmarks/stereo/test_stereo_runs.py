@@ -1,0 +1,70 @@
+"""Trackers of one clip share what is seen, and their runs are kept."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.benchmarks.stereo import trackers
+from tests.benchmarks.stereo.circumstance import Circumstance
+from tests.benchmarks.stereo.columns import OURS
+from tests.benchmarks.stereo.lost import counted, line
+from tests.benchmarks.stereo.reasons import NotKept
+from tests.benchmarks.stereo.trackers import Variant, runs_over
+from tracking.pipeline import track
+from tracking.recording import open_recording
+from tracking.synthesis import Circumstances, render_recording
+
+FEWER = Variant("stereo-direction", (("particles", 50),))
+
+
+@pytest.fixture(scope="module")
+def clip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A second in which people are there from the start."""
+    folder = tmp_path_factory.mktemp("clips") / "lobby-1"
+    late = Circumstances(begin_s=8.0)
+    return render_recording(folder, "lobby", 1.0, 3, 6001, size=(320, 240), circumstances=late)
+
+
+def test_a_run_over_shared_perception_is_the_run_alone(clip: Path) -> None:
+    seen = runs_over(clip, [FEWER, OURS])
+    with open_recording(clip) as recording:
+        for variant in (FEWER, OURS):
+            with track(recording, variant.tracker, variant.chosen(), trackers.SEED) as alone:
+                for _ in alone:
+                    pass
+                tracks = alone.run().tracks
+            assert len(tracks["track"]) > 0
+            for name, column in tracks.items():
+                np.testing.assert_array_equal(seen[variant].tracks[name], column)
+
+
+def test_a_run_is_tracked_once_until_sources_change(
+    clip: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tracked: list[int] = []
+    fresh = trackers._tracked
+
+    def counting(*given: Any) -> Any:
+        tracked.append(1)
+        return fresh(*given)
+
+    monkeypatch.setattr(trackers, "_tracked", counting)
+    first, again = (runs_over(clip, [FEWER], tmp_path)[FEWER] for _ in range(2))
+    assert len(tracked) == 1
+    np.testing.assert_array_equal(first.tracks["x"], again.tracks["x"])
+    monkeypatch.setattr(trackers, "_sources", lambda: "edited")
+    runs_over(clip, [FEWER], tmp_path)
+    assert len(tracked) == 2
+
+
+def test_somebody_not_kept_is_told_on_one_line_and_counted() -> None:
+    around = Circumstance("behind somebody", 4, 0.02)
+    one = NotKept(7, "new id", 413, 396, 0, (6, 14), around)
+    assert line(one) == (
+        "person   7: new id, frames 396-413, track 6->14, behind somebody 4, 2 % seen"
+    )
+    assert counted([one, one]) == ["   2 new id, behind somebody"]
