@@ -16,12 +16,12 @@ _NAMED = {COLOUR: "colour", DIRECTION: "direction"}
 _HAPPENED = {
     reasons.SWAPPED: "exchanged tracks with somebody",
     reasons.TAKEN: "shared a track that went from one person to another",
-    reasons.INHERITED: "got the track of somebody who had gone",
+    reasons.INHERITED: "got the track of somebody gone or lost",
     reasons.FALSE: "counted for a moment under a track that stood on somebody else",
     reasons.DOUBLED: "changed to a second track",
     reasons.RENAMED: "came back under a new id",
-    reasons.LOST: "were followed for less than half of the time",
-    reasons.NEVER: "were not detected",
+    reasons.LOST: "followed for less than half of the time",
+    reasons.NEVER: "never detected",
 }
 
 
@@ -44,20 +44,27 @@ def _why(before: Figures, after: Figures) -> str:
     spoilt = set(before["kept"]) - set(after["kept"])
     rest = [row for row in after["not_kept"] if row["name"] not in spoilt]
     if not gained and not spoilt:
-        return f"it changed nothing; {_of_the_rest(rest)}"
+        return f"it changed nothing. {_of_the_rest(rest)}"
     worse = [row for row in after["not_kept"] if row["name"] in spoilt]
-    found = f"it kept {len(gained)} who were not kept without it and lost {len(spoilt)}"
+    found = (
+        f"it kept {len(gained)} of those not kept without it, and lost {len(spoilt)} of the kept"
+    )
     told = f" ({happened(worse)})" if worse else ""
-    return f"{found}{told}; {_of_the_rest(rest)}"
+    return f"{found}{told}. {_of_the_rest(rest)}"
 
 
 def _of_the_rest(rows: Sequence[Figures]) -> str:
     if not rows:
-        return "nobody is left whom it could keep."
-    return f"kept neither way: {happened(rows)}."
+        return "Nobody is left whom it could keep."
+    return f"Kept neither way: {happened(rows)}."
 
 
 def happened(rows: Sequence[Figures]) -> str:
-    """What went wrong first for some people, the most frequent first."""
-    often = Counter((row["what"], row["where"]) for row in rows)
-    return ", ".join(f"{n} {_HAPPENED[what]} {where}" for (what, where), n in often.most_common())
+    """What went wrong first for some people and where, the most frequent first."""
+    often = Counter(row["what"] for row in rows)
+    told = []
+    for what, number in often.most_common():
+        places = Counter(row["where"] for row in rows if row["what"] == what)
+        where = ", ".join(f"{n} {place}" for place, n in places.most_common())
+        told.append(f"{number} {_HAPPENED[what]}: {where}")
+    return "; ".join(told)
