@@ -11,6 +11,7 @@ from tracking.people.body_boxes import BodyBoxes, axis_positions
 from tracking.people.boxes import hidden_sides, region_boxes
 from tracking.people.colours import clothes_colours, colour_histograms
 from tracking.people.detections import Detections
+from tracking.people.heads_above import told_by_heads
 from tracking.people.plan_view import SurfacePoints, find_people, surface_points
 from tracking.people.regions import Extent, assign_points, measure, paint
 from tracking.people.settings import PeopleSettings
@@ -76,6 +77,9 @@ class PeopleFinder:
         high = points.world[:, 2] > settings.lowest_m
         places = find_people(points.chosen(high), self._eye, settings)
         owner = assign_points(places, points, self._eye, settings)
+        told = told_by_heads(places, owner, points, self._eye, settings)
+        if len(told) > len(places):
+            places, owner = told, assign_points(told, points, self._eye, settings)
         # What lies on the floor and looks like shadow is nobody's foot.
         owner[~high & (certain.ravel()[points.pixel] == 0)] = -1
         extent = measure(len(places), owner, points, self._eye, certain.shape[1])
