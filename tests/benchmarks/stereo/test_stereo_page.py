@@ -57,7 +57,7 @@ def test_a_cue_that_helps_gets_no_sentence_and_one_that_does_not_says_why() -> N
     columns = (_column(9, [_lost("lobby-1/9")]), _column(8, swapped), _column(10))
     figures = {"lobby": dict(zip(COLUMNS, (*columns, _column(10)), strict=True))}
     (said,) = sentences(figures)
-    assert "colour: it kept 0 of those not kept without it, and lost 1 of the kept (1 ex" in said
+    assert "colour: it kept 0 of those not kept without it, lost 1 of the kept (1 exchanged" in said
     assert said.endswith("Kept neither way: 1 came back under a new id: 1 behind somebody.")
 
 
