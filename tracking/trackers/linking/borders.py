@@ -13,6 +13,8 @@ _AHEAD_S = 0.5
 """Who walks out of the picture within this time may have left."""
 _INSIDE, _OUTSIDE = 0.95, 0.6
 """Share of a body in the picture: from the one on nobody, from the other on everybody may leave."""
+_WHOLE = 0.97
+"""Of whom more should be seen, only the head may be cut off."""
 _INWARDS = 0.05
 """Who will be seen by so much more soon walks into the picture, not out of it."""
 _BIRTHS_EDGE, _BIRTHS_WITHIN = 0.05, 0.0005
@@ -53,7 +55,7 @@ def _leaving(state: State, at_edge: Flags, ahead_s: float, view: View) -> Floats
     now = share_inside(state.place, view)
     soon = share_inside(state.place + ahead_s * state.velocity, view)
     edge = np.clip((_INSIDE - np.minimum(now, soon)) / (_INSIDE - _OUTSIDE), 0.0, 1.0)
-    return np.asarray(np.where(at_edge & (soon < now + _INWARDS), 1.0, edge))
+    return np.asarray(np.where(at_edge & (soon < now + _INWARDS) & (now < _WHOLE), 1.0, edge))
 
 
 def _between(edge: Floats, within: float, outside: float) -> Floats:

@@ -8,10 +8,12 @@ from numpy.typing import NDArray
 from tracking.geometry import View
 from tracking.trackers.linking.borders import birth_costs, death_costs
 from tracking.trackers.linking.doubts import Doubt
+from tracking.trackers.linking.hiding import hidden_shares
 from tracking.trackers.linking.links import Links
 from tracking.trackers.linking.motion import fresh_likelihood, walk_likelihood
-from tracking.trackers.linking.seen import Floats, Seen
+from tracking.trackers.linking.seen import Floats, Integers, Seen
 from tracking.trackers.linking.tracklets import Tracklets
+from tracking.tracks.columns import Columns
 
 Rows = NDArray[np.intp]
 
@@ -21,6 +23,8 @@ _MISSED, _MISSED_S = 0.1, 0.1
 """Share of gaps that are no short failure to detect, and how long those are."""
 _LOST_S = 1.5
 """How long others are, while nothing is known that hides the person."""
+_HIDING, _HIDDEN_S = 0.8, 5.0
+"""How much likelier a long gap is behind others, and how long those are."""
 _TRACKER, _TRACKER_GAP = 3.0, 1.5
 """Log-odds of what the tracker said, which knew more of looks; after a gap it was less sure."""
 _GAP_S = 0.25
@@ -33,6 +37,7 @@ _BACK_AT_ONCE = 1.0
 def links_between(
     seen: Seen,
     pieces: Tracklets,
+    tracks: Columns,
     view: View,
     fps: float,
     frames: tuple[int, int],
@@ -44,19 +49,23 @@ def links_between(
     and another who comes.
 
     Args:
-        frames: half-open range of the run. fixed: (t,) tracklets that begin as somebody known.
+        tracks: of the run. frames: half-open range of the run.
+        fixed: (t,) tracklets that begin as somebody known.
     """
     end, start = _pairs(pieces, round(_LONGEST_S * fps))
     free = ~fixed[start]
     end, start = end[free], start[free]
     gap_s = (pieces.first.frame[start] - pieces.last.frame[end]) / fps
     together = walk_likelihood(pieces.last, pieces.first, end, start, gap_s)
-    together += _found_again(gap_s, fps)
     same = (pieces.track[end] == pieces.track[start]) & (start > end)
     together += same * np.where(gap_s > _GAP_S, _TRACKER_GAP, _TRACKER)
     apart = fresh_likelihood(pieces.first) - birth_costs(seen, pieces, view, fps, frames[0])
     gone = -death_costs(seen, pieces, view, fps, frames[1])
     cost = apart[start] + gone[end] - together
+    hidden = np.zeros(len(end))
+    lost = np.flatnonzero((gap_s > _GAP_S) & (cost < _HOPELESS))
+    hidden[lost] = hidden_shares(tracks, *_ways(pieces, end[lost], start[lost]), view)
+    cost -= _found_again(gap_s, hidden, fps)
     edges = np.cumsum(pieces.doubt == Doubt.EDGE)
     cost[same & (edges[start] > edges[end])] = _BACK_AT_ONCE
     return Links(end, start, cost).only(cost < _HOPELESS)
@@ -74,9 +83,27 @@ def _pairs(pieces: Tracklets, longest: int) -> tuple[Rows, Rows]:
     return end, order[low[end] + nth]
 
 
-def _found_again(gap_s: Floats, fps: float) -> Floats:
-    """(k,) log-density, in 1/s, of being seen again after these gaps."""
+def _ways(
+    pieces: Tracklets, end: Rows, start: Rows
+) -> tuple[tuple[Floats, Floats], tuple[Integers, Integers], tuple[Integers, Integers]]:
+    """From where to where people would have gone unseen; see `hidden_shares`."""
+    last, first = pieces.last, pieces.first
+    return (
+        (last.place[end], first.place[start]),
+        (last.frame[end], first.frame[start]),
+        (pieces.track[end], pieces.track[start]),
+    )
+
+
+def _found_again(gap_s: Floats, hidden: Floats, fps: float) -> Floats:
+    """(k,) log-density, in 1/s, of being seen again after these gaps.
+
+    Args:
+        hidden: (k,) share of each in which others stood in front.
+    """
     unseen_s = np.maximum(gap_s - 1.0 / fps, 0.0)
-    short = np.log((1.0 - _MISSED) / _MISSED_S) - unseen_s / _MISSED_S
-    long = np.log(_MISSED / _LOST_S) - unseen_s / _LOST_S
+    missed = _MISSED + _HIDING * hidden
+    rate = hidden / _HIDDEN_S + (1.0 - hidden) / _LOST_S
+    short = np.log((1.0 - missed) / _MISSED_S) - unseen_s / _MISSED_S
+    long = np.log(missed * rate) - unseen_s * rate
     return np.asarray(np.logaddexp(short, long))

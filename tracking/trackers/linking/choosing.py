@@ -17,7 +17,7 @@ from tracking.trackers.linking.tracklets import Tracklets
 Rows = NDArray[np.intp]
 
 _ROUNDS = 8
-_LEAST_ROWS = 4
+LEAST_ROWS = 4
 """Of a tracklet that is linked before the others."""
 
 
@@ -27,7 +27,7 @@ def chosen(links: Links, pieces: Tracklets, looks: Looks) -> Rows:
     Tracklets of few rows tell neither where somebody goes nor how they look: they are put where
     they fit after all others are linked.
     """
-    long = np.asarray(pieces.stop - pieces.start >= _LEAST_ROWS)
+    long = np.asarray(pieces.stop - pieces.start >= LEAST_ROWS)
     following = _between_long(links, pieces, looks, long)
     return with_short(following, links, pieces, np.flatnonzero(~long))
 

@@ -7,12 +7,10 @@ from numpy.typing import NDArray
 
 from tracking.trackers.linking.edges import Return
 from tracking.trackers.linking.encounters import NEAR_M, Encounters
-from tracking.trackers.linking.seen import Flags, Seen
+from tracking.trackers.linking.seen import Flags, Seen, begins, found_again
 
 _GAP_S = 0.25
 """Somebody unseen for so long may be somebody else when seen again."""
-_FASTEST_M_S, _ERROR_M = 4.0, 0.6
-"""A step longer than this, beyond the error of two places, is nobody's."""
 _APART_S = 0.5
 """Two meetings of the same two people less than this apart are one."""
 _LEAST_PIECE_S = 0.25
@@ -37,7 +35,8 @@ def doubts(
     Args:
         returns: over the picture's edge.
     """
-    first, found = begins(seen, fps)
+    first = begins(seen)
+    found = found_again(seen, _GAP_S, fps) & ~first
     doubt = np.where(first, Doubt.TRACK, np.where(found, Doubt.LOST, Doubt.NONE)).astype(np.uint8)
     doubt[[one.row for one in returns]] = Doubt.EDGE
     least = round(_LEAST_PIECE_S * fps)
@@ -45,20 +44,6 @@ def doubts(
         if not doubt[max(row - least, 0) : row + least].any():
             doubt[row] = Doubt.MET
     return doubt
-
-
-def begins(seen: Seen, fps: float) -> tuple[Flags, Flags]:
-    """(n,) rows where tracks begin, and rows where they go on after a gap."""
-    first = np.append(True, np.diff(seen.track) != 0)[: len(seen)]
-    return first, _lost_before(seen, fps) & ~first
-
-
-def _lost_before(seen: Seen, fps: float) -> Flags:
-    """(n,) rows after a gap or a step too long."""
-    elapsed_s = np.diff(seen.frame, prepend=seen.frame[:1]) / fps
-    step_m = np.hypot(*np.diff(seen.place, axis=0, prepend=seen.place[:1]).T)
-    error_m = _ERROR_M + 0.002 * np.square(seen.place).sum(axis=1)
-    return np.asarray((elapsed_s > _GAP_S) | (step_m > _FASTEST_M_S * elapsed_s + error_m))
 
 
 def _met(seen: Seen, meetings: Encounters, ends: Flags, fps: float) -> list[int]:

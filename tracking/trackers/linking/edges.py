@@ -9,7 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.seen import EDGE_SHARE, Flags, Floats, Seen, place_errors
+from tracking.trackers.linking.seen import (
+    EDGE_SHARE,
+    Flags,
+    Floats,
+    Seen,
+    begins,
+    found_again,
+    place_errors,
+)
 from tracking.trackers.stereo_boxes import MIDDLE_M, middles
 
 Rows = NDArray[np.intp]
@@ -26,16 +34,14 @@ _ERRORS = 1.5
 """The same on the floor, in errors of a measured place."""
 
 
-def returned_over_edge(seen: Seen, first: Flags, view: View, fps: float) -> list[Return]:
+def returned_over_edge(seen: Seen, view: View, fps: float) -> list[Return]:
     """Where tracks that went out over the picture's edge come back over it.
 
     At most once in each stretch along the edge that has others before and after it: where the way
     turns most, if it does from outwards to inwards.
-
-    Args:
-        first: (n,) where tracks begin, or go on after a gap.
     """
     returns = []
+    first = begins(seen) | found_again(seen, _TURN_S, fps)
     part, scale = np.cumsum(first), _Scale.of(seen.place, view)
     track_ends = np.append(first, True)
     changes = np.diff(seen.at_edge.astype(np.int8), prepend=0, append=0) != 0

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.linking.candidates import links_between
-from tracking.trackers.linking.choosing import chains, chosen
-from tracking.trackers.linking.doubts import Doubt, begins, doubts
+from tracking.trackers.linking.choosing import LEAST_ROWS, chains, chosen
+from tracking.trackers.linking.doubts import Doubt, doubts
 from tracking.trackers.linking.edges import returned_over_edge
 from tracking.trackers.linking.looks import looks_of
 from tracking.trackers.linking.renaming import renamed
@@ -55,17 +55,19 @@ def _names_of_rows(
     own = seen.row >= before
     if not own.any():
         return np.zeros(0, np.intp), np.zeros(0, np.int64)
-    first, found = begins(seen, fps)
-    returns = returned_over_edge(seen, first | found, view, fps)
+    returns = returned_over_edge(seen, view, fps)
     doubt = doubts(seen, meetings, returns, fps)
     doubt[~own & (doubt != Doubt.TRACK)] = Doubt.NONE
     pieces = tracklets(seen, doubt, fps)
     known = max(run.known_tracks, int(seen.track[~own].max(initial=0)))
     fixed = (pieces.doubt == Doubt.TRACK) & (pieces.track <= known)
-    links = links_between(seen, pieces, view, fps, run.frames, fixed)
+    links = links_between(seen, pieces, run.tracks, view, fps, run.frames, fixed)
     person = chains(chosen(links, pieces, looks_of(seen, pieces, fps)))
     highest = max(known, int(run.tracks["track"].max()))
     name = _names(pieces, person, highest)[pieces.of_rows]
+    rows = np.bincount(person[pieces.of_rows], minlength=int(person.max()) + 1)
+    rows[person[fixed]] = LEAST_ROWS
+    name[(rows < LEAST_ROWS)[person[pieces.of_rows]]] = 0
     for one in returns:
         if name[one.row - 1] != name[one.row]:
             name[one.start : one.stop] = 0

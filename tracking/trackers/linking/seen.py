@@ -22,6 +22,8 @@ EDGE_SHARE = 0.006
 """Of the picture's size: boxes that come so close to its edge are cut off by it."""
 _NEAR_M, _FAR_M = 0.08, 0.001
 """How much a measured place errs: close by, and times the square of the range."""
+_FASTEST_M_S, _STEP_ERRORS = 4.0, 5.0
+"""A step longer than this, beyond so many errors of a place, is nobody's."""
 _WELL_SEEN = 0.5
 _NEAR_ROWS = 3
 
@@ -68,6 +70,19 @@ def seen_of(run: Run, view: View) -> tuple[Seen, Encounters]:
     looks[~alone | _near(edge)] = np.nan
     frame, track = tracks["frame"][row].astype(np.int64), tracks["track"][row].astype(np.int64)
     return Seen(frame, track, row, place[row], box[row], looks, edge, alone), meetings
+
+
+def begins(seen: Seen) -> Flags:
+    """(n,) rows where tracks begin."""
+    return np.append(True, np.diff(seen.track) != 0)[: len(seen)]
+
+
+def found_again(seen: Seen, gap_s: float, fps: float) -> Flags:
+    """(n,) rows after a gap, or a step too long."""
+    elapsed_s = np.diff(seen.frame, prepend=seen.frame[:1]) / fps
+    step_m = np.hypot(*np.diff(seen.place, axis=0, prepend=seen.place[:1]).T)
+    error_m = _STEP_ERRORS * place_errors(seen.place)
+    return np.asarray((elapsed_s > gap_s) | (step_m > _FASTEST_M_S * elapsed_s + error_m))
 
 
 def keys(frame: NDArray[np.integer], track: NDArray[np.integer]) -> Integers:

@@ -15,13 +15,17 @@ def with_short(following: Rows, links: Links, pieces: Tracklets, short: Rows) ->
     """(t,) who follows whom, with the short tracklets in: (k,) those not linked yet.
 
     Each goes, in the order of frames, to the person and the place in it where it costs least, if
-    that is less than nothing.
+    that is clearly less than elsewhere and than nothing.
     """
     order = short[np.argsort(pieces.first.frame[short], kind="stable")]
     people = _People(following, links, order.tolist())
     for piece in order.tolist():
         people.put(piece)
     return people.following
+
+
+_MARGIN = 2.0
+"""Log-odds: who is doubtful in a few rows is nobody there."""
 
 
 class _People:
@@ -53,8 +57,10 @@ class _People:
     def put(self, piece: int) -> None:
         """Put in a tracklet where it costs least, if anywhere."""
         self._loose.discard(piece)
-        cost, end, start = min(self._places(piece), default=(0.0, -1, -1))
-        if cost >= 0.0:
+        places = sorted(self._places(piece))
+        nowhere = (0.0, -1, -1)
+        (cost, end, start), (next_best, _, _) = [*places, nowhere, nowhere][:2]
+        if cost > min(next_best, 0.0) - _MARGIN:
             return
         for one, other in ((end, piece), (piece, start)):
             if one >= 0 and other >= 0:
