@@ -7,6 +7,7 @@ import pytest
 
 from tracking.geometry import Camera, Ground, View
 from tracking.people.boxes import (
+    behind_things,
     full_body_boxes,
     hidden_sides,
     region_boxes,
@@ -84,3 +85,13 @@ def test_the_pictures_edge_hides_a_side() -> None:
     sides, truncated = hidden_sides(labels, region_boxes(labels, 1), np.array([[0, 5]], np.float32))
     np.testing.assert_array_equal(sides, [[False, True, True, False]])
     assert truncated.all()
+
+
+def test_a_region_that_ends_at_a_nearer_thing_goes_on_behind_it_and_before_a_wall_does_not() -> (
+    None
+):
+    scene = np.full((60, 80), 4.0, np.float32)
+    scene[:, 40:50] = 12.0
+    before_the_wall, beside_the_pillar = (10, 10, 8, 30), (32, 10, 8, 30)
+    sides = behind_things([before_the_wall, beside_the_pillar], scene, np.array([8.0, 8.0]))
+    np.testing.assert_array_equal(sides, [[False] * 4, [False, False, True, False]])

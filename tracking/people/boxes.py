@@ -14,6 +14,8 @@ GridBox = tuple[int, int, int, int]
 
 _COVERED = 0.3
 """Share of a side along which somebody nearer must stand to hide what is behind."""
+_BESIDE_PLACES = 4
+"""How far beside a region things that hide the rest of it are looked for: edges range badly."""
 _EDGE_PLACES = 1
 _FEWEST_PLACES = 2
 _RINGS = ((0.0, 0.5), (0.45, 0.9), (0.8, 1.0), (1.0, 0.3))
@@ -87,6 +89,32 @@ def hidden_sides(
         hidden[k] = np.logical_or(at_edge, covered)
         truncated[k] = any(at_edge)
     return hidden, truncated
+
+
+def behind_things(
+    boxes: list[GridBox], scene: NDArray[np.float32], limit: NDArray[np.float64]
+) -> NDArray[np.bool_]:
+    """Where regions end at something fixed that stands before them, such as a pillar.
+
+    Args:
+        boxes: of the regions.
+        scene: (rows, columns) disparity of the empty scene, NaN where unknown.
+        limit: (k,) the disparity from which on things are nearer than the people.
+
+    Returns:
+        (k, 4) bool for the left, top, right and bottom side; top and bottom are not looked at.
+    """
+    hidden = np.zeros((len(boxes), 4), np.bool_)
+    for k, (left, top, width, height) in enumerate(boxes):
+        right, rows = left + width, slice(top, top + height)
+        beside = (
+            scene[rows, max(left - _BESIDE_PLACES, 0) : left],
+            scene[rows, right : right + _BESIDE_PLACES],
+        )
+        for side, strip in zip((0, 2), beside, strict=True):
+            nearer = np.count_nonzero((strip > limit[k]).any(axis=1))
+            hidden[k, side] = nearer > _COVERED * height
+    return hidden
 
 
 def recorded_boxes(boxes: Boxes, rectification: Rectification) -> Boxes:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import Ground, Rectification
 from tracking.people.body_boxes import BodyBoxes, axis_positions
-from tracking.people.boxes import hidden_sides, region_boxes
+from tracking.people.boxes import behind_things, hidden_sides, region_boxes
 from tracking.people.colours import clothes_colours, colour_histograms
 from tracking.people.detections import Detections
 from tracking.people.heads_above import told_by_heads
@@ -18,6 +18,8 @@ from tracking.people.settings import PeopleSettings
 from tracking.stereo import STEP, SightLines
 
 _CERTAIN = 255
+_BEFORE_M = 0.5
+"""What is nearer than people by this may hide them."""
 _CUT_ROWS = 6
 """What is ranged up to so many rows of the grid below the picture's upper edge goes on above it."""
 _LEAST_BELOW_EDGE_M = 0.5
@@ -32,6 +34,9 @@ class PeopleFinder:
         ground: where the floor is.
         lines: sight lines of the rectified left eye at the working scale.
         settings: of people.
+
+    Attributes:
+        scene: (rows, columns) disparity of the empty scene on the grid; None before it is known.
     """
 
     def __init__(
@@ -41,7 +46,9 @@ class PeopleFinder:
         lines: SightLines,
         settings: PeopleSettings,
     ) -> None:
+        self.scene: NDArray[np.float32] | None = None
         self._size = rectification.size
+        self._rectification = rectification
         self._boxes = BodyBoxes(rectification, ground, lines.shrink, settings)
         self._lines = lines
         self._rays = np.ascontiguousarray(lines.rays[::STEP, ::STEP])
@@ -109,6 +116,8 @@ class PeopleFinder:
         settings = self._settings
         boxes = region_boxes(labels, len(places))
         hidden, truncated = hidden_sides(labels, boxes, extent.middle[:, :2] - self._eye)
+        if self.scene is not None:
+            hidden |= behind_things(boxes, self.scene, self._nearer_than(extent))
         position = axis_positions(places, extent, hidden, self._lines, settings)
         colours = _on_the_grid(picture)
         hsv = np.asarray(cv2.cvtColor(colours, cv2.COLOR_BGR2HSV), np.uint8)
@@ -126,6 +135,16 @@ class PeopleFinder:
             regions=self._full_size(labels),
             clothes=clothes_colours(colours, labels, boxes),
         )
+
+    def _nearer_than(self, extent: Extent) -> NDArray[np.float64]:
+        """(k,) the working disparity of what stands clearly before each region."""
+        lines = self._lines
+        seen = (
+            self._rectification.disparity_from_world(extent.middle.astype(np.float64))
+            / lines.shrink
+        )
+        depth = lines.focal_baseline / np.maximum(seen - lines.offset, 1e-6)
+        return lines.focal_baseline / np.maximum(depth - _BEFORE_M, 0.1) + lines.offset
 
     def _merged(self, extent: Extent) -> NDArray[np.bool_]:
         """[Kawashita2014] section 3.4: larger than one person by the set ratio."""

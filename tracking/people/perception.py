@@ -185,6 +185,7 @@ class StereoPerception:
 
     def _learn_scene(self) -> None:
         self._stereo.learn_scene(*(_grey(eye.background) for eye in self._eyes))
+        self._finder.scene = self._stereo.scene
 
     def _protected(self, people: Detections, shape: tuple[int, ...]) -> tuple[Mask, Mask]:
         """Masks of both eyes that cover the people generously."""

@@ -57,6 +57,11 @@ class SubtractionStereo:
         self._matcher.setDisp12MaxDiff(1)
         self._matcher.setPreFilterCap(31)
 
+    @property
+    def scene(self) -> Disparity:
+        """(rows, columns) px of the empty scene on the pixels [::STEP, ::STEP]; NaN: unknown."""
+        return self._scene
+
     def learn_scene(self, left: Grey, right: Grey) -> None:
         """Range the empty scene, so that light that changes on it is not taken for people.
 
