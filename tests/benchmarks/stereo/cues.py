@@ -46,9 +46,7 @@ def _why(before: Figures, after: Figures) -> str:
     if not gained and not spoilt:
         return f"it changed nothing. {_of_the_rest(rest)}"
     worse = [row for row in after["not_kept"] if row["name"] in spoilt]
-    found = (
-        f"it kept {len(gained)} of those not kept without it, and lost {len(spoilt)} of the kept"
-    )
+    found = f"it kept {len(gained)} of those not kept without it, lost {len(spoilt)} of the kept"
     told = f" ({happened(worse)})" if worse else ""
     return f"{found}{told}. {_of_the_rest(rest)}"
 

@@ -16,6 +16,7 @@ from tests.benchmarks.tracker_peers import compared, compared_on
 from tests.benchmarks.tracker_peers.rendered import rendered_clip
 from tests.benchmarks.tracker_peers.rows import RADIUS_M
 
+SHOWN = (OURS.tracker, "stereo-direction")
 SCENES_SHOWN = ("lobby", "plaza", "square")
 
 
@@ -26,8 +27,8 @@ def measure(
     clips = [of_scene[scene][0] for scene in SCENES_SHOWN]
     seen = [rendered_clip(folder(clip, kept)) for clip in clips]
     return {
-        "crossing": [asdict(row) for row in compared(seeds)],
-        "rendered": [asdict(row) for row in compared_on(seen, "rendered", (OURS.tracker,))],
+        "crossing": [asdict(row) for row in compared(seeds, SHOWN)],
+        "rendered": [asdict(row) for row in compared_on(seen, "rendered", SHOWN)],
         "clips": [clip.name for clip in clips],
     }
 
@@ -56,7 +57,7 @@ def _named(row: Figures) -> str:
 def _cells(row: Figures) -> list[str]:
     told = row["figures"]
     if told is None:
-        return ["not installed", *[""] * 5]
+        return [row["absent"], *[""] * 5]
     return [
         str(told["id_switches"]),
         f"{told['idf1']:.3f}",

@@ -124,7 +124,7 @@ def test_missing_footage_is_said() -> None:
 def _peer(tracker: str, switches: int | None, *, ours: bool = False, colour: bool = False) -> Any:
     told = {"id_switches": switches, "people": 15, "kept": 9, "idf1": 0.9, "hota": 0.8}
     told |= {"floor_error_m": 0.05, "ms": 1.0}
-    row = {"tracker": tracker, "ours": ours, "colour": colour, "finished": ours}
+    row = {"tracker": tracker, "ours": ours, "colour": colour, "finished": ours, "absent": ""}
     return {**row, "figures": None if switches is None else told}
 
 
@@ -135,6 +135,15 @@ def test_switches_are_held_against_the_best_of_the_others_that_are_there() -> No
     assert "no more: stereo-joint 8 finished (met)" in said
     assert "at most half: stereo-joint 5 finished (missed)" in said
     assert "None of the others" in peers.goals([*own, _peer("norfair", None)])
+
+
+def test_a_tracker_of_others_that_could_not_be_measured_says_why() -> None:
+    absent = {**_peer("norfair", None), "absent": "norfair is not installed"}
+    own = [_peer("stereo-joint", 8, ours=True), _peer("stereo-joint", 5, ours=True, colour=True)]
+    figures = {kind: [*own, absent] for kind in ("crossing", "rendered")}
+    page = report.writers()["peers"]({**figures, "clips": ["lobby-1"]})
+    assert "| norfair | norfair is not installed |" in page
+    assert "| stereo-joint, with colours, finished | 5 | 0.900 |" in page
 
 
 def test_a_troubled_right_eye_shows_other_pictures_and_the_left_its_own(tmp_path: Path) -> None:
