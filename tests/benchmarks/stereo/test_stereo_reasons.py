@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterable
 
 import numpy as np
 import pytest
 
 from tests.benchmarks.stereo import circumstance, reasons
+from tests.benchmarks.stereo.measuring import told
 from tests.benchmarks.stereo.reasons import NotKept, not_kept
 from tests.benchmarks.stereo.truth import Truth, visible_for
 from tracking.tracks import Columns
@@ -75,7 +77,9 @@ def _turns(first: int, second: int, at: int, gap: int = 0) -> Callable[[int], in
 
 
 def _told(found: tuple[NotKept, ...]) -> dict[int, str]:
-    return {one.person: one.what for one in found}
+    """What went wrong by person, as the page's JSON has it."""
+    kept = json.loads(json.dumps([told(one, "clip") for one in found]))
+    return {one["person"]: one["what"] for one in kept}
 
 
 TWO = _walks({1: _stands(-1.0), 2: _stands(1.0)})
