@@ -118,14 +118,22 @@ def guests_kept(
 
 
 def unseen(
-    people: Population, elapsed_s: float, view: View, settings: StereoFilterSettings
+    people: Population,
+    elapsed_s: float,
+    view: View,
+    settings: StereoFilterSettings,
+    sought: NDArray[np.bool_] | None = None,
 ) -> Population:
     """Those not seen, weighed by where they would not be: behind the people who were seen.
 
     Where we differ from the sources: there prediction alone carries people who are not detected.
     That somebody is not seen tells where he is not.
+
+    Args:
+        sought: (people,) who may be behind others; None: everybody who is not seen.
     """
-    lost = np.flatnonzero(people.missed_s > 0.0)
+    missed = people.missed_s > 0.0
+    lost = np.flatnonzero(missed if sought is None else missed & sought)
     present = people.position[people.missed_s == 0.0]
     if len(lost) == 0 or len(present) == 0:
         return people

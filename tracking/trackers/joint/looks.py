@@ -23,6 +23,8 @@ _WORTH = 100.0
 """Comparisons those are worth."""
 _MEMORY = 4000.0
 """Comparisons that are remembered."""
+_KNOWN = 3.0
+"""Matches after which half of what looks tell is taken for true."""
 _LEAST = 0.02
 """Share of looks that say nothing, as of people partly covered."""
 
@@ -64,6 +66,11 @@ def differences(people: Population, colours: Colours, looks: NDArray[np.float32]
     found[..., 3] = np.sqrt(np.square(offset[..., :6]).mean(axis=2))
     found[..., 4] = np.abs(offset[..., 6])
     return np.maximum(found, 0.0)
+
+
+def trust(people: Population) -> Floats:
+    """(people,) 0 to 1, how far looks count: not much of who is hardly known."""
+    return np.asarray(people.matches / (people.matches + _KNOWN))
 
 
 @dataclass(frozen=True, slots=True)

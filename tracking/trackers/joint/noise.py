@@ -19,7 +19,7 @@ _MEMORY = 4000.0
 """Matches that are remembered."""
 _MOST = 9.0
 """Squared errors beyond this multiple of what was expected are accidents, and count as much."""
-_LEAST_SHARE, _MOST_SHARE = 0.1, 4.0
+_LEAST_SHARE, _MOST_SHARE = 0.3, 4.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,8 +12,8 @@ from tracking.trackers.stereo_settings import StereoFilterSettings
 class JointSettings(StereoFilterSettings):
     """Settings of `stereo-joint`."""
 
-    confirm_matches: int = setting(
-        5, "", (1, 100), "frames a newcomer must be seen in before it becomes a track"
+    confirm_s: float = setting(
+        0.25, "s", (0.0, 10.0), "how long a newcomer must be seen at least, before it is a track"
     )
     lost_after_s: float = setting(
         0.5, "s", (0.05, 60.0), "time without a detection after which somebody is only remembered"
@@ -22,7 +22,7 @@ class JointSettings(StereoFilterSettings):
         0.1, "", (0.0, 5.0), "a detection that suits two people nearly alike is nobody's"
     )
     agility: float = setting(
-        0.5, "m²/s³", (0.001, 100.0), "how much people change their velocity, as white noise"
+        1.0, "m²/s³", (0.001, 100.0), "how much people change their velocity, as white noise"
     )
     new_at_edge: float = setting(
         1.0, "1/m²/s", (1e-6, 100.0), "people who appear at the picture's edge"

@@ -15,11 +15,22 @@ Floats = NDArray[np.float64]
 
 _PATIENCE_S = 0.15
 """How long a newcomer may go unseen before it is taken for noise."""
-_SEEN_SHARE = 1.0
-"""Nobody is remembered for longer than this share of the time they were seen."""
+_TOLD_SHARE, _REMEMBERED_SHARE = 1.0, 3.0
+"""Nobody is told of, or remembered, for longer than so many times as they were seen."""
+_IN_VIEW, _BY_CHANCE_S = 0.5, 0.4
+"""Who shows so much of themselves is missed by chance, and for no longer."""
 _AT_THE_EDGE = 0.75
 _OUT_OF_VIEW = 0.35
 """Share of a body inside the picture below which somebody not seen has left it."""
+
+
+def hiding(people: Population, shown: Floats) -> Flags:
+    """(people,) who may be behind others if not seen: not who is in view and missed by chance.
+
+    Args:
+        shown: (people,) share of each body expected to be in sight.
+    """
+    return np.asarray((shown < _IN_VIEW) | (people.missed_s > _BY_CHANCE_S))
 
 
 def told(people: Population, shown: Floats, settings: JointSettings, elapsed_s: float) -> Flags:
@@ -32,7 +43,7 @@ def told(people: Population, shown: Floats, settings: JointSettings, elapsed_s: 
     """
     hidden = shown < settings.hidden_below
     patience_s = np.where(hidden, settings.lost_hidden_s, settings.lost_after_s)
-    patience_s = np.minimum(patience_s, _SEEN_SHARE * people.matches * elapsed_s)
+    patience_s = np.minimum(patience_s, _TOLD_SHARE * people.matches * elapsed_s)
     return np.asarray(people.confirmed & (people.missed_s <= patience_s))
 
 
@@ -44,7 +55,7 @@ def staying(people: Population, settings: JointSettings, view: View, elapsed_s: 
     """
     inside = share_in_view(people, view)
     patience_s = np.where(inside < _AT_THE_EDGE, settings.lost_at_edge_s, settings.remember_s)
-    patience_s = np.minimum(patience_s, _SEEN_SHARE * people.matches * elapsed_s)
+    patience_s = np.minimum(patience_s, _REMEMBERED_SHARE * people.matches * elapsed_s)
     patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)
     patience_s = np.where(inside < _OUT_OF_VIEW, 0.0, patience_s)
     return np.asarray(people.missed_s <= patience_s)

@@ -15,11 +15,11 @@ from tracking.trackers.joint.cues import JointCues
 from tracking.trackers.joint.evidence import Evidence, arrivals, evidence_of, found_share
 from tracking.trackers.joint.explaining import NAT, explained
 from tracking.trackers.joint.finding import found_again
-from tracking.trackers.joint.looks import Telling, differences, looks_of
+from tracking.trackers.joint.looks import Telling, differences, looks_of, trust
 from tracking.trackers.joint.motion import predicted
 from tracking.trackers.joint.noise import Noise
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.joint.staying import staying, told
+from tracking.trackers.joint.staying import hiding, staying, told
 from tracking.trackers.joint.updating import matched
 from tracking.trackers.population import Population, joined, nobody
 from tracking.trackers.protocol import StepResult
@@ -33,6 +33,9 @@ from tracking.trackers.stereo_update import Match, aged, apart, guests_kept, uns
 
 Floats = NDArray[np.float64]
 Colours = NDArray[np.float32]
+
+_SHORTEST_S = 1e-3
+"""Between two frames."""
 
 
 class JointTracker:
@@ -90,11 +93,11 @@ class JointTracker:
         match = Match(pairs, shared, seen, colours, since_s)
         people = matched(people, match, looks, sigma, self._cues, self._random)
         self._learn(expected, pairs, difference, seen)
-        people = unseen(people, elapsed_s, view, settings)
+        people = unseen(people, elapsed_s, view, settings, hiding(people, shown))
         people = guests_kept(people, expected, shared, settings, self._random)
         people = outlined(people, pairs, alone, seen, elapsed_s, view)
         people = self._cues.walked(people, elapsed_s)
-        people = self._named(people, pairs, new)
+        people = self._named(people, pairs, new, elapsed_s)
         result = step_result(
             observation, people, pairs, alone, costs, view, told(people, shown, settings, elapsed_s)
         )
@@ -113,6 +116,7 @@ class JointTracker:
         """The evidence of all pairs, and as costs to tell of."""
         measured = seen.position[:, :2]
         likeness = self._settings.looks_weight * self._telling.likeness(difference)
+        likeness *= trust(people)[:, None]
         turn = self._cues.direction(people, measured)
         found = found_share(people, shown, self._settings)
         evidence = evidence_of(people, seen, sigma, new, likeness, turn, found)
@@ -138,14 +142,18 @@ class JointTracker:
         measured = seen.position[chosen, :2]
         self._noise = self._noise.learnt(people.select(rows), measured, self._settings)
 
-    def _named(self, people: Population, pairs: Association, new: Floats) -> Population:
-        """Newcomers seen often enough have the id of somebody lost, or the next one."""
+    def _named(
+        self, people: Population, pairs: Association, new: Floats, elapsed_s: float
+    ) -> Population:
+        """Newcomers seen for long enough have the id of somebody lost, or the next one."""
         settings = self._settings
+        enough = round(settings.confirm_s / max(elapsed_s, _SHORTEST_S))
+        enough = max(settings.confirm_matches, enough)
         fresh = people.track[pairs.track] == 0
-        fresh &= people.matches[pairs.track] >= settings.confirm_matches
+        fresh &= people.matches[pairs.track] >= enough
         ready, begun = pairs.track[fresh], new[pairs.detection[fresh]]
         people = found_again(people, ready, begun, self._telling, settings)
-        people, self._last_id = confirmed(people, settings.confirm_matches, self._last_id)
+        people, self._last_id = confirmed(people, enough, self._last_id)
         return people
 
     def _carried(self, people: Population, spots: Newcomers, elapsed_s: float) -> Population:
