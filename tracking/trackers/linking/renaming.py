@@ -21,9 +21,9 @@ Ids = NDArray[np.int32]
 def renamed(run: Run, row: Rows, name: Integers, view: View) -> Run:
     """The run with one id for each person.
 
-    Rows without a detection go with those before them until the person is seen again;
-    where the tracker has none in between, predicted ones are added. Predicted rows of nobody are
-    left out; their particles are of track 0.
+    Rows without a detection go with those before them until the person is seen again; where the
+    tracker has none in between, predicted ones are added. Those of nobody, and those after
+    somebody was seen last, are left out, and their particles are of track 0.
 
     Args:
         row: (k,) of the run's tracks, those that were seen, by track and frame.
@@ -58,7 +58,22 @@ def _of_rows(tracks: Columns, row: Rows, name: Integers) -> Ids:
         good = (at == neighbour) & (track[row[at]] == track[rows]) & (new[rows] == 0)
         free = _free(new, frame, rows[good], name[at[good]])
         new[rows[good][free]] = name[at[good]][free]
+    new[_guessed(frame, new, row)] = 0
     return new.astype(np.int32)
+
+
+def _guessed(frame: Integers, new: Integers, row: Rows) -> Rows:
+    """Rows before somebody was seen for the first time, and after the last: guesses.
+
+    Whoever is followed to the last frame has not left: the footage ends.
+    """
+    last = np.zeros(int(new.max()) + 1, np.int64)
+    first = np.full(len(last), np.iinfo(np.int64).max)
+    np.maximum.at(last, new[row], frame[row])
+    np.minimum.at(first, new[row], frame[row])
+    last[new[frame == frame.max()]] = frame.max()
+    seen = np.isin(new, new[row])
+    return np.flatnonzero(seen & ((frame > last[new]) | (frame < first[new])))
 
 
 def _free(new: Integers, frame: Integers, rows: Rows, name: Integers) -> NDArray[np.bool_]:
