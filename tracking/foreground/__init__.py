@@ -2,6 +2,7 @@
 
 from tracking.foreground.background import BackgroundModel, Subtraction
 from tracking.foreground.camera_watch import CameraWatch
+from tracking.foreground.look import in_size
 from tracking.foreground.ramp import RampSettings, ramp
 from tracking.foreground.settings import ForegroundSettings
 from tracking.foreground.shade import ShadeColour
@@ -18,5 +19,6 @@ __all__ = [
     "ShadowRemover",
     "ShadowWeights",
     "Subtraction",
+    "in_size",
     "ramp",
 ]

@@ -91,6 +91,18 @@ def halved(picture: Picture) -> Picture:
     return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), np.uint8)
 
 
+def in_size(picture: Picture, size: tuple[int, int]) -> Picture:
+    """The picture at another size, each pixel that of the nearest place.
+
+    Twice the size is what is asked for most, and several times as fast by copying.
+    """
+    rows, columns = picture.shape
+    if size != (2 * columns, 2 * rows):
+        return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_NEAREST), np.uint8)
+    wide = np.asarray(cv2.merge((picture, picture)), np.uint8).reshape(rows, 2 * columns)
+    return np.repeat(wide, 2, axis=0)
+
+
 def is_grey(picture: Picture) -> bool:
     """Whether the footage has no colours, by a sample."""
     return bool(np.array_equal(picture[::4, ::4, 0], picture[::4, ::4, 2]))

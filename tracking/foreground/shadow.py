@@ -13,6 +13,7 @@ from tracking.foreground.look import (
     chroma_distance,
     even_box,
     halved,
+    in_size,
     is_grey,
     log_ratio,
     texture_change,
@@ -71,8 +72,7 @@ class ShadowRemover:
         dark = (possible & (theta < settings.floor_shadow_threshold)).view(np.uint8) * _PERHAPS
         dark |= certain.view(np.uint8) * _CERTAIN
         mask = seen.mask[box]
-        full = cv2.resize(dark, mask.shape[::-1], interpolation=cv2.INTER_NEAREST)
-        shadow[box] = cv2.bitwise_and(full, mask)
+        shadow[box] = in_size(dark, (mask.shape[1], mask.shape[0])) & mask
         return shadow
 
     def _scored(self, now: Look, usual: Look, grey: bool) -> tuple[Scores, NDArray[np.bool_]]:

@@ -22,7 +22,7 @@ _GRID = (16, 12)
 
 
 def colour_histograms(
-    hue_saturation: NDArray[np.uint8],
+    picture: NDArray[np.uint8],
     labels: NDArray[np.uint8],
     boxes: Sequence[tuple[int, int, int, int]],
     settings: PeopleSettings,
@@ -34,7 +34,7 @@ def colour_histograms(
     region's own pixels count. Each pixel weighs as much as it is colourful: grey has no hue.
 
     Args:
-        hue_saturation: (rows, columns, 2) uint8, hue 0 to 179 and saturation.
+        picture: (rows, columns, 3) uint8, blue, green, red.
         labels: (rows, columns) uint8, k + 1 for the pixels of region k.
         boxes: left, top, width, height of each region in the same pixels.
 
@@ -43,7 +43,7 @@ def colour_histograms(
     """
     count, bins = len(boxes), settings.hue_bins
     region, v, u, height = _inner_pixels(labels, boxes)
-    hue, saturation = hue_saturation[v, u].T
+    hue, saturation = _hue_saturation(picture[v, u])
     weight = saturation.astype(np.float64) + 1
     above = (height >= _UPPER[0]) & (height < _UPPER[1])
     below = (height >= _LOWER[0]) & (height < _LOWER[1])
@@ -121,6 +121,14 @@ def _inner_pixels(
     own &= (across >= 0) & (across < (width - 2 * edge)[region])
     share = (down[own] + 0.5) / np.maximum(height, 1)[region[own]]
     return region[own], v[own], u[own], share.astype(np.float32)
+
+
+def _hue_saturation(colours: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    """Hue, 0 to 179, and saturation of (n, 3) blue, green, red."""
+    if len(colours) == 0:
+        return colours[:, 0], colours[:, 1]
+    hsv = np.asarray(cv2.cvtColor(colours[None], cv2.COLOR_BGR2HSV)[0], np.uint8)
+    return hsv[:, 0], hsv[:, 1]
 
 
 def _histograms(

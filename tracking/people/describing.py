@@ -104,11 +104,10 @@ def _colours(
     settings: PeopleSettings,
 ) -> tuple[Histogram, Histogram, Histogram, Histogram]:
     """Histograms of the upper body, the lower body and the middle, and the clothes' colours."""
-    colours = np.ascontiguousarray(picture[::_STEP, ::_STEP])
+    colours = picture[::_STEP, ::_STEP]
     labels = np.ascontiguousarray(regions[::_STEP, ::_STEP])
     small = [(a // _STEP, b // _STEP, c // _STEP, d // _STEP) for a, b, c, d in boxes]
-    hsv = np.asarray(cv2.cvtColor(colours, cv2.COLOR_BGR2HSV), np.uint8)
-    upper, lower, middle = colour_histograms(hsv[..., :2], labels, small, settings)
+    upper, lower, middle = colour_histograms(colours, labels, small, settings)
     return upper, lower, middle, clothes_colours(colours, labels, small)
 
 

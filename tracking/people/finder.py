@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.foreground import in_size
 from tracking.geometry import Ground, Rectification
 from tracking.people.body_boxes import BodyBoxes, axis_positions
 from tracking.people.boxes import behind_things, hidden_sides, region_boxes
@@ -119,9 +119,8 @@ class PeopleFinder:
         if self.scene is not None:
             hidden |= behind_things(boxes, self.scene, self._nearer_than(extent))
         position = axis_positions(places, extent, hidden, self._lines, settings)
-        colours = _on_the_grid(picture)
-        hsv = np.asarray(cv2.cvtColor(colours, cv2.COLOR_BGR2HSV), np.uint8)
-        upper, lower, middle = colour_histograms(hsv[..., :2], labels, boxes, settings)
+        colours = picture[::STEP, ::STEP]
+        upper, lower, middle = colour_histograms(colours, labels, boxes, settings)
         width = np.maximum(extent.width, 0)
         return Detections(
             box=self._boxes.whole(boxes, position, extent, hidden),
@@ -154,16 +153,7 @@ class PeopleFinder:
         return np.asarray(wide | high, np.bool_)
 
     def _full_size(self, labels: NDArray[np.uint8]) -> NDArray[np.int32]:
-        return cv2.resize(labels, self._size, interpolation=cv2.INTER_NEAREST).astype(np.int32)
-
-
-def _on_the_grid(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """The picture's pixels [::STEP, ::STEP]."""
-    rows, columns = picture.shape[:2]
-    if rows % STEP or columns % STEP:
-        return np.ascontiguousarray(picture[::STEP, ::STEP])
-    size = (columns // STEP, rows // STEP)
-    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_NEAREST), np.uint8)
+        return in_size(labels, self._size).astype(np.int32)
 
 
 def _renumbered(owner: NDArray[np.intp], kept: NDArray[np.bool_]) -> NDArray[np.intp]:
