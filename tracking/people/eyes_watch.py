@@ -93,8 +93,9 @@ class EyesWatch:
         ]
         late = [
             f"the {'right' if lag > 0 else 'left'} eye is {abs(lag)} frame(s) late, found at frame "
-            f"{frame}: pictures of the same instant are paired from there; mend the recording "
-            "and track again to have distances right before, too"
+            f"{frame}: pictures of the same instant are paired from there"
+            f"{', and people told as late' if lag > 0 else ''}; distances before are wrong, mend "
+            "the recording and track again"
             for frame, lag in self._lagged
         ]
         return (*failed, *late)

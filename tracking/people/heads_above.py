@@ -108,7 +108,8 @@ def _is_another(
 ) -> bool:
     """Whether a head is somebody else's than another one: apart from it, and lower between."""
     noise = points.range_noise
-    if apart(other[None], place[None], noise[:1], eye, _APART_M)[0, 0] < 1:
+    usual = np.median(noise, keepdims=True)
+    if apart(other[None], place[None], usual, eye, _APART_M)[0, 0] < 1:
         return False
     middle = np.asarray((place + other)[None] / 2, np.float32)
     between = apart(middle, points.world[:, :2], noise, eye, _HEAD_RADIUS_M / 2)[0] < 1
