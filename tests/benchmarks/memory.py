@@ -30,7 +30,7 @@ def measure() -> dict[str, float]:
 
     `gzip_`: their four columns written into a session as they are drawn, in 32 bits a value, by
     gzip's quickest level. `kept_`: put aside on the disk while a tracker works, in 16 bits a
-    value. `saved_`: written into a session from there. `kept_vs_gzip`, `saved_vs_gzip`: their time
+    value, with what is put aside of detections, matches and signals. `saved_`: written into a session from there. `kept_vs_gzip`, `saved_vs_gzip`: their time
     over gzip's; `kept_size_vs_gzip`, `saved_size_vs_gzip`: the room they take over gzip's.
     """
     with open_recording(recording()) as opened:
@@ -38,8 +38,9 @@ def measure() -> dict[str, float]:
             steps = list(tracking)
         with tempfile.TemporaryDirectory(prefix="trackwright-benchmark-") as folder:
             kept = kept_on_disk(steps, Path(folder))
+            spooled = kept.spooled_bytes
             particles = kept.run("benchmark", {}, 0, opened).particles
-            return _figures(steps, particles, kept.spooled_bytes, Path(folder))
+            return _figures(steps, particles, spooled, Path(folder))
 
 
 def kept_on_disk(steps: Sequence[StepResult], folder: Path) -> KeptSteps:

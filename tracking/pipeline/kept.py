@@ -51,7 +51,7 @@ class KeptSteps:
     """The steps of a tracker in order: the tracks in memory, all else in a spool.
 
     Particles take 16 bits a value there: positions are rounded to 1/1024 m, at most 0.5 mm off,
-    weights to half precision (11 bits), at most 0.03 percent off. `add` and `run` belong to one
+    weights to half precision (11 bits), at most 0.05 percent off. `add` and `run` belong to one
     thread, everything else may be asked by another one meanwhile.
     """
 
