@@ -19,6 +19,8 @@ _INWARDS = 0.05
 """Who will be seen by so much more soon walks into the picture, not out of it."""
 _BIRTHS_EDGE, _BIRTHS_WITHIN = 0.05, 0.0005
 """People who come, a square metre and second, at the edge and within."""
+_RETURNS = 0.02
+"""Share of those who walked out of the picture that turn outside and come back soon."""
 _DEATHS_EDGE, _DEATHS_WITHIN = 0.5, 0.005
 """Share of the tracklets that end there and are not found again."""
 
@@ -39,6 +41,13 @@ def death_costs(seen: Seen, pieces: Tracklets, view: View, fps: float, stop: int
     edge = _leaving(pieces.last, seen.at_edge[pieces.stop - 1], _AHEAD_S, view)
     edge[pieces.last.frame >= stop - 1 - fps / 2] = 1.0
     return -_between(edge, _DEATHS_WITHIN, _DEATHS_EDGE)
+
+
+def return_costs(pieces: Tracklets, view: View) -> Floats:
+    """(t,) minus the log of how likely people come back who were on their way out at the end."""
+    soon = share_inside(pieces.last.place + _AHEAD_S * pieces.last.velocity, view)
+    out = np.clip((_OUTSIDE - soon) / _OUTSIDE, 0.0, 1.0)
+    return np.asarray(-out * np.log(_RETURNS))
 
 
 def share_inside(place: Floats, view: View) -> Floats:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.borders import birth_costs, death_costs
+from tracking.trackers.linking.borders import birth_costs, death_costs, return_costs
 from tracking.trackers.linking.doubts import Doubt
 from tracking.trackers.linking.hiding import hidden_shares
 from tracking.trackers.linking.links import Links
@@ -65,6 +65,7 @@ def links_between(
     hidden = np.zeros(len(end))
     lost = np.flatnonzero((gap_s > _GAP_S) & (cost < _HOPELESS))
     hidden[lost] = hidden_shares(tracks, *_ways(pieces, end[lost], start[lost]), view)
+    cost += np.where(gap_s > _GAP_S / 2, return_costs(pieces, view)[end], 0.0)
     cost -= _found_again(gap_s, hidden, fps)
     edges = np.cumsum(pieces.doubt == Doubt.EDGE)
     cost[same & (edges[start] > edges[end])] = _BACK_AT_ONCE

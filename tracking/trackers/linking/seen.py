@@ -24,6 +24,8 @@ _NEAR_M, _FAR_M = 0.08, 0.001
 """How much a measured place errs: close by, and times the square of the range."""
 _FASTEST_M_S, _STEP_ERRORS = 4.0, 5.0
 """A step longer than this, beyond so many errors of a place, is nobody's."""
+_WHOLE = 0.85
+"""Share of a body in the picture from which on its clothes are seen."""
 _WELL_SEEN = 0.5
 _NEAR_ROWS = 3
 
@@ -67,7 +69,7 @@ def seen_of(run: Run, view: View) -> tuple[Seen, Encounters]:
     alone = ~meetings.met[row] & (tracks["visibility"][row] >= _WELL_SEEN)
     edge = _at_edge(box[row], view)
     looks = _looks(run.signals, tracks)[row]
-    looks[~alone | _near(edge)] = np.nan
+    looks[~alone | _near(_cut_off(box[row], view))] = np.nan
     frame, track = tracks["frame"][row].astype(np.int64), tracks["track"][row].astype(np.int64)
     return Seen(frame, track, row, place[row], box[row], looks, edge, alone), meetings
 
@@ -123,10 +125,20 @@ def _looks(signals: Columns, tracks: Columns) -> Floats:
 
 
 def _near(edge: Flags) -> Flags:
-    """(n,) whether a row within a few is at the edge: the box flickers there."""
+    """(n,) whether a row within a few is cut off by the edge: the box flickers there."""
     width = 2 * _NEAR_ROWS + 1
     upto = np.cumsum(np.pad(edge, (_NEAR_ROWS + 1, _NEAR_ROWS)))
     return np.asarray(upto[width:] > upto[:-width])
+
+
+def _cut_off(box: Floats, view: View) -> Flags:
+    """(n,) whether a box is cut off by the picture's edge, otherwise than at the head."""
+    size = np.array(view.camera.size, float)
+    margin = EDGE_SHARE * size.max()
+    low, high = np.clip(box[:, :2], 0.0, size), np.clip(box[:, :2] + box[:, 2:], 0.0, size)
+    share = np.prod(high - low, axis=1) / np.prod(box[:, 2:], axis=1)
+    beside = (low[:, 0] <= margin) | (high >= size - 1 - margin).any(axis=1)
+    return np.asarray(beside | (share < _WHOLE))
 
 
 def _at_edge(box: Floats, view: View) -> Flags:
