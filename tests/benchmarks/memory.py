@@ -20,7 +20,7 @@ from tracking.session.packing import Packer
 from tracking.trackers import StepResult
 from tracking.tracks import Particles
 
-FRAMES = (100, 148)
+FRAMES = (100, 164)
 """Of the pipeline's benchmark: fifteen people, 500 particles each."""
 _TIMES = 5
 
@@ -30,8 +30,9 @@ def measure() -> dict[str, float]:
 
     `gzip_`: their four columns written into a session as they are drawn, in 32 bits a value, by
     gzip's quickest level. `kept_`: put aside on the disk while a tracker works, in 16 bits a
-    value, with what is put aside of detections, matches and signals. `saved_`: written into a session from there. `kept_vs_gzip`, `saved_vs_gzip`: their time
-    over gzip's; `kept_size_vs_gzip`, `saved_size_vs_gzip`: the room they take over gzip's.
+    value, with what is put aside of detections, matches and signals. `saved_`: written into a
+    session from there. `kept_vs_gzip`, `saved_vs_gzip`: their time over gzip's;
+    `kept_size_vs_gzip`, `saved_size_vs_gzip`: the room they take over gzip's.
     """
     with open_recording(recording()) as opened:
         with track(opened, "stereo-direction", frames=FRAMES, keep=False) as tracking:

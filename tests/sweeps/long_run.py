@@ -11,6 +11,7 @@ quick, and all but decoding and tracking is the same. The exit status says wheth
 from __future__ import annotations
 
 import argparse
+import os
 import subprocess
 import sys
 import tempfile
@@ -154,8 +155,6 @@ def by_steps(folder: Path, frames: int) -> Watched:
         with track(clip, keep=False) as tracking:
             steps = list(tracking)
         footage = Footage(folder, frames, "long", clip.fps, clip.size, clip.view)
-    import os
-
     watched = Watched(os.getpid())
     begun_s = time.monotonic()
     kept = KeptSteps(folder)
