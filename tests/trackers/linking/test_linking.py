@@ -185,3 +185,31 @@ def test_runs_without_signals_and_of_nobody_are_linked_too() -> None:
     assert id_near(linked(blind, VIEW, FPS), 115, A[115]) == 1
     nobody = replace(blind, tracks={name: column[:0] for name, column in run.tracks.items()})
     assert len(linked(nobody, VIEW, FPS).tracks["frame"]) == 0
+
+
+def test_rows_of_which_it_is_not_sure_who_it_is_are_nobodys() -> None:
+    before = run_of(Stretch(1, 0, OUT, RED), Stretch(1, 60, IN, BLUE), frames=120)
+    run = linked(before, VIEW, FPS)
+    left_out = set(range(120)) - set(run.tracks["frame"].tolist())
+    assert 60 in left_out or 59 in left_out
+    assert max(left_out) - min(left_out) < 0.6 * FPS
+    nobody = run.detections["frame"][run.detections["track"] == 0]
+    assert set(nobody.tolist()) == left_out
+    assert not left_out & set(run.associations["frame"].tolist())
+
+
+def test_where_somebody_went_who_left_is_not_guessed() -> None:
+    run = linked(run_of(Stretch(1, 0, OUT, lost=range(50, 60)), frames=120), VIEW, FPS)
+    assert run.tracks["frame"].max() == 49
+
+
+def test_who_is_lost_when_the_footage_ends_is_followed_on() -> None:
+    run = linked(run_of(Stretch(1, 0, A, lost=range(112, 120)), frames=120), VIEW, FPS)
+    assert run.tracks["frame"].max() == 119
+
+
+def test_a_few_rows_in_the_middle_of_nowhere_are_nobody() -> None:
+    false = Stretch(2, 50, straight((0, 8), (0.05, 8), 2), BLUE)
+    run = linked(run_of(Stretch(1, 0, OUT), false, frames=120), VIEW, FPS)
+    assert set(run.tracks["track"].tolist()) == {1}
+    assert run.detections["track"].min() == 0

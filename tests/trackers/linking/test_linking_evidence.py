@@ -1,0 +1,94 @@
+"""What speaks for two pieces of a track being one person's."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from linked_runs import BLUE, FPS, RED, VIEW, Stretch, run_of, straight
+
+from tracking.trackers.linking.hiding import hidden_shares
+from tracking.trackers.linking.looks import Looks, looks_of
+from tracking.trackers.linking.motion import walk_likelihood
+from tracking.trackers.linking.seen import begins, seen_of
+from tracking.trackers.linking.tracklets import State, Tracklets, tracklets
+
+LANES = [straight((-2, 5 + lane), (2, 5 + lane), 100) for lane in range(4)]
+
+
+def pieces_of(clothes: Sequence[Sequence[float]]) -> tuple[Tracklets, Looks]:
+    """A tracklet of each of those who walk in lanes, one after the other."""
+    run = run_of(
+        *(Stretch(n + 1, 100 * n, LANES[n], worn) for n, worn in enumerate(clothes)), frames=400
+    )
+    seen, _ = seen_of(run, VIEW)
+    pieces = tracklets(seen, begins(seen).astype(np.uint8), FPS)
+    return pieces, looks_of(seen, pieces, FPS)
+
+
+def likeness(looks: Looks, one: int, other: int) -> float:
+    rows = [(looks.told[[n]], looks.value[[n]]) for n in (one, other)]
+    return float(looks.alike(*rows)[0])
+
+
+def test_the_same_clothes_speak_for_one_person_and_others_against() -> None:
+    _, looks = pieces_of([RED, BLUE, RED, BLUE])
+    assert likeness(looks, 0, 2) > 1.0
+    assert likeness(looks, 0, 1) < -3.0
+
+
+def test_where_all_wear_the_same_clothes_say_little() -> None:
+    _, looks = pieces_of([RED, RED, RED, RED])
+    assert likeness(looks, 0, 1) == pytest.approx(0.0, abs=1.5)
+
+
+def test_footage_without_colours_is_weighed_by_lightness() -> None:
+    dark, light = (20.0, 0.0, 0.0, 25.0, 0.0, 0.0), (70.0, 0.0, 0.0, 60.0, 0.0, 0.0)
+    _, looks = pieces_of([dark, light, dark, light])
+    assert likeness(looks, 0, 2) > likeness(looks, 0, 1) + 3.0
+
+
+def test_a_tracklet_ends_where_and_as_fast_as_its_rows_do() -> None:
+    pieces, _ = pieces_of([RED])
+    np.testing.assert_allclose(pieces.last.place[0], (2, 5), atol=0.08)
+    np.testing.assert_allclose(pieces.last.velocity[0], (4 * FPS / 99, 0), atol=0.15)
+
+
+def state(place: Sequence[float], velocity: Sequence[float]) -> State:
+    spread = np.diag((0.01, 0.02))[None]
+    return State(np.zeros(1, np.int64), np.array([place]), np.array([velocity]), spread)
+
+
+def walked(to: Sequence[float], velocity: Sequence[float], gap_s: float) -> float:
+    """How likely somebody is found there who was at the origin and walked at 1 m/s."""
+    rows = np.zeros(1, np.intp)
+    ends, starts = state((0, 0), (1, 0)), state(to, velocity)
+    return float(walk_likelihood(ends, starts, rows, rows, np.array([gap_s]))[0])
+
+
+def test_who_walks_on_straight_is_likelier_than_who_turned_and_the_less_so_the_later() -> None:
+    soon = walked((0.5, 0), (1, 0), 0.5) - walked((0, 0), (-1, 0), 0.5)
+    late = walked((3, 0), (1, 0), 3.0) - walked((0, 0), (-1, 0), 3.0)
+    assert soon > late > 0.0
+
+
+def test_somebody_far_away_at_once_is_nobody_who_was_here() -> None:
+    assert walked((3, 0), (1, 0), 0.2) < walked((0.2, 0), (1, 0), 0.2) - 20.0
+
+
+def hidden(range_m: float, track: int = 9) -> float:
+    """The share of a way along y = 8 m that somebody hides who walks beside at that range."""
+    run = run_of(Stretch(track, 0, straight((-1, range_m), (1, range_m), 100)), frames=100)
+    ways = (np.array([[-8 / range_m, 8.0]]), np.array([[8 / range_m, 8.0]]))
+    ends = (np.array([0]), np.array([99]))
+    return float(hidden_shares(run.tracks, ways, ends, (np.array([1]), np.array([2])), VIEW)[0])
+
+
+def test_who_walks_in_front_hides_and_who_walks_behind_does_not() -> None:
+    assert hidden(7.0) > 0.9
+    assert hidden(9.0) == 0.0
+
+
+def test_nobody_hides_himself() -> None:
+    assert hidden(7.0, track=2) == 0.0
