@@ -17,17 +17,22 @@ from tracking.trackers.linking.tracklets import Tracklets
 Rows = NDArray[np.intp]
 
 _ROUNDS = 8
-LEAST_ROWS = 4
-"""Of a tracklet that is linked before the others."""
+_LEAST_S = 0.2
+"""In which a tracklet must be seen to be linked before the others."""
 
 
-def chosen(links: Links, pieces: Tracklets, looks: Looks) -> Rows:
+def least_rows(fps: float) -> int:
+    """Of a tracklet that is told somebody by; one of fewer rows may be nobody."""
+    return max(2, round(_LEAST_S * fps))
+
+
+def chosen(links: Links, pieces: Tracklets, looks: Looks, fps: float) -> Rows:
     """(t,) the tracklet that follows each; -1 where nobody does.
 
     Tracklets of few rows tell neither where somebody goes nor how they look: they are put where
     they fit after all others are linked.
     """
-    long = np.asarray(pieces.stop - pieces.start >= LEAST_ROWS)
+    long = np.asarray(pieces.stop - pieces.start >= least_rows(fps))
     following = _between_long(links, pieces, looks, long)
     return with_short(following, links, pieces, np.flatnonzero(~long))
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.linking.candidates import links_between
-from tracking.trackers.linking.choosing import LEAST_ROWS, chains, chosen
+from tracking.trackers.linking.choosing import chains, chosen, least_rows
 from tracking.trackers.linking.doubts import Doubt, doubts
 from tracking.trackers.linking.edges import returned_over_edge
 from tracking.trackers.linking.looks import looks_of
@@ -62,12 +62,12 @@ def _names_of_rows(
     known = max(run.known_tracks, int(seen.track[~own].max(initial=0)))
     fixed = (pieces.doubt == Doubt.TRACK) & (pieces.track <= known)
     links = links_between(seen, pieces, run.tracks, view, fps, run.frames, fixed)
-    person = chains(chosen(links, pieces, looks_of(seen, pieces, fps)))
+    person = chains(chosen(links, pieces, looks_of(seen, pieces, fps), fps))
     highest = max(known, int(run.tracks["track"].max()))
     name = _names(pieces, person, highest)[pieces.of_rows]
     rows = np.bincount(person[pieces.of_rows], minlength=int(person.max()) + 1)
-    rows[person[fixed]] = LEAST_ROWS
-    name[(rows < LEAST_ROWS)[person[pieces.of_rows]]] = 0
+    rows[person[fixed]] = least_rows(fps)
+    name[(rows < least_rows(fps))[person[pieces.of_rows]]] = 0
     for one in returns:
         if name[one.row - 1] != name[one.row]:
             name[one.start : one.stop] = 0
