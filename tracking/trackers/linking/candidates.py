@@ -57,7 +57,11 @@ def links_between(
     end, start = end[free], start[free]
     gap_s = (pieces.first.frame[start] - pieces.last.frame[end]) / fps
     together = walk_likelihood(pieces.last, pieces.first, end, start, gap_s)
+    edges = np.cumsum(pieces.doubt == Doubt.EDGE)
+    over_edge = edges[start] > edges[end]
     same = (pieces.track[end] == pieces.track[start]) & (start > end)
+    back = same & over_edge & (start == end + 1)
+    same &= ~over_edge
     together += same * np.where(gap_s > _GAP_S, _TRACKER_GAP, _TRACKER)
     apart = fresh_likelihood(pieces.first) - birth_costs(seen, pieces, view, fps, frames[0])
     gone = -death_costs(seen, pieces, view, fps, frames[1])
@@ -67,8 +71,7 @@ def links_between(
     hidden[lost] = hidden_shares(tracks, *_ways(pieces, end[lost], start[lost]), view)
     cost += np.where(gap_s > _GAP_S / 2, return_costs(pieces, view)[end], 0.0)
     cost -= _found_again(gap_s, hidden, fps)
-    edges = np.cumsum(pieces.doubt == Doubt.EDGE)
-    cost[same & (edges[start] > edges[end])] = _BACK_AT_ONCE
+    cost[back] = _BACK_AT_ONCE
     return Links(end, start, cost).only(cost < _HOPELESS)
 
 
