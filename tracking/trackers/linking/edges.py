@@ -24,6 +24,7 @@ Rows = NDArray[np.intp]
 
 _TURN_S = 0.6
 """Of the way before and after somebody may have left, and somebody else come."""
+_STEP_M = 0.1
 _LEAST_LINE = 5
 """Rows of a line."""
 _WAY_M = 0.12
@@ -77,23 +78,24 @@ class _Scale:
     """How the picture lies over the floor at every row.
 
     Attributes:
-        px_per_m: (n,) how large a metre looks. step_m: (n, 2, 2) where somebody goes on the floor
-            who moves a pixel to the right, and a pixel down; NaN where that is not on it.
+        px_per_m: (n,) how large a metre looks. moved_px: (n, 2, 2) how far right and down
+            somebody moves in the picture who goes a metre along x, and along y; 0 where unknown.
     """
 
     px_per_m: Floats
-    step_m: Floats
+    moved_px: Floats
 
     @classmethod
     def of(cls, place: Floats, view: View) -> _Scale:
-        middle, px_per_m = middles(place, view)
-        here = view.floor_from_pixel(middle, MIDDLE_M)
-        steps = [view.floor_from_pixel(middle + step, MIDDLE_M) - here for step in np.eye(2)]
-        return cls(px_per_m[:, 0], np.stack(steps, axis=1))
+        chest = np.concatenate((place, np.full((len(place), 1), MIDDLE_M)), axis=1)
+        here = view.pixel_from_world(chest)
+        moved = [view.pixel_from_world(chest + _STEP_M * axis) - here for axis in np.eye(3)[:2]]
+        _, px_per_m = middles(place, view)
+        return cls(px_per_m[:, 0], np.nan_to_num(np.stack(moved, axis=1)) / _STEP_M)
 
     def outward(self, rows: Rows, touched: Floats) -> Floats:
         """(k, 2, 2) unit vectors over an edge, as it looks and on the floor; 0 without an edge."""
-        floor = np.nan_to_num((self.step_m[rows] * touched[:, None]).sum(axis=1))
+        floor = self.moved_px[rows] @ touched
         both = np.stack((np.broadcast_to(touched, floor.shape), floor), axis=1)
         return np.asarray(both / np.maximum(np.hypot(both[..., :1], both[..., 1:]), 1e-9))
 
