@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
@@ -45,15 +47,14 @@ def test_an_outline_moves_and_shrinks_with_its_person():
 
 
 def _somebody(position: np.ndarray, outline: np.ndarray):
-    rows = np.zeros(1, int)
     empty = nobody(10, 1, 4)
     columns = {
-        name: np.zeros((1, *getattr(empty, name).shape[1:]), getattr(empty, name).dtype)
-        for name in ("track", "particles", "weight", "velocity", "matches", "missed_s", "colour")
+        field.name: np.zeros((1, *own.shape[1:]), own.dtype)
+        for field in dataclasses.fields(empty)
+        for own in (getattr(empty, field.name),)
     }
     columns |= {"seen_at": position, "position": position, "outline": outline}
-    columns |= {"anchors": np.zeros((1, 2, 2)), "anchor_age_s": np.zeros(1)}
-    return empty.replace(**columns, confidence=np.zeros(1)).select(rows)
+    return empty.replace(**columns)
 
 
 def test_ids_go_on_from_the_last_one_and_only_to_people_seen_often_enough():

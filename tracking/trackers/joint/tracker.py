@@ -34,6 +34,8 @@ from tracking.trackers.stereo_update import Match, aged, apart, guests_kept, uns
 Floats = NDArray[np.float64]
 Colours = NDArray[np.float32]
 
+_SURE = 20
+"""Matches that somebody counts as who was corrected by people and is in view."""
 _SHORTEST_S = 1e-3
 """Between two frames."""
 
@@ -65,9 +67,11 @@ class JointTracker:
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""
-        self._people, self._time_s = resumed(
+        people, self._time_s = resumed(
             resume, observations, self._view, self._settings, self._cues, self._random
         )
+        known = np.where(people.matches > 1, np.maximum(people.matches, _SURE), people.matches)
+        self._people = people.replace(matches=known)
         self._last_id = resume.highest_track
 
     def step(self, observation: Observation) -> StepResult:
