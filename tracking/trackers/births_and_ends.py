@@ -50,6 +50,8 @@ def newcomers(
         spots: where somebody may be.
     """
     seen, free = spots.seen, spots.free
+    if len(free) == 0:
+        return people.select(free)
     present = people.position[people.missed_s == 0.0]
     offset = seen.position[free, None, :2] - present[None, :, :]
     nearest = np.hypot(offset[..., 0], offset[..., 1]).min(axis=1, initial=np.inf)

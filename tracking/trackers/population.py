@@ -73,7 +73,11 @@ class Population:
 
     def replace(self, **columns: NDArray[Any]) -> Population:
         """The same people with some columns replaced."""
-        return dataclasses.replace(self, **columns)
+        # Several times as fast as `dataclasses.replace`, and called for every step of a frame.
+        kept = [columns.pop(name) if name in columns else getattr(self, name) for name in _NAMES]
+        if columns:
+            raise TypeError(f"no columns of people: {', '.join(columns)}")
+        return Population(*kept)
 
     def changed(self, rows: NDArray[np.intp], **values: NDArray[Any]) -> Population:
         """The same people with new values at some rows of some columns."""
@@ -101,6 +105,9 @@ def unknown_motion(position_m: Floats) -> Floats:
 
 def joined(populations: Sequence[Population]) -> Population:
     """The people of all populations, in order."""
+    populations = [each for each in populations if len(each)] or populations[:1]
+    if len(populations) == 1:
+        return populations[0]
     return Population(
         *(np.concatenate([getattr(each, name) for each in populations]) for name in _NAMES)
     )

@@ -52,9 +52,12 @@ def shared_regions(people: Population, pairs: Association, seen: Detections, vie
     Args:
         people: predicted to this frame. pairs: rows of people and of detections.
     """
+    alone = people.confirmed & (people.missed_s < _PATIENCE_S)
+    alone[pairs.track] = False
+    guest = np.flatnonzero(alone)
+    if len(guest) == 0:
+        return _NOBODY
     box = body_boxes(people, view)
-    guest = np.flatnonzero(people.confirmed & (people.missed_s < _PATIENCE_S))
-    guest = np.setdiff1d(guest, pairs.track)
     region = seen.box[pairs.detection]
     inside = _share_inside(box[guest], region)
     room = region[:, 2] > _WIDER * box[pairs.track, 2]
