@@ -17,6 +17,7 @@ from tracking.trackers.linking.tracklets import Tracklets
 Rows = NDArray[np.intp]
 
 _ROUNDS = 8
+"""Most recordings need three; those that go to and fro are stopped."""
 _LEAST_S = 0.2
 """In which a tracklet must be seen to be linked before the others."""
 

@@ -12,6 +12,7 @@ from tracking.tracks.columns import Columns
 Rows = NDArray[np.intp]
 
 _SAMPLES = 6
+"""Moments of a way that are looked at."""
 _BODY_M = (1.7, 0.5)
 """Height and width of a usual one."""
 _BEHIND_M = 0.2

@@ -28,6 +28,7 @@ _WHOLE = 0.85
 """Share of a body in the picture from which on its clothes are seen."""
 _WELL_SEEN = 0.5
 _NEAR_ROWS = 3
+"""So long a box flickers at the edge."""
 
 
 @dataclass(frozen=True, slots=True)
