@@ -70,7 +70,7 @@ def test_a_swap_somebody_made_holds_when_tracked_again_from_before_it(
     trackwright: Trackwright, footage: Path, swapped: tuple[Path, int, int]
 ) -> None:
     path, *_ = swapped
-    told = trackwright("track", footage, "--again", path, "--from", CUT - 10, "--json")[1]
+    told = trackwright("track", footage, "--again", path, "--from", CUT - 1, "--json")[1]
     assert [each for each in json.loads(told)["differences"] if each["kind"] == "identity"] == []
 
 

@@ -41,7 +41,20 @@ _SHORTEST_S = 1e-3
 
 
 class JointTracker:
-    """Follows people by the likeliest explanation of each frame for everybody at once."""
+    """Follows people by the likeliest explanation of each frame for everybody at once.
+
+    The five steps of [Kawashita2012] and [Kawashita2014] with their cues, where we differ:
+        - costs are log-likelihood ratios, in one assignment of people and detections in which
+          somebody may be missed, cheaply where others hide them, and a detection may be of
+          somebody new, dearly within the picture;
+        - particles spread as a Kalman filter's covariance grows, so that somebody is sought the
+          wider the longer they are missed;
+        - how far off places are, and how much colours, clothes and height tell people apart, is
+          learnt from the footage (see `Noise` and `Telling`);
+        - who should be seen and is not is remembered without being told of, and found again by
+          walk and looks; nobody is remembered for much longer than they were seen;
+        - who was last seen at the picture's edge soon ends.
+    """
 
     def __init__(self, view: View, settings: JointSettings, seed: int) -> None:
         """Nobody is followed yet; all randomness comes from the seed."""
