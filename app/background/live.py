@@ -18,6 +18,7 @@ _log = logging.getLogger(__name__)
 _MOST_AHEAD = 50
 """Batches on their way to a window that is busy: then the tracker waits, so that they stay few."""
 _LOOK_EVERY_S = 0.1
+"""How soon a tracker that waits notices that it is closed."""
 
 
 class LiveTracker(QObject):

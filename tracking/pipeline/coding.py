@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tracking.pipeline.spool import Spool
 
 _HALF_RANGE = 1 << 15
+"""Of 16 bits with a sign."""
 _WHOLE_NUMBERS = 1 << 24
 """Up to here float32 knows every whole number."""
 
@@ -128,7 +129,6 @@ _FLOOR = Steps(1 / 1024)
 """m: an error of 0.49 mm at most."""
 _PICTURE = Steps(1 / 8)
 """px: of which rectangles' centres are made."""
-_EXACT = dict.fromkeys(("u0", "v0", "u1", "v1", "u2", "v2", "foot_v"), Plain())
 
 CODINGS: Mapping[str, Mapping[str, Coding]] = MappingProxyType(
     {

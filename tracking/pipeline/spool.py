@@ -79,7 +79,10 @@ class Spool:
         with self._lock:
             if self._handle is None:
                 return bytes(self._held[place : place + size])
-            return mmap.mmap(self._handle, size, access=mmap.ACCESS_READ, offset=place)
+            try:
+                return mmap.mmap(self._handle, size, access=mmap.ACCESS_READ, offset=place)
+            except OSError as why:
+                raise _unreadable(why) from why
 
     def _begin_file(self) -> None:
         """Put what is held into a file."""
@@ -118,10 +121,7 @@ def _read(handle: int, place: int, size: int) -> bytes:
             parts.append(part)
             size -= len(part)
     except OSError as why:
-        raise OutputError(
-            f"the particles put aside cannot be read: {why.strerror}",
-            "check the disk and track again",
-        ) from why
+        raise _unreadable(why) from why
     return b"".join(parts)
 
 
@@ -136,6 +136,13 @@ def _usual_folder() -> Path:
     except OSError:
         return Path(tempfile.gettempdir())
     return folder if os.access(folder, os.W_OK) else Path(tempfile.gettempdir())
+
+
+def _unreadable(why: OSError) -> OutputError:
+    return OutputError(
+        f"the particles put aside cannot be read: {why.strerror}",
+        "check the disk and track again",
+    )
 
 
 def _refused(folder: Path, why: OSError) -> OutputError:

@@ -61,6 +61,16 @@ def track(
     """
     spec = tracker_named(tracker or best_tracker(recording))
     require(spec, recording)
+    asked = _asked_frames(recording, frames, resume)
+    settings = settings or spec.settings_type()
+    kept = KeptSteps(spool, asked[0]) if keep else None
+    return Tracking(recording, spec, settings, seed, asked, resume, kept)
+
+
+def _asked_frames(
+    recording: Recording, frames: tuple[int, int] | None, resume: Resume | None
+) -> tuple[int, int]:
+    """The half-open range to track; see `track`."""
     first = resume.frame if resume is not None else 0
     start, stop = frames or (first, recording.frame_count)
     if not 0 <= start < stop <= recording.frame_count:
@@ -73,9 +83,7 @@ def track(
             f"frames {start}:{stop} do not begin at frame {first}, where to go on: "
             f"choose {first}:{stop}"
         )
-    settings = settings or spec.settings_type()
-    kept = KeptSteps(spool, start) if keep else None
-    return Tracking(recording, spec, settings, seed, (start, stop), resume, kept)
+    return start, stop
 
 
 class Tracking:

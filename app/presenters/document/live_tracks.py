@@ -28,11 +28,8 @@ class LiveTracks:
         self._spans: dict[int, list[list[int]]] = {}
         self._made: dict[int, Spans] = {}  # of tracks that did not change since they were asked for
         self._people = array("H")
-        self._parts: tuple[int, int, Columns] = (
-            0,
-            0,
-            empty(PART_COLUMNS),
-        )  # track, until which frame
+        # Of the track whose parts were asked for last: its id, until which frame, the rows.
+        self._parts: tuple[int, int, Columns] = (0, 0, empty(PART_COLUMNS))
 
     def extend(self, results: Iterable[StepResult]) -> None:
         """Take further frames."""
