@@ -13,7 +13,7 @@ class JointSettings(StereoFilterSettings):
     """Settings of `stereo-joint`."""
 
     confirm_s: float = setting(
-        0.25, "s", (0.0, 10.0), "how long a newcomer must be seen at least, before it is a track"
+        0.1, "s", (0.0, 10.0), "how long a newcomer must be seen at least, before it is a track"
     )
     lost_after_s: float = setting(
         0.5, "s", (0.05, 60.0), "time without a detection after which somebody is only remembered"
