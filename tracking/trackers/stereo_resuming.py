@@ -75,11 +75,25 @@ def resumed(
     rows = _placed(resume.rows, view)
     people = np.unique(rows["track"])
     views, time_s = _views(rows, people, observations, cues)
+    population = _standing(rows, people, views, resume, view, settings, random)
+    return _walked(population, rows, resume, cues), time_s
+
+
+def _standing(
+    rows: Columns,
+    people: Indices,
+    views: Views,
+    resume: Resume,
+    view: View,
+    settings: StereoFilterSettings,
+    random: np.random.Generator,
+) -> Population:
+    """The people (n,), ids, where their rows say, before any direction is known."""
     colour, matches = _colours(views, len(people))
     position, velocity, missed_s, confidence = _now(rows, people, resume, settings)
     spread = settings.start_spread_m * (1.0 + _WIDER_PER_S * missed_s)
     count = (len(people), settings.particles)
-    population = Population(
+    return Population(
         track=people.astype(np.int32),
         particles=scatter(position, spread, settings.particles, random),
         weight=np.full(count, 1.0 / settings.particles, np.float32),
@@ -96,7 +110,6 @@ def resumed(
         looks=unknown_looks(len(people)),
         motion=unknown_motion(spread),
     )
-    return _walked(population, rows, resume, cues), time_s
 
 
 def _placed(rows: Columns, view: View) -> Columns:

@@ -15,10 +15,13 @@ _WALKING = 0.3
 _TURNING_EVERY_S = 6.0
 """In this time people turn, stop or start once."""
 _LEAST_TURNING = 0.01
+"""Share of people who turn even in the shortest gap."""
 _TURN_S = 0.4
 """After it somebody who turns may walk anywhere."""
 _SPEED_M_S = 0.9
 """Of people along each axis."""
+_TOGETHER = 0.8
+"""Correlation of where somebody is after a turn and how fast they then walk: nearly one."""
 
 
 def walk_likelihood(ends: State, starts: State, end: Rows, start: Rows, gap_s: Floats) -> Floats:
@@ -60,7 +63,7 @@ def _turned(gap_s: Floats) -> tuple[Floats, Floats]:
     # is more: the place is as uncertain as the new velocity makes it.
     place = np.square(_SPEED_M_S * gap_s) / 2
     speed = _SPEED_M_S**2 * (1 - kept**2)
-    both = np.sqrt(place * speed) * 0.8
+    both = _TOGETHER * np.sqrt(place * speed)
     return transition, _matrices(place, both, both, speed)
 
 
