@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench accuracy results results-parts results-spheroid results-flow detector kills model peers scorers interchange pictures lock clean
+.PHONY: help demo test format bench results results-parts results-stereo results-spheroid results-flow detector kills long model peers scorers interchange pictures lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -40,13 +40,13 @@ format: $(STAMP) ## put the code into the house's form
 bench: $(STAMP) ## measure speed (not part of make test)
 	$(BIN)/python -m tests.benchmarks
 
-accuracy: $(STAMP) ## the accuracy table of the README, on scenes no setting was chosen on (half an hour)
-	$(BIN)/python -m tests.benchmarks.accuracy
-
-results: results-parts results-spheroid results-flow ## docs/results.md and its pages: the papers' figures beside ours (an hour and a half)
+results: results-parts results-stereo results-spheroid results-flow ## docs/results.md and its pages: the papers' figures beside ours (two hours)
 
 results-parts: $(STAMP) ## docs/results.md: body parts on scenes no setting was chosen on (half an hour)
 	$(BIN)/python -m tests.benchmarks.parts --report
+
+results-stereo: $(STAMP) ## docs/results/stereo.md: both papers' tables, goals, other trackers, what goes wrong (half an hour; after make peers)
+	$(BIN)/python -m tests.benchmarks.stereo --report
 
 results-spheroid: $(STAMP) ## docs/results/spheroid.md: marks, hard situations, places, real footage (half an hour)
 	$(BIN)/python -m tests.benchmarks.spheroid --report
@@ -59,6 +59,9 @@ detector: $(STAMP) ## the built-in failure detector: rendered, tracked, labelled
 
 kills: $(STAMP) ## kill the window 1,000 times while tracks are corrected in it: nothing may be lost (20 minutes)
 	$(BIN)/python -m tests.sweeps.kill
+
+long: $(STAMP) ## track 100,000 frames and watch the memory: below 1 GiB (an hour)
+	$(BIN)/python -m tests.sweeps.long_run
 
 model: $(STAMP) ## sessions against a plain list of states, 10,000 runs of 50 steps (two hours)
 	$(BIN)/python -m tests.sweeps.model
