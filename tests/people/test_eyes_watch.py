@@ -49,6 +49,26 @@ def test_an_eye_that_freezes_fails_until_it_moves_again() -> None:
     assert "frames 18 to 29" in watch.told()[0]
 
 
+def test_an_eye_that_is_no_longer_late_is_told_to_be_well() -> None:
+    watch = watched(2)
+    for k in range(70, 130):
+        watch.look(k, eye(k), eye(k, SHIFT_PX))
+    assert watch.lag == 0
+    late, well = watch.told()
+    assert "the right eye is 2 frames late" in late
+    assert "both eyes show the same instant again" in well
+
+
+def test_an_eye_that_fails_again_and_again_is_told_in_a_few_lines() -> None:
+    watch = EyesWatch(FPS)
+    for k in range(30 * 8):
+        right = eye(k, SHIFT_PX) if k % 30 else np.zeros_like(eye(k))
+        watch.look(k, eye(k), right)
+    told = watch.told()
+    assert len(told) == 6
+    assert told[-1] == "and 3 more times like this"
+
+
 def test_a_black_half_is_a_failing_eye_at_once() -> None:
     right = eye(1, SHIFT_PX)
     assert not shows_nothing(eye(1), right)

@@ -14,6 +14,7 @@ Floats = NDArray[np.float64]
 _WIDE_PX = 160
 """About the width of the thinned pictures compared."""
 _TILE = 20
+"""Side of the squares, of thinned pixels, that are looked at for whether they show anything."""
 _STRUCTURED, _FLAT = 4.0, 1.5
 """Deviations of brightness, grey levels: of a tile that shows something, and that shows nothing."""
 _FEWEST_TILES, _LOST = 6, 0.25
@@ -23,10 +24,15 @@ _MOVED = 12
 _MOVING, _STILL = 20, 0.02
 """Places that move left at the least, and the share of them that may move right in a frozen eye."""
 _FROZEN_FRAMES = 3
+"""Frames on end without movement after which an eye is frozen: encoders repeat one or two."""
 _SPAN_S, _EVERY_S = 0.8, 0.25
+"""How much movement is compared for a lag, and how often."""
 _FEWEST_FRAMES = 16
+"""Of that movement, whatever the frame rate: fewer correlate by chance."""
 _ONE_FAILURE_S = 1.0
 """Failures no farther apart than this are told as one."""
+_MOST_TOLD = 5
+"""Failures, and changes of lag, that are told one by one; the others are counted."""
 MOST_LAG = 4
 """Frames by which an eye may be late, and found to be."""
 _ALIKE, _BETTER = 0.6, 0.04
@@ -91,14 +97,8 @@ class EyesWatch:
             "the left eye alone there, less exactly; look after the camera or its cable"
             for first, last in self._failed
         ]
-        late = [
-            f"the {'right' if lag > 0 else 'left'} eye is {abs(lag)} frame(s) late, found at frame "
-            f"{frame}: pictures of the same instant are paired from there"
-            f"{', and people told as late' if lag > 0 else ''}; distances before are wrong, mend "
-            "the recording and track again"
-            for frame, lag in self._lagged
-        ]
-        return (*failed, *late)
+        late = [_told_late(frame, lag) for frame, lag in self._lagged]
+        return (*_first_few(failed), *_first_few(late))
 
     def _took_failure(self, frame: int) -> None:
         """Movement is not compared over a failure; short gaps are told as one."""
@@ -133,6 +133,24 @@ class EyesWatch:
         if self._lag_looks >= _LOOKS and found != self.lag:
             self.lag = found
             self._lagged.append((frame, found))
+
+
+def _told_late(frame: int, lag: int) -> str:
+    """What is told of a lag that was found at a frame; 0: there is none any more."""
+    if lag == 0:
+        return f"from frame {frame} on both eyes show the same instant again"
+    eye, by = "right" if lag > 0 else "left", "1 frame" if abs(lag) == 1 else f"{abs(lag)} frames"
+    behind = f", and people are told of {by} late" if lag > 0 else ""
+    return (
+        f"the {eye} eye is {by} late, found at frame {frame}: pictures of the same instant are "
+        f"paired from there{behind}; distances before are wrong, mend the recording and track again"
+    )
+
+
+def _first_few(lines: list[str]) -> list[str]:
+    """Not more lines than anybody reads, and how many more there are."""
+    more = len(lines) - _MOST_TOLD
+    return lines if more <= 0 else [*lines[:_MOST_TOLD], f"and {more} more times like this"]
 
 
 def late_by(left: Floats, right: Floats) -> int | None:

@@ -22,6 +22,8 @@ _BEFORE_M = 0.5
 """What is nearer than people by this may hide them."""
 _CUT_ROWS = 6
 """What is ranged up to so many rows of the grid below the picture's upper edge goes on above it."""
+_MOST_PEOPLE = 255
+"""Labels of 8 bits tell no more apart."""
 _LEAST_BELOW_EDGE_M = 0.5
 """Nobody's legs are seen less high where the upper edge cuts off the rest."""
 
@@ -85,7 +87,7 @@ class PeopleFinder:
         places = find_people(points.chosen(high), self._eye, settings)
         owner = assign_points(places, points, self._eye, settings)
         told = told_by_heads(places, owner, points, self._eye, settings)
-        if len(told) > len(places):
+        if len(places) < len(told) <= _MOST_PEOPLE:
             places, owner = told, assign_points(told, points, self._eye, settings)
         # What lies on the floor and looks like shadow is nobody's foot.
         owner[~high & (certain.ravel()[points.pixel] == 0)] = -1

@@ -92,9 +92,10 @@ class StereoPerception:
         """
         eyes = self.rectify(frame)
         self._watch.look(frame.number, *eyes)
+        together = self._of_one_instant(*eyes)
         if self._watch.failing:
             return self._by_left_eye(frame, eyes[0])
-        left, right = self.subtract(*self._of_one_instant(*eyes))
+        left, right = self.subtract(*together)
         shadow = self.shade(left)
         disparity = self.match(left, right)
         people = self.find(left, shadow, disparity)
