@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import venv
@@ -11,6 +12,8 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 KEPT = HERE.parents[1] / "build" / "peers"
+MEMORY_KIB = 8 << 20
+"""What a script may take: one that grows without bound ends, and not the machine."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,12 +66,13 @@ class Peer:
         if not self.installed:
             raise RuntimeError(self.absent)
         one_thread = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "RAYON_NUM_THREADS": "1"}
-        command = [self.python, HERE / script, *arguments]
+        command = [*_limited(), self.python, HERE / script, *arguments]
         ended = subprocess.run(
             command, env=os.environ | one_thread, capture_output=True, text=True, check=False
         )
         if ended.returncode:
-            raise RuntimeError(f"{self.name}: {script} failed: {ended.stderr.strip()[-2000:]}")
+            why = ended.stderr.strip()[-2000:] or f"it ended with status {ended.returncode}"
+            raise RuntimeError(f"{self.name}: {script} failed: {why}")
         return ended.stdout
 
     @property
@@ -77,6 +81,12 @@ class Peer:
         return (
             f"{self.name} is not installed: {Path(sys.executable).name} -m tests.peers {self.name}"
         )
+
+
+def _limited() -> tuple[str, ...]:
+    """How a command is begun with no more than `MEMORY_KIB`, where the system has prlimit."""
+    found = shutil.which("prlimit")
+    return (found, f"--as={MEMORY_KIB * 1024}", "--") if found else ()
 
 
 # TrackEval asks for plotting and mask packages that its box measures do not use.

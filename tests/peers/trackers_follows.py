@@ -12,6 +12,8 @@ from trackers import ByteTrackTracker, OCSORTTracker, SORTTracker
 from trackers.utils.iou import DIoU, GIoU, IoU
 from trackers.utils.state_representations import XCYCSRStateEstimator, XYXYStateEstimator
 
+BUFFER_FPS = 30
+"""The frame rate that the library counts its buffer of lost frames for, whatever the footage's."""
 ESTIMATORS = {"corners": XYXYStateEstimator, "centre": XCYCSRStateEstimator}
 OVERLAPS = {"iou": IoU, "giou": GIoU, "diou": DIoU}
 
@@ -32,7 +34,7 @@ def started(kind, own):
 
     def start(settings, fps):
         tracker = kind(
-            lost_track_buffer=round(settings["lost_s"] * 30),
+            lost_track_buffer=round(settings["lost_s"] * BUFFER_FPS),
             frame_rate=fps,
             minimum_consecutive_frames=settings["minimum_consecutive_frames"],
             minimum_iou_threshold=settings["minimum_iou"],
@@ -44,7 +46,8 @@ def started(kind, own):
         def step(frame, seen):
             given = sv.Detections(xyxy=boxes_of(seen, settings), data={"place": seen[:, 5:7]})
             told = tracker.update(given)
-            for number, place in zip(told.tracker_id, told.data.get("place", ()), strict=False):
+            places = told.data["place"] if len(told) else ()
+            for number, place in zip(told.tracker_id, places, strict=True):
                 if number >= 0:
                     yield int(number), place
 

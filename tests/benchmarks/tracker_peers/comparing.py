@@ -54,7 +54,11 @@ def _peer_row(follower: Follower, clips: Sequence[Clip], settings: Settings) -> 
     if not follower.peer.installed:
         return PeerRow(follower.name, False, False, False, None, follower.peer.absent)
     given = {clip.name: (len(clip.observations), clip.fps, clip.seen) for clip in clips}
-    (followed,) = follower.follow(given, [settings])
+    try:
+        (followed,) = follower.follow(given, [settings])
+    except RuntimeError as why:  # one that fails does not take the others' figures with it
+        last = str(why).splitlines()[-1]
+        return PeerRow(follower.name, False, False, False, None, f"{follower.name} failed: {last}")
     return PeerRow(follower.name, False, False, False, figures_of(clips, followed))
 
 

@@ -109,6 +109,19 @@ def test_every_tracker_has_its_row_and_who_is_missing_is_told(clip: Clip) -> Non
         assert f"-m tests.peers {name}." in markdown(found)
 
 
+def test_a_peer_that_fails_is_a_row_that_says_so(
+    clip: Clip, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def failing(*_: object) -> str:
+        raise RuntimeError("norfair_follows.py failed: first\nMemoryError")
+
+    monkeypatch.setattr(environments.Peer, "installed", True)
+    monkeypatch.setattr(environments.Peer, "run", failing)
+    found = comparing.compared_on([clip], "crossing", [])
+    assert [row.figures for row in found] == [None] * len(FOLLOWERS)
+    assert "Not measured: norfair failed: MemoryError." in markdown(found)
+
+
 @pytest.mark.parametrize("kind", ["crossing", "rendered"])
 def test_the_settings_of_all_peers_were_chosen_from_their_ranges(kind: str) -> None:
     chosen = comparing.chosen_settings(kind)
