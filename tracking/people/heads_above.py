@@ -13,19 +13,25 @@ Floats = NDArray[np.float32]
 _SPREAD_M = 0.19
 """Bodies seen from above that spread farther from their middle than this may be two."""
 _LOWEST_HEAD_M = 1.1
+"""Children's are no lower; hands and bags mostly are."""
 _HEAD_M = 0.22
 """How high a head is."""
 _HEAD_RADIUS_M = 0.13
+"""With hair and the noise of range."""
 _APART_M = 0.3
 """Heads are no nearer to each other."""
 _HEAD_AREA_M2 = 0.01
+"""Surface a head shows at the least: less than half of one seen from above."""
 _VALLEY_M = 0.1
 """Between two heads what is seen is lower by this than the lower one, or is not there."""
 _BODY_SHARE = 0.2
 """Each head has this share of what is seen nearer to it than to the other."""
 _MOST_HEADS = 4
+"""So many people are told apart at one place."""
 _TRIMMED = 0.03
-_FEWEST = 30
+"""Share of the highest points that are taken for noise."""
+_FEWEST = 15
+"""Points that no head has yet, in which another one is looked for."""
 
 
 def told_by_heads(
@@ -72,7 +78,7 @@ def _heads(points: SurfacePoints, eye: Floats) -> list[Floats]:
     free = high.mass == high.area
     heads: list[Floats] = []
     tops: list[float] = []
-    while np.count_nonzero(free) >= _FEWEST // 2 and len(heads) < _MOST_HEADS:
+    while np.count_nonzero(free) >= _FEWEST and len(heads) < _MOST_HEADS:
         found = _highest(high, free, eye)
         if found is None:
             break

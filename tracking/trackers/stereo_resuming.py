@@ -81,7 +81,7 @@ def resumed(
 
 def _standing(
     rows: Columns,
-    people: Indices,
+    people: NDArray[np.int32],
     views: Views,
     resume: Resume,
     view: View,

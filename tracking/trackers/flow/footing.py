@@ -15,6 +15,7 @@ _HALF_WIDTH_M = 0.12
 _CHEST_DROP_M = 1.0
 """Points are thought to be so far below the camera, where their strips are measured out."""
 _FAR = 20.0
+"""Slope of rays that are not known: their strips are as narrow as strips can be."""
 _GAP_ROWS, _EDGE_ROWS = 3, 2
 """Lines of the mask without foreground over which a body goes on; lines at its lower edge, where
 feet may be cut off."""

@@ -13,17 +13,24 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 _NEAREST_M = 0.1
+"""Bodies nearer than this count as so far: a logarithm is taken."""
 _NEAR, _FAR = 0.1, 0.2
 """Ratios up to which feet are one's own in full, and from which on they are not at all."""
 _NOWHERE, _HIDDEN = 2.0, 0.7
 """What it costs a tracklet's misfit when no feet are where they should be, or they are hidden."""
 _OWN = 0.06
+"""Off a scale by no more than this, feet are the body's own at it."""
 _SCALES = np.arange(-0.6, 0.61, 0.03)
+"""Logarithms by which a body may be farther away than was thought, finer than `_OWN`."""
 _NOWHERE_SHARE, _CHANGE = 0.7, 0.15
 """Against the share of feet that are one's own: of feet nowhere, and of each change of scale."""
 _FEWEST, _PLENTY, _LIKELY = 8, 40, 0.5
+"""Tracklets with feet below which these say nothing; those, and the share of them that are one's
+own, from which on they say all they can."""
 _ERROR = 0.04
+"""Of what feet say then, as a share of the distance."""
 _SEED_OWN, _SEED_WEIGHT, _SEED_FEWEST = 0.08, 6.0, 3
+"""The same for one tracklet: ratio of own feet, weight of all feet, and how many are needed."""
 
 
 def ratios(feet_m: Floats, away_m: Floats) -> Floats:

@@ -17,7 +17,7 @@ _HALF_WIDTH_M, _LOW_M, _HIGH_M = 0.2, 0.3, 1.75
 """Points so near to the axis, at such heights, are of the body or of what hides it."""
 _NOWHERE = 0.2
 """Where the foreground ends by so much farther away, as a logarithm, nobody stands."""
-_MOST = 2
+_MOST_OF_THREE = 2
 _COLUMNS = ("u0", "v0", "foot_v")
 
 
@@ -59,7 +59,7 @@ class Witnesses:
             return np.zeros(frame.shape, bool)
         each = self.allow(place.reshape(-1, 2), frame.ravel()).reshape(frame.shape)
         wide = np.pad(each.astype(np.int64), ((0, 0), (1, 1)), mode="edge")
-        return np.asarray(wide[:, :-2] + wide[:, 1:-1] + wide[:, 2:] >= _MOST)
+        return np.asarray(wide[:, :-2] + wide[:, 1:-1] + wide[:, 2:] >= _MOST_OF_THREE)
 
     def _of_frame(self, place: Floats, frame: int) -> Flags:
         """(k,) the same of one frame."""
