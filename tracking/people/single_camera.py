@@ -57,6 +57,11 @@ class SingleCameraPerception:
         self._view = view
         self._settings = people or PeopleSettings()
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Nothing is to be told."""
+        return ()
+
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn the background from frames spread over some time, before the first `observe`.
 

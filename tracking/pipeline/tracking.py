@@ -165,8 +165,7 @@ class Tracking:
     def notes(self) -> tuple[str, ...]:
         """What the user should be told of the frames tracked so far, a line each."""
         told = self._tracker.notes if self._tracker is not None else ()
-        eyes: tuple[str, ...] = getattr(self._perception, "notes", ())
-        told = (*told, *eyes)
+        told = (*told, *(self._perception.notes if self._perception is not None else ()))
         if self._followed or not self._spec.needs_stereo or not self._ranged.is_too_small:
             return told
         swapped = f"{self._recording.name}: no distance for what moves: are the eyes swapped?"

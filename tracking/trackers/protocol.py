@@ -64,11 +64,11 @@ class StepResult:
 
 
 class Perception(Protocol):
-    """Turns pictures into observations; holds the background model.
+    """Turns pictures into observations; holds the background model."""
 
-    One that watches over what it sees by has `notes`, too: what the user should be told, a line
-    each.
-    """
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should be told of what it sees by, a line each."""
 
     def learn(self, frames: Sequence[StereoFrame]) -> None:
         """Take the background from frames spread over the recording, before the first step."""

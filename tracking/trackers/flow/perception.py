@@ -50,6 +50,11 @@ class FlowPerception:
         self._background = BackgroundModel(fps, foreground)
         self._shadows = ShadowRemover(foreground)
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Nothing is to be told."""
+        return ()
+
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn the background from frames spread over some time, before the first `observe`."""
         self._background.learn([halved(frame.left) for frame in frames])

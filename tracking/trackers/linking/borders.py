@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.geometry import View
-from tracking.trackers.linking.seen import Flags, Floats, Seen
+from tracking.trackers.linking.seen import BODY_M, Flags, Floats, Seen
 from tracking.trackers.linking.tracklets import State, Tracklets
 
-_BODY_M = (1.7, 0.5)
 _AHEAD_S = 0.5
 """Who walks out of the picture within this time may have left."""
 _INSIDE, _OUTSIDE = 0.95, 0.6
@@ -52,7 +51,7 @@ def return_costs(pieces: Tracklets, view: View) -> Floats:
 
 def share_inside(place: Floats, view: View) -> Floats:
     """(n,) how much of a usual body at places (n, 2) the picture shows."""
-    box = view.box_of_person(place, *_BODY_M)
+    box = view.box_of_person(place, *BODY_M)
     low = np.clip(box[:, :2], 0.0, view.camera.size)
     high = np.clip(box[:, :2] + box[:, 2:], 0.0, view.camera.size)
     share = np.prod(high - low, axis=1) / np.prod(box[:, 2:], axis=1)

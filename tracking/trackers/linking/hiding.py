@@ -6,15 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.seen import SIDES, Floats, Integers
+from tracking.trackers.linking.seen import BODY_M, SIDES, Floats, Integers
 from tracking.tracks.columns import Columns
 
 Rows = NDArray[np.intp]
 
 _SAMPLES = 6
 """Moments of a way that are looked at."""
-_BODY_M = (1.7, 0.5)
-"""Height and width of a usual one."""
 _BEHIND_M = 0.2
 """Who stands nearer by so much may be in front."""
 _COVERED = 0.5
@@ -44,7 +42,7 @@ def hidden_shares(
 
 def _covered(tracks: Columns, place: Floats, frame: Integers, own: Integers, view: View) -> Floats:
     """(m,) the share of bodies at places (m, 2) in these frames that others cover."""
-    body = view.box_of_person(place, *_BODY_M)
+    body = view.box_of_person(place, *BODY_M)
     range_m = np.hypot(*place.T)
     box = np.stack([tracks[name] for name in SIDES], axis=1)
     near_m = np.hypot(tracks["x"], tracks["y"])

@@ -18,6 +18,8 @@ Integers = NDArray[np.int64]
 
 SIDES = ("left", "top", "width", "height")
 LOOKS = (*CLOTHES, "height_m")
+BODY_M = (1.7, 0.5)
+"""Height and width of a usual body."""
 EDGE_SHARE = 0.006
 """Of the picture's size: boxes that come so close to its edge are cut off by it."""
 _NEAR_M, _FAR_M = 0.08, 0.001

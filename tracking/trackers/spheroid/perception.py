@@ -85,6 +85,11 @@ class SpheroidPerception:
         self._last: Subtraction | None = None
         self._told: Bodies | None = None
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Nothing is to be told."""
+        return ()
+
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn the background from frames spread over some time, before the first `observe`."""
         self._background.learn([self._working(frame.left) for frame in frames])
