@@ -62,7 +62,7 @@ def _asked() -> argparse.Namespace:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("clips", nargs="+", type=Path, metavar="CLIP", help="folder of a clip")
-    parser.add_argument("--tracker", default="stereo-direction", help="in the catalogue")
+    parser.add_argument("--tracker", default="stereo-joint", help="in the catalogue")
     parser.add_argument(
         "--set", action="append", default=[], metavar="NAME=VALUE", help="a setting of the tracker"
     )

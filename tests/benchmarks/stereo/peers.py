@@ -73,7 +73,8 @@ def goals(rows: Sequence[Figures]) -> str:
     others = [row for row in rows if not row["ours"] and row["figures"] is not None]
     if not others:
         return (
-            "None of the others is installed (`make peers`), so there is nothing to compare with."
+            "None of the others could be measured (`make peers` installs them), so there is "
+            "nothing to compare with."
         )
     best = min(others, key=_switches)
     said = [f"Fewest switches of the others: {best['tracker']}, {_switches(best)}."]

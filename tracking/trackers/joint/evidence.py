@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.people import Detections
+from tracking.trackers.joint.motion import FASTEST_M_PER_S
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.population import Population
 
@@ -16,12 +17,12 @@ Floats = NDArray[np.float64]
 
 _FREEDOM = 4.0
 """Of Student's t, which places follow: a detection is now and then far off."""
-_FASTEST_M_PER_S = 3.0
 _REACH_M = 0.9
 """Nobody is found farther off than this and their fastest walk since they were seen."""
 _HIDDEN, _SHOWN = 0.05, 0.5
 """Shares of a body in sight at which nobody and everybody is found."""
 _FAINT = 0.05
+"""How likely somebody is found of whom nothing should show."""
 _EDGE = 0.3
 """A box this share of its height away from the picture's edge is within the picture."""
 _DOUBT = 4.0
@@ -109,5 +110,5 @@ def evidence_of(
     distance = np.hypot(offset[..., 0], offset[..., 1])
     place = place_density(offset, spread_of(people), sigma)
     match = new - place - likeness + np.nan_to_num(turn) - np.log(found)[:, None]
-    reach = _REACH_M + _FASTEST_M_PER_S * people.missed_s
+    reach = _REACH_M + FASTEST_M_PER_S * people.missed_s
     return Evidence(match, -np.log1p(-found), distance <= reach[:, None], distance)

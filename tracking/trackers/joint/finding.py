@@ -15,6 +15,7 @@ Floats = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
 _LEAST_MISSED_S = 0.1
+"""Who was seen more recently is followed on, not found again."""
 
 
 def found_again(

@@ -11,7 +11,8 @@ from tracking.trackers.population import Population
 
 Floats = NDArray[np.float64]
 
-_FASTEST_M_PER_S = 3.0
+FASTEST_M_PER_S = 3.0
+"""Of people who walk; who runs is followed by where they are seen."""
 
 
 def predicted(
@@ -49,6 +50,6 @@ def measured_motion(mine: Population, measured: Floats, sigma: Floats) -> tuple[
     total = place + sigma**2
     velocity = mine.velocity + (both / total)[:, None] * (measured - mine.position)
     fast = np.hypot(velocity[:, 0], velocity[:, 1])
-    velocity = velocity * np.minimum(1.0, _FASTEST_M_PER_S / np.maximum(fast, 1e-9))[:, None]
+    velocity = velocity * np.minimum(1.0, FASTEST_M_PER_S / np.maximum(fast, 1e-9))[:, None]
     kept = sigma**2 / total
     return velocity, np.stack((kept * place, kept * both, speed - both**2 / total), axis=1)

@@ -20,6 +20,7 @@ _MEMORY = 4000.0
 _MOST = 9.0
 """Squared errors beyond this multiple of what was expected are accidents, and count as much."""
 _LEAST_SHARE, _MOST_SHARE = 0.3, 4.0
+"""Of the squared error that the settings say: what is learnt stays within."""
 
 
 @dataclass(frozen=True, slots=True)

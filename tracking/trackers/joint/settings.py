@@ -36,6 +36,13 @@ class JointSettings(StereoFilterSettings):
     looks_weight: float = setting(
         0.5, "", (0.0, 4.0), "how far colours and height are taken for independent of each other"
     )
+    smooth: bool = setting(
+        True,
+        "",
+        None,
+        "once tracked, give everybody one id for their whole stay, smooth paths and boxes from "
+        "both ends and fill their gaps",
+    )
     direction_weight: float = setting(
         1.0, "nat", (0.0, 10.0), "cost of a turn by the threshold or more"
     )

@@ -20,6 +20,7 @@ _TOLD_SHARE, _REMEMBERED_SHARE = 1.0, 3.0
 _IN_VIEW, _BY_CHANCE_S = 0.5, 0.4
 """Who shows so much of themselves is missed by chance, and for no longer."""
 _AT_THE_EDGE = 0.75
+"""Share of a body inside the picture below which somebody not seen may be leaving it."""
 _OUT_OF_VIEW = 0.35
 """Share of a body inside the picture below which somebody not seen has left it."""
 
