@@ -11,6 +11,7 @@ Mask = NDArray[np.uint8]
 Floats = NDArray[np.float32]
 
 _BLOCK_PX = 16
+"""Side of the squares compared: smaller than a person, with detail enough to be told again."""
 _MOSTLY = 0.5
 """A block is looked at if this share of it differs from the background."""
 _ALIKE = 0.6
@@ -22,6 +23,7 @@ _SHARE = 0.3
 _NEAR = (7, 7)
 """Blocks that cannot be told have the light of those so near."""
 _RATIOS = (0.2, 5.0)
+"""Changes of light that are believed."""
 
 
 def change_of_light(picture: Picture, background: Picture, mask: Mask) -> Floats | None:

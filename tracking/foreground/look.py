@@ -13,7 +13,9 @@ Scores = NDArray[np.float32]
 Box = tuple[slice, slice]
 
 _NEAR = (3, 3)
+"""Pixels over which noise is averaged."""
 _WIDE = np.ones((5, 5), np.uint8)
+"""Pixels across which a shadow's own edge changes, once averaged."""
 _TEXTURE_FULL = 0.12
 """Change of the logarithm of the ratio of light, per pixel, that no shadow shows."""
 _HUE_FULL = 0.06

@@ -22,6 +22,7 @@ _STEPS = 5
 _SAME_PERSON = 0.35
 """Squared distance of two places, in units of a person's breadth, below which they are one."""
 _AROUND = np.ones((5, 5), np.uint8)
+"""Places of the grid, as wide as the window of block matching, whose ranges may blend."""
 _BETWEEN_PX, _BETWEEN_M = 0.3, 0.15
 """What lies by both behind one neighbour and before another is a mixture of the two."""
 _MIXTURE = 0.3

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 _WALK_M_PER_S = 1.0
+"""Spread of people's velocities along each axis, before anything is known of them."""
 LOOKS = 7
 """Numbers that `Population.looks` has."""
 

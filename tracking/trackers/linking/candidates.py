@@ -28,6 +28,7 @@ _HIDING, _HIDDEN_S = 0.8, 5.0
 _TRACKER, _TRACKER_GAP = 3.0, 1.5
 """Log-odds of what the tracker said, which knew more of looks; after a gap it was less sure."""
 _GAP_S = 0.25
+"""From which on somebody counts as lost, and not as missed for a moment."""
 _HOPELESS = 12.0
 """What costs more, looks do not make up for."""
 _BACK_AT_ONCE = 1.0

@@ -25,6 +25,7 @@ Rows = NDArray[np.intp]
 _TURN_S = 0.6
 """Of the way before and after somebody may have left, and somebody else come."""
 _STEP_M = 0.1
+"""By which a place is moved to see how the picture lies over the floor."""
 _LEAST_LINE = 5
 """Rows of a line."""
 _WAY_M = 0.12

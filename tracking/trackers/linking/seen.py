@@ -29,6 +29,7 @@ _FASTEST_M_S, _STEP_ERRORS = 4.0, 5.0
 _WHOLE = 0.85
 """Share of a body in the picture from which on its clothes are seen."""
 _WELL_SEEN = 0.5
+"""Visibility from which on what is measured of somebody is theirs."""
 _NEAR_ROWS = 3
 """So long a box flickers at the edge."""
 
