@@ -59,6 +59,13 @@ def test_who_enters_where_somebody_leaves_is_somebody_new(clothes: tuple[float, 
     assert list(ids_at(run, 110)) == [2]
 
 
+def test_without_clothes_whom_the_tracker_followed_over_the_edge_stays() -> None:
+    unknown = (np.nan,) * 6
+    tracked = run_of(Stretch(1, 0, OUT, unknown), Stretch(1, 60, IN, unknown), frames=120)
+    run = linked(tracked, VIEW, FPS)
+    assert set(run.tracks["track"].tolist()) == {1}
+
+
 def test_who_walks_along_the_edge_stays() -> None:
     way = straight((-2.62, 5), (-3.4, 7), 80)
     way = np.concatenate((straight((-1, 4), (-2.62, 5), 40), way, straight((-3.4, 7), (-1, 8), 60)))

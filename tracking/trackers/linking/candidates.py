@@ -25,8 +25,8 @@ _LOST_S = 1.5
 """How long others are, while nothing is known that hides the person."""
 _HIDING, _HIDDEN_S = 0.8, 5.0
 """How much likelier a long gap is behind others, and how long those are."""
-_TRACKER, _TRACKER_GAP = 3.0, 1.5
-"""Log-odds of what the tracker said, which knew more of looks; after a gap it was less sure."""
+_TRACKER = 3.0
+"""Log-odds of what the tracker said, which knew more of looks and of every frame."""
 _GAP_S = 0.25
 """From which on somebody counts as lost, and not as missed for a moment."""
 _HOPELESS = 12.0
@@ -63,7 +63,7 @@ def links_between(
     same = (pieces.track[end] == pieces.track[start]) & (start > end)
     back = same & over_edge & (start == end + 1)
     same &= ~over_edge
-    together += same * np.where(gap_s > _GAP_S, _TRACKER_GAP, _TRACKER)
+    together += _TRACKER * same
     apart = fresh_likelihood(pieces.first) - birth_costs(seen, pieces, view, fps, frames[0])
     gone = -death_costs(seen, pieces, view, fps, frames[1])
     cost = apart[start] + gone[end] - together

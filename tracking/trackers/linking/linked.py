@@ -14,10 +14,10 @@ from tracking.trackers.linking.doubts import Doubt, doubts
 from tracking.trackers.linking.edges import returned_over_edge
 from tracking.trackers.linking.looks import looks_of
 from tracking.trackers.linking.renaming import renamed
-from tracking.trackers.linking.seen import Integers, seen_of
+from tracking.trackers.linking.seen import Integers, Seen, seen_of
 from tracking.trackers.linking.tracklets import Tracklets, tracklets
 from tracking.trackers.smoothing import smoothed
-from tracking.tracks.columns import Columns
+from tracking.tracks.columns import CLOTHES, Columns
 from tracking.tracks.run import Run
 
 
@@ -55,7 +55,7 @@ def _names_of_rows(
     own = seen.row >= before
     if not own.any():
         return np.zeros(0, np.intp), np.zeros(0, np.int64)
-    returns = returned_over_edge(seen, view, fps)
+    returns = [one for one in returned_over_edge(seen, view, fps) if _known(seen, one.row)]
     doubt = doubts(seen, meetings, returns, fps)
     doubt[~own & (doubt != Doubt.TRACK)] = Doubt.NONE
     pieces = tracklets(seen, doubt, fps)
@@ -72,6 +72,16 @@ def _names_of_rows(
         if name[one.row - 1] != name[one.row]:
             name[one.start : one.stop] = 0
     return seen.row[own] - before, name[own]
+
+
+def _known(seen: Seen, row: int) -> bool:
+    """Whether a track's clothes are known before a row and from it on.
+
+    Where they are not, nothing tells more than the tracker did: what it said stands.
+    """
+    start, stop = np.searchsorted(seen.track, (seen.track[row], seen.track[row] + 1))
+    known = np.isfinite(seen.looks[start:stop, : len(CLOTHES)]).all(axis=1)
+    return bool(known[: row - start].any() and known[row - start :].any())
 
 
 def _behind(given: Columns, run: Run) -> Run:
