@@ -80,7 +80,7 @@ def _known(seen: Seen, row: int) -> bool:
     Where they are not, nothing tells more than the tracker did: what it said stands.
     """
     start, stop = np.searchsorted(seen.track, (seen.track[row], seen.track[row] + 1))
-    known = np.isfinite(seen.looks[start:stop, : len(CLOTHES)]).all(axis=1)
+    known = np.asarray(np.isfinite(seen.looks[start:stop, : len(CLOTHES)]).all(axis=1))
     return bool(known[: row - start].any() and known[row - start :].any())
 
 
