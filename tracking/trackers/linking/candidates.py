@@ -27,6 +27,8 @@ _HIDING, _HIDDEN_S = 0.8, 5.0
 """How much likelier a long gap is behind others, and how long those are."""
 _TRACKER = 3.0
 """Log-odds of what the tracker said, which knew more of looks and of every frame."""
+_KEPT_APART = 1.5
+"""Log-odds that two ids it gave are two people; an exchange where they met is two already."""
 _GAP_S = 0.25
 """From which on somebody counts as lost, and not as missed for a moment."""
 _HOPELESS = 12.0
@@ -63,7 +65,8 @@ def links_between(
     same = (pieces.track[end] == pieces.track[start]) & (start > end)
     back = same & over_edge & (start == end + 1)
     same &= ~over_edge
-    together += _TRACKER * same
+    other = (pieces.track[end] != pieces.track[start]) & (pieces.doubt[start] != Doubt.MET)
+    together += _TRACKER * same - _KEPT_APART * other
     apart = fresh_likelihood(pieces.first) - birth_costs(seen, pieces, view, fps, frames[0])
     gone = -death_costs(seen, pieces, view, fps, frames[1])
     cost = apart[start] + gone[end] - together
