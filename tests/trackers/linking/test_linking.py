@@ -94,6 +94,13 @@ def test_who_was_hidden_keeps_the_id_and_stands_in_every_frame() -> None:
     np.testing.assert_allclose(run.tracks["x"][own], np.linspace(-1.5, 1.5, 140), atol=0.15)
 
 
+def test_in_a_long_gap_nobody_is_said_to_stand_anywhere() -> None:
+    way = straight((-1.5, 6), (1.5, 6), 140)
+    run = linked(run_of(Stretch(1, 0, way[:50]), Stretch(1, 90, way[90:]), frames=140), VIEW, FPS)
+    assert run.tracks["frame"].tolist() == [*range(50), *range(90, 140)]
+    assert set(run.tracks["track"].tolist()) == {1}
+
+
 def test_who_looks_quite_different_after_being_hidden_is_somebody_else() -> None:
     run = linked(hidden(BLUE), VIEW, FPS)
     assert id_near(run, 130, (1.3, 6)) == 4
@@ -138,7 +145,10 @@ class InAFile:
 
 def test_particles_in_a_file_are_renamed_as_they_are_read() -> None:
     run = exchanged()
-    columns = {**run.particles.columns, "track": InAFile(run.particles.columns["track"])}
+    columns = {
+        **run.particles.columns,
+        "track": InAFile(np.asarray(run.particles.columns["track"])),
+    }
     there = replace(run, particles=replace(run.particles, columns=columns))
     expected, found = (linked(one, VIEW, FPS).particles for one in (run, there))
     assert not isinstance(found.columns["track"], np.ndarray)

@@ -14,11 +14,15 @@ from tracking.tracks.columns import TRACK_COLUMNS, Columns, typed
 
 Rows = NDArray[np.intp]
 
+_SURE_S = 1.0
+"""So long it is known about where somebody walks unseen."""
 
-def filled(tracks: Columns, signals: Columns, view: View) -> tuple[Columns, Columns]:
-    """The rows of people with an id, sorted, without gaps; and their signals.
+
+def filled(tracks: Columns, signals: Columns, view: View, fps: float) -> tuple[Columns, Columns]:
+    """The rows of people with an id, sorted, without short gaps; and their signals.
 
     In a gap people walk straight and their boxes change evenly, as a beginning for smoothing.
+    Longer ones stay: somebody may have stood still or turned behind what hid them.
 
     Args:
         tracks: `TRACK_COLUMNS`; rows of track 0 are left out. signals: a row for each, or none.
@@ -26,7 +30,7 @@ def filled(tracks: Columns, signals: Columns, view: View) -> tuple[Columns, Colu
     order = np.lexsort((tracks["frame"], tracks["track"]))
     order = order[tracks["track"][order] > 0]
     old = {name: column[order] for name, column in tracks.items()}
-    added, before = _between(old)
+    added, before = _between(old, round(_SURE_S * fps))
     whole = {name: np.concatenate((old[name], added[name])) for name in TRACK_COLUMNS}
     sort = np.lexsort((whole["track"], whole["frame"]))
     whole = {name: column[sort] for name, column in whole.items()}
@@ -41,10 +45,15 @@ def filled(tracks: Columns, signals: Columns, view: View) -> tuple[Columns, Colu
     return whole, {**noticed, "frame": whole["frame"], "track": whole["track"]}
 
 
-def _between(tracks: Columns) -> tuple[dict[str, NDArray[Any]], Rows]:
-    """Rows for the frames that tracks, sorted by track and frame, leave out; the rows before."""
+def _between(tracks: Columns, longest: int) -> tuple[dict[str, NDArray[Any]], Rows]:
+    """Rows for the frames that tracks, sorted by track and frame, leave out; the rows before.
+
+    Args:
+        longest: where more are missing, none is added.
+    """
     step = np.diff(tracks["frame"].astype(np.int64))
-    missing = np.where(np.diff(tracks["track"]) == 0, step - 1, 0)
+    short = (np.diff(tracks["track"]) == 0) & (step - 1 <= longest)
+    missing = np.where(short, step - 1, 0)
     before = np.repeat(np.arange(len(missing)), missing)
     nth = np.arange(len(before)) - np.repeat(np.cumsum(missing) - missing, missing) + 1
     share = nth / (missing[before] + 1)

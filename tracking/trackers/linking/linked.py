@@ -39,7 +39,7 @@ def linked(run: Run, view: View, fps: float, given: Columns | None = None) -> Ru
     """
     row, name = _names_of_rows(run, view, fps, given)
     if len(row):
-        run = renamed(run, row, name, view)
+        run = renamed(run, row, name, view, fps)
     return smoothed(run, view, fps, given)
 
 

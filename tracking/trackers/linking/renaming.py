@@ -18,11 +18,11 @@ Rows = NDArray[np.intp]
 Ids = NDArray[np.int32]
 
 
-def renamed(run: Run, row: Rows, name: Integers, view: View) -> Run:
+def renamed(run: Run, row: Rows, name: Integers, view: View, fps: float) -> Run:
     """The run with one id for each person.
 
     Rows without a detection go with those before them until the person is seen again; where the
-    tracker has none in between, predicted ones are added. Those of nobody, and those after
+    tracker has none in a short gap, predicted ones are added. Those of nobody, and those after
     somebody was seen last, are left out, and their particles are of track 0.
 
     Args:
@@ -31,7 +31,7 @@ def renamed(run: Run, row: Rows, name: Integers, view: View) -> Run:
     """
     new = _of_rows(run.tracks, row, name)
     names = _Names.of(run.tracks, new)
-    tracks, signals = filled(_with(run.tracks, new), run.signals, view)
+    tracks, signals = filled(_with(run.tracks, new), run.signals, view, fps)
     return replace(
         run,
         tracks=tracks,
