@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
+from tracking.trackers.joint.edges import share_a_step_off
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.population import Population
 from tracking.trackers.stereo_boxes import share_in_view
@@ -19,7 +20,8 @@ _TOLD_SHARE, _REMEMBERED_SHARE = 1.0, 3.0
 """Nobody is told of, or remembered, for longer than so many times as they were seen."""
 _IN_VIEW, _BY_CHANCE_S = 0.5, 0.4
 """Who shows so much of themselves is missed by chance, and for no longer."""
-_AT_THE_EDGE = 0.75
+_AT_THE_EDGE = 0.55
+"""Who has less of themselves in the picture a step further off stands at its edge."""
 """Share of a body inside the picture below which somebody not seen may be leaving it."""
 _OUT_OF_VIEW = 0.35
 """Share of a body inside the picture below which somebody not seen has left it."""
@@ -55,7 +57,8 @@ def staying(people: Population, settings: JointSettings, view: View, elapsed_s: 
     is somebody else.
     """
     inside = share_in_view(people, view)
-    patience_s = np.where(inside < _AT_THE_EDGE, settings.lost_at_edge_s, settings.remember_s)
+    at_the_edge = share_a_step_off(people.position, view) < _AT_THE_EDGE
+    patience_s = np.where(at_the_edge, settings.lost_at_edge_s, settings.remember_s)
     patience_s = np.minimum(patience_s, _REMEMBERED_SHARE * people.matches * elapsed_s)
     patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)
     patience_s = np.where(inside < _OUT_OF_VIEW, 0.0, patience_s)
