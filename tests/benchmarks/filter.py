@@ -25,8 +25,8 @@ from tracking.filtering import (
     weigh,
     weighted_mean,
 )
-from tracking.trackers.stereo import StereoTracker
-from tracking.trackers.stereo_direction import MiddleUpdated, StereoDirectionSettings
+from tracking.trackers.joint import JointSettings
+from tracking.trackers.joint.tracker import JointTracker
 
 _PEOPLE, _PARTICLES = 15, 700
 _NUMBERS_OF_PEOPLE = (1, 5, 15, 50)
@@ -46,6 +46,8 @@ def filter_ms(people: int, particles: int) -> float:
 
     Predict, cost of all pairs from distance and colour, the assignment with the least total,
     weigh and estimate, resample: what [Kawashita2014] section 3 has, for all people at once.
+    Left out is what the default tracker does beyond these: who is hidden, new, lost or shares a
+    region, what looks and noise are learnt, boxes and the run's columns (see `tracker_ms`).
     """
     random = np.random.default_rng(people)
     start, velocity, colour = _walkers(people, random)
@@ -106,7 +108,10 @@ def stonesoup_ms(people: int) -> float | None:
 
 
 def tracker_ms(people: int) -> float:
-    """The median time of a whole tracker step with so many people, particles stored."""
+    """The median time of a whole step of the default tracker with so many people, nothing left out.
+
+    The run's columns are made, particles among them; detections come ready made.
+    """
     random = np.random.default_rng(people)
     starts = random.uniform((-2.0, 4.0), (2.0, 9.0), (people, 2))
     speeds = random.uniform(-0.2, 0.2, (people, 2))
@@ -114,8 +119,8 @@ def tracker_ms(people: int) -> float:
         Walker(straight(at, speed, _TRACKER_FRAMES), k % 16)
         for k, (at, speed) in enumerate(zip(starts, speeds, strict=True))
     ]
-    settings = StereoDirectionSettings(particles=_TRACKER_PARTICLES, birth_distance_m=0.0)
-    tracker = StereoTracker(view(), settings, MiddleUpdated(settings), seed=0)
+    settings = JointSettings(particles=_TRACKER_PARTICLES, birth_distance_m=0.0)
+    tracker = JointTracker(view(), settings, seed=0)
     taken = []
     for observation in observations(walkers):
         begun = time.thread_time()
@@ -139,7 +144,7 @@ def measure() -> dict[str, float | None]:
 
     `ms`: the filter step alone, 15 people of 700 particles, association included. `ms_N_people`:
     the same for N people; `ms_N_particles`: 15 people of N particles; `tracker_ms_N_people`: the
-    whole step of `stereo-direction`, 500 particles each, run columns made. `us_per_...`: slopes of
+    whole step of `stereo-joint`, 500 particles each, run columns made. `us_per_...`: slopes of
     straight lines through those, and `..._off_the_line` how far the farthest is from its line, as
     a share of the longest time. `vs_stonesoup`: `ms` over the time of Stone Soup's GNN tracker
     for a frame of the same detections; None where it is not installed.
