@@ -14,7 +14,7 @@ from tracking.tracks.columns import TRACK_COLUMNS, Columns, typed
 
 Rows = NDArray[np.intp]
 
-_SURE_S = 1.0
+_SURE_S = 2.0
 """So long it is known about where somebody walks unseen."""
 
 
