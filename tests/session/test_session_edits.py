@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -165,6 +166,20 @@ def test_an_edit_on_a_run_that_is_not_saved_saves_it_first(
     again = Session.open(crashed(session, tmp_path / "after"))
     assert state_of(again) == state_of(session)
     again.close()
+
+
+def test_a_run_of_fewer_frames_than_the_one_that_is_corrected_is_kept_beside_it(
+    session: Session,
+) -> None:
+    adopted, before = session.adopted_run, session.tracks
+    whole = make_run(seed=1, tracks=6)
+    start, stop = whole.frames
+    later = whole.tracks["frame"] > start
+    late = {name: column[later] for name, column in whole.tracks.items()}
+    session.add_run(replace(whole, frames=(start + 1, stop), tracks=late))
+    assert session.adopted_run == adopted
+    assert session.tracks is before
+    assert session.add_run(whole) == session.adopted_run
 
 
 def test_an_edit_waits_for_the_run_it_is_about_to_be_on_disk(

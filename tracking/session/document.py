@@ -147,11 +147,13 @@ class Session(Held):
         """Add a tracker's result; gives its number.
 
         With adopt, and as long as nobody has edited anything, the corrected table becomes the
-        run's tracks. The run is on disk after the next `save`; the next edit sees to that itself.
+        run's tracks, unless they are of fewer frames than those it holds: of a tracking that was
+        stopped, or begun in the middle. The run is on disk after the next `save`; the next edit
+        sees to that itself.
         Raises EditError where the run's tracks are no table.
         """
         self._refuse_read_only()
-        adopts = adopt and not len(self.history)
+        adopts = adopt and not len(self.history) and self._covers_adopted(run)
         table = TrackTable(run.tracks, highest_track=self.tracks.highest_track) if adopts else None
         number = self._runs.add(run)
         if table is not None:
@@ -159,6 +161,13 @@ class Session(Held):
         self._content += 1
         self._base = self._content
         return number
+
+    def _covers_adopted(self, run: Run) -> bool:
+        """Whether a run is of all frames of the one whose tracks are corrected now."""
+        if self._adopted is None:
+            return True
+        start, stop = self._runs[self._adopted].frames
+        return run.frames[0] <= start and stop <= run.frames[1]
 
     def drop_run(self, number: int) -> None:
         """Forget the last run. Raises EditError for another one, and for the one adopted."""

@@ -81,16 +81,16 @@ def test_a_swap_is_done_by_keys_alone_undone_and_done_again(window, desk, press)
     press(Key.Key_Tab)
     assert desk.document.flow.other == b
     cut = desk.document.flow.cut
-    press(Key.Key_Right)
-    assert desk.document.flow.cut == cut + 1
-    assert desk.playback.clock.frame == cut + 1
+    press(Key.Key_Left)
+    assert desk.document.flow.cut == cut - 1
+    assert desk.playback.clock.frame == cut - 1
     press(Key.Key_Return)
     assert not window.workspace.preview.isVisible()
     assert (_place(desk, b, 79), _place(desk, a, 79)) == before
     press(Key.Key_Home)
     press(Key.Key_Z, _CTRL)
     assert (_place(desk, a, 79), _place(desk, b, 79)) == before
-    assert desk.playback.clock.frame == cut + 1  # undo goes where it changed something
+    assert desk.playback.clock.frame == cut - 1  # undo goes where it changed something
     press(Key.Key_Z, _CTRL | _SHIFT)
     assert (_place(desk, b, 79), _place(desk, a, 79)) == before
 
@@ -112,9 +112,11 @@ def test_the_scope_key_narrows_a_swap_to_this_frame(desk, press):
     press(Key.Key_R)
     press(Key.Key_R)
     cut = desk.document.flow.cut
-    after = _place(desk, a, cut + 1)
+    before = _place(desk, a, cut - 1)
+    here = _place(desk, a, cut)
     press(Key.Key_Return)
-    assert _place(desk, a, cut + 1) == after
+    assert _place(desk, a, cut - 1) == before
+    assert _place(desk, a, cut) != here
     assert desk.document.session.history.next_undo.text.endswith(f"in frame {cut}")
 
 

@@ -8,7 +8,7 @@ import pytest
 from correcting_desk import opened_desk
 from PySide6.QtCore import Qt
 
-from tracking.editing import plan_delete
+from tracking.editing import plan_delete, plan_swap
 from tracking.scoring import ErrorKind
 
 Key, SHIFT = Qt.Key, Qt.KeyboardModifier.ShiftModifier
@@ -108,7 +108,11 @@ def test_what_is_chosen_otherwise_is_scored_anew(window, scored, qtbot, tmp_path
     assert not view.timeline.errors.isVisible()
 
 
-def test_the_track_panel_tells_of_whom_an_error_is_about(window, scored, press):
+def test_the_track_panel_tells_of_whom_an_error_is_about(window, scored, press, qtbot):
+    tracks = scored.document.session.tracks
+    one, other = tracks.of_frame(60)["track"].tolist()[:2]
+    scored.document.apply(plan_swap(tracks, one, other, 60))
+    at_rest(scored, qtbot)
     scored.playback.go(0)
     card = window.workspace.card
     assert card._empty.isVisible()
