@@ -14,7 +14,8 @@ def run_trackers(*, as_json: bool) -> None:
         print_json({"trackers": [_as_json(spec) for spec in TRACKERS.values()]})
         return
     for number, spec in enumerate(TRACKERS.values()):
-        print("\n" * (number > 0) + f"{spec.name}  {spec.title} [{spec.paper}]")
+        source = f" [{spec.paper}]" if spec.paper else ""
+        print("\n" * (number > 0) + f"{spec.name}  {spec.title}{source}")
         print(f"  needs: {', '.join(_needs(spec)) or 'one camera'}")
         for field in settings_fields(spec.settings_type):
             print(_line(field))

@@ -42,7 +42,7 @@ class TrackerSpec:
     Attributes:
         name: on the command line and in sessions.
         title: for people, one line.
-        paper: key of the source in the papers' list, e.g. "Kawashita2014".
+        paper: key of the source in the papers' list, e.g. "Kawashita2014"; "" for one of our own.
         needs_stereo, needs_calibration: of the recording.
         settings_type: a frozen dataclass; see `settings_fields`.
         build: (recording, settings, seed) -> perception and tracker, both at their start.
@@ -67,7 +67,7 @@ _BUILT = (
     TrackerSpec(
         name="stereo-joint",
         title="Two cameras: everybody's best explanation at once, by place, colours and direction",
-        paper="Kawashita2014",
+        paper="",
         needs_stereo=True,
         needs_calibration=True,
         settings_type=JointSettings,

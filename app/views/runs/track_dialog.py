@@ -158,7 +158,7 @@ class TrackDialog(QDialog):
     def _show_tracker(self, index: int) -> None:
         if self._names:
             spec = TRACKERS[self._names[index]]
-            self._title.setText(f"{spec.title} ({spec.paper})")
+            self._title.setText(f"{spec.title} ({spec.paper})" if spec.paper else spec.title)
             self._forms.setCurrentIndex(index)
             self._parts.show_for(spec.settings_type)
 
