@@ -84,3 +84,14 @@ def test_a_speck_of_foreground_is_scored_too() -> None:
     seen.mask[95:, 126:] = 255
     shadow = ShadowRemover().shadows(seen)
     assert not shadow[seen.mask == 0].any()
+
+
+@pytest.mark.parametrize("part", [np.s_[40:41, 10:60], np.s_[10:60, 41:42], np.s_[7:8, 9:10]])
+def test_a_line_of_foreground_and_a_single_pixel_are_scored(part: tuple[slice, slice]) -> None:
+    picture = np.full((80, 80, 3), 90, np.uint8)
+    background = np.full((80, 80, 3), 140, np.uint8)
+    mask = np.zeros((80, 80), np.uint8)
+    mask[part] = 255
+    shadow = ShadowRemover().shadows(Subtraction(picture, background, mask, False))
+    assert not shadow[mask == 0].any()
+    assert (shadow[part] == 255).all()
