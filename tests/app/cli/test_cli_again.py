@@ -88,7 +88,7 @@ def test_accepting_takes_what_is_not_protected(
     with closing(Session.open(path)) as session:
         assert len(session.runs) == 2
         assert session.history.entries[-1].kind == "take"
-        assert "as tracked again by stereo-joint" in session.history.entries[-1].text
+        assert "as tracked again by stereo-direction" in session.history.entries[-1].text
         for frame in (*range(CUT), *range(60, 70), 75):
             rows = session.tracks.of_track(a, frame, frame + 1)
             mine = before[frame]["track"] == a

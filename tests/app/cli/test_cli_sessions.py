@@ -53,7 +53,8 @@ def test_track_notes_where_the_recording_is_outside_the_sessions_folder(
 def test_the_same_seed_tracks_the_same(
     trackwright: Trackwright, footage: Path, made: Path, tmp_path: Path
 ) -> None:
-    assert trackwright("track", footage, "-o", tmp_path / "again.h5")[0] == 0
+    asked = ("-o", tmp_path / "again.h5", "--tracker", "stereo-direction")
+    assert trackwright("track", footage, *asked)[0] == 0
     with (
         closing(Session.open(made)) as first,
         closing(Session.open(tmp_path / "again.h5")) as second,
