@@ -8,6 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from app.presenters.runs.ended import Ended
 from app.tracking_process import TrackerProcess, TrackingRequest
 from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
@@ -32,6 +33,7 @@ class LiveTracker(QObject):
 
     Attributes:
         kept: the steps so far, those not told of yet among them; may be read on any thread.
+        ended: what became of them, once the run is made; None before, and where there is none.
     """
 
     tracked = Signal(object)
@@ -54,7 +56,10 @@ class LiveTracker(QObject):
         self.tracker = tracker
         self._recording = recording
         self._request = TrackingRequest.of(recording, tracker, settings, seed, frames, resume)
+        first = resume.frame if resume is not None else 0
+        self._asked = frames or (first, recording.frame_count)
         self.kept = KeptSteps()
+        self.ended: Ended | None = None
         self._process = TrackerProcess(self._request)
         self._room = threading.Semaphore(_MOST_AHEAD)
         self._closed = threading.Event()
@@ -103,9 +108,12 @@ class LiveTracker(QObject):
         if first == stop:
             return None
         asked = self._request
-        return self.kept.run(
+        run = self.kept.run(
             asked.tracker, asked.settings, asked.seed, self._recording, asked.resume
         )
+        on_the_way = self.kept.parts("tracks", first, stop)
+        self.ended = Ended.of(run, on_the_way, self._asked)
+        return run
 
     def _make_room(self, _batch: object) -> None:
         """The window has taken a batch."""

@@ -6,6 +6,7 @@ from typing import Final
 
 from app.presenters.commands.checks import recording
 from app.presenters.commands.command import Command
+from app.presenters.words import tr
 
 COMMANDS: Final = (
     Command("play.toggle", "Playback", "Play or pause", ("Space",), recording, icon="play"),
@@ -23,6 +24,15 @@ COMMANDS: Final = (
     ),
     Command("play.stop", "Playback", "Shuttle stop", ("K",), recording),
     Command("play.forward", "Playback", "Shuttle on (again: faster)", ("L",), recording),
+    Command(
+        "play.follow",
+        "Playback",
+        "Follow the tracker at work",
+        ("Shift+L",),
+        lambda now: "" if now.live else tr("no tracker is at work"),
+        checkable=True,
+        separated=True,
+    ),
     Command("play.slower", "Playback", "Slower", (",",), recording),
     Command("play.faster", "Playback", "Faster", (".",), recording),
 )

@@ -71,12 +71,3 @@ def _uses_detector(tracker: str) -> bool:
     spec = TRACKERS.get(tracker)
     fields = settings_fields(spec.settings_type) if spec is not None else ()
     return any(field.name == DETECTOR for field in fields)
-
-
-def kept_beside(number: int) -> str:
-    """Where a result is that did not replace the corrected tracks."""
-    return tr(
-        "Tracked: kept as run {n}, and the corrected tracks stay as they are. Compare it or take "
-        "from it under Runs (Ctrl+R).",
-        n=number,
-    )

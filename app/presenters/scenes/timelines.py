@@ -106,4 +106,5 @@ class TransportScene:
     time_s: float
     tracker: str
     status: str  # e.g. "live 43 fps", "tracked", "no tracker"
-    live: bool = False  # a tracker is at work
+    live: bool = False  # a tracker is at work and has found something
+    following: bool | None = None  # whether the playhead goes with the tracker; None: none works

@@ -89,6 +89,7 @@ class Desk(QObject):
         self.scoring.said.connect(self.said)
         self.parts.said.connect(self.said)
         self.tracking.changed.connect(self.draw)
+        self.tracking.following.changed.connect(self.changed)
         self.tracking.found.connect(self._draw_found)
         self.tracking.people_found.connect(self.changed)
         self.tracking.failed.connect(self.failed)
@@ -251,6 +252,7 @@ class Desk(QObject):
                 tracker=tracker.name,
                 status=tracker.status,
                 live=self.live.running and self.live.done > 0,
+                following=self.tracking.following.on if self.live.running else None,
             )
         )
 

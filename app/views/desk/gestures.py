@@ -20,6 +20,7 @@ def connect_gestures(desk: Desk, view: Workspace) -> None:
     view.transport.play_toggled.connect(desk.toggle)
     view.transport.frame_sought.connect(desk.playback.go)
     view.transport.stepped.connect(desk.playback.step)
+    view.transport.follow_toggled.connect(desk.tracking.following.toggle)
     view.transport.speed_chosen.connect(desk.playback.set_speed)
     view.card.name_edited.connect(desk.editing.rename)
     view.card.notes_edited.connect(desk.editing.write_notes)

@@ -8,8 +8,10 @@ from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document.document import Document
 from app.presenters.pictures.of_run import AtWork
-from app.presenters.runs.tracker_state import TrackerState, TrackerWords, kept_beside
+from app.presenters.runs.ended import kept_beside, kept_first, kept_instead, kept_to_compare
+from app.presenters.runs.tracker_state import TrackerState, TrackerWords
 from app.views.comparing.comparing import Comparing
+from app.views.desk.following import Following
 from app.views.playing.playback import Playback
 from app.views.runs.live import LiveTracking
 from tracking.session import Session
@@ -23,6 +25,9 @@ class TrackerAtWork(QObject):
     Signals: `found(first, last)`, it went through these frames, both included; `changed()`, all
     is to be drawn; `people_found()`, there are tracks where there were none; `failed(error)`;
     `tracked(run)`, it came to its end with a `Run`; `noted(lines)`, what the user should be told.
+
+    Attributes:
+        live: the tracker. following: whether the playhead goes with it.
     """
 
     found = Signal(int, int)
@@ -43,6 +48,7 @@ class TrackerAtWork(QObject):
         self.live.tracked.connect(self._take)
         self.live.finished.connect(self._end)
         self.live.failed.connect(self._fail)
+        self.following = Following(document, playback, self.live, self)
         playback.wait_at = self._last_tracked
 
     @property
@@ -84,6 +90,7 @@ class TrackerAtWork(QObject):
     ) -> None:
         """Put a tracker to work on some frames; what it finds is shown as it comes.
 
+        The playhead goes with it until somebody moves it (see `Following`).
         With `resume` it goes on from the corrected tracks, which stay shown before its frames.
         """
         self._again = False
@@ -93,8 +100,7 @@ class TrackerAtWork(QObject):
         kept = self.live.start(tracker, settings, seed, frames, resume)
         first = resume.frame if resume is not None else None
         self._document.begin_live(first, at_work, kept)
-        if frames is not None and not frames[0] <= self._playback.clock.frame < frames[1]:
-            self._playback.go(frames[0])
+        self.following.begin()
         self.changed.emit()
 
     def track_again(
@@ -119,13 +125,15 @@ class TrackerAtWork(QObject):
     def drop(self) -> None:
         """End the tracker at work; what it found is forgotten."""
         self.live.close()
+        self.following.end()
         self._document.begin_live()
         self._document.end_live()
         self.changed.emit()
 
     def take_session(self, session: Session) -> None:
-        """Show a session made of what was tracked."""
+        """Show a session made of what was tracked, or of other tracks."""
         self._document.take_session(session)
+        self._tell(kept_first())
         self.changed.emit()
 
     def add_run(self, run: Run) -> None:
@@ -133,13 +141,22 @@ class TrackerAtWork(QObject):
         session = self._document.session
         if session is None:
             return
+        before = session.adopted_run
         number = session.add_run(run)
         self._document.end_live()
         if self._again:
             self._comparing.open(number)
         if session.adopted_run != number:
-            self.noted.emit((kept_beside(number), *self.live.notes))
+            self._tell(kept_to_compare(number) if self._again else kept_beside(number))
+        else:
+            self._tell(kept_first() if before is None else kept_instead(number, before))
         self.changed.emit()
+
+    def _tell(self, kept: str) -> None:
+        """How the tracker ended that is done, once; nothing where none is."""
+        ended, self.live.ended = self.live.ended, None
+        if ended is not None:
+            self.noted.emit((ended.words(kept), *self.live.notes))
 
     def _last_tracked(self) -> int | None:
         """Where playing waits for the tracker, so that people are seen with their picture."""
@@ -152,11 +169,13 @@ class TrackerAtWork(QObject):
     def _take(self, results: tuple[StepResult, ...]) -> None:
         nobody_before = not self._document.tracks.ids
         self._document.take_live(results)
+        self.following.take()
         self.found.emit(results[0].frame, results[-1].frame)
         if nobody_before and self._document.tracks.ids:
             self.people_found.emit()
 
     def _end(self, run: object) -> None:
+        self.following.end()
         if self.live.notes:
             self.noted.emit(self.live.notes)
         self.tracked.emit(run)

@@ -155,7 +155,7 @@ class Files(QObject):
         desk.failed.connect(self.failed)
         desk.said.connect(self.said)
         desk.tracking.tracked.connect(self.keeping.keep)
-        desk.tracking.noted.connect(lambda notes: self._window.notice.say("\n".join(notes)))
+        desk.tracking.noted.connect(self._tell_of_tracking)
         if not opening.is_unsaved_place(path):
             self._remembered.add_recent(path.resolve())
         self._window.show_workspace()
@@ -181,6 +181,10 @@ class Files(QObject):
             self._window.notice.hide()
 
     # tracking
+
+    def _tell_of_tracking(self, lines: Sequence[str]) -> None:
+        """How it went; where that is all there is to say, it goes by itself after a while."""
+        self._window.notice.say("\n".join(lines), passing=len(lines) == 1)
 
     def ask_track(self) -> None:
         """Ask for tracker and settings, then put it to work; corrected tracks are not touched."""

@@ -23,6 +23,9 @@ class Playback(QObject):
     behind `clock.frame`, the playhead. Signals: `shown()`, another frame is there; `moved()`, the
     playhead, the speed, playing or what is at hand changed; `failed(error)`, a frame cannot be
     read.
+
+    Attributes:
+        following: the playhead goes where `follow` puts it, until it is moved in any other way.
     """
 
     shown = Signal()
@@ -35,6 +38,7 @@ class Playback(QObject):
         self.frame: StereoFrame | None = None
         self.loaded: tuple[tuple[int, int], ...] = ()
         self.wait_at: Callable[[], int | None] = lambda: None
+        self.following = False
         self._ticket = 0
         self._reader = FrameReader(recording, CACHE_BYTES, self)
         self._reader.ready.connect(self._take, Qt.ConnectionType.QueuedConnection)
@@ -57,27 +61,38 @@ class Playback(QObject):
     def go(self, frame: int) -> None:
         """Go to a frame; playing goes on from there."""
         self.clock.seek(frame)
+        self._moved_by_hand()
+
+    def follow(self, frame: int) -> None:
+        """Go to a frame, paused, as more than one to come: see `following`."""
+        self.following = True
+        self.clock.pause()
+        self.clock.seek(frame)
         self._changed()
+
+    def stay(self) -> None:
+        """Follow no further; the playhead stays where it is."""
+        self._moved_by_hand()
 
     def step(self, frames: int) -> None:
         """Pause and go some frames on or back."""
         self.clock.step(frames)
-        self._changed()
+        self._moved_by_hand()
 
     def toggle(self) -> None:
         """Play or pause."""
         self.clock.toggle()
-        self._changed()
+        self._moved_by_hand()
 
     def pause(self) -> None:
         """Stay here."""
         self.clock.pause()
-        self._changed()
+        self._moved_by_hand()
 
     def shuttle(self, direction: int) -> None:
         """J (-1), K (0), L (1)."""
         self.clock.shuttle(direction)
-        self._changed()
+        self._moved_by_hand()
 
     def set_speed(self, speed: float) -> None:
         """Choose a speed."""
@@ -94,6 +109,10 @@ class Playback(QObject):
         self._timer.stop()
         self._looking.stop()
         self._reader.close()
+
+    def _moved_by_hand(self) -> None:
+        self.following = False
+        self._changed()
 
     def _changed(self) -> None:
         if self.clock.playing and not self._timer.isActive():

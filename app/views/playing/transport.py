@@ -61,6 +61,7 @@ class TransportBar(QFrame):
         stepped(int): by so many frames.
         speed_chosen(float): from the menu.
         tracker_clicked(): on the tracker's name.
+        follow_toggled(): have the playhead go with the tracker at work, or not.
     """
 
     play_toggled = Signal()
@@ -68,6 +69,7 @@ class TransportBar(QFrame):
     stepped = Signal(int)
     speed_chosen = Signal(float)
     tracker_clicked = Signal()
+    follow_toggled = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -157,6 +159,14 @@ class TransportBar(QFrame):
         self._status = quiet("", self)
         self._status.setAccessibleName(self.tr("State of the tracker"))
         row.addWidget(self._status)
+        row.addSpacing(8)
+        self._follow = QToolButton(self)
+        self._follow.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._follow.setCheckable(True)
+        self._follow.setText(self.tr("Follow"))
+        self._follow.setAccessibleName(self.tr("Follow the tracker"))
+        self._follow.clicked.connect(self.follow_toggled)
+        row.addWidget(self._follow)
 
     def show_scene(self, scene: TransportScene) -> None:
         """Show another instant; while playing only the numbers are drawn anew."""
@@ -181,6 +191,8 @@ class TransportBar(QFrame):
             self._status.setText(scene.status)
             self._colour_light()
             self._rest.fit()
+        if before is None or before.following is not scene.following:
+            self._show_following(scene.following)
 
     def edit_frame(self) -> None:
         """Put the cursor into the frame number, to go elsewhere."""
@@ -199,6 +211,16 @@ class TransportBar(QFrame):
         live = self._scene is not None and self._scene.live
         self._light.set_colour(theme.good if live else theme.line_strong)
         self._light.setVisible(bool(status))
+
+    def _show_following(self, following: bool | None) -> None:
+        """A button that stays down while the playhead goes with the tracker; None: no tracker."""
+        self._follow.setVisible(following is not None)
+        self._follow.setChecked(bool(following))
+        self._follow.setText(self.tr("Following") if following else self.tr("Follow"))
+        on = self.tr("The views go with the tracker until you move the playhead  (Shift+L)")
+        off = self.tr("Go to where the tracker is, and on with it  (Shift+L)")
+        self._follow.setToolTip(on if following else off)
+        self._rest.fit()
 
     def _last_frame(self) -> int:
         return self._scene.frame_count - 1 if self._scene is not None else 0

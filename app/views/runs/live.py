@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from app.background import LiveTracker
+from app.presenters.runs.ended import Ended
 from app.presenters.words import tr
 from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
@@ -25,6 +26,7 @@ class LiveTracking(QObject):
     Attributes:
         tracker: at work, or that was last. done: one past the last frame it has been through.
         notes: what the user should be told of what was tracked last, a line each.
+        ended: what became of it; None while it is not known.
     """
 
     tracked = Signal(object)
@@ -36,6 +38,7 @@ class LiveTracking(QObject):
         self.tracker = ""
         self.done = 0
         self.notes: tuple[str, ...] = ()
+        self.ended: Ended | None = None
         self._recording = recording
         self._frames = (0, recording.frame_count)
         self._worker: LiveTracker | None = None
@@ -63,6 +66,7 @@ class LiveTracking(QObject):
         first = resume.frame if resume is not None else 0
         self._frames = frames or (first, self._recording.frame_count)
         self.tracker, self.done, self.notes, self._recent = tracker, 0, (), []
+        self.ended = None
         worker = LiveTracker(self._recording, tracker, settings, seed, self, frames, resume)
         worker.tracked.connect(self._take)
         worker.finished.connect(self._finish)
@@ -92,9 +96,9 @@ class LiveTracking(QObject):
 
     @property
     def share(self) -> float | None:
-        """How much is done, 0 to 1; None while the background is learnt."""
+        """How much is done, 0 to 1; None while the background is learnt, and once all is seen."""
         first, stop = self._frames
-        return (self.done - first) / (stop - first) if self.done else None
+        return (self.done - first) / (stop - first) if 0 < self.done < stop else None
 
     @property
     def fps(self) -> float:
@@ -107,14 +111,16 @@ class LiveTracking(QObject):
     @property
     def seconds_left(self) -> float | None:
         """Time until the end at this pace; None while that is not known."""
-        fps = self.fps
-        return (self._frames[1] - self.done) / fps if fps > 0 else None
+        fps, frames = self.fps, self._frames[1] - self.done
+        return frames / fps if fps > 0 and frames else None
 
     @property
     def status(self) -> str:
         """In a few words."""
         if not self.done:
             return tr("learning the background")
+        if self.done >= self._frames[1]:
+            return tr("looking over the whole recording")
         return tr("live {fps:.0f} fps", fps=self.fps) if self.fps else tr("live")
 
     def _take(self, results: tuple[StepResult, ...]) -> None:
@@ -128,7 +134,7 @@ class LiveTracking(QObject):
 
     def _finish(self, run: object) -> None:
         if self._worker is not None:
-            self.notes = self._worker.notes
+            self.notes, self.ended = self._worker.notes, self._worker.ended
         self._drop()
         self.finished.emit(run)
 

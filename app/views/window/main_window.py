@@ -201,6 +201,8 @@ class MainWindow(QMainWindow):
         if self.desk is not None:
             pictured = self.desk.pictured
             on.add(f"view.{self.desk.eyes}")
+            if self.desk.tracking.following.on:
+                on.add("play.follow")
             if self.desk.labelling.suggests:
                 on.add("detector.suggest")
             if self.desk.reviewing.plays:

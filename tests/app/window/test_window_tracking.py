@@ -135,3 +135,27 @@ def test_what_there_is_to_tell_of_a_tracking_is_shown_when_it_ends(opened, tiny_
     opened.desk.live.notes = ("Lobby: are the eyes swapped?",)
     opened.desk.live.finished.emit(tiny_run)
     assert "are the eyes swapped?" in opened.notice.text
+
+
+def test_the_views_follow_the_tracker_until_the_playhead_is_moved(opened, qtbot):
+    desk = opened.desk
+    desk.tracking.track("stereo-direction", frames=(20, 60))
+    assert desk.tracking.following.on
+    qtbot.waitUntil(lambda: desk.playback.number > 24, timeout=30_000)
+    desk.playback.go(21)
+    assert not desk.tracking.following.on
+    desk.tracking.found.emit(25, 25)
+    assert desk.playback.clock.frame == 21
+    opened.run_command("play.follow")
+    assert desk.tracking.following.on
+    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    assert desk.playback.clock.frame == 59
+    assert not desk.playback.following
+    assert opened.notice.text.startswith("Tracked 40 frames with stereo-direction: ")
+
+
+def test_whoever_plays_is_not_taken_along_by_the_tracker(opened):
+    opened.run_command("play.toggle")
+    assert opened.desk.live.running
+    assert not opened.desk.tracking.following.on
+    assert opened.desk.playback.clock.playing

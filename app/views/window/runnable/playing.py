@@ -49,6 +49,7 @@ PLAYING: dict[str, OnDesk] = {
     "play.back": lambda desk: desk.shuttle(-1),
     "play.stop": lambda desk: desk.shuttle(0),
     "play.forward": lambda desk: desk.shuttle(1),
+    "play.follow": lambda desk: desk.tracking.following.toggle(),
     "play.slower": lambda desk: desk.playback.change_speed(-1),
     "play.faster": lambda desk: desk.playback.change_speed(1),
 }

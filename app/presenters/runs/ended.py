@@ -1,0 +1,111 @@
+"""What a tracker did that has come to its end, in words: how many tracks, other ids, where kept."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.presenters.words import counted, tr
+from tracking.tracks import Columns, Run, row_keys
+
+
+@dataclass(frozen=True, slots=True)
+class Ended:
+    """A run beside what was seen of it while the tracker was at work.
+
+    Finishing looks over the recording as a whole: ids may be others afterwards.
+
+    Attributes:
+        tracker: by name. frames: half-open range that was tracked; asked: that was to be.
+        tracks: ids there are now. seen: ids there were on the way; changed: of these, how many
+            are others now, or gone, wherever their person was seen.
+    """
+
+    tracker: str
+    frames: tuple[int, int]
+    asked: tuple[int, int]
+    tracks: int
+    seen: int
+    changed: int
+
+    @classmethod
+    def of(cls, run: Run, on_the_way: Sequence[Columns], asked: tuple[int, int]) -> Ended:
+        """Compare a run with the rows a tracker gave on the way, in pieces (`TRACK_COLUMNS`)."""
+        now = row_keys(run.tracks["frame"], run.tracks["track"])
+        ids: set[int] = set()
+        changed: set[int] = set()
+        for rows in on_the_way:
+            track = rows["track"]
+            lost = ~np.isin(row_keys(rows["frame"], track), now) & ~rows["predicted"].astype(bool)
+            ids |= set(np.unique(track).tolist())
+            changed |= set(np.unique(track[lost]).tolist())
+        tracks = len(np.unique(run.tracks["track"]))
+        return cls(run.tracker, run.frames, asked, tracks, len(ids), len(changed))
+
+    @property
+    def _frames_text(self) -> str:
+        count = self.frames[1] - self.frames[0]
+        if self.frames == self.asked:
+            return counted(count, "{n} frame", "{n} frames")
+        whole = self.asked[1] - self.asked[0]
+        return tr("{n} of {all} frames", n=count, all=whole)
+
+    @property
+    def _found_text(self) -> str:
+        begin = tr("Tracked") if self.frames == self.asked else tr("Stopped early: tracked")
+        found = counted(self.tracks, "{n} track", "{n} tracks")
+        return tr(
+            "{tracked} {frames} with {tracker}: {found}.",
+            tracked=begin,
+            frames=self._frames_text,
+            tracker=self.tracker,
+            found=found,
+        )
+
+    @property
+    def _ids_text(self) -> str:
+        lead = "Ids were then put right over the whole recording: {n} of the {seen} you saw on the "
+        one, many = "way is another now, or gone.", "way are others now, or gone."
+        return counted(self.changed, lead + one, lead + many, seen=self.seen)
+
+    def words(self, kept: str) -> str:
+        """All of it in one paragraph; `kept`: where the run is."""
+        said = [self._found_text, *([self._ids_text] if self.changed else []), kept]
+        return " ".join(said)
+
+
+def kept_first() -> str:
+    """Where the first run of a recording is kept."""
+    return tr(
+        "It is on disk and ready to be corrected; give it a file of your own with Save (Ctrl+S)."
+    )
+
+
+def kept_instead(number: int, before: int) -> str:
+    """Where a run is kept whose tracks took the place of others that nobody had corrected."""
+    return tr(
+        "Kept as run {n}, and its tracks are the ones to correct now; those of run {before} stay "
+        "under Runs (Ctrl+R).",
+        n=number,
+        before=before,
+    )
+
+
+def kept_beside(number: int) -> str:
+    """Where a run is kept that did not replace the corrected tracks."""
+    return tr(
+        "Kept as run {n}, and the corrected tracks stay as they are. Compare it or take from it "
+        "under Runs (Ctrl+R).",
+        n=number,
+    )
+
+
+def kept_to_compare(number: int) -> str:
+    """Where a run is kept that was made to put corrected tracks right."""
+    return tr(
+        "Kept as run {n}; nothing has changed yet. Tick what you want of it: taking it is one "
+        "edit, which Ctrl+Z undoes.",
+        n=number,
+    )

@@ -1,0 +1,46 @@
+from dataclasses import replace
+
+import numpy as np
+from two_people import columns
+from two_people import run as made_run
+
+from app.presenters.runs.ended import Ended, kept_beside
+
+ASKED = (0, 100)
+
+
+def _with_ids(rows, **ids):
+    track = rows["track"].copy()
+    for old, new in ids.items():
+        track[rows["track"] == int(old[1:])] = new
+    return {**rows, "track": track}
+
+
+def test_a_run_that_says_what_was_seen_on_the_way_tells_of_no_other_ids():
+    words = Ended.of(made_run(), [columns()], ASKED).words(kept_beside(2))
+    assert words.startswith("Tracked 100 frames with stereo-direction: 2 tracks. Kept as run 2")
+
+
+def test_ids_that_were_put_right_afterwards_are_counted():
+    ended = Ended.of(made_run(), [_with_ids(columns(), t7=9)], ASKED)
+    assert (ended.tracks, ended.seen, ended.changed) == (2, 2, 1)
+    assert "whole recording: 1 of the 2 you saw on the way is another now" in ended.words("")
+
+
+def test_guesses_that_were_left_out_afterwards_are_no_other_ids():
+    run = made_run()
+    seen = ~run.tracks["predicted"].astype(bool)
+    run = replace(run, tracks={name: column[seen] for name, column in run.tracks.items()})
+    assert Ended.of(run, [columns()], ASKED).changed == 0
+
+
+def test_rows_may_come_in_pieces():
+    rows = columns()
+    early = rows["frame"] < 40
+    pieces = [{n: c[part] for n, c in rows.items()} for part in (early, np.invert(early))]
+    assert Ended.of(made_run(), pieces, ASKED) == Ended.of(made_run(), [rows], ASKED)
+
+
+def test_a_tracking_that_was_stopped_says_how_far_it_came():
+    words = Ended.of(made_run(), [columns()], (0, 300)).words("")
+    assert words.startswith("Stopped early: tracked 100 of 300 frames with")
