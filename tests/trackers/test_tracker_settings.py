@@ -65,6 +65,15 @@ def test_what_cannot_be_set_is_said_in_one_line(texts, said):
     assert "\n" not in str(error.value)
 
 
+def test_of_a_setting_that_only_others_have_it_is_said_who():
+    with pytest.raises(SettingsError) as error:
+        parse_settings(TRACKERS["stereo-joint"], {"paper": "true"})
+    assert str(error.value).startswith("stereo-joint has no setting paper (")
+    assert "stereo-direction, stereo-colour" in str(error.value)
+    assert "--tracker" in str(error.value)
+    assert "\n" not in str(error.value)
+
+
 @given(st.integers(10, 20000), st.floats(0.1, 5.0))
 def test_values_make_the_settings_they_came_from_even_through_json(particles, gate_m):
     settings = settings_from(SPEC.settings_type, {"particles": particles, "gate_m": gate_m})

@@ -10,7 +10,7 @@ from typing import Any
 from tracking.errors import CalibrationError, RecordingError, SettingsError
 from tracking.geometry import View
 from tracking.recording import Recording
-from tracking.settings import settings_from_text, settings_values
+from tracking.settings import settings_fields, settings_from_text, settings_values
 from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.flow import FlowSettings, build_flow
 from tracking.trackers.flow import finished as flow_finished
@@ -209,6 +209,20 @@ def require(spec: TrackerSpec, recording: Recording) -> None:
 def parse_settings(spec: TrackerSpec, texts: Mapping[str, str]) -> Any:
     """The tracker's settings with some values given as text, e.g. {"particles": "700"}.
 
-    Raises `SettingsError`: unknown name, no value of its type, or out of range.
+    Raises `SettingsError`: unknown name, with the trackers that have such a setting if any has;
+    no value of its type; or out of range.
     """
+    known = _setting_names(spec)
+    for name in sorted(texts.keys() - known):
+        if theirs := [other.name for other in _BUILT if name in _setting_names(other)]:
+            have = "has" if len(theirs) == 1 else "have"
+            raise SettingsError(
+                f"{spec.name} has no setting {name} ({', '.join(theirs)} {have} it): "
+                "choose such a tracker with --tracker, or leave the setting out"
+            )
     return settings_from_text(spec.settings_type, texts)
+
+
+def _setting_names(spec: TrackerSpec) -> frozenset[str]:
+    """The dotted names of a tracker's settings."""
+    return frozenset(field.name for field in settings_fields(spec.settings_type))

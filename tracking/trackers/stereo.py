@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import CalibrationError
-from tracking.filtering import Association, move, resample
+from tracking.filtering import Association, resample
 from tracking.geometry import View
 from tracking.people import Detections, Observation, StereoPerception
 from tracking.recording import Recording
 from tracking.trackers.births_and_ends import Newcomers, confirmed, newcomers, still_there
-from tracking.trackers.population import Population, joined, nobody
+from tracking.trackers.population import Population, joined
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.resuming import Resume
 from tracking.trackers.stereo_boxes import expected_visibility, outlined
 from tracking.trackers.stereo_cues import Cues, costs_of
+from tracking.trackers.stereo_filter import StereoFilter, predicted
 from tracking.trackers.stereo_matching import match_people
 from tracking.trackers.stereo_result import step_result
-from tracking.trackers.stereo_resuming import resumed
 from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
 from tracking.trackers.stereo_sharing import shared_regions
 from tracking.trackers.stereo_update import Match, aged, guests_kept, matched, unseen
@@ -52,7 +49,7 @@ def perception_and_view(
     return perception, view
 
 
-class StereoTracker:
+class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
     """Follows people over stereo observations with one particle set each.
 
     The five steps of [Kawashita2012] and [Kawashita2014], for all people at once: predict,
@@ -75,44 +72,14 @@ class StereoTracker:
         - people who leave the picture end at once, those at its edge soon, the hidden late.
     """
 
-    def __init__(self, view: View, settings: StereoTrackerSettings, cues: Cues, seed: int) -> None:
-        """Nobody is followed yet; all randomness comes from the seed."""
-        self._view = view
-        self._settings = settings
-        self._cues = cues
-        self._random = np.random.default_rng(seed)
-        self._people: Population | None = None
-        self._last_id = 0
-        self._time_s = 0.0
-
-    @property
-    def settings(self) -> StereoTrackerSettings:
-        """The settings in force."""
-        return self._settings
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """Nothing is to be told."""
-        return ()
-
-    def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
-        """Go on with the people as corrected; those who are new get ids above all there were."""
-        self._people, self._time_s = resumed(
-            resume, observations, self._view, self._settings, self._cues, self._random
-        )
-        self._last_id = resume.highest_track
-
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""
         seen = observation.people
         colours = self._cues.seen(seen)
-        if self._people is None:
-            self._people = nobody(self._settings.particles, *colours.shape[1:])
-            self._time_s = observation.time_s
-        elapsed_s = observation.time_s - self._time_s
-        self._time_s = observation.time_s
+        before, elapsed_s = self._begun(observation, colours)
         measured = seen.position[:, :2]
-        expected = self._predicted(self._people, elapsed_s)
+        way = before.velocity * elapsed_s
+        expected = predicted(before, way, self._settings, elapsed_s, self._random)
         shown = expected_visibility(expected, self._view)
         costs = costs_of(expected, measured, colours, self._cues, self._settings, shown)
         pairs = match_people(expected, costs, ~seen.merged, self._settings)
@@ -130,17 +97,6 @@ class StereoTracker:
         result = step_result(observation, people, pairs, alone, costs, self._view)
         self._people = self._carried(people, pairs, seen, colours)
         return result
-
-    def _predicted(self, people: Population, elapsed_s: float) -> Population:
-        """Everybody moved at their velocity, with a spread that grows while they are missed."""
-        settings = self._settings
-        spread = settings.spread_m * np.sqrt(elapsed_s)
-        spreads = spread * (1.0 + settings.spread_growth * people.missed_s)
-        step = people.velocity * elapsed_s
-        return people.replace(
-            particles=move(people.particles, step, spreads, self._random),
-            position=people.position + step,
-        )
 
     def _carried(
         self, people: Population, pairs: Association, seen: Detections, colours: Colours

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.filtering import Association, associate, move, resample, weigh, weighted_mean
+from tracking.filtering import Association, associate, resample, weigh, weighted_mean
 from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.births_and_ends import Newcomers, confirmed, started
-from tracking.trackers.population import Population, joined, nobody
+from tracking.trackers.population import Population, joined
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.resuming import Resume
 from tracking.trackers.stereo_boxes import outlines_of
 from tracking.trackers.stereo_cues import Costs, Cues, cue_values
+from tracking.trackers.stereo_filter import StereoFilter, predicted
 from tracking.trackers.stereo_result import step_result
-from tracking.trackers.stereo_resuming import resumed
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 from tracking.trackers.stereo_update import aged
 
@@ -28,7 +26,7 @@ _LEFT_OUT = 1e3
 """More than any pair inside the gate costs: as many are paired as can be."""
 
 
-class PaperTracker:
+class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
     """Follows people as [Kawashita2012] and [Kawashita2014] do, with the `Cues` of either.
 
     Predict by the last movement, or while somebody is missed by the velocity of the last frames
@@ -43,43 +41,20 @@ class PaperTracker:
 
     def __init__(self, view: View, settings: StereoTrackerSettings, cues: Cues, seed: int) -> None:
         """Nobody is followed yet; all randomness comes from the seed."""
-        self._view = view
-        self._settings = settings
-        self._cues = cues
-        self._random = np.random.default_rng(seed)
-        self._people: Population | None = None
+        super().__init__(view, settings, cues, seed)
         self._moved = np.zeros((0, 2))
-        self._last_id = 0
-        self._time_s = 0.0
 
-    @property
-    def settings(self) -> StereoTrackerSettings:
-        """The settings in force."""
-        return self._settings
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """Nothing is to be told."""
-        return ()
-
-    def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
-        """Go on with the people as corrected; those who are new get ids above all there were."""
-        self._people, self._time_s = resumed(
-            resume, observations, self._view, self._settings, self._cues, self._random
-        )
-        self._moved = self._people.velocity
-        self._last_id = resume.highest_track
+    def _gone_on(self, people: Population) -> Population:
+        """The people to go on with; the corrected rows' velocity is their last movement."""
+        self._moved = people.velocity
+        return people
 
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""
         seen = observation.people
         colours = self._cues.seen(seen)
-        if self._people is None:
-            self._people = nobody(self._settings.particles, *colours.shape[1:])
-            self._time_s = observation.time_s
-        elapsed_s = observation.time_s - self._time_s
-        self._time_s = observation.time_s
-        expected = self._predicted(self._people, elapsed_s)
+        before, elapsed_s = self._begun(observation, colours)
+        expected = self._predicted(before, elapsed_s)
         costs = paper_costs(expected, seen.position[:, :2], colours, self._cues, self._settings)
         allowed = costs.allowed & ~seen.merged
         pairs = associate(costs.total, allowed, _LEFT_OUT)
@@ -95,14 +70,10 @@ class PaperTracker:
         return _told(observation, everybody, pairs, spots, costs, self._view)
 
     def _predicted(self, people: Population, elapsed_s: float) -> Population:
-        """Everybody moved on; the spread grows while they are missed."""
-        settings = self._settings
-        spread = settings.spread_m * np.sqrt(elapsed_s)
-        spreads = spread * (1.0 + settings.spread_growth * people.missed_s)
+        """Everybody moved on by the last movement, or while missed by the velocity."""
         missed = people.missed_s[:, None] > 0.0
         step = np.where(missed, people.velocity, self._moved) * elapsed_s
-        particles = move(people.particles, step, spreads, self._random)
-        return people.replace(particles=particles, position=people.position + step)
+        return predicted(people, step, self._settings, elapsed_s, self._random)
 
     def _weighed(
         self,

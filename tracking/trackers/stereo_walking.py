@@ -2,38 +2,45 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tracking.filtering import direction_cost, turning_angle
+from tracking.setting import setting
 from tracking.trackers.population import Population
 
 Floats = NDArray[np.float64]
 
 
-class DirectionSettings(Protocol):
-    """The settings of the direction cue."""
+@dataclass(frozen=True)
+class WalkingSettings:
+    """Settings of what [Kawashita2014] keeps up to date of people: their way and their colours.
 
-    @property
-    def direction_weight(self) -> float:
-        """Cost of a turn by the threshold or more."""
+    Has no room of its own: it is mixed into the settings of trackers, which are slotted.
+    """
 
-    @property
-    def direction_threshold_rad(self) -> float:
-        """Turn from which on the cost no longer grows."""
+    __slots__ = ()
 
-    @property
-    def direction_step_m(self) -> float:
-        """How far apart the positions are that a direction is taken between."""
+    direction_weight: float = setting(
+        0.2, "", (0.0, 10.0), "cost of a turn by the threshold or more (k)"
+    )
+    direction_threshold_rad: float = setting(
+        1.22, "rad", (0.01, 3.1416), "turn from which on the cost no longer grows"
+    )
+    direction_step_m: float = setting(
+        0.4, "m", (0.05, 5.0), "how far apart the positions are that a direction is taken between"
+    )
+    direction_memory_s: float = setting(
+        1.5, "s", (0.1, 60.0), "a person who takes longer for that distance is standing"
+    )
+    colour_memory: float = setting(
+        0.97, "", (0.0, 1.0), "share of the old colour model kept at each match"
+    )
 
-    @property
-    def direction_memory_s(self) -> float:
-        """A person who takes longer for that distance is standing."""
 
-
-def turning_cost(people: Population, measured: Floats, settings: DirectionSettings) -> Floats:
+def turning_cost(people: Population, measured: Floats, settings: WalkingSettings) -> Floats:
     """Da of every pair (people, detections): how much the way there turns from the way walked.
 
     The way to a detection starts at the newer anchor, or at the older one where the detection
@@ -60,3 +67,33 @@ def walked_on(people: Population, elapsed_s: float, step_m: float) -> Population
         anchors=np.where(far[:, None, None], moved, people.anchors),
         anchor_age_s=np.where(far, 0.0, people.anchor_age_s + elapsed_s),
     )
+
+
+@dataclass(frozen=True, slots=True)
+class WalkingCues:
+    """Colours that follow the person, and the way walked; trackers add what they see of people."""
+
+    settings: WalkingSettings
+
+    def updated(
+        self, model: NDArray[np.float32], seen: NDArray[np.float32], matches: NDArray[np.int32]
+    ) -> NDArray[np.float32]:
+        """The models after one more match: a running mean, at first of everything seen.
+
+        Args:
+            model, seen: (people, cues, bins). matches: (people,) before this one.
+        """
+        return model + self.newest_share(matches)[:, None, None] * (seen - model)
+
+    def newest_share(self, matches: NDArray[np.int32]) -> NDArray[np.float32]:
+        """(people,) the share of one more match in what is known of somebody matched so often."""
+        share = np.maximum(1.0 / (matches + 1), 1.0 - self.settings.colour_memory)
+        return share.astype(np.float32)
+
+    def direction(self, people: Population, measured: Floats) -> Floats:
+        """Da of every pair: how much the way to each detection turns from the way walked."""
+        return turning_cost(people, measured, self.settings)
+
+    def walked(self, people: Population, elapsed_s: float) -> Population:
+        """The people with the positions brought up to date that directions are taken between."""
+        return walked_on(people, elapsed_s, self.settings.direction_step_m)

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 from tracking.setting import setting
 from tracking.trackers.stereo_settings import StereoFilterSettings
+from tracking.trackers.stereo_walking import WalkingSettings
 
 
 @dataclass(frozen=True, slots=True)
-class JointSettings(StereoFilterSettings):
+class JointSettings(WalkingSettings, StereoFilterSettings):
     """Settings of `stereo-joint`."""
 
     confirm_s: float = setting(
@@ -45,18 +46,6 @@ class JointSettings(StereoFilterSettings):
     )
     direction_weight: float = setting(
         1.0, "nat", (0.0, 10.0), "cost of a turn by the threshold or more"
-    )
-    direction_threshold_rad: float = setting(
-        1.22, "rad", (0.01, 3.1416), "turn from which on the cost no longer grows"
-    )
-    direction_step_m: float = setting(
-        0.4, "m", (0.05, 5.0), "how far apart the positions are that a direction is taken between"
-    )
-    direction_memory_s: float = setting(
-        1.5, "s", (0.1, 60.0), "a person who takes longer for that distance is standing"
-    )
-    colour_memory: float = setting(
-        0.97, "", (0.0, 1.0), "share of the old colour model kept at each match"
     )
     remember_s: float = setting(
         8.0, "s", (0.0, 60.0), "how long somebody lost within the picture is remembered"

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,13 +19,12 @@ from tracking.trackers.joint.noise import Noise
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.joint.staying import hiding, staying, told
 from tracking.trackers.joint.updating import matched
-from tracking.trackers.population import Population, joined, nobody
+from tracking.trackers.population import Population, joined
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.resuming import Resume
 from tracking.trackers.stereo_boxes import expected_visibility, outlined
 from tracking.trackers.stereo_cues import Costs
+from tracking.trackers.stereo_filter import StereoFilter
 from tracking.trackers.stereo_result import step_result
-from tracking.trackers.stereo_resuming import resumed
 from tracking.trackers.stereo_sharing import shared_regions
 from tracking.trackers.stereo_update import Match, aged, apart, guests_kept, unseen
 
@@ -40,7 +37,7 @@ _SHORTEST_S = 1e-3
 """Between two frames."""
 
 
-class JointTracker:
+class JointTracker(StereoFilter[JointSettings, JointCues]):
     """Follows people by the likeliest explanation of each frame for everybody at once.
 
     The five steps of [Kawashita2012] and [Kawashita2014] with their cues, where we differ:
@@ -58,45 +55,21 @@ class JointTracker:
 
     def __init__(self, view: View, settings: JointSettings, seed: int) -> None:
         """Nobody is followed yet; all randomness comes from the seed."""
-        self._view = view
-        self._settings = settings
-        self._cues = JointCues(settings)
-        self._random = np.random.default_rng(seed)
-        self._people: Population | None = None
+        super().__init__(view, settings, JointCues(settings), seed)
         self._telling = Telling.usual()
         self._noise = Noise.usual(settings)
-        self._last_id = 0
-        self._time_s = 0.0
 
-    @property
-    def settings(self) -> JointSettings:
-        """The settings in force."""
-        return self._settings
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """Nothing is to be told."""
-        return ()
-
-    def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
-        """Go on with the people as corrected; those who are new get ids above all there were."""
-        people, self._time_s = resumed(
-            resume, observations, self._view, self._settings, self._cues, self._random
-        )
+    def _gone_on(self, people: Population) -> Population:
+        """The people to go on with: who was corrected and seen is sure to be somebody."""
         known = np.where(people.matches > 1, np.maximum(people.matches, _SURE), people.matches)
-        self._people = people.replace(matches=known)
-        self._last_id = resume.highest_track
+        return people.replace(matches=known)
 
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""
         seen, settings, view = observation.people, self._settings, self._view
         colours, looks = self._cues.seen(seen), looks_of(seen)
-        if self._people is None:
-            self._people = nobody(settings.particles, *colours.shape[1:])
-            self._time_s = observation.time_s
-        elapsed_s = observation.time_s - self._time_s
-        self._time_s = observation.time_s
-        expected = predicted(self._people, settings, elapsed_s, self._random)
+        before, elapsed_s = self._begun(observation, colours)
+        expected = predicted(before, settings, elapsed_s, self._random)
         shown = expected_visibility(expected, view, expected.missed_s < settings.lost_after_s)
         new = arrivals(seen, settings, elapsed_s, view)
         difference = differences(expected, colours, looks)
