@@ -176,6 +176,27 @@ def test_a_later_run_becomes_the_table_only_while_nobody_edited(session: Session
     assert [session.runs[number].seed for number in range(3)] == [0, 1, 2]
 
 
+def test_any_run_can_be_begun_with_while_nobody_edited(session: Session, tmp_path: Path) -> None:
+    session.add_run(make_run(seed=1, tracks=6))
+    session.adopt_run(0)
+    assert session.adopted_run == 0
+    assert len(session.tracks.track_ids) == len(np.unique(session.runs[0].tracks["track"]))
+    path = session.save(tmp_path / "kept.h5")
+    session.close()
+    again = Session.open(path)
+    assert (again.adopted_run, len(again.runs)) == (0, 2)
+    again.close()
+
+
+def test_no_run_takes_the_place_of_edited_tracks(session: Session) -> None:
+    session.add_run(make_run(seed=1))
+    session.apply(plan_swap(session.tracks, 1, 2, 10))
+    before = state_of(session)
+    with pytest.raises(EditError, match="take from the run"):
+        session.adopt_run(0)
+    assert state_of(session) == before
+
+
 def test_a_run_that_is_no_table_is_refused(session: Session) -> None:
     run = make_run()
     run.tracks["frame"][:] = run.tracks["frame"][::-1].copy()

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tracking.editing import Change, Entry, Written, plan_undo_alone, with_parts_carried
-from tracking.errors import OutputError, SessionError
+from tracking.errors import EditError, OutputError, SessionError
 from tracking.session.held import Held
 from tracking.session.image import Stamps, empty_snapshot
 from tracking.session.journal import Act
@@ -154,13 +154,32 @@ class Session(Held):
         """
         self._refuse_read_only()
         adopts = adopt and not len(self.history) and self._covers_adopted(run)
-        table = TrackTable(run.tracks, highest_track=self.tracks.highest_track) if adopts else None
+        table = self._table_of(run) if adopts else None
         number = self._runs.add(run)
         if table is not None:
             self._edited.tracks, self._adopted = table, number
         self._content += 1
         self._base = self._content
         return number
+
+    def adopt_run(self, number: int) -> None:
+        """Begin the corrected table anew as another run's tracks; on disk as after `add_run`.
+
+        Raises EditError where somebody has edited: the edits are those of the table there is.
+        """
+        self._refuse_read_only()
+        if len(self.history):
+            raise EditError(
+                f"run {number} cannot be begun with: the tracks have been edited; take from the "
+                "run what it says otherwise"
+            )
+        self._edited.tracks, self._adopted = self._table_of(self._runs[number]), number
+        self._content += 1
+        self._base = self._content
+
+    def _table_of(self, run: Run) -> TrackTable:
+        """The run's tracks as a corrected table; ids that were ever given stay used."""
+        return TrackTable(run.tracks, highest_track=self.tracks.highest_track)
 
     def _covers_adopted(self, run: Run) -> bool:
         """Whether a run is of all frames of the one whose tracks are corrected now."""

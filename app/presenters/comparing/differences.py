@@ -60,8 +60,14 @@ class Comparison:
         base: int | None,
         fps: float,
         frames: tuple[int, int] | None = None,
+        *,
+        everything: bool = False,
     ) -> None:
+        """Of some frames, None for all; `everything` that differs is ticked at first."""
         self.run, self.base = run, base
+        # All is ticked that a run which went on from the corrected tracks would change.
+        goes_on = base is None and bool(session.runs[run].known_tracks)
+        self._everything = everything or goes_on
         self.order = Sorted.TIME
         self.person = 0
         self._session, self._fps, self._frames = session, fps, frames
@@ -88,8 +94,7 @@ class Comparison:
             self._solid = SessionTracks(found.base, self._session.runs[self.base])
         places = [_same_place(one) for one in found.differences]
         free = [number for number, one in enumerate(found.differences) if not one.protected]
-        # At first all is ticked that a run which went on from here would change.
-        all_of_it = first and self.base is None and bool(self._session.runs[self.run].known_tracks)
+        all_of_it = first and self._everything
         self._ticked = {number for number in free if all_of_it or places[number] in ticked}
         self._current = places.index(looked_at) if looked_at in places else None
         self._list()

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from app.presenters.commands.checks import read_only
 from app.presenters.panels import local_time
 from app.presenters.words import counted, tr
 from tracking.formats import read_mot
@@ -18,6 +19,8 @@ from tracking.session import Session
 from tracking.trackers import TRACKERS, changed_settings
 from tracking.tracks import Columns, Run
 
+Range = tuple[int, int]
+"""Half-open, of frames."""
 CORRECTED = -1
 """Stands for the corrected tracks where a run's number is asked for."""
 
@@ -29,7 +32,8 @@ class RunRow:
     Attributes:
         number: of the run, or `CORRECTED`. name: e.g. "run 2".
         settings: those that differ from the tracker's defaults, "" for none. made: when.
-        idf1, hota, switches: figures against the truth over the run's frames, "" without.
+        idf1, hota, switches: figures against the truth, "" without.
+        why_not_corrected: why the corrected tracks cannot begin as it; "" where they can.
     """
 
     number: int
@@ -42,24 +46,39 @@ class RunRow:
     idf1: str = ""
     hota: str = ""
     switches: str = ""
+    why_not_corrected: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class RunsScene:
-    """All runs of a session. `scored`: there is a truth; `can_drop`: the last run can go."""
+    """All runs of a session.
+
+    Attributes:
+        scored: there is a truth. can_drop: the last run can go.
+        share_text: what offers to score all rows over the frames they share; "" where all have the
+            same frames, or none are in all of them. over: which frames the figures are about.
+    """
 
     rows: tuple[RunRow, ...]
     scored: bool
     can_drop: bool
+    share_text: str
+    over: str
 
 
 class RunList:
-    """The runs of a session and, once they were scored, their figures."""
+    """The runs of a session and, once they were scored, their figures.
+
+    Attributes:
+        shared: rows are scored over the frames that all of them have, where there are any: else
+            their figures could not be compared.
+    """
 
     def __init__(self, session: Session, recording: Recording) -> None:
         self._session = session
         self._recording = recording
         self._figures: dict[int, Mapping[str, Any]] = {}
+        self.shared = True
 
     def scene(self) -> RunsScene:
         """The runs as they stand."""
@@ -67,21 +86,53 @@ class RunList:
         rows = [self._corrected(), *(self._row(n, run) for n, run in enumerate(session.runs))]
         last = len(session.runs) - 1
         can_drop = last >= 0 and session.adopted_run != last and not session.read_only
-        return RunsScene(tuple(rows), self._recording.truth_path is not None, can_drop)
+        scored = self._recording.truth_path is not None
+        common, share_text = self._common, ""
+        if scored and common is not None:
+            share_text = tr("Score all rows over frames {frames}", frames=_range_text(common))
+        over = self._over_text(common) if scored else ""
+        return RunsScene(tuple(rows), scored, can_drop, share_text, over)
+
+    def _over_text(self, common: Range | None) -> str:
+        """Which frames the figures are about, where rows differ in theirs."""
+        if not self._frames_differ:
+            return ""
+        if common is not None and self.shared:
+            return tr("These are the frames that all rows have, so that figures can be compared.")
+        return tr(
+            "Each row is scored over its own frames: figures of rows with other frames cannot be "
+            "compared, as one stretch is harder than another."
+        )
+
+    @property
+    def _ranges(self) -> dict[int, Range]:
+        """The frames of every row, by its number."""
+        runs = self._session.runs
+        own: dict[int, Range] = {n: runs[n].frames for n in range(len(runs))}
+        return {CORRECTED: (0, self._recording.frame_count), **own}
+
+    @property
+    def _frames_differ(self) -> bool:
+        return len(set(self._ranges.values())) > 1
+
+    @property
+    def _common(self) -> Range | None:
+        """The frames all rows have; None where there are none, or all have the same."""
+        ranges = self._ranges.values()
+        start, stop = max(one[0] for one in ranges), min(one[1] for one in ranges)
+        return (start, stop) if self._frames_differ and start < stop else None
 
     def scoring(self) -> Callable[[Progress], dict[int, Mapping[str, Any]]]:
         """What scores all of them against the truth; to be called in any thread.
 
-        Each run over the frames it went through. What it gives is for `take`.
+        Over the frames they share, or each over its own: see `shared`. It gives what `take` takes.
         """
         truth_path = self._recording.truth_path
         assert truth_path is not None
-        whole = (0, self._recording.frame_count)
-        tables: list[tuple[int, Columns, tuple[int, int]]] = [
-            (CORRECTED, self._session.tracks.snapshot().columns(), whole)
-        ]
-        runs = self._session.runs
-        tables += [(n, runs[n].tracks, runs[n].frames) for n in range(len(runs))]
+        runs, common = self._session.runs, self._common if self.shared else None
+        columns: dict[int, Columns] = {CORRECTED: self._session.tracks.snapshot().columns()}
+        columns |= {n: runs[n].tracks for n in range(len(runs))}
+        tables = [(n, columns[n], common or frames) for n, frames in self._ranges.items()]
 
         def work(report: Progress) -> dict[int, Mapping[str, Any]]:
             truth = read_mot(truth_path)
@@ -109,6 +160,7 @@ class RunList:
             "",
             len(session.tracks.track_ids),
             **self._figures_of(CORRECTED),
+            why_not_corrected=tr("Select a run to correct it."),
         )
 
     def _row(self, number: int, run: Run) -> RunRow:
@@ -124,7 +176,13 @@ class RunList:
             local_time(run.made) if run.made else "",
             len(np.unique(run.tracks["track"])),
             **self._figures_of(number),
+            why_not_corrected=self._why_not_corrected(number),
         )
+
+    def _why_not_corrected(self, number: int) -> str:
+        if number == self._session.adopted_run:
+            return tr("This run is the one being corrected.")
+        return read_only() if self._session.read_only else ""
 
     def _figures_of(self, number: int) -> dict[str, str]:
         figures = self._figures.get(number)

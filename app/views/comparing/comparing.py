@@ -74,15 +74,44 @@ class Comparing(QObject):
         """The run's people, to be drawn dashed in all views; None where none is compared."""
         return self._dashed
 
-    def open(self, run: int, base: int | None = None) -> None:
-        """Compare a run with the corrected tracks, or with another run."""
+    def correct(self, number: int) -> None:
+        """Have a run's tracks be the ones to correct: at once, or by taking them over the edits.
+
+        What nobody has edited begins anew as the run. Else the run is compared, with everything
+        ticked that it says otherwise: one edit takes it, and what people corrected stays.
+        """
+        session = self._document.session
+        if session is None:
+            return
+        if len(session.history):
+            self.open(number, everything=True)
+            self.said.emit(
+                tr("You have edited already: take what is ticked, as one edit that can be undone")
+            )
+            return
+        try:
+            session.adopt_run(number)
+        except TrackwrightError as error:
+            self.failed.emit(error)
+            return
+        self._document.take_session(session)
+        self.said.emit(tr("Run {n} is the one being corrected now", n=number))
+        self._editing.changed.emit()
+        self.changed.emit()
+
+    def open(self, run: int, base: int | None = None, *, everything: bool = False) -> None:
+        """Compare a run with the corrected tracks, or with another run.
+
+        `everything` that can be taken is ticked at first.
+        """
         session = self._document.session
         if session is None:
             return
         self.close()
         self._document.correcting.leave()
         self._searched, self._taken = (), False
-        self._comparison = Comparison(session, run, base, self._document.recording.fps)
+        fps = self._document.recording.fps
+        self._comparison = Comparison(session, run, base, fps, everything=everything)
         self._document.comparison = self._comparison
         self.refresh()
         self.changed.emit()

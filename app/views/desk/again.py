@@ -56,5 +56,6 @@ def show_runs(desk: Desk) -> None:
     dialog.compare_asked.connect(
         lambda run, base: desk.comparing.open(run, None if base == CORRECTED else base)
     )
+    dialog.correct_asked.connect(desk.comparing.correct)
     dialog.drop_asked.connect(desk.comparing.drop_run)
     dialog.open()

@@ -9,6 +9,7 @@ from PySide6.QtCore import QItemSelectionModel, Qt, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QCheckBox,
     QDialog,
     QHBoxLayout,
     QHeaderView,
@@ -37,10 +38,12 @@ class RunsDialog(QDialog):
 
     Signals:
         compare_asked(int, int): a run with another one, or with `CORRECTED`.
+        correct_asked(int): have this run's tracks be the ones to correct.
         drop_asked(int): forget the last run.
     """
 
     compare_asked = Signal(int, int)
+    correct_asked = Signal(int)
     drop_asked = Signal(int)
 
     def __init__(self, runs: RunList, parent: QWidget | None = None) -> None:
@@ -57,6 +60,7 @@ class RunsDialog(QDialog):
         rows.setContentsMargins(20, 20, 20, 16)
         rows.setSpacing(12)
         rows.addWidget(self._table, 1)
+        rows.addLayout(self._build_frames())
         rows.addWidget(self._about)
         rows.addLayout(self._build_buttons())
         self._show(self._scene)
@@ -95,11 +99,27 @@ class RunsDialog(QDialog):
         table.itemSelectionChanged.connect(self._enable)
         return table
 
+    def _build_frames(self) -> QVBoxLayout:
+        """Over which frames the rows are scored."""
+        self._share = QCheckBox(self)
+        self._share.setChecked(self._runs.shared)
+        self._share.toggled.connect(self._share_frames)
+        self._over = quiet("", self)
+        self._over.setWordWrap(True)
+        column = QVBoxLayout()
+        column.setSpacing(4)
+        column.addWidget(self._share)
+        column.addWidget(self._over)
+        return column
+
     def _build_buttons(self) -> QHBoxLayout:
         self._compare = QPushButton(self.tr("Compare"), self)
         self._compare.setProperty("primary", True)
         self._compare.setDefault(True)
         self._compare.clicked.connect(self._ask_compare)
+        self._correct = QPushButton(self.tr("Correct this run"), self)
+        self._correct.setAutoDefault(False)
+        self._correct.clicked.connect(self._ask_correct)
         self._drop = QPushButton(self.tr("Drop the last run"), self)
         self._drop.setAutoDefault(False)
         self._drop.clicked.connect(self._ask_drop)
@@ -110,6 +130,7 @@ class RunsDialog(QDialog):
         line.addWidget(self._drop)
         line.addStretch(1)
         line.addWidget(close)
+        line.addWidget(self._correct)
         line.addWidget(self._compare)
         return line
 
@@ -143,6 +164,9 @@ class RunsDialog(QDialog):
         for column in range(self._table.columnCount() - _FIGURES, self._table.columnCount()):
             self._table.setColumnHidden(column, not scene.scored)
         self._drop.setVisible(scene.can_drop)
+        for widget, text in ((self._share, scene.share_text), (self._over, scene.over)):
+            widget.setText(text)
+            widget.setVisible(bool(text))
         newest = scene.rows[-1].number
         self.choose(*(chosen or ([newest] if newest != CORRECTED else [])))
         self._enable()
@@ -159,6 +183,27 @@ class RunsDialog(QDialog):
         else:
             text = self.tr("Select a run, or two of them with Ctrl, to compare.")
         self._about.setText(text)
+        self._enable_correcting(chosen)
+
+    def _enable_correcting(self, chosen: list[int]) -> None:
+        why_not = {row.number: row.why_not_corrected for row in self._scene.rows}
+        said = why_not[chosen[0]] if len(chosen) == 1 else self.tr("Select one run to correct it.")
+        self._correct.setEnabled(not said)
+        self._correct.setToolTip(
+            said or self.tr("Its tracks become the ones you correct; nothing is lost by it")
+        )
+
+    def _ask_correct(self) -> None:
+        number = self.chosen[0]
+        self.accept()
+        self.correct_asked.emit(number)
+
+    def _share_frames(self, shared: bool) -> None:
+        """Score anew, over other frames."""
+        self._runs.shared = shared
+        self._runs.take({})
+        self._show(self._runs.scene())
+        self._score()
 
     def _ask_compare(self) -> None:
         chosen = self.chosen
@@ -181,6 +226,7 @@ class RunsDialog(QDialog):
         job.cancelled.connect(self._end)
         self._job = job
         self._about.setText(self.tr("Scoring..."))
+        self._share.setEnabled(False)
         job.start()
 
     def _take(self, figures: Mapping[int, Mapping[str, Any]]) -> None:
@@ -192,6 +238,7 @@ class RunsDialog(QDialog):
         if self._job is not None:
             self._job.deleteLater()
             self._job = None
+        self._share.setEnabled(True)
         self._enable()
         if said:
             self._about.setText(said)

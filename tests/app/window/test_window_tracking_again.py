@@ -228,6 +228,53 @@ def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tin
     assert (desk.document.comparison.base, desk.document.comparison.run) == (0, 1)
 
 
+def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtbot):
+    session = desk.document.session
+    run = session.runs[0]
+    late = run.tracks["frame"] >= 40
+    rows = {name: column[late] for name, column in run.tracks.items()}
+    session.add_run(replace(run, tracks=rows, frames=(40, 80)), adopt=False)
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    figures = lambda: [dialog._table.item(row, 6).text() for row in (1, 2)]  # noqa: E731
+    qtbot.waitUntil(lambda: all(figures()), timeout=20_000)
+    assert "40 \u2013 79" in dialog._share.text()
+    assert figures()[0] == figures()[1]
+    dialog._share.setChecked(False)
+    assert "cannot be compared" in dialog._over.text()
+    qtbot.waitUntil(lambda: all(figures()), timeout=20_000)
+    assert figures()[0] != figures()[1]
+    dialog.reject()
+
+
+def test_another_run_is_corrected_where_nobody_has_edited(window, desk, tiny_run):
+    desk.document.session.add_run(replace(tiny_run, seed=7), adopt=False)
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    dialog.choose(0)
+    assert not dialog._correct.isEnabled()
+    dialog.choose(1)
+    dialog._correct.click()
+    assert desk.document.session.adopted_run == 1
+    assert not desk.comparing.shown
+
+
+def test_over_edits_another_run_is_taken_as_one_edit_that_can_be_undone(
+    window, desk, qtbot, tiny_run, shifted_run
+):
+    session = desk.document.session
+    session.apply(plan_delete(session.tracks, shifted_run[1], 60, 70))
+    edits = len(session.history)
+    session.add_run(tiny_run, adopt=False)
+    desk.comparing.correct(1)
+    qtbot.waitUntil(lambda: bool(_items(desk)), timeout=10_000)
+    assert all(item.ticked or item.locked for item in _items(desk))
+    window.workspace.differences.taken.emit(1)
+    assert len(session.history) == edits + 1
+    desk.editing.undo()
+    assert session.history.next_redo is not None
+
+
 def test_the_better_stretch_is_taken_from_either_of_two_runs(
     window, desk, qtbot, tiny_run, shifted_run
 ):
