@@ -1,6 +1,8 @@
 """Regions of the foreground as people."""
 
 from tracking.people.detections import Detections
+from tracking.people.eyes_watch import EyesWatch
+from tracking.people.first_lag import first_lag
 from tracking.people.observation import Observation, Overlays
 from tracking.people.perception import StereoPerception
 from tracking.people.ranging import RangedShare
@@ -9,10 +11,12 @@ from tracking.people.single_camera import SingleCameraPerception
 
 __all__ = [
     "Detections",
+    "EyesWatch",
     "Observation",
     "Overlays",
     "PeopleSettings",
     "RangedShare",
     "SingleCameraPerception",
     "StereoPerception",
+    "first_lag",
 ]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Iterable
 
 import cv2
@@ -14,7 +13,7 @@ from tracking.errors import RecordingError
 from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
 from tracking.geometry import Ground, Rectification
 from tracking.people.detections import Detections
-from tracking.people.eyes_watch import MOST_LAG, EyesWatch, shows_nothing
+from tracking.people.eyes_watch import EyesWatch, shows_nothing
 from tracking.people.finder import PeopleFinder
 from tracking.people.observation import Observation, Overlays
 from tracking.people.one_eye import OneEye
@@ -36,14 +35,18 @@ class StereoPerception:
 
     Each frame passes the stages `rectify`, `subtract`, `shade`, `match` and `find`; `remember`
     then lets the backgrounds follow. `observe` does all of them; they are public so that each can
-    be timed. While the right eye fails, people are found by the left one alone; where one eye is
-    late, pictures of the same instant are paired.
+    be timed. While the right eye fails, or its pictures are of other instants than the left eye's,
+    people are found by the left one alone. `eyes` says by how much an eye is late: frames are to
+    come with pictures of one instant, in the left eye's time (`Instants`).
 
     Args:
         rectification: of the recording.
         ground: where the floor is.
         fps: frames a second of the recording.
         foreground, stereo, people: settings; None for the usual ones.
+
+    Attributes:
+        eyes: whether the right eye fails, and whether either is late.
     """
 
     def __init__(
@@ -58,19 +61,18 @@ class StereoPerception:
         self._rectification = rectification
         self._shrink = -(-rectification.size[0] // _WIDEST_PX)
         lines = SightLines(rectification, self._shrink)
-        self._eyes = (BackgroundModel(fps, foreground), BackgroundModel(fps, foreground))
+        self._backgrounds = (BackgroundModel(fps, foreground), BackgroundModel(fps, foreground))
         self._shadows = ShadowRemover(foreground)
         self._stereo = SubtractionStereo(lines, stereo)
         self._updates = 0
         self._finder = PeopleFinder(rectification, ground, lines, people or PeopleSettings())
         self._one_eye = OneEye(rectification, ground, self._shrink, people or PeopleSettings())
-        self._watch = EyesWatch(fps)
-        self._recent: deque[tuple[Image, Image]] = deque(maxlen=MOST_LAG + 1)
+        self.eyes = EyesWatch(fps)
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What the user should be told of the eyes, a line each."""
-        return self._watch.told()
+        return self.eyes.told()
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn both backgrounds from frames spread over some time, before the first `observe`.
@@ -80,7 +82,7 @@ class StereoPerception:
         """
         pairs = [self.rectify(frame) for frame in frames]
         pairs = [pair for pair in pairs if not shows_nothing(*pair)] or pairs
-        for background, pictures in zip(self._eyes, zip(*pairs, strict=True), strict=True):
+        for background, pictures in zip(self._backgrounds, zip(*pairs, strict=True), strict=True):
             background.learn(pictures)
         self._learn_scene()
 
@@ -91,11 +93,9 @@ class StereoPerception:
             RecordingError: the frame has no right eye.
         """
         eyes = self.rectify(frame)
-        self._watch.look(frame.number, *eyes)
-        together = self._of_one_instant(*eyes)
-        if self._watch.failing:
+        if not self._are_of_use(frame, eyes):
             return self._by_left_eye(frame, eyes[0])
-        left, right = self.subtract(*together)
+        left, right = self.subtract(*eyes)
         shadow = self.shade(left)
         disparity = self.match(left, right)
         people = self.find(left, shadow, disparity)
@@ -103,24 +103,21 @@ class StereoPerception:
         overlays = self._overlays(left.mask, shadow, disparity)
         return Observation(frame.number, frame.time_s, people, overlays)
 
+    def _are_of_use(self, frame: StereoFrame, eyes: tuple[Image, Image]) -> bool:
+        """Whether both eyes see, and the same instant."""
+        if frame.right_lag is None:
+            return False
+        self.eyes.look(frame.number, *eyes, frame.right_lag)
+        return not self.eyes.failing and self.eyes.lag == frame.right_lag
+
     def _by_left_eye(self, frame: StereoFrame, eye: Image) -> Observation:
-        """What is seen while the right eye fails; its background is left as it was."""
-        left = self._eyes[0].subtract(eye)
+        """What is seen by the left eye; the right one's background is left as it was."""
+        left = self._backgrounds[0].subtract(eye)
         shadow = self.shade(left)
         people = self._one_eye.find(left, shadow)
         self.remember(left, None, people)
         overlays = self._overlays(left.mask, shadow, None)
         return Observation(frame.number, frame.time_s, people, overlays)
-
-    def _of_one_instant(self, left: Image, right: Image) -> tuple[Image, Image]:
-        """The latest pictures of both eyes that were taken together, where one eye is late."""
-        lag = self._watch.lag
-        if lag == 0:
-            return left, right
-        self._recent.append((left, right))
-        last = len(self._recent) - 1
-        then = last - min(abs(lag), last)
-        return (self._recent[then][0], right) if lag > 0 else (left, self._recent[then][1])
 
     def overlays(self, frame: StereoFrame) -> Overlays:
         """What a view may lay over a frame; nothing is remembered, frames come in any order.
@@ -129,7 +126,8 @@ class StereoPerception:
             RecordingError: the frame has no right eye.
         """
         left, right = self.subtract(*self.rectify(frame))
-        return self._overlays(left.mask, self.shade(left), self.match(left, right))
+        disparity = None if frame.right_lag is None else self.match(left, right)
+        return self._overlays(left.mask, self.shade(left), disparity)
 
     def rectify(self, frame: StereoFrame) -> tuple[Image, Image]:
         """Both eyes rectified, at the working scale."""
@@ -154,7 +152,7 @@ class StereoPerception:
 
     def subtract(self, left: Image, right: Image) -> tuple[Subtraction, Subtraction]:
         """Both eyes against their backgrounds."""
-        return self._eyes[0].subtract(left), self._eyes[1].subtract(right)
+        return self._backgrounds[0].subtract(left), self._backgrounds[1].subtract(right)
 
     def shade(self, left: Subtraction) -> Mask:
         """(height, width) uint8, which of the left eye's foreground is shadow: `ShadowRemover`."""
@@ -172,10 +170,10 @@ class StereoPerception:
     def remember(self, left: Subtraction, right: Subtraction | None, people: Detections) -> None:
         """Let the backgrounds of eyes that see follow what was seen, except where people are."""
         protected: tuple[Mask | None, Mask | None] = (None, None)
-        if self._eyes[0].update_is_due:
+        if self._backgrounds[0].update_is_due:
             protected = self._protected(people, left.mask.shape)
             self._updates += 1
-        for eye, seen, mask in zip(self._eyes, (left, right), protected, strict=True):
+        for eye, seen, mask in zip(self._backgrounds, (left, right), protected, strict=True):
             if seen is None:
                 eye.skip()
             else:
@@ -185,7 +183,7 @@ class StereoPerception:
             self._learn_scene()
 
     def _learn_scene(self) -> None:
-        self._stereo.learn_scene(*(_grey(eye.background) for eye in self._eyes))
+        self._stereo.learn_scene(*(_grey(eye.background) for eye in self._backgrounds))
         self._finder.scene = self._stereo.scene
 
     def _protected(self, people: Detections, shape: tuple[int, ...]) -> tuple[Mask, Mask]:

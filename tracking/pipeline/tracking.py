@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from tracking.errors import SettingsError
-from tracking.people import RangedShare
+from tracking.people import EyesWatch, RangedShare, first_lag
 from tracking.pipeline.kept import KeptSteps
-from tracking.recording import Recording, StereoFrame
+from tracking.recording import Instants, Recording, StereoFrame
 from tracking.trackers import (
     Observation,
     Perception,
@@ -90,8 +90,9 @@ class Tracking:
     """A tracker at work: iterate for a `StepResult` a frame, close to cancel.
 
     The background is learnt first, from frames spread over the whole recording, so that a range
-    that starts late and a scene that starts with people are seen like any other. All calls belong
-    to one thread.
+    that starts late and a scene that starts with people are seen like any other. Where an eye is
+    late, which is looked for first and all along, each frame is the left eye's, with the right
+    picture of its instant. All calls belong to one thread.
 
     Attributes:
         frames: half-open range being tracked. done: frames of it tracked so far.
@@ -176,12 +177,19 @@ class Tracking:
         perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
         self._perception, self._tracker = perception, tracker
         timed("learn", _learn, perception, self._recording)
+        # Of perception that looks with both eyes.
+        eyes: EyesWatch | None = getattr(perception, "eyes", None)
+        instants = Instants(self._recording)
+        if eyes is not None:
+            timed("learn", _pair, eyes, instants, self.frames[0])
         if self._resume is not None:
-            seen = (perception.observe(self._recording.read(n)) for n in self._resume.looks)
+            seen = (perception.observe(instants.read(n)) for n in self._resume.looks)
             timed("learn", tracker.resume, self._resume, seen)
-        pictures = self._recording.frames(*self.frames)
+        pictures = instants.frames(*self.frames)
         while (frame := timed("decode", next, pictures, None)) is not None:
             self.observation = timed("perception", perception.observe, frame)
+            if eyes is not None and eyes.lag is not None:
+                instants.lag = eyes.lag
             self._ranged.add(self.observation.overlays)
             result = timed("tracker", tracker.step, self.observation)
             self._followed |= bool(len(result.tracks["track"]))
@@ -200,3 +208,9 @@ def background_samples(recording: Recording) -> list[StereoFrame]:
 
 def _learn(perception: Perception, recording: Recording) -> None:
     perception.learn(background_samples(recording))
+
+
+def _pair(eyes: EyesWatch, instants: Instants, start: int) -> None:
+    """Begin with the lag that the footage shows from a frame on."""
+    instants.lag = first_lag(instants.recording, start) or 0
+    eyes.begin(instants.lag)

@@ -3,6 +3,7 @@
 from tracking.recording.cache import FrameCache
 from tracking.recording.fingerprint import Fingerprint
 from tracking.recording.frame import Image, StereoFrame
+from tracking.recording.instants import Instants
 from tracking.recording.manifest import (
     MANIFEST_NAME,
     Manifest,
@@ -21,6 +22,7 @@ __all__ = [
     "Fingerprint",
     "FrameCache",
     "Image",
+    "Instants",
     "Manifest",
     "OpenOptions",
     "Recording",

@@ -40,8 +40,8 @@ class Eyes(Protocol):
     def notes(self) -> tuple[str, ...]:
         """Oddities of the pairing, in words."""
 
-    def read(self, number: int) -> ImagePair:
-        """One pair; right is None with one eye."""
+    def read(self, number: int, right_number: int) -> ImagePair:
+        """The left picture of one pair and the right one of another; None with one eye."""
 
     def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
         """Pairs start to stop (half-open) in order."""
@@ -57,7 +57,7 @@ class OneEye:
         self.is_stereo = False
         self.notes: tuple[str, ...] = ()
 
-    def read(self, number: int) -> ImagePair:
+    def read(self, number: int, right_number: int) -> ImagePair:  # noqa: ARG002 - as all eyes
         """One picture, and no right one."""
         return self.sources[0].read(number), None
 
@@ -88,10 +88,10 @@ class TwoEyes:
         self.notes = pairing.notes
         self._right_number = pairing.right
 
-    def read(self, number: int) -> ImagePair:
-        """One pair."""
+    def read(self, number: int, right_number: int) -> ImagePair:
+        """One picture of each eye."""
         left, right = self.sources
-        return left.read(number), right.read(int(self._right_number[number]))
+        return left.read(number), right.read(int(self._right_number[right_number]))
 
     def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
         """Pairs start to stop in order; both sources are read once."""
@@ -127,9 +127,12 @@ class SplitEyes:
         self.size = (width // 2, height) if self._beside else (width, height // 2)
         self.notes: tuple[str, ...] = ()
 
-    def read(self, number: int) -> ImagePair:
-        """One picture, cut into its eyes."""
-        return self._cut(self.sources[0].read(number))
+    def read(self, number: int, right_number: int) -> ImagePair:
+        """One picture, cut into its eyes; or each eye of another one."""
+        left, right = self._cut(self.sources[0].read(number))
+        if right_number != number:
+            right = self._cut(self.sources[0].read(right_number))[1]
+        return left, right
 
     def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
         """Pictures start to stop in order, cut into their eyes."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from pathlib import Path
 from threading import Lock
 from types import TracebackType
@@ -24,8 +24,8 @@ class Recording:
     """An opened recording; made by `open_recording`.
 
     Frames are exact and counted from 0. Both eyes of a frame are of the same instant: by number,
-    or where an eye lost frames and its times tell, by time (see `pair_eyes`). `read` may be called
-    from several threads.
+    or where an eye lost frames and its times tell, by time (see `pair_eyes`). An eye whose pictures
+    all come late is not noticed here; see `Instants`. `read` may be called from several threads.
 
     Attributes:
         path: what was opened.
@@ -101,18 +101,20 @@ class Recording:
         """Seconds from the first frame to the given one."""
         return number / self.fps if self._times_s is None else float(self._times_s[number])
 
-    def read(self, number: int) -> StereoFrame:
-        """One frame.
+    def read(self, number: int, right_number: int | None = None) -> StereoFrame:
+        """One frame; where it is given, with the right picture of another one.
 
         Raises:
             RecordingError: there is no such frame, or nothing of the video can be decoded.
         """
+        right_number = number if right_number is None else right_number
         self._check(number)
+        self._check(right_number)
         with self._lock:
-            left, right = self._eyes.read(number)
-        return StereoFrame(number, self.time_s(number), left, right)
+            left, right = self._eyes.read(number, right_number)
+        return StereoFrame(number, self.time_s(number), left, right, right_number - number)
 
-    def frames(self, start: int = 0, stop: int | None = None) -> Iterator[StereoFrame]:
+    def frames(self, start: int = 0, stop: int | None = None) -> Generator[StereoFrame]:
         """Frames start to stop (half-open) in order, read fast and apart from `read`.
 
         Raises:

@@ -64,7 +64,10 @@ class StepResult:
 
 
 class Perception(Protocol):
-    """Turns pictures into observations; holds the background model."""
+    """Turns pictures into observations; holds the background model.
+
+    One that looks with both eyes has `eyes`, too: an `EyesWatch`, which says how frames are paired.
+    """
 
     @property
     def notes(self) -> tuple[str, ...]:

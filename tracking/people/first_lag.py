@@ -1,0 +1,48 @@
+"""By how much an eye of a recording is late, told before anything is tracked."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from tracking.people.eye_movement import EyeMovement, Picture, thinned
+from tracking.recording import Recording, StereoFrame
+
+_ELSEWHERE = 3
+"""So many other stretches of a recording are looked at where the first one tells nothing."""
+
+
+def first_lag(recording: Recording, start: int = 0) -> int | None:
+    """Frames by which the right eye is late; negative: the left one. None: nothing tells.
+
+    Looked at is a stretch of a second or two from a frame on, and where too little moves in it,
+    others that are spread over the recording.
+
+    Args:
+        recording: of two eyes; rectified where it can be. start: the frame that matters most.
+
+    Raises:
+        RecordingError: nothing of a video can be decoded.
+    """
+    movement = EyeMovement(recording.fps)
+    last = max(0, recording.frame_count - movement.span - 1)
+    spread = np.linspace(0, last, _ELSEWHERE + 2)[1:-1].astype(int).tolist()
+    for first in (min(start, last), *spread):
+        movement.begin()
+        for frame in recording.frames(first, min(first + movement.span + 1, recording.frame_count)):
+            movement.add(_eyes(recording, frame))
+        lag = movement.late_by()
+        if lag is not None:
+            return lag
+    return None
+
+
+def _eyes(recording: Recording, frame: StereoFrame) -> tuple[Picture, Picture]:
+    """Both eyes as they are compared; one channel of three is rectified."""
+    assert frame.right is not None
+    left, right = (
+        np.asarray(cv2.extractChannel(e, 1), np.uint8) for e in (frame.left, frame.right)
+    )
+    if recording.rectification is not None:
+        left, right = recording.rectification.rectify(left, right)
+    return thinned(left), thinned(right)
