@@ -30,6 +30,7 @@ COMMANDS: Final = (
         lambda now: two_eyes(now) or floor(now),
         True,
     ),
+    Command("view.floor_legend", "View", "Legend on the floor", (), floor, checkable=True),
     Command("view.labels", "View", "Labels on the picture", ("U",), recording, True),
     Command(
         "view.parts",

@@ -31,6 +31,7 @@ class Pictured:
     counts: bool = True
     counting: bool = False
     flow_map: bool = False
+    floor_legend: bool = True
     tracklets: bool = False
     outlines: bool = False
     evaluation: bool = False

@@ -226,6 +226,7 @@ class Desk(QObject):
             view.left.show_scene(pictures.scene(Eye.LEFT, frame, instant, self.pictured, laid))
         if self.eyes == "both":
             view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
+        view.overhead.show_legend(self.pictured.floor_legend)
         view.overhead.show_scene(document.overhead.scene(instant))
         self.counting.draw(instant, self.pictured)
         self.scoring.draw(instant, self.pictured, self.eyes)

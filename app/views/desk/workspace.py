@@ -23,6 +23,7 @@ from app.views.comparing.differences_panel import DifferencesPanel
 from app.views.correcting.edit_panel import EditPanel
 from app.views.correcting.track_panel import TrackPanel
 from app.views.counting.counting_panel import CountingPanel
+from app.views.desk.below_floor import BelowFloor
 from app.views.desk.pane_ring import PaneRing
 from app.views.history.history_panel import HistoryPanel
 from app.views.labelling.labelling_panel import LabellingPanel
@@ -72,8 +73,9 @@ class Workspace(QWidget):
 
     def _lay_out(self) -> None:
         eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
-        below = (self.overhead, self.curves, self.counting, self.score)
-        floor = self._split("floor", Qt.Orientation.Vertical, below, (5, 4, 5, 6))
+        below = BelowFloor((self.curves, self.counting, self.score), self)
+        parts = (self.overhead, below)
+        floor = self._split("floor and panels", Qt.Orientation.Vertical, parts, (5, 6))
         views = (eyes, floor, self._side())
         top = self._split("top", Qt.Orientation.Horizontal, views, (9, 10, 6))
         upper = QWidget(self)

@@ -13,7 +13,7 @@ from app.presenters.document.document import Document
 from app.presenters.files import opening
 from app.presenters.files.export_formats import export_formats, proposed_folder, proposed_name
 from app.presenters.files.exporting import exporting, refuse_to_lose
-from app.presenters.scoring.reporting import reporting
+from app.presenters.scoring.reporting import Reported, reporting
 from app.presenters.words import tr
 from app.views.files.export_dialog import ExportDialog
 from app.views.widgets.questions import choose_file, choose_new_file
@@ -112,8 +112,14 @@ class Exporting(QObject):
         name = presenter.scene("").results[scored.subject.whose + 1]
         folder = place / proposed_folder(document.recording.name)
         work = reporting(document, scored, held, name, folder)
-        told = lambda page: self.said.emit(tr("Report: {path}", path=page))  # noqa: E731
-        self._work.run(tr("Writing the report"), work, told)
+        self._work.run(tr("Writing the report"), work, self._tell_of_report)
+
+    def _tell_of_report(self, done: Reported) -> None:
+        """Where it is; and what is not in it stays said until it is read."""
+        where = tr("Report: {path}", path=done.page)
+        self.said.emit(where)
+        if done.left_out:
+            self._window.notice.say(f"{where}\n{done.words}")
 
     def ask_log(self) -> None:
         """Ask for a place and write the log of edits."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF, QRadialGradient
 from PySide6.QtWidgets import QWidget
 
@@ -18,9 +18,11 @@ from app.views.look.theme import Theme, faded, scaled_font
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_places
 from app.views.pictures.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
+from app.views.pictures.floor_legend import draw_floor_legend
 from app.views.pictures.flow_map import FlowDrawing
 from app.views.pictures.legend import draw_legend
 from app.views.pictures.marks import draw_fading_trail, draw_preview
+from app.views.pictures.measured import draw_measured
 from app.views.pictures.name_plates import (
     draw_message,
     draw_plate,
@@ -37,7 +39,6 @@ _PARTICLE_RADIUS_M = 0.014
 _ARROW_S = 0.8  # an arrow shows where somebody is after this time
 _LONGEST_ARROW_PX = 70.0
 _STANDING_M_S = 0.05
-_DOT_PX = 10
 _LEGEND_PX = 12.0  # from the edge, and between two of them
 _GRIP_PX = 3.0  # around a person's ring
 
@@ -73,8 +74,7 @@ class OverheadView(Canvas):
         self._dragged = False
         self._floor_key: tuple[object, ...] = ()
         self._floor_drawn = QPixmap()
-        self._dot_key = ("", 0.0)
-        self._dot_drawn = QPixmap()
+        self._explained = True
         self.setContentsMargins(12, 12, 12, 12)
         self.setAccessibleName(self.tr("Overhead view"))
 
@@ -111,6 +111,12 @@ class OverheadView(Canvas):
             self._truth = truth
             if self._fitted and self.content() != before:
                 self.fit()
+            self.update()
+
+    def show_legend(self, explained: bool) -> None:
+        """Explain what stands for what, in a corner, or do not."""
+        if explained is not self._explained:
+            self._explained = explained
             self.update()
 
     def content(self) -> QRectF:
@@ -212,12 +218,15 @@ class OverheadView(Canvas):
             self._draw_ghost(painter, person, theme)
         for person in scene.people:
             self._draw_person(painter, person, theme)
-        self._draw_measured(painter, scene, theme)
+        draw_measured(painter, self.viewport.to_widget(scene.measured), theme)
         draw_truth_places(painter, self._truth, self.viewport, theme, area)
         draw_preview(painter, scene.preview, self.viewport)
         self._draw_plates(painter, scene, theme, area)
         painter.setFont(scaled_font(self.font(), 0.85))
-        draw_legend(painter, self._truth.legend, foot, theme)
+        foot.setY(foot.y() - draw_legend(painter, self._truth.legend, foot, theme))
+        if self._explained:
+            over = _LEGEND_PX if self._truth.legend else 0.0
+            draw_floor_legend(painter, scene, foot - QPointF(0, over), area, theme)
         draw_scale_bar(painter, area, self.viewport, theme, self.tr("m"))
 
     def _floor(self, scene: OverheadScene, theme: Theme) -> QPixmap:
@@ -309,28 +318,6 @@ class OverheadView(Canvas):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour)
         painter.drawPolygon(QPolygonF([tip, neck + across * 4.0, neck - across * 4.0]))
-
-    def _draw_measured(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
-        dot = self._dot(theme)
-        half = QPointF(_DOT_PX / 2, _DOT_PX / 2)
-        for x, y in self.viewport.to_widget(scene.measured).tolist():
-            painter.drawPixmap(QPointF(x, y) - half, dot)
-
-    def _dot(self, theme: Theme) -> QPixmap:
-        """A measured position, drawn once: a pixmap takes a twentieth of an ellipse's time."""
-        key = (theme.name, self.devicePixelRatioF())
-        if key != self._dot_key:
-            self._dot_key = key
-            self._dot_drawn = QPixmap(QSize(_DOT_PX, _DOT_PX) * key[1])
-            self._dot_drawn.setDevicePixelRatio(key[1])
-            self._dot_drawn.fill(Qt.GlobalColor.transparent)
-            painter = QPainter(self._dot_drawn)
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(QPen(theme.measured_rim, 1.2))
-            painter.setBrush(theme.measured)
-            painter.drawEllipse(QPointF(_DOT_PX / 2, _DOT_PX / 2), 3.2, 3.2)
-            painter.end()
-        return self._dot_drawn
 
     def _draw_plates(
         self, painter: QPainter, scene: OverheadScene, theme: Theme, area: QRectF

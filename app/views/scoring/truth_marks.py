@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
@@ -17,29 +18,34 @@ from tracking.scoring import ErrorKind
 _HALO = QColor(0, 0, 0, 130)
 _ON_PICTURE = QColor(255, 255, 255)
 _CORNER, _SIGN_PX, _CROSS_PX = 0.24, 6.0, 7.0
+_LOW_PX = 64.0
+"""Of boxes lower than this the signs stand outside, and are smaller: people are to be seen."""
+_LEAST_SIGN_PX = 3.5
 
 
 def draw_truth_boxes(
     painter: QPainter, truth: PicturedTruth, viewport: Viewport, theme: Theme, area: QRectF
 ) -> None:
     """Corners around everybody of the truth, their ids below; signs on misses and false alarms."""
-    ends = []
+    ends, rects = [], []
     for person in truth.people:
         rect = viewport.rect(QRectF(*person.box)).adjusted(-2, -2, 2, 2)
         _draw_corners(painter, rect, _colour(person.wrong, _ON_PICTURE, theme))
         ends.append(QPointF(rect.left(), rect.bottom() + 16))
+        rects.append(rect)
     for mark in (*truth.people, *truth.alarms):
         if mark.wrong is not None:
             rect = viewport.rect(QRectF(*mark.box))
-            draw_signs(painter, mark.wrong, [_on_top(rect, mark)], _SIGN_PX, theme)
-    _draw_ids(painter, [one.label for one in truth.people], ends, theme, area)
+            reach = min(_SIGN_PX, max(_LEAST_SIGN_PX, _SIGN_PX * rect.height() / _LOW_PX))
+            draw_signs(painter, mark.wrong, [_on_top(rect, mark)], reach, theme)
+    _draw_ids(painter, truth.people, ends, rects, theme, area)
 
 
 def draw_truth_places(
     painter: QPainter, truth: FlooredTruth, viewport: Viewport, theme: Theme, area: QRectF
 ) -> None:
     """A thin dotted trail that ends in a cross for everybody of the truth."""
-    ends = []
+    ends, spots = [], []
     for person in truth.people:
         points = viewport.to_widget(person.trail)
         colour = _colour(person.wrong, theme.text, theme)
@@ -53,10 +59,11 @@ def draw_truth_places(
         if person.wrong is not None:
             draw_signs(painter, person.wrong, [end], 1.9 * _CROSS_PX, theme)
         ends.append(end + QPointF(10, 24))
+        spots.append(QRectF(end.x() - _CROSS_PX, end.y() - _CROSS_PX, 2 * _CROSS_PX, 2 * _CROSS_PX))
     for alarm in truth.alarms:
         at = viewport.point(float(alarm.trail[-1, 0]), float(alarm.trail[-1, 1]))
         draw_signs(painter, ErrorKind.FALSE_ALARM, [at], 1.6 * _CROSS_PX, theme)
-    _draw_ids(painter, [one.label for one in truth.people], ends, theme, area)
+    _draw_ids(painter, truth.people, ends, spots, theme, area)
 
 
 def _colour(wrong: ErrorKind | None, usual: QColor, theme: Theme) -> QColor:
@@ -65,8 +72,10 @@ def _colour(wrong: ErrorKind | None, usual: QColor, theme: Theme) -> QColor:
 
 def _on_top(rect: QRectF, mark: TruthMark | TruthPlace) -> QPointF:
     """Where a sign stands: misses at the left of the upper edge, false alarms at the right."""
-    x = rect.left() + 9 if mark.wrong is ErrorKind.MISS else rect.right() - 9
-    return QPointF(x, rect.top() + 10)
+    low = rect.height() < _LOW_PX
+    aside = -2.0 if low else 9.0
+    x = rect.left() + aside if mark.wrong is ErrorKind.MISS else rect.right() - aside
+    return QPointF(x, rect.top() - 2 if low else rect.top() + 10)
 
 
 def _draw_corners(painter: QPainter, rect: QRectF, colour: QColor) -> None:
@@ -90,11 +99,46 @@ def _draw_cross(painter: QPainter, at: QPointF, colour: QColor, theme: Theme) ->
 
 
 def _draw_ids(
-    painter: QPainter, labels: Sequence[str], corners: Sequence[QPointF], theme: Theme, area: QRectF
+    painter: QPainter,
+    people: Sequence[TruthMark | TruthPlace],
+    corners: Sequence[QPointF],
+    bodies: Sequence[QRectF],
+    theme: Theme,
+    area: QRectF,
 ) -> None:
     """The ids of those in sight, lower left corners given, none on another."""
     metrics = QFontMetricsF(painter.font())
-    seen = [each for each in zip(labels, corners, strict=True) if area.contains(each[1])]
-    wanted = [plate_rect(metrics, label, corner) for label, corner in seen]
-    for (label, _), plate in zip(seen, place_plates(wanted, area), strict=True):
-        draw_note(painter, plate, label, theme)
+    plates = [
+        IdPlate(person.label, plate_rect(metrics, person.label, corner), body, person.wrong)
+        for person, corner, body in zip(people, corners, bodies, strict=True)
+        if area.contains(corner)
+    ]
+    for label, rect in shown_ids(plates, area):
+        draw_note(painter, rect, label, theme)
+
+
+@dataclass(frozen=True, slots=True)
+class IdPlate:
+    """Where somebody's id would stand, whose body it must not be taken for, what is wrong."""
+
+    label: str
+    rect: QRectF
+    body: QRectF
+    wrong: ErrorKind | None
+
+
+def shown_ids(plates: Sequence[IdPlate], area: QRectF) -> list[tuple[str, QRectF]]:
+    """Which ids are shown, and where.
+
+    Who is missed is always named. The others are where their id hides neither a body nor an id:
+    far away people stand close together.
+    """
+    missed = [one for one in plates if one.wrong is not None]
+    placed = place_plates([one.rect for one in missed], area)
+    shown = [(one.label, rect) for one, rect in zip(missed, placed, strict=True)]
+    for one in plates:
+        others = [other.body for other in plates if other is not one]
+        hidden = [*others, *(rect for _, rect in shown)]
+        if one.wrong is None and not any(map(one.rect.intersects, hidden)):
+            shown.append((one.label, one.rect))
+    return shown

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
+import numpy as np
 import pytest
 from correcting_desk import opened_desk
 from PySide6.QtCore import Qt
@@ -88,6 +90,25 @@ def test_a_report_is_written_into_a_folder_of_its_own(window, scored, qtbot, tmp
     assert f'"MOTA": {mota}' in json.dumps(told)
     assert "Corrected tracks" in (folder / "report.html").read_text()
     assert str(folder / "report.html") in window.statusBar().currentMessage()
+
+
+def test_a_run_that_cannot_be_scored_is_left_out_of_the_report_and_it_is_said_why(
+    window, scored, qtbot, tiny_run, tmp_path
+):
+    boxless = {**tiny_run.tracks, "left": np.full_like(tiny_run.tracks["left"], np.nan)}
+    session = scored.document.session
+    session.add_run(replace(tiny_run, tracks=boxless, tracker="no-boxes"), adopt=False)
+    session.add_run(replace(tiny_run, frames=(0, 79), tracker="shorter"), adopt=False)
+    window.files.exporting.report_in(tmp_path)
+    qtbot.waitUntil(lambda: bool(window.notice.text), timeout=30_000)
+    (page,) = tmp_path.glob("*/report.html")
+    assert "Corrected tracks" in page.read_text()
+    assert "no-boxes" not in page.read_text()
+    said = window.notice.text.splitlines()
+    assert said[1:] == [
+        "Not in the report: Run 2: shorter (it is over other frames).",
+        "Not in the report: Run 1: no-boxes (the result has no boxes).",
+    ]
 
 
 def test_what_is_chosen_otherwise_is_scored_anew(window, scored, qtbot, tmp_path):

@@ -87,6 +87,7 @@ VIEWING: dict[str, OnDesk] = {
     "view.truth": _toggle_truth,
     "view.counting": _toggle("counting"),
     "view.flow_map": _toggle("flow_map"),
+    "view.floor_legend": _toggle("floor_legend"),
     "view.tracklets": _toggle_bodies("tracklets"),
     "view.outlines": _toggle_bodies("outlines"),
     "view.evaluation": _toggle_bodies("evaluation"),

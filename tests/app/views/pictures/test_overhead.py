@@ -180,3 +180,22 @@ def lowest_red(shot):
     red = QColor(*RED).rgb()
     lines = range(shot.height())
     return max((y for y in lines for x in range(40) if shot.pixel(x, y) == red), default=-1)
+
+
+def test_signs_on_the_floor_are_explained_where_they_are_seen(view, drawn):
+    view.show_scene(overhead(floor_person(3, (0, 5))))
+    explained = drawn(view)
+    view.show_legend(False)
+    assert drawn(view) != explained
+    view.show_scene(overhead())
+    empty = drawn(view)
+    view.show_legend(True)
+    assert drawn(view) == empty
+
+
+def test_a_view_without_room_explains_nothing(view, drawn):
+    view.show_scene(overhead(floor_person(3, (0, 5))))
+    view.resize(300, 90)
+    low = drawn(view)
+    view.show_legend(False)
+    assert drawn(view) == low

@@ -1,0 +1,90 @@
+"""What stands for what on the floor, each beside the very sign."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+
+from app.presenters.scenes import OverheadScene
+from app.presenters.words import tr
+from app.views.look.theme import Theme, faded
+from app.views.pictures.measured import draw_measured
+
+_PAD, _GAP, _SIGN_PX = 7.0, 8.0, 16.0
+_MOST_OF_AREA = 0.3
+"""Higher than this share of the view, or wider than half of it, it would hide people."""
+_CLOUD = ((-4, 2), (0, -4), (3, 3), (-1, 1), (5, -2), (2, -1), (-5, -3), (-2, -1), (1, 5))
+
+Sign = Callable[[QPainter, QPointF, Theme], None]
+
+
+def draw_floor_legend(
+    painter: QPainter, scene: OverheadScene, corner: QPointF, area: QRectF, theme: Theme
+) -> float:
+    """A plate with the signs the scene has, its lower left corner given; how high it stands.
+
+    None where there is no room for it.
+    """
+    lines = _lines(scene)
+    metrics = QFontMetricsF(painter.font())
+    line = metrics.height() + 3
+    width = max((metrics.horizontalAdvance(text) for _, text in lines), default=0.0)
+    width, height = width + _SIGN_PX + _GAP + 2 * _PAD, len(lines) * line + 2 * _PAD
+    if not lines or height > _MOST_OF_AREA * area.height() or width > area.width() / 2:
+        return 0.0
+    plate = QRectF(corner.x(), corner.y() - height, width, height)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(faded(theme.window, 0.82))
+    painter.drawRoundedRect(plate, 5, 5)
+    for row, (sign, text) in enumerate(lines):
+        inside = QRectF(plate.left() + _PAD, plate.top() + _PAD + row * line, width, line)
+        sign(painter, QPointF(inside.left() + _SIGN_PX / 2, inside.center().y()), theme)
+        inside.setLeft(inside.left() + _SIGN_PX + _GAP)
+        painter.setPen(theme.text)
+        painter.drawText(inside, Qt.AlignmentFlag.AlignVCenter, text)
+    return height
+
+
+def _lines(scene: OverheadScene) -> list[tuple[Sign, str]]:
+    """The signs that are to be seen, and what they mean."""
+    lines: list[tuple[Sign, str]] = []
+    if len(scene.measured):
+        lines.append((_draw_dot, tr("measured in this frame")))
+    if any(not person.predicted for person in scene.people):
+        lines.append((_draw_ring, tr("where the tracker has a person")))
+    if any(person.predicted for person in scene.people):
+        lines.append((_draw_dashed, tr("predicted: not seen just now")))
+    if len(scene.particles):
+        lines.append((_draw_cloud, tr("particles: where they may be")))
+    return lines
+
+
+def _draw_dot(painter: QPainter, at: QPointF, theme: Theme) -> None:
+    draw_measured(painter, np.array([[at.x(), at.y()]]), theme)
+
+
+def _draw_ring(painter: QPainter, at: QPointF, theme: Theme) -> None:
+    _ring(painter, at, QPen(theme.text_muted, 1.8))
+
+
+def _draw_dashed(painter: QPainter, at: QPointF, theme: Theme) -> None:
+    pen = QPen(theme.text_muted, 1.8)
+    pen.setDashPattern([2.0, 1.6])
+    _ring(painter, at, pen)
+
+
+def _ring(painter: QPainter, at: QPointF, pen: QPen) -> None:
+    painter.setPen(pen)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawEllipse(at, 6.0, 6.0)
+
+
+def _draw_cloud(painter: QPainter, at: QPointF, theme: Theme) -> None:
+    painter.setPen(Qt.PenStyle.NoPen)
+    colour = QColor(theme.text_muted)
+    for number, (x, y) in enumerate(_CLOUD):
+        painter.setBrush(faded(colour, 0.45 + 0.06 * number))
+        painter.drawEllipse(at + QPointF(x, y), 1.4, 1.4)

@@ -1,0 +1,35 @@
+"""Panels below the floor: one is shown at a time, however many are open."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QTabBar
+
+from app.views.desk.below_floor import BelowFloor
+
+
+def _tabs(window):
+    bar = window.workspace.findChild(BelowFloor).findChild(QTabBar)
+    return [bar.tabText(at) for at in range(bar.count())] if bar.isVisible() else []
+
+
+def test_the_panel_opened_last_is_shown_and_the_other_is_a_tab_away(window, desk):
+    view = window.workspace
+    window.run_command("view.counting")
+    assert _tabs(window) == []
+    room = view.overhead.height()
+    window.run_command("view.curves")
+    assert _tabs(window) == ["Counting", "Parts over time"]
+    assert (view.counting.isVisible(), view.curves.isVisible()) == (False, True)
+    assert view.overhead.height() > 0.8 * room
+    view.findChild(BelowFloor).findChild(QTabBar).setCurrentIndex(0)
+    assert (view.counting.isVisible(), view.curves.isVisible()) == (True, False)
+
+
+def test_closing_a_panel_shows_the_one_that_is_left_and_then_none(window, desk):
+    view = window.workspace
+    for name in ("counting", "curves", "curves"):
+        window.run_command(f"view.{name}")
+    assert view.counting.isVisible()
+    assert _tabs(window) == []
+    window.run_command("view.counting")
+    assert not view.findChild(BelowFloor).isVisible()
