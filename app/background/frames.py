@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Generator
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from tracking.recording import FrameCache, Recording, StereoFrame
+from tracking.errors import RecordingError
+from tracking.people import lag_looks
+from tracking.recording import FrameCache, Instants, Recording, StereoFrame
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,9 +22,10 @@ class _Request:
 class FrameReader(QObject):
     """Reads frames of one recording in a thread.
 
-    `ready(ticket, frame)` carries a `StereoFrame`: both eyes of one instant. Requests that were
-    overtaken before their turn are never read. `failed(frame, error)` says which frame could not
-    be read; later requests go on.
+    `ready(ticket, frame)` carries a `StereoFrame`: both eyes of one instant. Whether an eye is late
+    is found while the first frames are read ahead; if it is, the frame asked for last comes once
+    more, with the right picture of its instant. Requests that were overtaken before their turn are
+    never read. `failed(frame, error)` says which frame could not be read; later requests go on.
     """
 
     ready = Signal(int, object)
@@ -29,7 +33,11 @@ class FrameReader(QObject):
 
     def __init__(self, recording: Recording, cache_bytes: int, parent: QObject) -> None:
         super().__init__(parent)
-        self._cache = FrameCache(recording, cache_bytes)
+        self._instants = Instants(recording)
+        self._cache = FrameCache(self._instants, cache_bytes)
+        self._looks: Generator[int, StereoFrame, int | None] | None = None
+        self._next_look = 0
+        self._sought = not recording.is_stereo
         self._ticket = 0
         self._wanted: _Request | None = None
         self._closed = False
@@ -75,6 +83,8 @@ class FrameReader(QObject):
             if request is not None and request is not served:
                 self._serve(request)
                 served, more = request, True
+            elif not self._sought:
+                served = None if self._seek_lag(served.frame if served else 0) else served
             else:
                 more = self._fetch_ahead()
 
@@ -85,6 +95,25 @@ class FrameReader(QObject):
             self.failed.emit(request.frame, error)
         else:
             self.ready.emit(request.ticket, frame)
+
+    def _seek_lag(self, start: int) -> bool:
+        """Look at one more frame for whether an eye is late; whether one was found to be."""
+        recording = self._instants.recording
+        try:
+            if self._looks is None:
+                self._looks = lag_looks(recording, start)
+                self._next_look = next(self._looks)
+            else:
+                self._next_look = self._looks.send(recording.read(self._next_look))
+        except StopIteration as told:
+            self._sought = True
+            self._instants.lag = told.value or 0
+            if told.value:
+                self._cache.clear()
+            return bool(told.value)
+        except RecordingError:
+            self._sought = True  # told when somebody asks for this very frame
+        return False
 
     def _fetch_ahead(self) -> bool:
         """Read one more frame in the play direction; whether there may be more to fetch."""

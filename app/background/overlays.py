@@ -52,6 +52,7 @@ class OverlayMaker(QObject):
         self.paint_s = 0.0
         self._made: dict[tuple[int, Kinds], Rgba] = {}
         self._wanted: _Request | None = None
+        self._right_lag: int | None = 0
         self._closed = False
         self._changed = threading.Condition()
         self._thread = threading.Thread(target=self._run, name="overlays", daemon=True)
@@ -70,6 +71,9 @@ class OverlayMaker(QObject):
             lead: while it plays, how many frames are left out at first: they would come late.
         """
         with self._changed:
+            if not self._is_paired(frame):  # a late eye was found: what was made of it is wrong
+                self._right_lag = frame.right_lag
+                self._made.clear()
             self._wanted = _Request(frame, kinds, ahead, lead)
             self._changed.notify()
 
@@ -98,7 +102,7 @@ class OverlayMaker(QObject):
                 self.failed.emit(error)
                 return
             self.paint_s = time.monotonic() - began_s
-            self._keep((frame.number, request.kinds), painted)
+            self._keep(frame, request.kinds, painted)
             if frame is request.frame:
                 self.ready.emit(frame.number)
 
@@ -129,9 +133,15 @@ class OverlayMaker(QObject):
                 return frame
         return request.frame if asked else None
 
-    def _keep(self, key: tuple[int, Kinds], painted: Rgba) -> None:
+    def _is_paired(self, frame: StereoFrame) -> bool:
+        """Whether a frame's eyes are paired like those of the others."""
+        return frame.right_lag is None or frame.right_lag == self._right_lag
+
+    def _keep(self, frame: StereoFrame, kinds: Kinds, painted: Rgba) -> None:
         with self._changed:
-            self._made[key] = painted
+            if not self._is_paired(frame):
+                return
+            self._made[frame.number, kinds] = painted
             most = max(2, self._capacity_bytes // max(painted.nbytes, 1))
             while len(self._made) > most:
                 del self._made[next(iter(self._made))]

@@ -2,7 +2,7 @@
 
 from tracking.people.detections import Detections
 from tracking.people.eyes_watch import EyesWatch
-from tracking.people.first_lag import first_lag
+from tracking.people.first_lag import first_lag, lag_looks
 from tracking.people.observation import Observation, Overlays
 from tracking.people.perception import StereoPerception
 from tracking.people.ranging import RangedShare
@@ -19,4 +19,5 @@ __all__ = [
     "SingleCameraPerception",
     "StereoPerception",
     "first_lag",
+    "lag_looks",
 ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator
+
 import cv2
 import numpy as np
 
@@ -15,21 +17,38 @@ _ELSEWHERE = 3
 def first_lag(recording: Recording, start: int = 0) -> int | None:
     """Frames by which the right eye is late; negative: the left one. None: nothing tells.
 
+    Args:
+        recording, start: see `lag_looks`.
+
+    Raises:
+        RecordingError: a frame cannot be read.
+    """
+    looks = lag_looks(recording, start)
+    try:
+        wanted = next(looks)
+        while True:
+            wanted = looks.send(recording.read(wanted))
+    except StopIteration as told:
+        lag: int | None = told.value
+        return lag
+
+
+def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFrame, int | None]:
+    """The same as `first_lag`, for who reads the frames: asks for one by number after the other.
+
     Looked at is a stretch of a second or two from a frame on, and where too little moves in it,
     others that are spread over the recording.
 
     Args:
         recording: of two eyes; rectified where it can be. start: the frame that matters most.
-
-    Raises:
-        RecordingError: nothing of a video can be decoded.
     """
     movement = EyeMovement(recording.fps)
     last = max(0, recording.frame_count - movement.span - 1)
     spread = np.linspace(0, last, _ELSEWHERE + 2)[1:-1].astype(int).tolist()
     for first in (min(start, last), *spread):
         movement.begin()
-        for frame in recording.frames(first, min(first + movement.span + 1, recording.frame_count)):
+        for number in range(first, min(first + movement.span + 1, recording.frame_count)):
+            frame = yield number
             movement.add(_eyes(recording, frame))
         lag = movement.late_by()
         if lag is not None:

@@ -59,7 +59,7 @@ class PicturePresenter:
             people=self._people(eye, instant, pictured),
             overlay=self._overlay(eye, instant, pictured, image, laid.image),
             grid=self._floor_grid(eye) if pictured.grid else np.zeros((0, 2, 2)),
-            message=laid.message,
+            message=laid.message if eye is Eye.LEFT else _late_eye(frame),
             preview=self._preview(eye, instant),
             ghosts=self._ghosts(eye, instant),
             drawing=instant.drawing and eye is Eye.LEFT,
@@ -203,6 +203,16 @@ class PicturePresenter:
                 near = (np.abs(pixels) < 4 * max(width, height)).all(axis=(1, 2))
             self._grid[eye] = pixels[near & np.isfinite(pixels).all(axis=(1, 2))]
         return self._grid[eye]
+
+
+def _late_eye(frame: StereoFrame | None) -> str:
+    """Which picture the right eye shows, where it is not the one recorded with the left one."""
+    if frame is None or frame.right_lag == 0:
+        return ""
+    if frame.right_lag is None:
+        return tr("Nothing was recorded of this instant: another frame is shown")
+    number = frame.number + frame.right_lag
+    return tr("Frame {number}: this eye shows the same instant there", number=number)
 
 
 def _nowhere(points: Floats) -> Floats:

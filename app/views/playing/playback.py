@@ -158,7 +158,8 @@ class Playback(QObject):
             self._show(frame)
 
     def _show(self, frame: StereoFrame) -> None:
-        if self.frame is None or self.frame.number != frame.number:
+        shown = self.frame
+        if shown is None or (shown.number, shown.right_lag) != (frame.number, frame.right_lag):
             self.frame = frame
             self.shown.emit()
 
