@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tracking.foreground.difference import largest_difference
 from tracking.foreground.first_look import commonest_picture
 from tracking.foreground.gain import brightness_ratio
-from tracking.foreground.local_light import change_of_light
+from tracking.foreground.local_light import change_of_light, patches_of_light
 from tracking.foreground.settings import ForegroundSettings
 
 Picture = NDArray[np.uint8]
@@ -25,6 +25,9 @@ _READABLE_EXPOSURE = (0.5, 1.8)
 """Ratios beyond which dimmed or overexposed detail makes the comparison worthless."""
 _PATIENCE_S = 2.0
 """How long a change of the whole scene or of exposure lasts before a learnt background yields."""
+_LIT_AFTER_S = 0.6
+"""How long a patch of other light keeps still before it joins the background: shadows of people
+who walk do not."""
 _NOISE_AT_FIRST = 2.0
 _MUCH_CHANGED = 0.2
 """Where more of the picture differs than this, light is suspected before people are."""
@@ -109,7 +112,7 @@ class BackgroundModel:
         ratio = change_of_light(picture, self.background, mask)
         if ratio is None:
             return False
-        self._mean *= ratio[..., None]
+        self._mean *= ratio
         self._background = _exposed(self._mean, self._exposure)
         return True
 
@@ -203,6 +206,7 @@ class BackgroundModel:
         still = cv2.bitwise_and(seen.mask, cv2.bitwise_not(moved))
         longer_s = self._stillness_s + np.float32(self._period_s)
         self._stillness_s = np.asarray(cv2.copyTo(longer_s, still), np.float32)
+        self._take_patches(seen)
         settled = self._stillness_s > np.float32(self._absorb_after_s())
         if people is not None:
             lasting = self._stillness_s > np.float32(self._settings.absorb_person_s)
@@ -212,6 +216,14 @@ class BackgroundModel:
             settled = settled[box]
             self._mean[box][settled] = seen.picture[box][settled]
             self._noise[box][settled] = _NOISE_AT_FIRST
+
+    def _take_patches(self, seen: Subtraction) -> None:
+        """Give the background the light of patches that keep still, whoever seems to be there."""
+        steady = (self._stillness_s > np.float32(_LIT_AFTER_S)).view(np.uint8) * np.uint8(255)
+        found = patches_of_light(seen.picture, self._background, steady)
+        if found is not None:
+            box, ratio = found
+            self._mean[box] *= ratio
 
     def _absorb_after_s(self) -> float:
         elapsed_s = self._frames * self._period_s / self._every

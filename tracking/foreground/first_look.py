@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.foreground.difference import largest_difference
+from tracking.foreground.one_light import in_one_light
 
 _SAME_WITHIN = 20
 _MOST_PICTURES = 25
@@ -20,7 +21,8 @@ def commonest_picture(
     """Per pixel, the one of the pictures' values that most others are close to.
 
     Unlike a median it needs no majority: people may cover a pixel in most pictures as long as
-    they look different and the background looks the same.
+    they look different and the background looks the same. Light that changes between the
+    pictures is taken out before.
 
     Args:
         pictures: at least one (height, width, 3) uint8; more than 25 are thinned out evenly.
@@ -30,7 +32,7 @@ def commonest_picture(
         deviation: (height, width) float32, mean difference of the values close to it.
     """
     chosen = [pictures[i] for i in _spread(len(pictures))]
-    smooth = [cv2.blur(picture, (3, 3)) for picture in chosen]
+    smooth = in_one_light([np.asarray(cv2.blur(picture, (3, 3)), np.uint8) for picture in chosen])
     height, width = smooth[0].shape[:2]
     best_cost = np.full((height, width), np.inf, np.float32)
     best = smooth[0].copy()
