@@ -19,14 +19,14 @@ _RIGHT = "right.mp4"
 
 @dataclass(frozen=True, slots=True)
 class Trouble:
-    """What is wrong with the right eye, from one second on until another.
+    """What is wrong with the right eye: it is late all along, or fails from one second to another.
 
     Attributes:
         name: in tables and of folders.
-        lag: frames by which it is late.
+        lag: frames by which it is late; negative: it is ahead of the left one.
         dark: it shows black.
         still: it shows its last picture.
-        start_s, end_s: half-open.
+        start_s, end_s: half-open, when it is dark or still.
     """
 
     name: str
@@ -38,11 +38,12 @@ class Trouble:
 
     def shown(self, number: int, fps: float) -> int:
         """Which of the right eye's pictures is shown in a frame; -1: none."""
-        if not self.start_s <= number / fps < self.end_s:
-            return number
-        if self.dark:
+        failing = self.start_s <= number / fps < self.end_s
+        if failing and self.dark:
             return -1
-        return round(self.start_s * fps) - 1 if self.still else max(0, number - self.lag)
+        if failing and self.still:
+            number = round(self.start_s * fps) - 1
+        return max(0, number - self.lag)
 
 
 TROUBLES = (
@@ -78,7 +79,7 @@ def _pictures(recording: Recording, trouble: Trouble) -> Iterator[Image]:
     dark = np.zeros((recording.size[1], recording.size[0], 3), np.uint8)
     last, picture = -1, dark
     for frame in range(recording.frame_count):
-        number = trouble.shown(frame, recording.fps)
+        number = min(trouble.shown(frame, recording.fps), recording.frame_count - 1)
         if number not in (-1, last):
             right = recording.read(number).right
             assert right is not None
