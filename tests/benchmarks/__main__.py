@@ -8,6 +8,8 @@ import os
 from importlib import import_module
 from typing import Any
 
+from tests.benchmarks.telling import table, told
+
 GROUPS = (
     "pipeline",
     "filter",
@@ -35,6 +37,7 @@ _ELSEWHERE = {
 def main() -> None:
     """Print the figures of each group; everything runs on one core.
 
+    How far it is goes to standard error.
     A figure called `vs_` is our time over a peer's in the same run; null without the peer.
     """
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=__doc__)
@@ -45,18 +48,13 @@ def main() -> None:
         os.environ[variable] = "1"
     figures: dict[str, Any] = {}
     for group in [asked.only] if asked.only else GROUPS:
-        module = _ELSEWHERE.get(group, group)
-        figures[group] = import_module(f"tests.benchmarks.{module}").measure()
+        measure = import_module(f"tests.benchmarks.{_ELSEWHERE.get(group, group)}").measure
+        with told(group):
+            figures[group] = measure()
         if not asked.json:
-            _print_group(group, figures[group])
+            print(table(group, measure.__doc__, figures[group]), flush=True)
     if asked.json:
         print(json.dumps(figures, indent=2))
-
-
-def _print_group(group: str, figures: dict[str, Any]) -> None:
-    print(group)
-    for name, value in figures.items():
-        print(f"  {name:<28} {'not measured' if value is None else f'{value:10.2f}'}")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tests.benchmarks.telling import tell
 from tracking.formats import FORMATS, Exported, Filmed, no_progress
 from tracking.tracks import CORRECTED_COLUMNS
 
@@ -47,17 +48,20 @@ class Repeated:
 def measure() -> dict[str, float]:
     """Rows a second of a million rows whose numbers need all their digits, and MB of memory.
 
-    `NAME_written`, `NAME_read`: rows a second. `long_peak_mb`: how much more memory the process
-    took at most while ten million rows were written as MOT text, `long_written` a second. The disk
-    takes part in all of it.
+    `NAME_written_rows_s`, `NAME_read_rows_s`: rows a second. `long_peak_mb`: how much more memory
+    the process took at most while ten million rows were written as MOT text, `long_written_rows_s`
+    a second. The disk takes part in all of it.
     """
     with tempfile.TemporaryDirectory(prefix="trackwright-benchmark-") as folder:
         path, exported = Path(folder) / "t", crowd(ROWS)
         before = _peak_mb()
-        figures = {"long_written": _written("mot", path, crowd(LONG_ROWS))}
+        figures = {"long_written_rows_s": _written("mot", path, crowd(LONG_ROWS))}
         figures["long_peak_mb"] = _peak_mb() - before
         for name in _TEXTS:
-            figures |= {f"{name}_{key}": rate for key, rate in _rates(name, path, exported).items()}
+            tell(f"  {name}")
+            figures |= {
+                f"{name}_{key}_rows_s": rate for key, rate in _rates(name, path, exported).items()
+            }
             path.unlink()
     return figures
 

@@ -25,6 +25,7 @@ from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.timeline.lanes import TimelinePresenter
 from app.views.timeline import TimelineView
 from tests.benchmarks.large_sessions import NoPictures, crowd
+from tests.benchmarks.telling import tell
 from tracking.editing import plan_swap
 from tracking.session import Session, reading
 
@@ -69,6 +70,7 @@ def measure() -> dict[str, float]:
     application = QApplication.instance() or QApplication([])
     figures: dict[str, float] = {}
     for size in SIZES:
+        tell(f"  {size.name}")
         with tempfile.TemporaryDirectory(prefix="trackwright-benchmark-") as folder:
             found = _figures(size, Path(folder))
         figures |= {f"{size.name}_{name}": value for name, value in found.items()}

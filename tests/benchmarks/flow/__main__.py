@@ -7,56 +7,35 @@ of them. --rewrite only makes the page and its picture anew.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
-from tests.benchmarks.asking import Asked, asked, one_core
+from tests.benchmarks.asking import Asked
+from tests.benchmarks.results import Contents, run
+
+SECTIONS = ("scenes", "real", "speed")
 
 
-def main() -> None:
-    """Measure, and write or print."""
-    one_core()
-    wish = asked("flow", __doc__ or "", ("scenes", "real", "speed"))
-    from tests.benchmarks.flow import report
-    from tests.benchmarks.pages import Page
-
-    page = Page("flow")
-    for name in () if wish.rewrite else wish.only:
-        found = _measures(wish)[name]()
-        if wish.report:
-            page.keep(name, found)
-            _write(page)
-        else:
-            print(report.writers()[name](found), flush=True)
-    if wish.rewrite:
-        _write(page)
-
-
-def _write(page: Any) -> None:
-    from tests.benchmarks.flow import report, words
-
-    figures = page.figures()
-    if "scenes" in figures:
-        page.picture("counts", report.counts_picture(figures["scenes"]))
-    page.write(words.INTRODUCTION, report.writers())
-
-
-def _measures(wish: Asked) -> dict[str, Callable[[], Any]]:
-    from tests.benchmarks.flow import clips, counting, real
+def _contents(wish: Asked) -> Contents:
+    from tests.benchmarks.flow import clips, counting, real, report, words
 
     known = clips.REPORTED if wish.report else clips.TUNED
+    return Contents(
+        words.INTRODUCTION,
+        report.writers(),
+        {
+            "scenes": lambda: counting.scenes(known, wish.clips),
+            "real": lambda: real.measure(wish.data),
+            "speed": _speed,
+        },
+        diagrams={"scenes": ("counts", report.counts_picture)},
+    )
 
-    def speed() -> dict[str, Any]:
-        from tests.benchmarks.flow_speed import measure
 
-        return dict(measure())
+def _speed() -> dict[str, Any]:
+    from tests.benchmarks.flow_speed import measure
 
-    return {
-        "scenes": lambda: counting.scenes(known, wish.clips),
-        "real": lambda: real.measure(wish.data),
-        "speed": speed,
-    }
+    return dict(measure())
 
 
 if __name__ == "__main__":
-    main()
+    run("flow", __doc__ or "", SECTIONS, _contents)

@@ -7,54 +7,38 @@ made of them. --rewrite only makes the page anew.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
-from tests.benchmarks.asking import Asked, asked, one_core
+from tests.benchmarks.asking import Asked
+from tests.benchmarks.results import Contents, run
 
 SECTIONS = ("marks", "situations", "real", "places", "befallen", "speed")
 
 
-def main() -> None:
-    """Measure, and write or print."""
-    one_core()
-    wish = asked("spheroid", __doc__ or "", SECTIONS)
-    from tests.benchmarks.pages import Page
-    from tests.benchmarks.spheroid import report, words
-
-    page = Page("spheroid")
-    for name in () if wish.rewrite else wish.only:
-        found = _measures(wish)[name]()
-        if wish.report:
-            page.keep(name, found)
-            page.write(words.INTRODUCTION, report.writers())
-            if name == "situations":
-                _picture(page, wish)
-        else:
-            print(report.writers()[name](found), flush=True)
-    if wish.rewrite:
-        page.write(words.INTRODUCTION, report.writers())
-
-
-def _measures(wish: Asked) -> dict[str, Callable[[], Any]]:
-    from tests.benchmarks.spheroid import clips, ghosts, hard, recordings
+def _contents(wish: Asked) -> Contents:
+    from tests.benchmarks.spheroid import clips, ghosts, hard, recordings, report, words
 
     known = clips.REPORTED if wish.report else clips.TUNED
-    return {
-        "marks": lambda: _marks(known, wish),
-        "situations": lambda: hard.situations(known.situations, wish.clips),
-        "real": lambda: recordings.real(wish.data),
-        "places": lambda: {
-            "seconds": clips.SECONDS,
-            "rows": recordings.places(known.places, wish.clips),
+    return Contents(
+        words.INTRODUCTION,
+        report.writers(),
+        {
+            "marks": lambda: _marks(known, wish),
+            "situations": lambda: hard.situations(known.situations, wish.clips),
+            "real": lambda: recordings.real(wish.data),
+            "places": lambda: {
+                "seconds": clips.SECONDS,
+                "rows": recordings.places(known.places, wish.clips),
+            },
+            "befallen": lambda: {
+                "begins with people": ghosts.befallen(known.peopled, wish.clips),
+                "light goes out": ghosts.befallen(known.dimmed, wish.clips),
+                "camera knocked": ghosts.befallen(known.bumped, wish.clips),
+            },
+            "speed": _speed,
         },
-        "befallen": lambda: {
-            "begins with people": ghosts.befallen(known.peopled, wish.clips),
-            "light goes out": ghosts.befallen(known.dimmed, wish.clips),
-            "camera knocked": ghosts.befallen(known.bumped, wish.clips),
-        },
-        "speed": _speed,
-    }
+        photographs={"situations": lambda _: _picture(wish)},
+    )
 
 
 def _marks(known: Any, wish: Asked) -> dict[str, Any]:
@@ -68,12 +52,11 @@ def _marks(known: Any, wish: Asked) -> dict[str, Any]:
     }
 
 
-def _picture(page: Any, wish: Asked) -> None:
+def _picture(wish: Asked) -> Any:
     from tests.benchmarks.spheroid import clips, pictures
 
     crossing, hidden = clips.REPORTED.situations[6], clips.REPORTED.situations[11]
-    shown = pictures.in_a_row(((crossing, 4.0), (crossing, 5.5), (hidden, 6.0)), wish.clips)
-    page.photograph("situations", shown)
+    return pictures.in_a_row(((crossing, 4.0), (crossing, 5.5), (hidden, 6.0)), wish.clips)
 
 
 def _speed() -> dict[str, Any]:
@@ -83,4 +66,4 @@ def _speed() -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    main()
+    run("spheroid", __doc__ or "", SECTIONS, _contents)

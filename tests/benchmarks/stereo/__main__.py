@@ -8,48 +8,37 @@ where --clips says; clips that are there are taken as they are.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
-from tests.benchmarks.asking import Asked, asked, one_core
+from tests.benchmarks.asking import Asked
+from tests.benchmarks.results import Contents, run
 
 SECTIONS = ("tables", "goals", "real", "lost", "befallen", "peers")
 """As they are measured: programs of others come last, as they may fail."""
 
 
-def main() -> None:
-    """Measure, and write or print."""
-    one_core()
-    wish = asked("stereo", __doc__ or "", SECTIONS)
-    from tests.benchmarks.pages import Page
-    from tests.benchmarks.stereo import report, words
-
-    page = Page("stereo")
-    for name in () if wish.rewrite else wish.only:
-        found = _measures(wish)[name]()
-        if wish.report:
-            page.keep(name, found)
-            if name == "lost" and found["shown"]:
-                _picture(page, found, wish)
-            page.write(words.INTRODUCTION, report.writers())
-        else:
-            print(report.writers()[name](found), flush=True)
-    if wish.rewrite:
-        page.write(words.INTRODUCTION, report.writers())
-
-
-def _measures(wish: Asked) -> dict[str, Callable[[], Any]]:
-    from tests.benchmarks.stereo import befallen, clips, measuring, real
+def _contents(wish: Asked) -> Contents:
+    from tests.benchmarks.stereo import befallen, clips, measuring, pictures, real, report, words
 
     known = clips.REPORTED if wish.report else clips.TUNED
-    return {
-        "tables": lambda: measuring.tables(known.of_scene, wish.clips),
-        "goals": lambda: measuring.goals(known.of_scene, wish.clips),
-        "peers": lambda: _peers(known, wish),
-        "real": lambda: real.measure(wish.data),
-        "lost": lambda: _lost(known, wish),
-        "befallen": lambda: befallen.measure(known.dimmed, known.sound, wish.clips),
-    }
+
+    def picture(found: dict[str, Any]) -> Any:
+        shown = found["shown"]
+        return pictures.strip(shown, clips.REPORTED.folders(wish.clips)) if shown else None
+
+    return Contents(
+        words.INTRODUCTION,
+        report.writers(),
+        {
+            "tables": lambda: measuring.tables(known.of_scene, wish.clips),
+            "goals": lambda: measuring.goals(known.of_scene, wish.clips),
+            "peers": lambda: _peers(known, wish),
+            "real": lambda: real.measure(wish.data),
+            "lost": lambda: _lost(known, wish),
+            "befallen": lambda: befallen.measure(known.dimmed, known.sound, wish.clips),
+        },
+        photographs={"lost": picture},
+    )
 
 
 def _peers(known: Any, wish: Asked) -> dict[str, Any]:
@@ -68,11 +57,5 @@ def _lost(known: Any, wish: Asked) -> dict[str, Any]:
     return {"people": people, "shown": pictures.typical(people)}
 
 
-def _picture(page: Any, found: dict[str, Any], wish: Asked) -> None:
-    from tests.benchmarks.stereo import clips, pictures
-
-    page.photograph("lost", pictures.strip(found["shown"], clips.REPORTED.folders(wish.clips)))
-
-
 if __name__ == "__main__":
-    main()
+    run("stereo", __doc__ or "", SECTIONS, _contents)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from tests.benchmarks.telling import tell
 from tests.benchmarks.tracker_peers.clips import Clip
 from tests.benchmarks.tracker_peers.crossing import FRAMES, crossing_clip
 from tests.benchmarks.tracker_peers.ours import follow
@@ -53,6 +53,7 @@ def chosen_settings(settings: str) -> Mapping[str, Any]:
 def _peer_row(follower: Follower, clips: Sequence[Clip], settings: Settings) -> PeerRow:
     if not follower.peer.installed:
         return PeerRow(follower.name, False, False, False, None, follower.peer.absent)
+    tell(f"  {follower.name} on {len(clips)} clips")
     given = {clip.name: (len(clip.observations), clip.fps, clip.seen) for clip in clips}
     try:
         (followed,) = follower.follow(given, [settings])
@@ -66,6 +67,7 @@ def _our_rows(tracker: str, clips: Sequence[Clip]) -> list[PeerRow]:
     """With colours and without, as frames come and finished."""
     rows = []
     for colour in (False, True):
+        tell(f"  {tracker} {'with' if colour else 'without'} colours on {len(clips)} clips")
         seen = [clip if colour else clip.without_colours for clip in clips]
         both = {clip.name: follow(tracker, clip) for clip in seen}
         for at, finished in enumerate((False, True)):
@@ -90,7 +92,7 @@ def measure() -> dict[str, float | None]:
         for figure in ("id_switches", "idf1", "hota", "floor_error_m", "ms"):
             figures[f"{name}_{figure}"] = getattr(row.figures, figure, None)
         if row.absent:
-            print(row.absent, file=sys.stderr)
+            tell(row.absent)
     peers = [row.figures for row in rows if not row.ours and row.figures is not None]
     figures["best_peer_id_switches"] = min((one.id_switches for one in peers), default=None)
     figures["best_peer_idf1"] = max((one.idf1 for one in peers), default=None)

@@ -1,0 +1,68 @@
+"""What a benchmark says while it measures, and how its figures are told."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+
+_UNITS = (
+    ("vs_", "times theirs"),
+    ("_vs", "times theirs"),
+    ("off_the_line", "share"),
+    ("us_per_person", "\u00b5s a person"),
+    ("us_per_particle", "\u00b5s a particle"),
+    ("bytes", "bytes"),
+    ("rows_s", "rows/s"),
+    ("fps", "frames/s"),
+    ("idf1", "share"),
+    ("hota", "share"),
+    ("r2", "of 1"),
+    ("error_m", "m"),
+    ("id_switches", "switches"),
+)
+_LAST = {"mb": "MB", "ms": "ms", "max": "ms"}
+"""By a word of the name."""
+_COUNTS = ("people", "particles", "frames", "rows", "tracklets", "late")
+
+
+def tell(said: str) -> None:
+    """Say on standard error how far the work is: standard output is for figures."""
+    print(said, file=sys.stderr, flush=True)
+
+
+@contextmanager
+def told(what: str) -> Iterator[None]:
+    """Say that something is measured, and afterwards how long that took."""
+    tell(f"{what}: measuring ...")
+    begun_s = time.monotonic()
+    yield
+    tell(f"{what}: {time.monotonic() - begun_s:.0f} s")
+
+
+def unit_of(name: str) -> str:
+    """The unit a figure is in, by its name; "" for one that has none.
+
+    Names carry their units, so that JSON needs none beside them.
+    """
+    for part, unit in _UNITS:
+        if part in name:
+            return unit
+    words = name.split("_")
+    for word, unit in _LAST.items():
+        if word in words:
+            return unit
+    return words[-1] if words[-1] in _COUNTS else ""
+
+
+def table(group: str, about: str, figures: Mapping[str, float | None]) -> str:
+    """A group's figures for people: what they are about, then a line each with its unit."""
+    width = max(map(len, figures), default=0)
+    lines = [
+        f"  {name:<{width}} "
+        + ("not measured" if value is None else f"{value:12.2f} {unit_of(name)}")
+        for name, value in figures.items()
+    ]
+    words = [f"  {line.strip()}" for line in about.strip().splitlines() if line.strip()]
+    return "\n".join(line.rstrip() for line in (group, *words, "", *lines, ""))
