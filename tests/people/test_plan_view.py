@@ -52,12 +52,12 @@ def nearest(places: Floats, x: float, y: float) -> float:
 
 
 def test_nothing_seen_is_nobody() -> None:
-    nothing = body(0, 4).chosen(slice(0, 0))
+    nothing = body(0, 4).chosen(np.arange(0))
     assert len(find_people(nothing, EYE, SETTINGS)) == 0
 
 
 def test_a_little_surface_is_nobody() -> None:
-    crumb = body(0, 4, count=300).chosen(slice(0, 10))
+    crumb = body(0, 4, count=300).chosen(np.arange(10))
     assert len(find_people(crumb, EYE, SETTINGS)) == 0
 
 

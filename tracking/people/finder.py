@@ -84,13 +84,13 @@ class PeopleFinder:
         settings = self._settings
         certain = (body[::STEP, ::STEP] == _CERTAIN).view(np.uint8) * np.uint8(255)
         high = points.world[:, 2] > settings.lowest_m
-        places = find_people(points.chosen(high), self._eye, settings)
+        places = find_people(points.chosen(np.flatnonzero(high)), self._eye, settings)
         owner = assign_points(places, points, self._eye, settings)
         told = told_by_heads(places, owner, points, self._eye, settings)
         if len(places) < len(told) <= _MOST_PEOPLE:
             places, owner = told, assign_points(told, points, self._eye, settings)
         # What lies on the floor and looks like shadow is nobody's foot.
-        owner[~high & (certain.ravel()[points.pixel] == 0)] = -1
+        owner[~high & (certain.ravel().take(points.pixel) == 0)] = -1
         extent = measure(len(places), owner, points, self._eye, certain.shape[1])
         real = self._are_people(extent)
         owner = _renumbered(owner, real)
@@ -161,4 +161,4 @@ class PeopleFinder:
 def _renumbered(owner: NDArray[np.intp], kept: NDArray[np.bool_]) -> NDArray[np.intp]:
     """The owners counted among those kept; -1 for the others."""
     number = np.where(kept, np.cumsum(kept) - 1, -1)
-    return np.concatenate((number, [-1]))[owner]
+    return np.concatenate((number, [-1])).take(owner)

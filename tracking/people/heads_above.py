@@ -54,7 +54,7 @@ def told_by_heads(
     found = [places[k : k + 1] for k in range(len(places))]
     for k in np.flatnonzero(_spreads(len(places), owner, points) > _SPREAD_M**2).tolist():
         own = (owner == k) & (points.world[:, 2] > settings.lowest_m)
-        heads = _heads(points.chosen(own), eye)
+        heads = _heads(points.chosen(np.flatnonzero(own)), eye)
         if len(heads) > 1:
             found[k] = np.array(heads, np.float32)
     return np.concatenate(found) if found else places
@@ -63,18 +63,18 @@ def told_by_heads(
 def _spreads(count: int, owner: NDArray[np.intp], points: SurfacePoints) -> Floats:
     """(count,) m² how far the upper bodies of each place spread, less the noise of range."""
     rows = np.flatnonzero((points.world[:, 2] > _LOWEST_HEAD_M) & (owner >= 0))
-    whose, mass = owner[rows], points.mass[rows]
-    xy, noise = points.world[rows, :2], points.range_noise[rows]
+    whose, mass, noise = owner.take(rows), points.mass.take(rows), points.range_noise.take(rows)
+    x, y, _ = points.world.take(rows, axis=0).T
     total = np.maximum(np.bincount(whose, mass, count), 1e-9)
-    middle = np.stack([np.bincount(whose, mass * xy[:, k], count) / total for k in (0, 1)])
-    squared = (xy**2).sum(axis=1) - noise**2
+    middle = np.array([np.bincount(whose, mass * values, count) / total for values in (x, y)])
+    squared = x**2 + y**2 - noise**2
     spread = np.bincount(whose, mass * squared, count) / total - (middle**2).sum(axis=0)
     return np.asarray(spread, np.float32)
 
 
 def _heads(points: SurfacePoints, eye: Floats) -> list[Floats]:
     """Where heads with bodies under them rise over the points of one place."""
-    high = points.chosen(points.world[:, 2] > _LOWEST_HEAD_M)
+    high = points.chosen(np.flatnonzero(points.world[:, 2] > _LOWEST_HEAD_M))
     free = high.mass == high.area
     heads: list[Floats] = []
     tops: list[float] = []

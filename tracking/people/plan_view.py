@@ -49,9 +49,15 @@ class SurfacePoints:
     range_noise: Floats
     mass: Floats
 
-    def chosen(self, rows: NDArray[np.bool_] | slice) -> SurfacePoints:
-        """Some of the points."""
-        return SurfacePoints(*(getattr(self, name)[rows] for name in self.__slots__))
+    def chosen(self, rows: NDArray[np.intp]) -> SurfacePoints:
+        """The points of some rows, by number."""
+        return SurfacePoints(
+            self.pixel.take(rows),
+            self.world.take(rows, axis=0),
+            self.area.take(rows),
+            self.range_noise.take(rows),
+            self.mass.take(rows),
+        )
 
 
 def surface_points(
@@ -67,9 +73,9 @@ def surface_points(
         noise_px: spread of disparity.
     """
     pixel = np.flatnonzero(np.isfinite(disparity))
-    depth = lines.depth(disparity.ravel()[pixel])
+    depth = lines.depth(disparity.ravel().take(pixel))
     per_m = np.float32(lines.focal_baseline) / depth**2
-    sight = rays.reshape(-1, 3)[pixel]
+    sight = rays.reshape(-1, 3).take(pixel, axis=0)
     world = depth[:, None] * sight
     world += lines.centre.astype(np.float32)
     area = (depth / np.float32(lines.focal)) ** 2 * np.float32(pixel_area)
@@ -87,11 +93,11 @@ def _mixed(disparity: Floats, pixel: NDArray[np.intp], limit_px: Floats) -> NDAr
         return np.zeros(0, np.bool_)
     columns = disparity.shape[1]
     first, stop = int(pixel[0]) // columns, int(pixel[-1]) // columns + 1
-    here, place = disparity.ravel()[pixel], pixel - first * columns
+    here, place = disparity.ravel().take(pixel), pixel - first * columns
     least, most = (np.full((stop - first, columns), none, np.float32) for none in (np.inf, -np.inf))
     least.ravel()[place] = most.ravel()[place] = here
-    behind = here - np.asarray(cv2.erode(least, _AROUND), np.float32).ravel()[place]
-    before = np.asarray(cv2.dilate(most, _AROUND), np.float32).ravel()[place] - here
+    behind = here - np.asarray(cv2.erode(least, _AROUND), np.float32).ravel().take(place)
+    before = np.asarray(cv2.dilate(most, _AROUND), np.float32).ravel().take(place) - here
     return np.asarray(np.minimum(behind, before) > limit_px, np.bool_)
 
 
@@ -110,7 +116,8 @@ def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) ->
     """
     if len(points.area) == 0:
         return np.zeros((0, 2), np.float32)
-    thinned = points.chosen(slice(None, None, -(-len(points.area) // _MOST_POINTS)))
+    count = len(points.area)
+    thinned = points.chosen(np.arange(0, count, -(-count // _MOST_POINTS)))
     share = np.float32(points.mass.sum() / max(float(thinned.mass.sum()), 1e-9))
     places = _seeds(thinned, share, settings)
     floor, noise = thinned.world[:, :2], thinned.range_noise
@@ -122,8 +129,9 @@ def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) ->
         weight *= np.float32(-0.5)
         sums = np.exp(weight, out=weight) @ summed
         mass = sums[:, 3]
-        places, noise = np.split(sums[:, :3] / np.maximum(mass, 1e-9)[:, None], [2], axis=1)
-    return _distinct(places, mass * share, noise.ravel(), eye, settings)
+        means = sums[:, :3] / np.maximum(mass, 1e-9)[:, None]
+        places, noise = means[:, :2], means[:, 2]
+    return _distinct(places, mass * share, noise, eye, settings)
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,11 +153,12 @@ class Units:
     @classmethod
     def of(cls, points: Floats, spread: Floats, eye: Floats, width_m: float) -> Units:
         """Of points (n, 2) m with noise of range (n,) m; `width_m` is the unit across."""
-        x, y = (points - eye).T
+        x, y = np.subtract(points.T, eye[:, None], order="C")
         distance = np.maximum(np.hypot(x, y), np.float32(1e-3))
-        unit = np.sqrt(np.float32(width_m**2) + spread * spread)
-        along = np.stack((x / distance, y / distance, -distance)) / unit
-        across = np.stack((-y, x)) / (distance * np.float32(width_m))
+        along = np.array((x / distance, y / distance, -distance))
+        along /= np.sqrt(np.float32(width_m**2) + spread * spread)
+        across = np.array((-y, x))
+        across /= distance * np.float32(width_m)
         return cls(along, across, eye)
 
     def squared(self, places: Floats) -> Floats:
@@ -178,10 +187,12 @@ def apart(places: Floats, points: Floats, spread: Floats, eye: Floats, width_m: 
 
 def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -> Floats:
     """(k, 2) local maxima of a coarse map of surface per floor cell."""
-    low = points.world[:, :2].min(axis=0) - _SEED_CELL_M
-    cell = ((points.world[:, :2] - low) / _SEED_CELL_M).astype(np.intp)
-    columns, rows = (cell.max(axis=0) + 2).tolist()
-    flat = cell[:, 1] * columns + cell[:, 0]
+    # A row for each axis: taken along the short side, extremes cost many times as much.
+    floor = np.ascontiguousarray(points.world[:, :2].T)
+    low = floor.min(axis=1) - _SEED_CELL_M
+    cell = ((floor - low[:, None]) / _SEED_CELL_M).astype(np.intp)
+    columns, rows = (cell.max(axis=1) + 2).tolist()
+    flat = cell[1] * columns + cell[0]
     surface = np.bincount(flat, points.mass * share, rows * columns).reshape(rows, columns)
     around = cv2.boxFilter(
         surface.astype(np.float32), -1, (3, 3), normalize=False, borderType=cv2.BORDER_CONSTANT
@@ -189,7 +200,7 @@ def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -
     top = around >= cv2.dilate(around, np.ones((3, 3), np.uint8))
     y, x = np.nonzero(top & (around > _SEED_SHARE * settings.least_area_m2))
     best = np.argsort(-around[y, x], kind="stable")[:_MOST_SEEDS]
-    middle = np.stack((x[best], y[best]), axis=1) + 0.5
+    middle = np.column_stack((x[best], y[best])) + 0.5
     return np.asarray(middle * _SEED_CELL_M + low, np.float32)
 
 
@@ -201,7 +212,8 @@ def _distinct(
     order = order[mass[order] > settings.least_area_m2]
     places, noise = places[order], noise[order]
     near = apart(places, places, noise, eye, settings.body_width_m) < _SAME_PERSON
-    kept = np.zeros(len(places), np.bool_)
-    for row, others in enumerate(near.T):
-        kept[row] = not others[kept].any()
+    kept = np.ones(len(places), np.bool_)
+    # Most have nobody better near them.
+    for row in np.flatnonzero(np.triu(near, 1).any(axis=0)).tolist():
+        kept[row] = not near[:row, row][kept[:row]].any()
     return places[kept]

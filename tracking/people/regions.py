@@ -83,7 +83,8 @@ def paint(
         grown = cv2.dilate(labels, _GROWTH)
         fill = cv2.bitwise_and(grown, unknown)
         labels = np.asarray(cv2.max(labels, fill), np.uint8)
-        unknown[labels > 0] = 0
+        _, filled = cv2.threshold(fill, 0, 255, cv2.THRESH_BINARY)
+        unknown = np.asarray(cv2.subtract(unknown, filled), np.uint8)
     return labels
 
 
@@ -104,20 +105,21 @@ def measure(
         columns: of the grid.
     """
     rows = np.flatnonzero(owner >= 0)
-    region, world, surface = owner[rows], points.world[rows], points.area[rows]
+    region, surface = owner.take(rows), points.area.take(rows)
+    x, y, z = np.ascontiguousarray(points.world.take(rows, axis=0).T)
     pixels = np.bincount(region, minlength=count)
     area = np.bincount(region, surface, count)
-    sums = [np.bincount(region, surface * world[:, axis], count) for axis in range(3)]
-    middle = (np.stack(sums, axis=1) / np.maximum(area, 1e-9)[:, None]).astype(np.float32)
-    low, high = _trimmed(world[:, 2], region, pixels, 0.02)
+    sums = [np.bincount(region, surface * values, count) for values in (x, y, z)]
+    middle = (np.column_stack(sums) / np.maximum(area, 1e-9)[:, None]).astype(np.float32)
+    low, high = _trimmed(z, region, pixels, 0.02)
     sight = middle[:, :2] - eye
-    across = np.stack((-sight[:, 1], sight[:, 0]), axis=1)
-    across /= np.maximum(np.hypot(sight[:, 0], sight[:, 1]), np.float32(1e-3))[:, None]
-    sideways = np.einsum("nk,nk->n", world[:, :2], across[region])
+    across = np.array((-sight[:, 1], sight[:, 0]))
+    across /= np.maximum(np.hypot(sight[:, 0], sight[:, 1]), np.float32(1e-3))
+    sideways = x * across[0].take(region) + y * across[1].take(region)
     left, right = _trimmed(sideways, region, pixels, 0.03)
     top = np.zeros(count, np.intp)
     # The first row of each is written last.
-    top[region[::-1]] = points.pixel[rows[::-1]] // columns
+    top[region[::-1]] = points.pixel.take(rows[::-1]) // columns
     return Extent(middle, low, high, right - left, area.astype(np.float32), top)
 
 
@@ -129,10 +131,10 @@ def _trimmed(
     Args:
         values: (n,) m. region: (n,) whose. pixels: (regions,) how many each has; 0 gives 0.
     """
-    ordered = np.append(np.sort(region * _FAR_APART + values), 0.0)
+    ordered = np.concatenate((np.sort(region * _FAR_APART + values), [0.0]))
     stop = np.cumsum(pixels)
     left_out = (share * pixels).astype(np.intp)
-    ends = np.stack((stop - pixels + left_out, np.maximum(stop - 1 - left_out, 0)))
+    ends = np.array((stop - pixels + left_out, np.maximum(stop - 1 - left_out, 0)))
     found = ordered[ends] - np.arange(len(pixels)) * _FAR_APART
     low, high = np.where(pixels > 0, found, 0.0).astype(np.float32)
     return low, high
