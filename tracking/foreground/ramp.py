@@ -23,10 +23,18 @@ class RampSettings:
     """How a difference from the background becomes a grey level B of 0 to 1."""
 
     low: float = setting(
-        0.5, "", (0.0, 7.0), "where the ramp begins, in smallest differences that are foreground"
+        0.5,
+        "",
+        (0.0, 7.0),
+        "how different from the background a pixel must be to count at all, 1 being the least "
+        "that is foreground; higher: less noise, pale clothes are missed",
     )
     high: float = setting(
-        2.0, "", (0.1, 7.9), "where it ends: B is 1 from there on, in the same unit"
+        2.0,
+        "",
+        (0.1, 7.9),
+        "how different it must be to count fully, in the same measure; higher: only strong "
+        "contrast counts fully",
     )
 
 

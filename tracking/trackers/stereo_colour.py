@@ -25,12 +25,25 @@ class StereoColourSettings(StereoTrackerSettings):
     paper: bool = setting(
         False, "", None, "follow people exactly as the paper does, without what was added to it"
     )
-    particles: int = setting(700, "", (10, 20000), "particles for each person")
+    particles: int = setting(
+        700,
+        "",
+        (10, 20000),
+        "guesses kept of where each person is; more follow crowds more surely and take more time",
+    )
     cost_limit: float = setting(
-        2.5, "", (0.1, 10.0), "total cost above which a person rather stays without a detection"
+        2.5,
+        "",
+        (0.1, 10.0),
+        "a sighting that suits a person worse than this is not theirs, even if nobody else is "
+        "there; higher: fewer gaps, more swapped ids",
     )
     model_frames: int = setting(
-        5, "", (1, 1000), "first frames of a person that its colours are the mean of"
+        5,
+        "",
+        (1, 1000),
+        "how many first frames of a person its colours are the mean of; higher: steadier "
+        "colours, later to be of use",
     )
 
 

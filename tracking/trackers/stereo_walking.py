@@ -24,19 +24,38 @@ class WalkingSettings:
     __slots__ = ()
 
     direction_weight: float = setting(
-        0.2, "", (0.0, 10.0), "cost of a turn by the threshold or more (k)"
+        0.2,
+        "",
+        (0.0, 10.0),
+        "how much a sudden turn counts against a sighting; higher: people are thought to walk "
+        "straight on",
     )
     direction_threshold_rad: float = setting(
-        1.22, "rad", (0.01, 3.1416), "turn from which on the cost no longer grows"
+        1.22,
+        "rad",
+        (0.01, 3.1416),
+        "a turn sharper than this counts no more than this one does (1.57 is a right angle); "
+        "higher: turning back counts more than turning aside",
     )
     direction_step_m: float = setting(
-        0.4, "m", (0.05, 5.0), "how far apart the positions are that a direction is taken between"
+        0.4,
+        "m",
+        (0.05, 5.0),
+        "how far somebody must have walked for their direction to be known; higher: steadier, "
+        "later to notice a turn",
     )
     direction_memory_s: float = setting(
-        1.5, "s", (0.1, 60.0), "a person who takes longer for that distance is standing"
+        1.5,
+        "s",
+        (0.1, 60.0),
+        "who takes longer than this for that distance is standing, and has no direction",
     )
     colour_memory: float = setting(
-        0.97, "", (0.0, 1.0), "share of the old colour model kept at each match"
+        0.97,
+        "",
+        (0.0, 1.0),
+        "how much of a person's colours stays at each sighting; higher: new light is followed "
+        "more slowly, a mix-up spoils them less",
     )
 
 

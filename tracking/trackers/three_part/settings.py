@@ -30,39 +30,76 @@ class WholeBodySettings:
     """What a tracker of one rectangle a person can be told; see the `help` of each field."""
 
     least_particles: int = setting(
-        200, "", (10, 20000), "fewest particles of a filter, however certain it is"
+        200,
+        "",
+        (10, 20000),
+        "fewest guesses for a body part, however sure it is; more are steadier and take more time",
     )
     most_particles: int = setting(
-        1000, "", (10, 20000), "most particles of a filter, however uncertain it is"
+        1000,
+        "",
+        (10, 20000),
+        "most guesses for a body part, however doubtful it is; more find it again sooner and "
+        "take more time",
     )
     particle_growth: float = setting(
-        1.2, "", (0.1, 10.0), "how many more particles follow where all weights are alike"
+        1.2,
+        "",
+        (0.1, 10.0),
+        "how many more guesses are made when all seem equally good; higher: quicker to find a "
+        "lost part, slower to run",
     )
     similarity_sigma: float = setting(
-        0.07, "", (0.01, 1.0), "likelihood's standard deviation of the distance between histograms"
+        0.07,
+        "",
+        (0.01, 1.0),
+        "how alike colours must be to be the same part; lower: stricter, lost sooner when light "
+        "changes",
     )
-    model_memory: float = setting(0.9, "", (0.0, 1.0), "share of a colour model kept at each frame")
+    model_memory: float = setting(
+        0.9,
+        "",
+        (0.0, 1.0),
+        "how much of a part's colours stays at each frame; higher: new light is followed more "
+        "slowly, a mix-up spoils them less",
+    )
     spread_position: float = setting(
-        0.9, "1/√s", (0.0, 10.0), "random spread of the centre after a second, in sizes of the part"
+        0.9,
+        "1/√s",
+        (0.0, 10.0),
+        "how far a part may stray in a second, in its own sizes; higher: quick movement is "
+        "followed, the part trembles more",
     )
-    spread_size: float = setting(0.25, "1/√s", (0.0, 5.0), "the same of the part's size")
-    spread_velocity: float = setting(
-        2.5, "1/s", (0.0, 50.0), "the same of the velocity, in sizes of the part a second"
-    )
+    spread_size: float = setting(0.25, "1/√s", (0.0, 5.0), "the same for its size")
+    spread_velocity: float = setting(2.5, "1/s", (0.0, 50.0), "the same for how fast it moves")
     kept_particles: int = setting(
-        100, "", (0, 20000), "particles of a part kept in the session, evenly chosen; 0: none"
+        100,
+        "",
+        (0, 20000),
+        "guesses of each part kept in the session to be looked at; 0: none, smaller files",
     )
     birth_s: float = setting(
-        0.15, "s", (0.0, 10.0), "time a new region must be seen before it becomes a track"
+        0.15,
+        "s",
+        (0.0, 10.0),
+        "how long a new region must be seen before it becomes a track; higher: fewer false "
+        "tracks, which begin later",
     )
     lost_after_s: float = setting(
-        1.0, "s", (0.05, 60.0), "time without foreground after which a track ends"
+        1.0,
+        "s",
+        (0.05, 60.0),
+        "how long a person with no foreground is followed before the track ends; higher: fewer "
+        "broken tracks, longer guesses",
     )
     lost_hidden_s: float = setting(
-        4.0, "s", (0.05, 60.0), "the same while a person is hidden by others or by what is drawn"
+        4.0, "s", (0.05, 60.0), "the same while others, or what was drawn as an occluder, hide them"
     )
     lost_at_edge_s: float = setting(
-        0.3, "s", (0.05, 60.0), "the same for a person at the picture's edge"
+        0.3,
+        "s",
+        (0.05, 60.0),
+        "the same at the picture's edge; lower: whoever leaves is let go sooner",
     )
     occluders: str = setting(
         "", "", None, "outlines of what hides people: [[[u, v], ...], ...] in px of the left image"
@@ -99,8 +136,8 @@ class ThreePartSettings(WholeBodySettings):
         True,
         "",
         None,
-        "put parts that failed back where the others and the foreground say; "
-        "false: the paper's comparison, where nothing does; the next three then count for nothing",
+        "put parts that failed back where the other parts and the foreground say; off: the "
+        "paper's comparison, where nothing does and the next three count for nothing",
     )
     follow_silhouettes: bool = setting(
         True,
@@ -115,10 +152,13 @@ class ThreePartSettings(WholeBodySettings):
         "beyond the paper: parts fail by foreground and pose too, and hidden ones stay in the body",
     )
     find_again: bool = setting(
-        True, "", None, "beyond the paper: look for people who were lost, part those taken for one"
+        True,
+        "",
+        None,
+        "beyond the paper: look for people who were lost, and part those taken for one",
     )
     detector: str = setting(
-        "", "", None, "file of the failure detector; without one the built-in detector judges"
+        "", "", None, "file of the failure detector; empty: the built-in one judges"
     )
 
     @property
