@@ -13,6 +13,7 @@ from tracking.trackers.linking.looks import Looks, looks_of
 from tracking.trackers.linking.motion import walk_likelihood
 from tracking.trackers.linking.seen import begins, seen_of
 from tracking.trackers.linking.tracklets import State, Tracklets, tracklets
+from tracking.tracks import Run
 
 LANES = [straight((-2, 5 + lane), (2, 5 + lane), 100) for lane in range(4)]
 
@@ -53,6 +54,28 @@ def test_a_tracklet_ends_where_and_as_fast_as_its_rows_do() -> None:
     pieces, _ = pieces_of([RED])
     np.testing.assert_allclose(pieces.last.place[0], (2, 5), atol=0.08)
     np.testing.assert_allclose(pieces.last.velocity[0], (4 * FPS / 99, 0), atol=0.15)
+
+
+def looks_known(run: Run, track: int) -> np.ndarray:
+    seen, _ = seen_of(run, VIEW)
+    return np.asarray(np.isfinite(seen.looks[seen.track == track]).all(axis=1))
+
+
+def test_clothes_of_whom_only_the_legs_show_are_not_known() -> None:
+    run = run_of(Stretch(1, 0, LANES[0], RED))
+    assert looks_known(run, 1).all()
+    half = run.tracks["height"] / 2
+    for table in (run.tracks, run.detections):
+        table["top"][:50] += half[:50]
+        table["height"][:50] -= half[:50]
+    assert looks_known(run, 1).tolist() == [False] * 50 + [True] * 50
+
+
+def test_clothes_of_who_walks_in_front_of_somebody_are_known_and_those_behind_are_not() -> None:
+    run = run_of(Stretch(1, 0, LANES[0], RED), Stretch(2, 0, LANES[0] + (0.0, 0.5), BLUE))
+    run.tracks["visibility"][run.tracks["track"] == 2] = 0.3
+    assert looks_known(run, 1).all()
+    assert not looks_known(run, 2).any()
 
 
 def state(place: Sequence[float], velocity: Sequence[float]) -> State:

@@ -30,6 +30,10 @@ _WHOLE = 0.85
 """Share of a body in the picture from which on its clothes are seen."""
 _WELL_SEEN = 0.5
 """Visibility from which on what is measured of somebody is theirs."""
+_IN_FRONT = 0.8
+"""Visibility from which on clothes are this person's even close to others: those are behind."""
+_TALL = 0.7
+"""Of a usual body's height in the picture: the halves of a lower box are not those of a body."""
 _NEAR_ROWS = 3
 """So long a box flickers at the edge."""
 
@@ -41,7 +45,7 @@ class Seen:
     Attributes:
         frame, track: (n,) with the ids of the tracker. row: (n,) of the run's tracks.
         place: (n, 2) m, where the detection stood. box: (n, 4) px, of the detection.
-        looks: (n, 7) `LOOKS`, NaN where they are not known, cut off or not this person's alone.
+        looks: (n, 7) `LOOKS`, NaN where they are not known, or not of this person's whole body.
         at_edge: (n,) the box is cut off by the picture's edge.
         alone: (n,) nobody else is near or in front.
     """
@@ -73,7 +77,8 @@ def seen_of(run: Run, view: View) -> tuple[Seen, Encounters]:
     alone = ~meetings.met[row] & (tracks["visibility"][row] >= _WELL_SEEN)
     edge = _at_edge(box[row], view)
     looks = _looks(run.signals, tracks)[row]
-    looks[~alone | _near(_cut_off(box[row], view))] = np.nan
+    whole = ~_near(_cut_off(box[row], view)) & _tall(box[row], place[row], view)
+    looks[~whole | ~(alone | (tracks["visibility"][row] >= _IN_FRONT))] = np.nan
     frame, track = tracks["frame"][row].astype(np.int64), tracks["track"][row].astype(np.int64)
     return Seen(frame, track, row, place[row], box[row], looks, edge, alone), meetings
 
@@ -143,6 +148,11 @@ def _cut_off(box: Floats, view: View) -> Flags:
     share = np.prod(high - low, axis=1) / np.prod(box[:, 2:], axis=1)
     beside = (low[:, 0] <= margin) | (high >= size - 1 - margin).any(axis=1)
     return np.asarray(beside | (share < _WHOLE))
+
+
+def _tall(box: Floats, place: Floats, view: View) -> Flags:
+    """(n,) whether a box is high enough to be of somebody's whole body, and no part of it."""
+    return np.asarray(box[:, 3] >= _TALL * view.box_of_person(place, *BODY_M)[:, 3])
 
 
 def _at_edge(box: Floats, view: View) -> Flags:
