@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import shutil
+import sys
+import textwrap
 from typing import Any
 
 from app.cli.output import print_json
@@ -50,4 +53,8 @@ def _needs(spec: TrackerSpec) -> list[str]:
 def _line(field: SettingField) -> str:
     limits = f", {field.range[0]:g} to {field.range[1]:g}" if field.range else ""
     value = f"{field.name}={field.default}"
-    return f"  {value:<44} {field.help} ({field.unit or field.type.__name__}{limits})"
+    text = f"  {value:<44} {field.help} ({field.unit or field.type.__name__}{limits})"
+    if not sys.stdout.isatty():
+        return text  # a line a setting, to be searched
+    width = shutil.get_terminal_size().columns
+    return "\n".join(textwrap.wrap(text, width, subsequent_indent=" " * 8))

@@ -270,7 +270,7 @@ def test_a_place_outside_is_opened_only_when_allowed(tmp_path: Path) -> None:
     recording = write_footage(tmp_path / "data" / "deep" / "footage")
     session = reopened(session_on(tmp_path / "out" / "s.h5", recording))
     assert session.recording.path == "../data/deep/footage"
-    with pytest.raises(RecordingMissing, match="not opened unasked"):
+    with pytest.raises(RecordingMissing, match="only where you name it"):
         session.open_recording()
     assert place_of(session, allow_outside=True) == recording
 
@@ -310,7 +310,7 @@ def test_pictures_below_a_folder_above_the_session_are_not_the_files_to_choose(
     write_pictures(tmp_path / "right", 2)
     options = OpenOptions(pictures, tmp_path / "right", fps=10.0)
     path = session_on(tmp_path / "downloads" / "s.h5", pictures, options)
-    with pytest.raises(RecordingMissing, match="not opened unasked"):
+    with pytest.raises(RecordingMissing, match="only where you name it"):
         reopened(path).open_recording()
 
 

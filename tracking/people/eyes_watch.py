@@ -5,7 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from tracking.people.eye_movement import EyeMovement, Floats, Picture, thinned
+from tracking.people.eye_movement import EyeMovement, Floats, Picture, late_by, thinned
 
 _TILE = 20
 """Side of the squares, of thinned pixels, that are looked at for whether they show anything."""
@@ -25,8 +25,6 @@ _MOST_TOLD = 5
 """Failures, and changes of lag, that are told one by one; the others are counted."""
 _LOOKS = 2
 """So many looks on end must find the same lag, or that there is none."""
-_UNLIKE = 0.25
-"""Correlation of the two eyes' movement below which they are not paired rightly."""
 
 
 class EyesWatch:
@@ -89,8 +87,8 @@ class EyesWatch:
     def told(self) -> tuple[str, ...]:
         """What the user should know, a line each; nothing while both eyes are well."""
         failed = [
-            f"the right eye shows nothing new in frames {first} to {last}: people are placed by "
-            "the left eye alone there, less exactly; look after the camera or its cable"
+            f"the right eye shows nothing new in frames {first} to {last}: people are followed by "
+            f"the left eye alone there, {_MUCH_WORSE}; look after the camera or its cable"
             for first, last in self._failed
         ]
         return (*_first_few(failed), *_first_few(self._lagged))
@@ -110,16 +108,19 @@ class EyesWatch:
             self._failed.append((frame, frame))
 
     def _look_for_lag(self, frame: int) -> None:
-        """Small changes are looked for all the time, large ones once the eyes are unlike."""
-        known = self.lag is not None
-        found = self._movement.late_by(recently=known)
+        """Where the eyes do not agree as they are paired, whether another lag explains them."""
+        if self.lag == self._paired and self._movement.agrees():
+            self._looks = self._unlike = 0
+            return
+        stretch = self._movement.stretch()
+        found = None if stretch is None else late_by([stretch], self._movement.most_lag)
         if found is not None:
             self._looks = self._looks + 1 if found == self._found else 1
             self._found = found
             if self._looks >= _LOOKS and self._paired + found != self.lag:
                 self._take(frame, self._paired + found)
-        self._unlike = self._unlike + 1 if self._movement.is_unlike(_UNLIKE) else 0
-        if known and self._unlike >= _LOOKS and self.lag == self._paired:
+        self._unlike = self._unlike + 1 if self._movement.is_unlike() else 0
+        if self._unlike >= _LOOKS and self.lag == self._paired:
             self._take(frame, None)
 
     def _take(self, frame: int, lag: int | None) -> None:
@@ -136,7 +137,7 @@ def _told_late(frame: int, lag: int | None) -> str:
     if lag is None:
         return (
             f"from frame {frame} on the eyes do not show the same instant, and by how much either "
-            "is late is unknown: people are placed by the left eye alone, less exactly"
+            f"is late is unknown: people are followed by the left eye alone, {_MUCH_WORSE}"
         )
     if lag == 0:
         return f"from frame {frame} on both eyes show the same instant again"

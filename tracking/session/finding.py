@@ -202,7 +202,10 @@ def _missing(reference: RecordingReference, problems: Sequence[str]) -> str:
         was = f"was at {reference.path}, beside the session"
         problem = f"; {problems[0]}" if problems else ", and is gone"
     else:
-        was = f"is at {reference.path}, outside the session's folder, and is not opened unasked"
+        was = (
+            f"is at {reference.path}, outside the session's folder: for safety it is opened only "
+            "where you name it"
+        )
         problem = f"; {problems[0]}" if problems else ""
     return f'recording "{reference.name}" {was}{problem}'
 

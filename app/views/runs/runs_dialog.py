@@ -81,10 +81,15 @@ class RunsDialog(QDialog):
             "HOTA",
             self.tr("Id switches"),
         ]
+        told = {
+            "IDF1": self.tr("Share of the time that people have their own id; 1 is best"),
+            "HOTA": self.tr("How well people are found, and keep their ids, together; 1 is best"),
+        }
         table = QTableWidget(0, len(titles), self)
         for column, title in enumerate(titles):
             heading = QTableWidgetItem(title)
             heading.setTextAlignment(_RIGHT if column >= len(titles) - _NUMBERS else _LEFT)
+            heading.setToolTip(told.get(title, ""))
             table.setHorizontalHeaderItem(column, heading)
         table.setAccessibleName(self.tr("Runs of this session"))
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

@@ -44,7 +44,7 @@ def test_track_notes_where_the_recording_is_outside_the_sessions_folder(
     for out in (tmp_path / "apart" / "s.h5", tmp_path / "s.h5"):
         status, _, err = trackwright("track", recording, "-o", out, "--frames", "0:2")
         assert status == 0
-        notes.append([line for line in err.splitlines() if "outside the folder" in line])
+        notes.append([line for line in err.splitlines() if "not in the folder" in line])
     assert len(notes[0]) == 1
     assert "trackwright open s.h5 --recording PATH" in notes[0][0]
     assert notes[1] == []
