@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -23,18 +25,61 @@ def eye(frame: int, shift_px: int = 0) -> Picture:
 
 
 def watched(late: int, frames: int = 60) -> EyesWatch:
+    """A watch on eyes whose pictures are paired as they were recorded."""
     watch = EyesWatch(FPS)
     for k in range(10, 10 + frames):
         watch.look(k, eye(k), eye(k - late, SHIFT_PX))
     return watch
 
 
+def followed(lates: Iterable[int], known: int = 0) -> tuple[EyesWatch, list[int | None]]:
+    """A watch whose lag the pairing follows; `lates`: by how much the eye is late in each frame."""
+    watch = EyesWatch(FPS)
+    watch.begin(known)
+    paired, said = known, []
+    for k, late in enumerate(lates):
+        watch.look(k, eye(k), eye(k + paired - late, SHIFT_PX), paired)
+        said.append(watch.lag)
+        paired = paired if watch.lag is None else watch.lag
+    return watch, said
+
+
 @pytest.mark.parametrize("late", [-2, 0, 1, 3])
-def test_an_eye_that_is_late_is_found_to_be_so_many_frames(late: int) -> None:
+def test_an_eye_that_is_a_little_late_is_found_to_be_so_many_frames(late: int) -> None:
     watch = watched(late)
     assert watch.lag == late
     assert not watch.failing
-    assert len(watch.told()) == (late != 0)
+    assert bool(watch.told()) == (late != 0)
+
+
+@pytest.mark.parametrize("late", [-15, -8, 6, 12, 15])
+def test_a_lag_of_half_a_second_is_unknown_first_and_then_found(late: int) -> None:
+    watch, said = followed([late] * 80)
+    assert set(said) == {0, None, late}
+    assert said[-20:] == [late] * 20
+    assert "by how much either is late is unknown" in watch.told()[0]
+    assert f"{abs(late)} frames late, found at frame" in watch.told()[1]
+
+
+def test_a_lag_that_is_known_before_is_told_and_stays() -> None:
+    watch, said = followed([5] * 60, known=5)
+    assert set(said) == {5}
+    assert watch.told() == (
+        "the right eye is 5 frames late: pictures of the same instant are paired",
+    )
+
+
+def test_a_lag_that_changes_is_found_anew() -> None:
+    _, said = followed([5] * 60 + [-4] * 90, known=5)
+    assert said[59] == 5
+    assert said[-20:] == [-4] * 20
+
+
+def test_a_lag_that_changes_all_the_time_is_unknown() -> None:
+    lates = np.random.default_rng(2).integers(-12, 13, 100).tolist()
+    watch, said = followed(lates)
+    assert said[-60:] == [None] * 60
+    assert len(watch.told()) == 1
 
 
 def test_an_eye_that_freezes_fails_until_it_moves_again() -> None:
@@ -54,7 +99,7 @@ def test_an_eye_that_is_no_longer_late_is_told_to_be_well() -> None:
     for k in range(70, 130):
         watch.look(k, eye(k), eye(k, SHIFT_PX))
     assert watch.lag == 0
-    late, well = watch.told()
+    late, well = watch.told()[1], watch.told()[-1]
     assert "the right eye is 2 frames late" in late
     assert "both eyes show the same instant again" in well
 

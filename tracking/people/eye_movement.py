@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 
 import cv2
 import numpy as np
@@ -15,16 +16,23 @@ _WIDE_PX = 160
 """About the width of the thinned pictures compared."""
 _MOVED = 12
 """Grey levels by which what moves changes from one frame to the next."""
+_POOLED = 2
+"""Rows taken together: what moves is drawn a little otherwise in the other eye."""
 _RECENT_S, _RECENT_FRAMES = 0.8, 16
-"""How much movement is compared, and in frames at the least: fewer correlate by chance."""
+"""How much movement tells whether eyes agree, and in frames: fewer correlate by chance."""
 _MOST_LAG_S, _MOST_LAG_FRAMES = 0.5, 15
 """By how much an eye may be late and found to be, and in frames at the least."""
-_SHARED = 0.75
-"""Of the movement that is compared, so much is compared at the largest lag."""
-_ALIKE, _BETTER = 0.6, 0.04
+_NEAR = 0.3
+"""Of the recent movement, the lags at which eyes that agree are less alike."""
+_ALIKE, _BETTER = 0.4, 0.04
 """Correlation of the two eyes' movement at their lag, and how much less it is at any other."""
+_UNLIKE = 0.2
+"""Correlation below which eyes do not show the same movement; sound ones are above twice that."""
 _LEAST_MOVEMENT = 40.0
 """Places, a frame, that must move on average for a lag to be told."""
+
+Stretch = tuple[Floats, Floats]
+"""What moves in rows of the left and the right eye, each (frames, rows), frame by frame."""
 
 
 class EyeMovement:
@@ -35,9 +43,9 @@ class EyeMovement:
     movement, late.
 
     Attributes:
-        recent: frames of movement that suffice to compare eyes that are not late.
+        recent: frames of movement that tell whether eyes agree.
         most_lag: the largest lag that is looked for, in frames.
-        span: frames of movement that are kept: with them every lag is found.
+        span: frames of movement that are kept, and needed to tell a lag.
     """
 
     def __init__(self, fps: float) -> None:
@@ -64,8 +72,9 @@ class EyeMovement:
         for eye, earlier, rows in zip(eyes, before, self._rows, strict=True):
             moved = cv2.threshold(cv2.absdiff(eye, earlier), _MOVED, 1, cv2.THRESH_BINARY)[1]
             moving = cv2.reduce(moved, 1, cv2.REDUCE_SUM, dtype=cv2.CV_32S).ravel()
-            rows.append(moving.astype(np.float64))
             total.append(int(moving.sum()))
+            whole = len(moving) // _POOLED * _POOLED
+            rows.append(moving[:whole].reshape(-1, _POOLED).sum(axis=1).astype(np.float64))
         return total[0], total[1]
 
     def keep(self, frames: int) -> None:
@@ -79,25 +88,26 @@ class EyeMovement:
         self._before = None
         self.keep(0)
 
-    def late_by(self, *, recently: bool = False) -> int | None:
-        """Frames by which the right eye is late; negative: the left one. None: it cannot be told.
+    def stretch(self) -> Stretch | None:
+        """All movement that is kept; None before there is enough to tell any lag."""
+        return self._last(self.span) if len(self) == self.span else None
 
-        While less movement is known than `span`, only smaller lags are looked for; with less than
-        `recent`, none. recently: only small lags, in the `recent` movement, which takes less time.
-        """
-        left, right = self._arrays()
-        if recently:
-            left, right = left[-self.recent :], right[-self.recent :]
-        return late_by(left, right, self.recent, self.most_lag)
+    def agrees(self) -> bool:
+        """Whether nothing in the recent movement speaks against that no eye is late."""
+        recent = self._last(self.recent)
+        if len(self) < self.recent or not _moves([recent]):
+            return True
+        near = round(_NEAR * self.recent)
+        alike = [_alike([recent], lag) for lag in range(-near, near + 1)]
+        return alike[near] >= max(*alike, _UNLIKE)
 
-    def is_unlike(self, alike: float) -> bool:
-        """Whether eyes move, lately, and are less alike at no lag than a correlation."""
-        left, right = (rows[-self.recent :] for rows in self._arrays())
-        moves = len(left) == self.recent and _least_movement(left, right) >= _LEAST_MOVEMENT
-        return moves and _alike(left, right, 0) < alike
+    def is_unlike(self) -> bool:
+        """Whether eyes moved recently, but not at all alike."""
+        recent = self._last(self.recent)
+        return len(self) >= self.recent and _moves([recent]) and _alike([recent], 0) < _UNLIKE
 
-    def _arrays(self) -> tuple[Floats, Floats]:
-        left, right = (np.array(rows) for rows in self._rows)
+    def _last(self, frames: int) -> Stretch:
+        left, right = (np.array(list(rows)[-frames:]) for rows in self._rows)
         return left, right
 
 
@@ -108,19 +118,18 @@ def thinned(eye: Picture) -> Picture:
     return np.ascontiguousarray(green[::step, ::step])
 
 
-def late_by(left: Floats, right: Floats, recent: int, most_lag: int) -> int | None:
-    """Frames by which the right eye's movement comes later; None where it cannot be told.
+def late_by(stretches: Sequence[Stretch], most_lag: int) -> int | None:
+    """Frames by which the right eye is late; negative: the left one. None: it cannot be told.
 
     A larger lag makes the largest one looked for the best of all: that one is not believed.
 
     Args:
-        left, right: (frames, rows) what moves in each row of the two eyes.
-        recent: see `EyeMovement`. most_lag: the largest lag that is told.
+        stretches: of a lag that is the same in all of them. most_lag: the largest that is told.
     """
-    if len(left) < recent or _least_movement(left, right) < _LEAST_MOVEMENT:
+    if not stretches or not _moves(stretches):
         return None
-    most = min(most_lag, len(left) - round(_SHARED * recent)) + 1
-    alike = np.array([_alike(left, right, lag) for lag in range(-most, most + 1)])
+    most = most_lag + 1
+    alike = np.array([_alike(stretches, lag) for lag in range(-most, most + 1)])
     best = int(alike.argmax())
     if alike[best] < _ALIKE or best in (0, 2 * most):
         return None
@@ -128,15 +137,21 @@ def late_by(left: Floats, right: Floats, recent: int, most_lag: int) -> int | No
     return best - most if certain else None
 
 
-def _least_movement(left: Floats, right: Floats) -> float:
-    """Places that move a frame, in the eye in which fewer do."""
-    return float(min(left.sum(axis=1).mean(), right.sum(axis=1).mean()))
+def _moves(stretches: Sequence[Stretch]) -> bool:
+    """Whether enough moves in both eyes."""
+    return all(
+        np.mean([rows.sum(axis=1).mean() for rows in eye]) >= _LEAST_MOVEMENT
+        for eye in zip(*stretches, strict=True)
+    )
 
 
-def _alike(left: Floats, right: Floats, lag: int) -> float:
+def _alike(stretches: Sequence[Stretch], lag: int) -> float:
     """Correlation over time of what moves in each row, the right eye being late by `lag`."""
-    count = len(left) - abs(lag)
-    one = left[max(-lag, 0) :][:count]
-    other = right[max(lag, 0) :][:count]
-    one, other = one - one.mean(axis=0), other - other.mean(axis=0)
-    return float((one * other).sum() / np.sqrt((one**2).sum() * (other**2).sum() + 1e-9))
+    together = lefts = rights = 0.0
+    for left, right in stretches:
+        count = len(left) - abs(lag)
+        one, other = left[max(-lag, 0) :][:count], right[max(lag, 0) :][:count]
+        one, other = one - one.mean(axis=0), other - other.mean(axis=0)
+        together += float((one * other).sum())
+        lefts, rights = lefts + float((one**2).sum()), rights + float((other**2).sum())
+    return together / float(np.sqrt(lefts * rights + 1e-9))

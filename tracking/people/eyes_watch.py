@@ -25,6 +25,8 @@ _MOST_TOLD = 5
 """Failures, and changes of lag, that are told one by one; the others are counted."""
 _LOOKS = 2
 """So many looks on end must find the same lag, or that there is none."""
+_MUCH_WORSE = "less exactly, and more of them are confused or lost"
+"""What one eye is worth, for the user."""
 
 
 class EyesWatch:

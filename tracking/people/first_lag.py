@@ -7,10 +7,10 @@ from collections.abc import Generator
 import cv2
 import numpy as np
 
-from tracking.people.eye_movement import EyeMovement, Picture, thinned
+from tracking.people.eye_movement import EyeMovement, Picture, Stretch, late_by, thinned
 from tracking.recording import Recording, StereoFrame
 
-_ELSEWHERE = 3
+_ELSEWHERE = 4
 """So many other stretches of a recording are looked at where the first one tells nothing."""
 
 
@@ -36,13 +36,14 @@ def first_lag(recording: Recording, start: int = 0) -> int | None:
 def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFrame, int | None]:
     """The same as `first_lag`, for who reads the frames: asks for one by number after the other.
 
-    Looked at is a stretch of a second or two from a frame on, and where too little moves in it,
-    others that are spread over the recording.
+    Looked at is a stretch of a second or two from a frame on, and where it tells nothing, others
+    that are spread over the recording, each of them and all together.
 
     Args:
         recording: of two eyes; rectified where it can be. start: the frame that matters most.
     """
     movement = EyeMovement(recording.fps)
+    stretches: list[Stretch] = []
     last = max(0, recording.frame_count - movement.span - 1)
     spread = np.linspace(0, last, _ELSEWHERE + 2)[1:-1].astype(int).tolist()
     for first in (min(start, last), *spread):
@@ -50,9 +51,13 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
         for number in range(first, min(first + movement.span + 1, recording.frame_count)):
             frame = yield number
             movement.add(_eyes(recording, frame))
-        lag = movement.late_by()
-        if lag is not None:
-            return lag
+        stretch = movement.stretch()
+        if stretch is not None:
+            stretches.append(stretch)
+            for told in ([stretch], stretches):
+                lag = late_by(told, movement.most_lag)
+                if lag is not None:
+                    return lag
     return None
 
 

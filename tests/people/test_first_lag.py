@@ -1,0 +1,67 @@
+"""By how much an eye is late is told from some stretches of the footage."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from tracking.people import lag_looks
+from tracking.recording import StereoFrame
+
+COUNT, ROWS = 300, 120
+
+
+class Footage:
+    """Rows in which by chance much or little moves, seen by two eyes of which one is late."""
+
+    fps, frame_count, rectification = 20.0, COUNT, None
+
+    def __init__(self, late: int, still_until: int = 0) -> None:
+        random = np.random.default_rng(4)
+        self._noise = random.integers(0, 255, (COUNT + 40, ROWS, 160), np.uint8)
+        self._moving = random.integers(0, 100, (COUNT + 40, ROWS, 1))
+        self._late, self._still_until = late, still_until
+
+    def frame(self, number: int) -> StereoFrame:
+        return StereoFrame(number, 0.0, self._seen(number), self._seen(number - self._late))
+
+    def _seen(self, number: int) -> NDArray[np.uint8]:
+        if number < self._still_until:
+            return np.zeros((ROWS, 160, 3), np.uint8)
+        moves = np.arange(160) < self._moving[number + 20]
+        return np.repeat(np.where(moves, self._noise[number + 20], 0)[..., None], 3, axis=2)
+
+
+def found(footage: Footage, start: int = 0) -> tuple[int | None, list[int]]:
+    """The lag, and the frames that were looked at for it."""
+    looks, read = lag_looks(footage, start), []  # type: ignore[arg-type] # as a recording
+    try:
+        read.append(next(looks))
+        while True:
+            read.append(looks.send(footage.frame(read[-1])))
+    except StopIteration as told:
+        return told.value, read
+
+
+@pytest.mark.parametrize("late", [-15, -3, 0, 5, 15])
+def test_a_lag_is_found_in_the_first_stretch(late: int) -> None:
+    assert found(Footage(late), 60) == (late, list(range(60, 92)))
+
+
+def test_where_nothing_moves_another_stretch_is_looked_at() -> None:
+    lag, read = found(Footage(4, still_until=100))
+    assert lag == 4
+    assert read[:32] == list(range(32))
+    assert read[-32:] == list(range(107, 139))
+
+
+def test_footage_in_which_nothing_moves_tells_nothing() -> None:
+    lag, read = found(Footage(4, still_until=COUNT + 20))
+    assert lag is None
+    assert len(read) == 5 * 32
+
+
+def test_a_stretch_at_the_end_begins_earlier() -> None:
+    lag, read = found(Footage(-6), COUNT - 2)
+    assert (lag, read[-1]) == (-6, COUNT - 1)
