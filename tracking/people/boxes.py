@@ -29,7 +29,7 @@ def region_boxes(labels: NDArray[np.uint8], count: int) -> list[GridBox]:
     Rows and columns with a single pixel at a region's ends are left out: specks, not limbs.
     """
     place = np.flatnonzero(labels != 0)
-    region = labels.ravel()[place].astype(np.intp)
+    region = labels.ravel().take(place).astype(np.intp)
     row, column = np.divmod(place, labels.shape[1])
     top, height = _extents(region, row, count, labels.shape[0])
     left, width = _extents(region, column, count, labels.shape[1])
@@ -69,6 +69,9 @@ def hidden_sides(
     rows, columns = labels.shape
     hidden = np.zeros((len(boxes), 4), np.bool_)
     distance = np.hypot(sight[:, 0], sight[:, 1])
+    # By label, of which 0 is nobody: who stands nearer than whom.
+    nearer = np.zeros((len(boxes), len(boxes) + 1), np.bool_)
+    nearer[:, 1:] = distance < distance[:, None]
     truncated = np.zeros(len(boxes), np.bool_)
     for k, (left, top, width, height) in enumerate(boxes):
         right, bottom = left + width, top + height
@@ -78,15 +81,17 @@ def hidden_sides(
             right >= columns - _EDGE_PLACES,
             bottom >= rows - _EDGE_PLACES,
         )
-        nearer = np.concatenate(([False], distance < distance[k]))
         strips = (
             labels[top:bottom, max(left - 1, 0) : left],
             labels[max(top - 1, 0) : top, left:right],
             labels[top:bottom, right : right + 1],
             labels[bottom : bottom + 1, left:right],
         )
-        covered = [np.count_nonzero(nearer[strip]) > _COVERED * strip.size for strip in strips]
-        hidden[k] = np.logical_or(at_edge, covered)
+        covering = nearer[k]
+        hidden[k] = [
+            outside or np.count_nonzero(covering.take(strip)) > _COVERED * strip.size
+            for outside, strip in zip(at_edge, strips, strict=True)
+        ]
         truncated[k] = any(at_edge)
     return hidden, truncated
 
@@ -112,8 +117,9 @@ def behind_things(
             scene[rows, right : right + _BESIDE_PLACES],
         )
         for side, strip in zip((0, 2), beside, strict=True):
-            nearer = np.count_nonzero((strip > limit[k]).any(axis=1))
-            hidden[k, side] = nearer > _COVERED * height
+            # In rows as long as the side: short ones take many times as long.
+            nearer = np.greater(strip.T, limit[k], order="C").any(axis=0)
+            hidden[k, side] = np.count_nonzero(nearer) > _COVERED * height
     return hidden
 
 
@@ -124,9 +130,7 @@ def recorded_boxes(boxes: Boxes, rectification: Rectification) -> Boxes:
     v = boxes[:, 1:2] + boxes[:, 3:] * share
     outline = np.stack(np.broadcast_arrays(u[:, :, None], v[:, None, :]), axis=-1)
     recorded = rectification.recorded_from_rectified(outline.reshape(-1, 2))
-    places = recorded.reshape(len(boxes), 9, 2)
-    low, high = places.min(axis=1), places.max(axis=1)
-    return np.concatenate((low, high - low), axis=1)
+    return _round(recorded.reshape(len(boxes), 9, 2))
 
 
 def standing_boxes(view: View, xy: Boxes, height_m: Boxes, width_m: float) -> Boxes:
@@ -144,8 +148,7 @@ def standing_boxes(view: View, xy: Boxes, height_m: Boxes, width_m: float) -> Bo
     points[..., :2] = xy[:, None] + body[:, :2]
     points[..., 2] = height_m[:, None] * body[:, 2]
     pixels = view.pixel_from_world(points.reshape(-1, 3)).reshape(len(xy), len(body), 2)
-    low, high = pixels.min(axis=1), pixels.max(axis=1)
-    return np.concatenate((low, high - low), axis=1)
+    return _round(pixels)
 
 
 def with_feet(seen: Boxes, feet: Boxes, unseen: NDArray[np.bool_]) -> Boxes:
@@ -194,6 +197,14 @@ def _body_points(width_m: float) -> Boxes:
     )
     points.flags.writeable = False
     return points
+
+
+def _round(points: Boxes) -> Boxes:
+    """The boxes (n, 4) round points (n, k, 2)."""
+    # An axis a row: extremes along the points are then taken many at once.
+    axes = np.ascontiguousarray(points.transpose(2, 0, 1))
+    low, high = axes.min(axis=2), axes.max(axis=2)
+    return np.concatenate((low, high - low)).T
 
 
 def _corners(boxes: Boxes) -> Boxes:

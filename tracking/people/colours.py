@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import cv2
 import numpy as np
@@ -13,10 +14,10 @@ from tracking.people.settings import PeopleSettings
 Histogram = NDArray[np.float32]
 Rows = NDArray[np.intp]
 
-_UPPER = (0.15, 0.5)
-_LOWER = (0.5, 0.85)
+_BANDS = (0.15, 0.5, 0.85)
+"""Where the upper body begins, the lower one, and what is below it: shares of a box's height."""
 _MIDDLE_ACROSS = 0.6
-"""Bands of a region's box, as shares of its height and width."""
+"""Share of a box's width that is looked at."""
 _GRID = (16, 12)
 """Points looked at down and across each half of a body: means change little with more."""
 
@@ -26,6 +27,7 @@ def colour_histograms(
     labels: NDArray[np.uint8],
     boxes: Sequence[tuple[int, int, int, int]],
     settings: PeopleSettings,
+    step: int = 1,
 ) -> tuple[Histogram, Histogram, Histogram]:
     """Hue of the upper body and of the lower body, and hue with saturation of the middle.
 
@@ -34,34 +36,32 @@ def colour_histograms(
     region's own pixels count. Each pixel weighs as much as it is colourful: grey has no hue.
 
     Args:
-        picture: (rows, columns, 3) uint8, blue, green, red.
+        picture: (height, width, 3) uint8, blue, green, red.
         labels: (rows, columns) uint8, k + 1 for the pixels of region k.
-        boxes: left, top, width, height of each region in the same pixels.
+        boxes: left, top, width, height of each region in the pixels of the labels.
+        step: pixels of the picture from one of the labels to the next.
 
     Returns:
         (k, hue_bins), (k, hue_bins) and (k, hue_bins * saturation_bins), each row summing to 1.
     """
     count, bins = len(boxes), settings.hue_bins
-    region, v, u, height = _inner_pixels(labels, boxes)
-    hue, saturation = _hue_saturation(picture[v, u])
-    weight = saturation.astype(np.float64) + 1
-    above = (height >= _UPPER[0]) & (height < _UPPER[1])
-    below = (height >= _LOWER[0]) & (height < _LOWER[1])
+    region, v, u, below = _inner_pixels(labels, boxes)
+    hue, saturation = _hue_saturation(_shown(picture, v, u, step))
     hue_bin = hue.astype(np.intp) * bins // 180
     level = saturation.astype(np.intp) * settings.saturation_bins // 256
     both = hue_bin * settings.saturation_bins + level
-    inner = above | below
-    return (
-        _histograms(region[above], hue_bin[above], weight[above], (count, bins)),
-        _histograms(region[below], hue_bin[below], weight[below], (count, bins)),
-        _histograms(region[inner], both[inner], None, (count, bins * settings.saturation_bins)),
-    )
+    # The upper bodies' histograms, then the lower ones'.
+    half, weight = region + count * below, saturation.astype(np.float64) + 1
+    halves = _histograms(half, hue_bin, weight, (2 * count, bins))
+    middle = _histograms(region, both, None, (count, bins * settings.saturation_bins))
+    return halves[:count], halves[count:], middle
 
 
 def clothes_colours(
     picture: NDArray[np.uint8],
     labels: NDArray[np.uint8],
     boxes: Sequence[tuple[int, int, int, int]],
+    step: int = 1,
 ) -> NDArray[np.float32]:
     """(k, 2, 3) CIELAB of the mean colour of each region's upper and lower body.
 
@@ -69,17 +69,18 @@ def clothes_colours(
     looked at in small as in large regions, those of a grid that lie on the region.
 
     Args:
-        picture: (rows, columns, 3) blue, green, red. labels, boxes: as for the histograms.
+        picture, labels, boxes, step: as for the histograms.
 
     Returns:
         lightness (0 to 100), a and b; NaN where the body shows no pixel.
     """
     count = len(boxes)
     v, u = _grids(boxes, labels.shape)
-    own = labels[v, u] == np.arange(1, count + 1).reshape(count, 1, 1, 1)
+    shown = labels.ravel().take(v * labels.shape[1] + u)
+    own = shown == np.arange(1, count + 1, dtype=np.uint8).reshape(count, 1, 1, 1)
     number = np.count_nonzero(own, axis=(2, 3))
     points = _GRID[0] * _GRID[1]
-    pixels = picture[v, u].reshape(count, 2, points, 3).astype(np.float32)
+    pixels = _shown(picture, v, u, step).reshape(count, 2, points, 3).astype(np.float32)
     counted = own.reshape(count, 2, 1, points).astype(np.float32)
     mean = (counted @ pixels)[:, :, 0] / np.maximum(number, 1)[..., None]
     clothes = _lab(mean.reshape(2 * count, 3)).reshape(count, 2, 3)
@@ -93,10 +94,19 @@ def _grids(
     """Rows (k, 2, down, 1) and columns (k, 1, 1, across) of the points of both bodies' halves."""
     left, top, width, height = np.array(boxes, np.float32).reshape(-1, 4, 1, 1, 1).swapaxes(0, 1)
     down, across = ((np.arange(points) + 0.5) / points for points in _GRID)
-    share = np.stack([low + (high - low) * down for low, high in (_UPPER, _LOWER)])[..., None]
+    share = np.array([low + (high - low) * down for low, high in pairwise(_BANDS)])[..., None]
     v = (top + height * share).astype(np.intp)
     u = (left + width * (0.5 + (across - 0.5) * _MIDDLE_ACROSS)).astype(np.intp)
     return np.clip(v, 0, shape[0] - 1), np.clip(u, 0, shape[1] - 1)
+
+
+def _shown(picture: NDArray[np.uint8], v: Rows, u: Rows, step: int) -> NDArray[np.uint8]:
+    """(..., 3) the picture's colours at rows and columns of the labels.
+
+    Taken by number in a row of pixels: several times as fast as by row and column.
+    """
+    place = (v * picture.shape[1] + u) * step
+    return np.asarray(picture.reshape(-1, 3).take(place, axis=0), np.uint8)
 
 
 def _lab(colour: NDArray[np.float64]) -> NDArray[np.float32]:
@@ -109,18 +119,20 @@ def _lab(colour: NDArray[np.float64]) -> NDArray[np.float32]:
 
 def _inner_pixels(
     labels: NDArray[np.uint8], boxes: Sequence[tuple[int, int, int, int]]
-) -> tuple[Rows, Rows, Rows, NDArray[np.float32]]:
-    """The regions' pixels off their sides: region, row, column, and height (0 top, 1 bottom)."""
+) -> tuple[Rows, Rows, Rows, NDArray[np.bool_]]:
+    """The bodies' pixels off their sides: region, row, column, and whether it is the lower body."""
     place = np.flatnonzero(labels != 0)
-    region = labels.ravel()[place].astype(np.intp) - 1
+    region = labels.ravel().take(place).astype(np.intp) - 1
     v, u = np.divmod(place, labels.shape[1])
     left, top, width, height = np.array(boxes, np.intp).reshape(-1, 4).T
     edge = (width * (1 - _MIDDLE_ACROSS) / 2).astype(np.intp)
-    down, across = v - top[region], u - (left + edge)[region]
-    own = (down >= 0) & (down < height[region])
-    own &= (across >= 0) & (across < (width - 2 * edge)[region])
-    share = (down[own] + 0.5) / np.maximum(height, 1)[region[own]]
-    return region[own], v[own], u[own], share.astype(np.float32)
+    across = u - (left + edge).take(region)
+    share = (v - top.take(region) + 0.5) / np.maximum(height, 1).take(region)
+    share = share.astype(np.float32)
+    own = (share >= _BANDS[0]) & (share < _BANDS[2])
+    own &= (across >= 0) & (across < (width - 2 * edge).take(region))
+    kept = np.flatnonzero(own)
+    return region.take(kept), v.take(kept), u.take(kept), share.take(kept) >= _BANDS[1]
 
 
 def _hue_saturation(colours: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:

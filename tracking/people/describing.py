@@ -104,11 +104,10 @@ def _colours(
     settings: PeopleSettings,
 ) -> tuple[Histogram, Histogram, Histogram, Histogram]:
     """Histograms of the upper body, the lower body and the middle, and the clothes' colours."""
-    colours = picture[::_STEP, ::_STEP]
     labels = np.ascontiguousarray(regions[::_STEP, ::_STEP])
     small = [(a // _STEP, b // _STEP, c // _STEP, d // _STEP) for a, b, c, d in boxes]
-    upper, lower, middle = colour_histograms(colours, labels, small, settings)
-    return upper, lower, middle, clothes_colours(colours, labels, small)
+    upper, lower, middle = colour_histograms(picture, labels, small, settings, _STEP)
+    return upper, lower, middle, clothes_colours(picture, labels, small, _STEP)
 
 
 def _ends(regions: Labels, boxes: list[GridBox]) -> tuple[Floats, Floats]:

@@ -121,8 +121,7 @@ class PeopleFinder:
         if self.scene is not None:
             hidden |= behind_things(boxes, self.scene, self._nearer_than(extent))
         position = axis_positions(places, extent, hidden, self._lines, settings)
-        colours = picture[::STEP, ::STEP]
-        upper, lower, middle = colour_histograms(colours, labels, boxes, settings)
+        upper, lower, middle = colour_histograms(picture, labels, boxes, settings, STEP)
         width = np.maximum(extent.width, 0)
         return Detections(
             box=self._boxes.whole(boxes, position, extent, hidden),
@@ -134,7 +133,7 @@ class PeopleFinder:
             lower=lower,
             middle=middle,
             regions=self._full_size(labels),
-            clothes=clothes_colours(colours, labels, boxes),
+            clothes=clothes_colours(picture, labels, boxes, STEP),
         )
 
     def _nearer_than(self, extent: Extent) -> NDArray[np.float64]:

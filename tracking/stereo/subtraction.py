@@ -43,6 +43,7 @@ class SubtractionStereo:
             lines.disparity_at_height(self._settings.tallest_m, near, far)[::STEP, ::STEP]
             + _SLACK_PX
         )
+        self._column = np.tile(np.arange(0, STEP * self._least.shape[1], STEP), len(self._least))
         self._least_parts = np.ceil(self._least * _PARTS_OF_PX).astype(np.int16)
         self._most_parts = np.floor(self._most * _PARTS_OF_PX).astype(np.int16)
         self._reach_px = self._settings.window_px // 2 + _FILTER_PX
@@ -99,34 +100,49 @@ class SubtractionStereo:
             and where nothing matched.
         """
         here, there = left_mask[::STEP], right_mask[::STEP]
-        disparity = np.full(self._least.shape, np.nan, np.float32)
-        if not there.any():
-            return disparity
-        parts = self._matched(_rows_halved(left), _rows_halved(right), here)
-        good = (parts >= self._least_parts) & (parts <= self._most_parts)
-        good &= here[:, ::STEP].view(np.bool_)
-        v, u = np.divmod(np.flatnonzero(good), good.shape[1])
-        d = parts[v, u].astype(np.float32) / np.float32(_PARTS_OF_PX)
-        kept = _foreground_there(there, v, u * STEP, d)
-        kept &= ~(np.abs(d - self._scene[v, u]) < self._scene_slack[v, u])
-        disparity[v[kept], u[kept]] = d[kept]
-        return disparity
+        disparity = np.full(self._least.size, np.nan, np.float32)
+        if cv2.hasNonZero(there):
+            sought = np.ascontiguousarray(here[:, ::STEP])
+            parts = self._matched(_rows_halved(left), _rows_halved(right), here, sought)
+            good = (parts >= self._least_parts) & (parts <= self._most_parts)
+            place = np.flatnonzero(good & sought.view(np.bool_))
+            d = parts.ravel().take(place).astype(np.float32) / np.float32(_PARTS_OF_PX)
+            kept = self._foreground_there(there, place, d)
+            kept &= ~(np.abs(d - self._scene.take(place)) < self._scene_slack.take(place))
+            disparity[place[kept]] = d[kept]
+        return disparity.reshape(self._least.shape)
 
-    def _matched(self, left: Grey, right: Grey, here: Mask) -> Parts:
+    def _matched(self, left: Grey, right: Grey, here: Mask, sought: Mask) -> Parts:
         """(rows, columns) disparities of every second column, in parts of a pixel.
 
         What is not near foreground is 0, and what did not match is below any disparity.
+
+        Args:
+            here: the foreground. sought: of every second column.
         """
         found = np.zeros(self._least.shape, np.int16)
         for rows, columns in areas(here, self._margin_px):
             small = np.s_[rows, columns.start // STEP : -(-columns.stop // STEP)]
-            own = here[rows, columns][:, ::STEP].view(np.bool_)
-            if not own.any():
+            own = sought[small]
+            if not cv2.hasNonZero(own):
                 continue
-            low = math.floor(float(self._least[small].min(where=own, initial=np.inf)))
-            high = math.ceil(float(self._most[small].max(where=own, initial=-np.inf)))
+            low = math.floor(cv2.minMaxLoc(self._least[small], own)[0])
+            high = math.ceil(cv2.minMaxLoc(self._most[small], own)[1])
             found[small] = self._search(left, right, (rows, columns), low, high)[:, ::STEP]
         return found
+
+    def _foreground_there(
+        self, mask: Mask, place: NDArray[np.intp], disparity: Disparity
+    ) -> NDArray[np.bool_]:
+        """Whether the right eye, too, sees foreground at the matched place.
+
+        Args:
+            mask: of every second row. place: (n,) on the grid.
+        """
+        partner = np.rint(self._column.take(place) - disparity).astype(np.intp)
+        inside = (partner >= 0) & (partner < mask.shape[1])
+        row = place // self._least.shape[1]
+        return np.asarray(inside & (mask[row, partner * inside] > 0), np.bool_)
 
     def _search(
         self, left: Grey, right: Grey, box: tuple[slice, slice], lowest: int, highest: int
@@ -160,13 +176,3 @@ def _rows_halved(eye: Grey) -> Grey:
 def _beside(eye: Grey, pad: tuple[int, int]) -> Grey:
     """The picture with its sides drawn out."""
     return np.asarray(cv2.copyMakeBorder(eye, 0, 0, *pad, cv2.BORDER_REPLICATE), np.uint8)
-
-
-def _foreground_there(
-    mask: Mask, v: NDArray[np.intp], u: NDArray[np.intp], disparity: Disparity
-) -> NDArray[np.bool_]:
-    """Whether the right eye, too, sees foreground at the matched place."""
-    partner = np.rint(u - disparity).astype(np.intp)
-    inside = (partner >= 0) & (partner < mask.shape[1])
-    partner[~inside] = 0
-    return np.asarray(inside & (mask[v, partner] > 0), np.bool_)
