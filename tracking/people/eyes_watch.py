@@ -25,7 +25,7 @@ _MOST_TOLD = 5
 """Failures, and changes of lag, that are told one by one; the others are counted."""
 _LOOKS = 2
 """So many looks on end must find the same lag, or that there is none."""
-_MUCH_WORSE = "less exactly, and more of them are confused or lost"
+_MUCH_WORSE = "which is far worse: more people are lost, or take each other's ids"
 """What one eye is worth, for the user."""
 
 
