@@ -7,79 +7,25 @@ from typing import Annotated, Literal
 
 import typer
 
-from app.cli import options
+from app.cli import options, score_options
 from app.cli.commands.program import program
 
 
 @program.command()
 def score(
-    results: Annotated[
-        list[Path],
-        typer.Argument(
-            metavar="RESULT",
-            help="Sessions or files of tracks; or folders with one for each recording.",
-        ),
-    ],
-    truth: Annotated[
-        Path,
-        typer.Option(
-            "--truth",
-            help="A session, a file of tracks or a recording with truth.txt; or a folder of them.",
-        ),
-    ],
-    match: Annotated[
-        Literal["box", "floor"], typer.Option(help="Pair by overlap or by floor distance.")
-    ] = "box",
-    radius: Annotated[
-        float | None,
-        typer.Option(
-            help="Greatest distance on the floor, m; with --match floor.", show_default="0.5"
-        ),
-    ] = None,
-    conventions: Annotated[
-        Literal["trackeval", "py-motmetrics"],
-        typer.Option("--as", help="Whose definitions hold where the field's programs differ."),
-    ] = "trackeval",
-    frames: Annotated[
-        str | None,
-        typer.Option(help="A:B, from 0, B not included: measure these.", show_default="all"),
-    ] = None,
-    ranges: Annotated[
-        list[str] | None,
-        typer.Option("--range", help="A:B, measured by itself, too; may be repeated."),
-    ] = None,
-    distances: Annotated[
-        str | None,
-        typer.Option(
-            metavar="0,M,...",
-            help="Measures by distance from the camera on the floor, m: 0,5,10 are 0 to 5, 5 to 10"
-            " and 10 and more.",
-        ),
-    ] = None,
-    per_person: Annotated[
-        bool, typer.Option("--per-person", help="A row for each person of the truth.")
-    ] = False,
-    line: Annotated[
-        list[str] | None,
-        typer.Option(
-            help="NAME:x1,y1:x2,y2 on the floor, m: compare the passages over it.",
-            show_default="drawn in the session",
-        ),
-    ] = None,
-    picture_line: Annotated[
-        list[str] | None, typer.Option(help="NAME:u1,v1:u2,v2: the same in the picture, px.")
-    ] = None,
-    report: Annotated[
-        Path | None,
-        typer.Option(help="A folder for a report: a page, and the same as Markdown and JSON."),
-    ] = None,
-    allow_outside: Annotated[
-        bool,
-        typer.Option(
-            "--allow-outside",
-            help="Take the report's pictures also from outside of a session's folder.",
-        ),
-    ] = False,
+    results: score_options.Results,
+    truth: score_options.Truth,
+    match: score_options.Match = "box",
+    radius: score_options.Radius = None,
+    conventions: score_options.Conventions = "trackeval",
+    frames: score_options.Frames = None,
+    ranges: score_options.Ranges = None,
+    distances: score_options.Distances = None,
+    per_person: score_options.PerPerson = False,
+    line: score_options.Lines = None,
+    picture_line: score_options.PictureLines = None,
+    report: score_options.Report = None,
+    allow_outside: score_options.Outside = False,
     json: options.Json = False,
 ) -> None:
     """Measure results against truth."""

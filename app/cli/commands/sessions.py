@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from app.cli import options
+from app.cli import import_options, options
 from app.cli.commands.program import program
 from app.cli.option_groups import Bare, spread
 
@@ -40,43 +40,16 @@ def export(
 @program.command("import")
 @spread
 def import_tracks(
-    tracks: Annotated[Path, typer.Argument(help="A file of tracks made elsewhere.")],
-    recording: Annotated[
-        Path | None, typer.Option("--recording", "-r", help="The recording they are of.")
-    ] = None,
-    out: Annotated[
-        Path | None, typer.Option("--out", "-o", help="The session to make: NAME.h5.")
-    ] = None,
-    into: Annotated[
-        Path | None,
-        typer.Option(
-            help="A session to take them into instead, as one edit: tracks of the file are added "
-            "or take the place of those with their ids; no other track goes.",
-        ),
-    ] = None,
-    file_format: Annotated[
-        str | None,
-        typer.Option("--format", help="Of the file.", show_default="told by content"),
-    ] = None,
+    tracks: import_options.Tracks,
+    recording: import_options.Footage = None,
+    out: import_options.Out = None,
+    into: import_options.Into = None,
+    file_format: import_options.FileFormat = None,
     *,
-    take_good: Annotated[
-        bool,
-        typer.Option("--take-good", help="Take the good rows also where others are bad."),
-    ] = False,
-    thin: Annotated[
-        float | None,
-        typer.Option(
-            metavar="PX",
-            help="Thin tracks of which every row is a keyframe: no edge of a box ends up farther "
-            "off than this many px.",
-        ),
-    ] = None,
-    as_new: Annotated[
-        bool, typer.Option("--as-new", help="Give all tracks new ids, above those known.")
-    ] = False,
-    only_people: Annotated[
-        bool, typer.Option("--only-people", help="Leave out what the file says is no person.")
-    ] = False,
+    take_good: import_options.TakeGood = False,
+    thin: import_options.Thin = None,
+    as_new: import_options.AsNew = False,
+    only_people: import_options.OnlyPeople = False,
     force: options.Force = False,
     eyes: Bare,
     json: options.Json = False,

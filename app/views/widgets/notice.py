@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
 
 _PASSES_MS = 60_000
+_READ_S = 4.0
+"""After this time a passing word has been read by whoever goes on working."""
 
 
 class NoticeBar(QFrame):
@@ -24,6 +27,7 @@ class NoticeBar(QFrame):
         super().__init__(parent)
         self._do: Callable[[], object] | None = None
         self._settles = False
+        self._said_s = 0.0
         self._passing = QTimer(self, singleShot=True, interval=_PASSES_MS)
         self._passing.timeout.connect(self.hide)
         self.setProperty("notice", "true")
@@ -90,9 +94,9 @@ class NoticeBar(QFrame):
     ) -> None:
         """Show a message, with a button where there is something to `do` about it.
 
-        One that is `passing` goes by itself after a minute.
+        One that is `passing` goes by itself after a minute, or when it is to `give_way`.
         """
-        self._do = do
+        self._do, self._said_s = do, time.monotonic()
         self._settles = (is_error or passing) and do is None
         if passing:
             self._passing.start()
@@ -114,6 +118,11 @@ class NoticeBar(QFrame):
         What offers a button stays: it is still to be answered.
         """
         if self._settles:
+            self.hide()
+
+    def give_way(self) -> None:
+        """The user goes on working: a passing word that was there long enough goes."""
+        if self._passing.isActive() and time.monotonic() - self._said_s > _READ_S:
             self.hide()
 
     def _tint(self, notice: str) -> None:

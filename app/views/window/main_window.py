@@ -236,6 +236,7 @@ class MainWindow(QMainWindow):
         if not item.enabled:
             self._told.refuse(item)
             return
+        self.notice.give_way()
         self._commands[name]()
         self.refresh()
 

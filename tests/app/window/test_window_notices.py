@@ -100,3 +100,15 @@ def test_all_of_a_long_text_is_seen_in_a_window_that_becomes_narrow(window, hand
     label = window.notice._text
     assert window.notice.height() > wide
     assert label.height() >= label.heightForWidth(label.width())
+
+
+def test_a_passing_word_that_was_read_gives_way_to_the_next_command(window, hands, monkeypatch):
+    window.notice.say("tracked", passing=True)
+    window.run_command("play.next")
+    assert window.notice.text == "tracked"
+    monkeypatch.setattr("app.views.widgets.notice._READ_S", 0.0)
+    window.run_command("play.next")
+    assert window.notice.text == ""
+    window.notice.say("look after the camera")
+    window.run_command("play.next")
+    assert window.notice.text == "look after the camera"
