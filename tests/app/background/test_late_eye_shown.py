@@ -1,0 +1,73 @@
+"""The window shows both pictures of an instant where an eye is late."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QObject
+
+from app.background import FrameReader, OverlayMaker
+from app.presenters.document.document import Document
+from app.presenters.document.instant import Pictured
+from app.presenters.pictures.overlays import Kinds
+from app.presenters.scenes import Eye
+from tests.benchmarks.stereo.troubles import Trouble, troubled
+from tracking.recording import Instants, StereoFrame, open_recording
+from tracking.session import Session
+
+LAG = 6
+
+
+@pytest.fixture(scope="module")
+def late_recording(tiny_recording: Path) -> Path:
+    return troubled(tiny_recording, Trouble("late", lag=LAG))
+
+
+def test_a_frame_comes_again_with_its_partner_once_the_lag_is_found(late_recording, qtbot):
+    parent, shown = QObject(), []
+    with open_recording(late_recording) as recording:
+        reader = FrameReader(recording, 50_000_000, parent)
+        reader.ready.connect(lambda ticket, frame: shown.append((ticket, frame)))
+        ticket = reader.request(20)
+        qtbot.waitUntil(lambda: len(shown) == 2)
+        qtbot.waitUntil(lambda: reader.cached(24) is not None)
+        ahead = reader.cached(24)
+        reader.close()
+        partner = recording.read(20 + LAG)
+    (_, raw), (again, paired) = shown
+    assert (ticket, raw.right_lag) == (again, 0)
+    assert (paired.number, paired.right_lag, ahead.right_lag) == (20, LAG, LAG)
+    assert np.array_equal(paired.right, partner.right)
+    assert np.array_equal(paired.left, raw.left)
+
+
+def test_the_right_picture_says_which_frame_it_is(late_recording, tiny_session):
+    with open_recording(late_recording) as recording:
+        document = Document(recording, Session.open(tiny_session))
+        instants, said = Instants(recording, LAG), []
+        for number in (20, recording.frame_count - 1):
+            instant = document.instant(number)
+            frame = instants.read(number)
+            eyes = (Eye.LEFT, Eye.RIGHT)
+            scenes = [document.pictures.scene(e, frame, instant, Pictured()) for e in eyes]
+            said.append([scene.message for scene in scenes])
+        document.session.close()
+    assert said[0] == ["", "Frame 26: this eye shows the same instant there"]
+    assert said[1] == ["", "Nothing was recorded of this instant: another frame is shown"]
+
+
+def test_overlays_of_pictures_that_were_paired_wrongly_are_forgotten(qtbot):
+    parent, kinds = QObject(), Kinds(foreground=True)
+    picture = np.zeros((2, 2, 3), np.uint8)
+
+    def paint(frame: StereoFrame, _kinds: Kinds) -> np.ndarray:
+        return np.full((2, 2, 4), frame.right_lag, np.uint8)
+
+    maker = OverlayMaker(paint, lambda _: None, 1000, parent)
+    for lag in (0, LAG):
+        with qtbot.waitSignal(maker.ready):
+            maker.request(StereoFrame(3, 0.0, picture, picture, lag), kinds)
+        assert (maker.made(3, kinds) == lag).all()
+    maker.close()

@@ -1,0 +1,119 @@
+"""Recordings whose right eye is late, ahead, or late and dark for a time: tracked like others."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from tests.benchmarks.stereo.troubles import Trouble, troubled
+from tracking.pipeline import track
+from tracking.recording import open_recording
+from tracking.synthesis import render_recording
+from tracking.synthesis.circumstances import Circumstances
+from tracking.trackers import TRACKERS, Resume, parse_settings
+from tracking.tracks import Run, TrackTable
+
+FAST = parse_settings(TRACKERS["stereo-joint"], {"particles": "100"})
+LATE = Trouble("late and dark", lag=12, dark=True, start_s=2.5, end_s=2.9)
+AHEAD = Trouble("ahead", lag=-8)
+FRAMES, GOES_ON_AT = 80, 44
+NEAR_M = 0.15
+
+
+@dataclass(frozen=True)
+class Tracked:
+    run: Run
+    notes: tuple[str, ...]
+
+    def people(self, frame: int) -> NDArray[np.float64]:
+        """(n, 2) m, where people were detected in a frame."""
+        rows = self.run.detections["frame"] == frame
+        return np.column_stack([self.run.detections[name][rows] for name in ("x", "y")])
+
+    def followed(self, frames: range) -> int:
+        """Rows of tracks in some frames."""
+        return int(np.isin(self.run.tracks["frame"], frames).sum())
+
+
+def agreeing(one: Tracked, other: Tracked, frames: range) -> float:
+    """Share of the people detected in one that were detected at the same places in the other."""
+    near = [
+        np.hypot(*(one.people(n)[:, None] - other.people(n)[None]).T).min(axis=0, initial=9)
+        < NEAR_M
+        for n in frames
+    ]
+    return float(np.concatenate(near).mean())
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Six people, in view from the first frame on."""
+    made = tmp_path_factory.mktemp("recordings") / "square"
+    begun = Circumstances(begin_s=8.0)
+    return render_recording(made, "square", 4.0, 6, 6012, size=(320, 240), circumstances=begun)
+
+
+def tracked(folder: Path, resume: Resume | None = None) -> Tracked:
+    with (
+        open_recording(folder) as recording,
+        track(recording, settings=FAST, resume=resume) as tracking,
+    ):
+        first = resume.frame if resume is not None else 0
+        assert [step.frame for step in tracking] == list(range(first, FRAMES))
+        return Tracked(tracking.run(), tracking.notes)
+
+
+@pytest.fixture(scope="module")
+def sound(folder: Path) -> Tracked:
+    return tracked(folder)
+
+
+@pytest.fixture(scope="module")
+def ahead(folder: Path) -> Tracked:
+    return tracked(troubled(folder, AHEAD))
+
+
+@pytest.fixture(scope="module")
+def late(folder: Path) -> Tracked:
+    return tracked(troubled(folder, LATE))
+
+
+def test_an_eye_that_is_ahead_makes_no_difference(sound: Tracked, ahead: Tracked) -> None:
+    assert agreeing(sound, ahead, range(8, FRAMES)) > 0.7
+    assert sound.notes == ()
+    assert ahead.notes == (
+        "the left eye is 8 frames late: pictures of the same instant are paired",
+    )
+
+
+def test_an_eye_that_is_late_and_fails_for_a_time_is_of_use_otherwise(
+    sound: Tracked, late: Tracked
+) -> None:
+    assert agreeing(sound, late, range(38)) > 0.7
+    assert agreeing(sound, late, range(46, FRAMES - LATE.lag)) > 0.7
+    failed, lagged = late.notes
+    assert "shows nothing new in frames 38 to 45:" in failed
+    assert lagged == "the right eye is 12 frames late: pictures of the same instant are paired"
+
+
+@pytest.mark.parametrize("frames", [range(38, 46), range(FRAMES - LATE.lag, FRAMES)])
+def test_frames_without_a_right_picture_are_followed_by_the_left_one(
+    sound: Tracked, late: Tracked, frames: range
+) -> None:
+    assert late.followed(frames) > 0.8 * sound.followed(frames)
+
+
+def test_tracking_that_goes_on_in_the_middle_is_paired_from_its_first_frame_on(
+    folder: Path, sound: Tracked, ahead: Tracked
+) -> None:
+    with open_recording(folder) as recording:
+        before = TrackTable(ahead.run.tracks, highest_track=20)
+        resume = Resume.of(before, GOES_ON_AT, recording.fps)
+    again = tracked(troubled(folder, AHEAD), resume)
+    assert agreeing(sound, again, range(GOES_ON_AT, FRAMES)) > 0.7
+    known = ahead.run.tracks["track"][ahead.run.tracks["frame"] == GOES_ON_AT - 1]
+    assert np.isin(known, again.run.tracks["track"]).all()
