@@ -15,6 +15,8 @@ _BODY_RINGS = ((0.0, 0.35), (0.1, 0.8), (0.5, 1.0), (0.8, 1.0), (0.93, 0.5), (1.
 """A standing person as rings: height and radius as shares of body height and half width."""
 _RING_POINTS = 12
 _BORDER_POINTS = 24
+_AT_ONCE = 10_000
+"""People whose outlines are projected in one go: those of hours of footage outgrow memory."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,6 +87,9 @@ class View:
             NaN for people who are in part behind the camera; boxes may reach out of the image.
         """
         xy = np.asarray(xy, float).reshape(-1, 2)
+        if len(xy) > _AT_ONCE:
+            parts = np.array_split(xy, -(-len(xy) // _AT_ONCE))
+            return np.concatenate([self.box_of_person(part, height_m, width_m) for part in parts])
         body = _body(height_m, width_m)
         points = np.concatenate((xy, np.zeros((len(xy), 1))), axis=1)[:, None] + body
         pixels = self.pixel_from_world(points.reshape(-1, 3)).reshape(len(xy), len(body), 2)

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -33,6 +37,8 @@ _GAP_S = 0.25
 """From which on somebody counts as lost, and not as missed for a moment."""
 _HOPELESS = 12.0
 """What costs more, looks do not make up for."""
+_AT_ONCE = 100_000
+"""Pairs that are weighed in one go: memory is the same for minutes and for hours of footage."""
 _BACK_AT_ONCE = 1.0
 """Log-odds that who leaves and who enters at the same place and moment are two people."""
 
@@ -55,40 +61,67 @@ def links_between(
         tracks: of the run. frames: half-open range of the run.
         fixed: (t,) tracklets that begin as somebody known.
     """
-    end, start = _pairs(pieces, round(_LONGEST_S * fps))
-    free = ~fixed[start]
-    end, start = end[free], start[free]
-    gap_s = (pieces.first.frame[start] - pieces.last.frame[end]) / fps
-    together = walk_likelihood(pieces.last, pieces.first, end, start, gap_s)
-    edges = np.cumsum(pieces.doubt == Doubt.EDGE)
-    over_edge = edges[start] > edges[end]
-    same = (pieces.track[end] == pieces.track[start]) & (start > end)
-    back = same & over_edge & (start == end + 1)
-    same &= ~over_edge
-    other = (pieces.track[end] != pieces.track[start]) & (pieces.doubt[start] != Doubt.MET)
-    together += _TRACKER * same - _KEPT_APART * other
-    apart = fresh_likelihood(pieces.first) - birth_costs(seen, pieces, view, fps, frames[0])
-    gone = -death_costs(seen, pieces, view, fps, frames[1])
-    cost = apart[start] + gone[end] - together
-    hidden = np.zeros(len(end))
-    lost = np.flatnonzero((gap_s > _GAP_S) & (cost < _HOPELESS))
-    hidden[lost] = hidden_shares(tracks, *_ways(pieces, end[lost], start[lost]), view)
-    cost += np.where(gap_s > _GAP_S / 2, return_costs(pieces, view)[end], 0.0)
-    cost -= _found_again(gap_s, hidden, fps)
-    cost[back] = _BACK_AT_ONCE
-    return Links(end, start, cost).only(cost < _HOPELESS)
+    costs = _Costs(
+        pieces,
+        born=fresh_likelihood(pieces.first) - birth_costs(seen, pieces, view, fps, frames[0]),
+        gone=-death_costs(seen, pieces, view, fps, frames[1]),
+        back=return_costs(pieces, view),
+        edges=np.cumsum(pieces.doubt == Doubt.EDGE),
+    )
+    portions = []
+    for end, start in _pairs(pieces, round(_LONGEST_S * fps)):
+        free = ~fixed[start]
+        portions.append(costs.of(end[free], start[free], tracks, view, fps))
+    return Links.joined(portions)
 
 
-def _pairs(pieces: Tracklets, longest: int) -> tuple[Rows, Rows]:
-    """Tracklets (k,) that end and (k,) that begin later, within so many frames."""
+def _pairs(pieces: Tracklets, longest: int) -> Iterator[tuple[Rows, Rows]]:
+    """Tracklets (k,) that end and (k,) that begin later, within so many frames, in portions."""
     order = np.argsort(pieces.first.frame, kind="stable")
     begins = pieces.first.frame[order]
     low = np.searchsorted(begins, pieces.last.frame, side="right")
     high = np.searchsorted(begins, pieces.last.frame + longest, side="right")
-    count = high - low
-    end = np.repeat(np.arange(len(pieces)), count)
-    nth = np.arange(len(end)) - np.repeat(np.cumsum(count) - count, count)
-    return end, order[low[end] + nth]
+    upto = np.cumsum(high - low)
+    portions = np.unique(np.searchsorted(upto, np.arange(0, upto.max(initial=0), _AT_ONCE)))
+    for first, stop in pairwise([*portions.tolist(), len(pieces)]):
+        count = (high - low)[first:stop]
+        end = np.repeat(np.arange(first, stop), count)
+        nth = np.arange(len(end)) - np.repeat(np.cumsum(count) - count, count)
+        yield end, order[low[end] + nth]
+
+
+@dataclass(frozen=True, slots=True)
+class _Costs:
+    """What is known of each tracklet alone, to tell what pairs of them cost.
+
+    Attributes:
+        born: (t,) log-density of somebody new who begins there. gone: (t,) of one who ends there.
+        back: (t,) what it costs to come back at all. edges: (t,) number of ways over the edge.
+    """
+
+    pieces: Tracklets
+    born: Floats
+    gone: Floats
+    back: Floats
+    edges: NDArray[np.intp]
+
+    def of(self, end: Rows, start: Rows, tracks: Columns, view: View, fps: float) -> Links:
+        """The links of pairs that are not hopeless."""
+        pieces = self.pieces
+        gap_s = (pieces.first.frame[start] - pieces.last.frame[end]) / fps
+        together = walk_likelihood(pieces.last, pieces.first, end, start, gap_s)
+        same = (pieces.track[end] == pieces.track[start]) & (start > end)
+        over_edge = self.edges[start] > self.edges[end]
+        other = (pieces.track[end] != pieces.track[start]) & (pieces.doubt[start] != Doubt.MET)
+        together += _TRACKER * (same & ~over_edge) - _KEPT_APART * other
+        cost = self.born[start] + self.gone[end] - together
+        hidden = np.zeros(len(end))
+        lost = np.flatnonzero((gap_s > _GAP_S) & (cost < _HOPELESS))
+        hidden[lost] = hidden_shares(tracks, *_ways(pieces, end[lost], start[lost]), view)
+        cost += np.where(gap_s > _GAP_S / 2, self.back[end], 0.0)
+        cost -= _found_again(gap_s, hidden, fps)
+        cost[same & over_edge & (start == end + 1)] = _BACK_AT_ONCE
+        return Links(end, start, cost).only(cost < _HOPELESS)
 
 
 def _ways(

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
+from scipy.sparse.csgraph import min_weight_full_bipartite_matching
 
 from tracking.trackers.linking.links import Links
 from tracking.trackers.linking.looks import Looks
@@ -99,19 +98,20 @@ def _alike(following: Rows, links: Links, pieces: Tracklets, looks: Looks) -> Fl
 
 
 def _cheapest(links: Links, cost: Floats, count: int) -> Rows:
-    """(count,) who follows whom at least cost; links that cost more than two people are left."""
+    """(count,) who follows whom at least cost; links that cost more than two people are left.
+
+    The matching is found on the links alone: a matrix of all tracklets outgrows memory in hours
+    of footage. So that all of it is matched, each end may be followed by nobody, for nothing.
+    """
     following = np.full(count, -1)
     good = cost < 0.0
-    end, start, cost = links.end[good], links.start[good], cost[good]
-    graph = coo_array((np.ones(len(end)), (end, start + count)), shape=(2 * count, 2 * count))
-    group = connected_components(graph, directed=False)[1][end]
-    order = np.argsort(group, kind="stable")
-    for rows in np.split(order, np.flatnonzero(np.diff(group[order])) + 1):
-        ends, i = np.unique(end[rows], return_inverse=True)
-        starts, j = np.unique(start[rows], return_inverse=True)
-        matrix = np.zeros((len(ends), len(starts)))
-        matrix[i, j] = cost[rows]
-        i, j = linear_sum_assignment(matrix)
-        real = matrix[i, j] < 0.0
-        following[ends[i[real]]] = starts[j[real]]
+    end, start = links.end[good], links.start[good]
+    everybody = np.arange(count)
+    each = (np.append(end, everybody), np.append(start, count + everybody))
+    # Adding the same to all changes nothing; a weight of 0 would be no link.
+    weight = np.append(cost[good], np.zeros(count)) - cost.min(initial=0.0) + 1.0
+    graph = coo_array((weight, each), shape=(count, 2 * count)).tocsr()
+    ends, starts = min_weight_full_bipartite_matching(graph)
+    real = starts < count
+    following[ends[real]] = starts[real]
     return following

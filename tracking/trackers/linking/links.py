@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +25,13 @@ class Links:
     end: Rows
     start: Rows
     cost: Floats
+
+    @classmethod
+    def joined(cls, portions: Sequence[Links]) -> Links:
+        """All of some, one behind the other."""
+        none = cls(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zeros(0))
+        names = (field.name for field in fields(cls))
+        return cls(*(np.concatenate([getattr(p, n) for p in (none, *portions)]) for n in names))
 
     def only(self, rows: NDArray[np.bool_]) -> Links:
         """Some of them."""
