@@ -26,10 +26,10 @@ _NEAR = 0.3
 """Of the recent movement, the lags at which eyes that agree are less alike."""
 _ALIKE, _BETTER = 0.4, 0.04
 """Correlation of the two eyes' movement at their lag, and how much less it is at any other."""
-_UNLIKE = 0.2
-"""Correlation below which eyes do not show the same movement; sound ones are above twice that."""
-_LEAST_MOVEMENT = 40.0
-"""Places, a frame, that must move on average for a lag to be told."""
+_BY_CHANCE, _UNLIKE = 0.2, 0.35
+"""Correlations that eyes without anything in common reach, and below which they are told unlike."""
+_LEAST_MOVEMENT = 120.0
+"""Places, a frame, that must move on average for a lag to be told: fewer may be an encoder's."""
 
 Stretch = tuple[Floats, Floats]
 """What moves in rows of the left and the right eye, each (frames, rows), frame by frame."""
@@ -99,7 +99,7 @@ class EyeMovement:
             return True
         near = round(_NEAR * self.recent)
         alike = [_alike([recent], lag) for lag in range(-near, near + 1)]
-        return alike[near] >= max(*alike, _UNLIKE)
+        return alike[near] >= max(*alike, _BY_CHANCE)
 
     def is_unlike(self) -> bool:
         """Whether eyes moved recently, but not at all alike."""
