@@ -19,6 +19,7 @@ from tracking.trackers.linking import linked
 from tracking.trackers.protocol import Perception, Tracker
 from tracking.trackers.smoothing import smoothed
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
+from tracking.trackers.spheroid import finished as spheroid_finished
 from tracking.trackers.three_part import (
     ThreePartSettings,
     WholeBodySettings,
@@ -100,6 +101,7 @@ _BUILT = (
         needs_calibration=True,
         settings_type=SpheroidSettings,
         build=build_spheroid,
+        finish=spheroid_finished,
     ),
     TrackerSpec(
         name="three-part",

@@ -58,8 +58,9 @@ def test_somebody_who_walks_is_followed_on_the_floor(
     results = followed(seen_by, frames_of(seen_by, [Body(path)]))
     assert {tuple(result.tracks["track"]) for result in results[8:]} == {(1,)}
     errors = [np.hypot(*(places(results[k])[0] - path[k])) for k in range(12, 40)]
-    # Half a pixel of the smoothed edge is 2 cm here straight below and 10 cm at the level camera.
-    assert np.mean(errors) < {90.0: 0.05, 40.0: 0.1, 12.0: 0.2}[tilt]
+    # Half a pixel of the smoothed edge is 2 cm here straight below and 10 cm at the level camera;
+    # feet, which these bodies have not, are looked for by the sloping one.
+    assert np.mean(errors) < {90.0: 0.05, 40.0: 0.12, 12.0: 0.2}[tilt]
 
 
 def test_a_spheroid_of_the_papers_size_stands_still_within_a_few_centimetres() -> None:

@@ -7,6 +7,7 @@ from tracking.trackers.spheroid.drawing import (
     ramp_picture,
     region_of_evaluation,
 )
+from tracking.trackers.spheroid.finishing import finished
 from tracking.trackers.spheroid.perception import SpheroidPerception
 from tracking.trackers.spheroid.settings import SpheroidSettings
 
@@ -15,6 +16,7 @@ __all__ = [
     "SpheroidPerception",
     "SpheroidSettings",
     "build_spheroid",
+    "finished",
     "outlines",
     "ramp_picture",
     "region_of_evaluation",

@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.trackers.spheroid.feet import feet_said
 from tracking.trackers.spheroid.floor_cells import FloorCells
 from tracking.trackers.spheroid.judging import bounds, enlarged, silhouette
 from tracking.trackers.spheroid.sums import Window, sums_inside, window
@@ -24,6 +25,8 @@ _COVERAGE = 0.42
 """Share of what counts of a silhouette that must be foreground."""
 _GAIN = 0.06
 """What speaks for somebody, less what speaks against, over what counts of the silhouette."""
+_FEET = 0.3
+"""What is added to it, to tell who is where, if legs end where legs are seen to end."""
 _LEAST_COUNTED = 0.4
 """Of a silhouette: less of it is weighed as if it were so much."""
 _LIKELY = 0.2
@@ -63,7 +66,13 @@ class Candidates:
         return cls(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0, np.intp), 0.0)
 
 
-def unexplained(ramp: Picture, counted: Flags, cells: FloorCells, taken_xy: Floats) -> Floats:
+def unexplained(
+    ramp: Picture,
+    counted: Flags,
+    cells: FloorCells,
+    taken_xy: Floats,
+    footless: Flags | None = None,
+) -> Floats:
     """(n, 2) m where people may stand who are not followed, the clearest first.
 
     The place that explains most is taken, its silhouette masked out, and the next one looked for,
@@ -73,6 +82,8 @@ def unexplained(ramp: Picture, counted: Flags, cells: FloorCells, taken_xy: Floa
         ramp: (height, width) uint8, B times 255.
         counted: (height, width) pixels that prove anything: behind nothing and nobody followed.
         cells: where people may stand. taken_xy: (people, 2) m of those followed.
+        footless: (height, width) pixels where no feet of those followed may be; None: feet say
+            nothing of how far away newcomers are.
     """
     counted = counted.copy()
     rows = _likely(ramp, counted, cells, taken_xy)
@@ -80,9 +91,12 @@ def unexplained(ramp: Picture, counted: Flags, cells: FloorCells, taken_xy: Floa
     while len(rows) and len(found) < _MOST_NEW:
         sums = window(ramp, counted, 0, 0, _STEP)
         gain, coverage = _judged(sums, cells, rows)
-        best = int(gain.argmax())
-        if gain[best] < _GAIN:
+        if gain.max() < _GAIN:
             break
+        told = gain
+        if footless is not None:
+            told = gain + _feet_gains(ramp, counted & footless, cells, rows)
+        best = int(np.where(gain < _GAIN, -np.inf, told).argmax())
         if coverage[best] < _COVERAGE:
             rows = np.delete(rows, best)
             continue
@@ -116,6 +130,15 @@ def _judged(sums: Window, cells: FloorCells, rows: NDArray[np.intp]) -> tuple[Fl
     enough = area >= _LEAST_SEEN * np.minimum(cells.area[rows], cells.inside[rows])
     gain = np.where(enough, (seen - _BALANCE * area) / counted, -1.0)
     return gain, seen / np.maximum(area, 1.0)
+
+
+def _feet_gains(ramp: Picture, counted: Flags, cells: FloorCells, rows: NDArray[np.intp]) -> Floats:
+    """(n,) what feet add to the gain of the cells at these rows: the right ones of a column."""
+    gain = np.zeros(len(rows))
+    flat = np.flatnonzero(~cells.steep[rows])
+    feet = cells.feet.at(rows[flat])
+    gain[flat] = _FEET * feet_said([window(ramp, counted, 0, 0, _STEP)], feet)[0]
+    return gain
 
 
 def _mask_out(counted: Flags, cells: FloorCells, row: int) -> None:

@@ -6,6 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView, standing_ellipses
+from tracking.trackers.spheroid.feet import Feet, feet_of
+from tracking.trackers.spheroid.viewing import Flags, steep_places
 
 Floats = NDArray[np.float64]
 
@@ -31,6 +33,7 @@ class FloorCells:
     Attributes:
         xy: (cells, 2) m. outlines: (cells) in flat px. area: (cells,) px² of them.
         inside: (cells,) px² of that, about, in the picture.
+        feet: (cells) of the people there. steep: (cells,) who is there is seen steeply.
     """
 
     def __init__(self, flat: FlatView, height_m: float, radius_m: float) -> None:
@@ -41,6 +44,8 @@ class FloorCells:
         self.outlines: Ellipses = outlines[kept]
         self.area: Floats = self.outlines.areas()
         self.inside: Floats = self.area * share
+        self.feet: Feet = feet_of(flat, self.xy)
+        self.steep: Flags = steep_places(self.xy, flat)
 
     def __len__(self) -> int:
         """The number of places."""

@@ -13,6 +13,7 @@ from tracking.trackers.resuming import Resume
 from tracking.trackers.spheroid import births
 from tracking.trackers.spheroid.appearance import ColourLook, colours_learnt, likeness
 from tracking.trackers.spheroid.boxes import drawn
+from tracking.trackers.spheroid.feet import foot_zones
 from tracking.trackers.spheroid.floor_cells import FloorCells
 from tracking.trackers.spheroid.followed import Followed, begun, nobody, together
 from tracking.trackers.spheroid.ghosts import are_ghosts
@@ -65,6 +66,7 @@ class SpheroidTracker:
           hardly tell near hypotheses apart;
         - other people are masked out where they are expected now, not where they were;
         - body heights are estimated: a fixed one errs by a share of the distance;
+        - feet say how far away people are who are seen from the side (see `feet`);
         - spheroids of people who walk are ahead of where they stand, as bodies lean;
         - colours of the body, looked up at a few places, weigh hypotheses too, so that people who
           meet keep their identities; little of those who are seen steeply;
@@ -189,7 +191,10 @@ class SpheroidTracker:
         modest = people.replace(height=np.minimum(people.height, self._usual_m + births.TALLER_M))
         explained = silhouettes(modest, self._flat, settings, births.EXPLAINED)
         free = self._counted & (covered(seen.ramp.shape, explained) == 0)
-        places = births.unexplained(seen.ramp, free, self._cells, axes_of(people, settings))
+        axes = axes_of(people, settings)
+        zones = covered(seen.ramp.shape, foot_zones(self._flat, axes))
+        footless = None if settings.paper else zones == 0
+        places = births.unexplained(seen.ramp, free, self._cells, axes, footless)
         self._candidates = births.waited_for(self._candidates, places, seen.time_s)
         ready = self._candidates.looks >= settings.birth_looks
         states = np.concatenate((self._candidates.xy, self._candidates.velocity), axis=1)

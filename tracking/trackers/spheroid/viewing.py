@@ -16,8 +16,13 @@ _BEFORE_M = 0.4
 
 def seen_steeply(people: Followed, flat: FlatView, slope: float = 1.0) -> Flags:
     """(people,) whom the camera looks down on by more than 45 degrees, or than another slope."""
+    return steep_places(people.xy, flat, slope)
+
+
+def steep_places(xy: NDArray[np.float64], flat: FlatView, slope: float = 1.0) -> Flags:
+    """(n,) whether the camera looks down so on places xy (n, 2) m of the floor."""
     eye = np.asarray(flat.eye)
-    return np.asarray(slope * np.hypot(*(people.xy - eye[:2]).T) < eye[2])
+    return np.asarray(slope * np.hypot(*(xy - eye[:2]).T) < eye[2])
 
 
 def headless(people: Followed, flat: FlatView) -> Flags:

@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView, standing_ellipses
+from tracking.trackers.spheroid.feet import feet_of, feet_said, feet_windows
 from tracking.trackers.spheroid.followed import Floats, Followed
-from tracking.trackers.spheroid.judging import LINES, Evidence, judged, windows_of
+from tracking.trackers.spheroid.judging import LINES, Evidence, joined, judged, windows_of
 from tracking.trackers.spheroid.moving import weighed
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.sums import Window, sums_inside
@@ -30,6 +31,8 @@ _LEAN_S = 0.05
 """Who walks leans ahead: seconds of walking by which the body's axis is before where he stands."""
 _SHARPNESS = 40.0
 """Logarithm of the weight of a hypothesis that explains everything, over one of nothing."""
+_FEET = 4.0
+"""The same of one whose legs end where legs are seen to end, over one without legs."""
 
 
 def silhouettes(
@@ -81,6 +84,8 @@ def judged_and_weighed(
         windows = windows_of(evidence, seen, own, LINES)
         balance = _balances(people, own, flat, short, steep)
         log_weight = _gains(windows, seen, own, balance)
+        rows = np.flatnonzero(~steep)
+        log_weight[rows] += _feet_gains(people, evidence, own, axes, rows, flat, settings)
         log_weight -= 0.5 * ((tall - settings.usual_height_m) / _HEIGHT_SD_M) ** 2
     if alike is not None:
         log_weight += alike
@@ -103,7 +108,7 @@ def _scored(
     scale = settings.region_scale
     axes, tall = hypotheses_of(people, settings)
     region = standing_ellipses(flat.projection, axes, tall, settings.radius_m, scale)
-    windows = windows_of(evidence, _joined(seen, region), own, 0)
+    windows = windows_of(evidence, joined(seen, region), own, 0)
     with np.errstate(divide="ignore"):
         return np.log(judged(windows, seen, region).scores()), windows
 
@@ -119,6 +124,23 @@ def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, balance: Floats
     inside = sums_inside(windows, seen)
     area = np.maximum(np.nan_to_num(own.areas(), nan=1.0), 1.0)
     return _SHARPNESS * (inside.ramp - balance[:, None] * inside.area) / area[:, None]
+
+
+def _feet_gains(
+    people: Followed,
+    evidence: Evidence,
+    own: Ellipses,
+    axes: Floats,
+    rows: NDArray[np.intp],
+    flat: FlatView,
+    settings: SpheroidSettings,
+) -> Floats:
+    """(rows, N) logarithms of weights by what feet say; steeply seen, bodies hide them."""
+    if len(rows) == 0:
+        return np.zeros((0, axes.shape[1]))
+    feet = feet_of(flat, axes[rows])
+    windows = feet_windows(evidence, flat, own, axes_of(people, settings), feet, rows)
+    return _FEET * feet_said(windows, feet)
 
 
 def _balances(
@@ -149,9 +171,3 @@ def taken(people: Followed, settings: SpheroidSettings) -> Flags:
             offset = people.state[one, :, :2] - people.xy[other]
             close[one] |= np.hypot(offset[:, 0], offset[:, 1]) < reach
     return close
-
-
-def _joined(one: Ellipses, other: Ellipses) -> Ellipses:
-    """Both of each person's, (people, n + k)."""
-    pairs = ((getattr(one, name), getattr(other, name)) for name in one.__slots__)
-    return Ellipses(*(np.concatenate(pair, axis=1) for pair in pairs))
