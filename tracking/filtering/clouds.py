@@ -29,10 +29,12 @@ def cloud_shapes(
     Returns:
         (people,) m, and (people,) 0 to 1.
     """
-    middle = np.einsum("pnk,pn->pk", particles, weights)
+    middle = (weights[:, None] @ particles)[:, 0]
     x = particles[..., 0] - middle[:, :1]
     y = particles[..., 1] - middle[:, 1:]
-    xx, yy, xy = (np.einsum("pn,pn,pn->p", a, b, weights) for a, b in ((x, x), (y, y), (x, y)))
+    weighted_x, weighted_y = x * weights, y * weights
+    pairs = ((x, weighted_x), (y, weighted_y), (x, weighted_y))
+    xx, yy, xy = (np.einsum("pn,pn->p", one, other) for one, other in pairs)
     half, skew = (xx - yy) / 2, np.hypot((xx - yy) / 2, xy)
     variance = np.maximum((xx + yy) / 2 + skew, 0.0)
     angle = np.arctan2(xy, half) / 2

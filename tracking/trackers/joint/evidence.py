@@ -46,11 +46,11 @@ class Evidence:
 
 def spread_of(people: Population) -> Floats:
     """(people, 3) covariance xx, yy, xy of each person's particles, all alike in weight, m²."""
-    offset = people.particles - people.particles.mean(axis=1, keepdims=True)
-    x, y = offset[..., 0], offset[..., 1]
-    count = people.particles.shape[1]
+    x, y = np.ascontiguousarray(np.moveaxis(people.particles, 2, 0))
+    x -= x.mean(axis=1, keepdims=True)
+    y -= y.mean(axis=1, keepdims=True)
     sums = [np.einsum("pn,pn->p", a, b) for a, b in ((x, x), (y, y), (x, y))]
-    return np.asarray(np.stack(sums, axis=1).astype(np.float64) / count)
+    return np.asarray(np.column_stack(sums).astype(np.float64) / x.shape[1])
 
 
 def place_density(offset: Floats, spread: Floats, sigma: Floats) -> Floats:
