@@ -25,9 +25,11 @@ _READABLE_EXPOSURE = (0.5, 1.8)
 """Ratios beyond which dimmed or overexposed detail makes the comparison worthless."""
 _PATIENCE_S = 2.0
 """How long a change of the whole scene or of exposure lasts before a learnt background yields."""
-_LIT_AFTER_S = 0.6
-"""How long a patch of other light keeps still before it joins the background: shadows of people
-who walk do not."""
+_LIT_AFTER_S = (0.8, 1.6)
+"""How long a patch of more light, or of less, keeps still before it joins the background. Shadows
+of people who walk by keep still for less, and less light is told from people anyway."""
+_PATCHES_EVERY = 2
+"""Updates of the background between two looks for such patches."""
 _NOISE_AT_FIRST = 2.0
 _MUCH_CHANGED = 0.2
 """Where more of the picture differs than this, light is suspected before people are."""
@@ -206,21 +208,22 @@ class BackgroundModel:
         still = cv2.bitwise_and(seen.mask, cv2.bitwise_not(moved))
         longer_s = self._stillness_s + np.float32(self._period_s)
         self._stillness_s = np.asarray(cv2.copyTo(longer_s, still), np.float32)
-        self._take_patches(seen)
+        if self._frames % (_PATCHES_EVERY * self._every) == 1:
+            self._take_patches(seen)
         settled = self._stillness_s > np.float32(self._absorb_after_s())
-        if people is not None:
-            lasting = self._stillness_s > np.float32(self._settings.absorb_person_s)
-            settled &= (people == 0) | lasting
         box = _around(settled)
-        if box is not None:
-            settled = settled[box]
-            self._mean[box][settled] = seen.picture[box][settled]
-            self._noise[box][settled] = _NOISE_AT_FIRST
+        if box is None:
+            return
+        settled = settled[box]
+        if people is not None:
+            lasting = self._stillness_s[box] > np.float32(self._settings.absorb_person_s)
+            settled &= (people[box] == 0) | lasting
+        self._mean[box][settled] = seen.picture[box][settled]
+        self._noise[box][settled] = _NOISE_AT_FIRST
 
     def _take_patches(self, seen: Subtraction) -> None:
         """Give the background the light of patches that keep still, whoever seems to be there."""
-        steady = (self._stillness_s > np.float32(_LIT_AFTER_S)).view(np.uint8) * np.uint8(255)
-        found = patches_of_light(seen.picture, self._background, steady)
+        found = patches_of_light(seen.picture, self._background, self._stillness_s, _LIT_AFTER_S)
         if found is not None:
             box, ratio = found
             self._mean[box] *= ratio

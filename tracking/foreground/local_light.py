@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+
+from tracking.foreground.light_blocks import Blocks, filled, grid, white
+from tracking.foreground.light_ratio import NEAR, ratio_of_light
 
 Picture = NDArray[np.uint8]
 Mask = NDArray[np.uint8]
@@ -14,32 +15,12 @@ Flags = NDArray[np.bool_]
 Floats = NDArray[np.float32]
 Box = tuple[slice, slice]
 
-_BLOCK_PX = 16
-"""Side of the squares compared: smaller than a person, with detail enough to be told again."""
-_MOSTLY = 0.5
-"""A block is looked at if this share of it differs from the background."""
-_ALIKE = 0.6
-"""Correlation of a block's detail with the background's from which on it is the same thing."""
-_DETAIL = 1.5
-"""Deviation of brightness, grey levels, below which a block has no detail to compare."""
-_NOISE, _REST = 4.0, 0.5
-"""What another light does not explain of a block: deviation in grey levels, or as a share of the
-background's own; more is another thing with edges at the same places."""
-_COLOURED = 1.3
-"""The light that changes is at most so much stronger in one channel than in another."""
+_COARSE = 4
+"""Patches are looked for in every so-manieth pixel."""
 _SHARE = 0.3
 """Of the blocks that differ and have detail, so many must be the same thing in other light."""
-_PATCH_SHARE, _PATCH_BLOCKS = 0.5, 4
-"""The same of a patch, and how many these are at least: nobody's clothes look so like the floor."""
-_NEAR = (7, 7)
-"""Blocks that cannot be told have the light of those so near."""
-_RATIOS = (0.2, 5.0)
-"""Changes of light that are believed."""
-_HOLES = np.ones((9, 9), np.uint8)
-"""Holes so wide in what differs are as lit as what is round them: they only differ less."""
-_EVEN_PX = (31, 31)
-"""Light is even over so many pixels, and goes on as far into blocks that it fills by less."""
-_BESIDE = np.ones((3, 3), np.uint8)
+_PATCH_BLOCKS = 4
+"""Patches of fewer blocks are left alone."""
 
 
 def change_of_light(picture: Picture, background: Picture, mask: Mask) -> Floats | None:
@@ -55,86 +36,64 @@ def change_of_light(picture: Picture, background: Picture, mask: Mask) -> Floats
     Returns:
         (height, width, 3) float32, channel by channel: lamps and the sun have colours.
     """
-    blocks = _Blocks.of(picture, background, mask)
+    blocks = Blocks.of(picture, background, mask)
     told = blocks.differs & blocks.detail
     lit = told & blocks.alike
     if not lit.any() or lit.sum() < _SHARE * told.sum():
         return None
     hidden = blocks.differs & ~lit & _mostly_lit(lit, blocks.differs)
-    return _ratio(picture, background, mask, lit, hidden)
+    return ratio_of_light(picture, background, mask, lit, hidden)
 
 
 def patches_of_light(
-    picture: Picture, background: Picture, steady: Mask
+    picture: Picture, background: Picture, still_s: Floats, least_s: tuple[float, float]
 ) -> tuple[Box, Floats] | None:
     """The change of light on patches that keep still, however small; None: there are none.
 
-    A patch is what hangs together, with people who stand in it; the larger part of it must show
-    the background's own detail. Nothing is said of blocks that show another.
+    A patch shows the background's own detail all over; nothing is said of blocks that show another,
+    as where people stand in it.
 
     Args:
         picture, background: (height, width, 3).
-        steady: (height, width), 255 where the picture differs from the background and kept still.
+        still_s: (height, width) for how long the picture has differed from the background and
+            kept still, seconds.
+        least_s: shorter does not count where it became brighter, and where darker.
 
     Returns:
         box: rows and columns round the patches.
         ratio: (rows, columns, 3) float32, 1 where the light is as it was.
     """
-    box = _box_of_patches(_filled(steady), steady.shape)
+    few = np.s_[::_COARSE, ::_COARSE]
+    box = _box_of_patches(
+        _steady(picture[few], background[few], still_s[few], least_s), still_s.shape
+    )
     if box is None:
         return None
-    inside = picture[box], background[box], steady[box]
-    blocks = _Blocks.of(*inside)
-    lit = _of_patches(blocks)
+    inside = picture[box], background[box], still_s[box]
+    steady = white(_steady(*inside, least_s))
+    blocks = Blocks.of(picture[box], background[box], steady)
+    lit = _together(blocks.differs & blocks.detail & blocks.alike)
     if not lit.any():
         return None
-    flat = blocks.differs & ~blocks.detail & ~blocks.busy
-    return box, _ratio(*inside, lit, flat & _mostly_lit(lit, blocks.differs))
+    flat = blocks.differs & ~blocks.busy & _mostly_lit(lit, blocks.differs)
+    return box, ratio_of_light(picture[box], background[box], steady, lit, flat)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Blocks:
-    """What is known of each block; all (rows, columns).
+def _steady(
+    picture: Picture, background: Picture, still_s: Floats, least_s: tuple[float, float]
+) -> Flags:
+    """(height, width) where the picture kept still long enough."""
+    brighter, darker = (still_s > np.float32(least) for least in least_s)
+    return np.asarray(darker | (brighter & (picture[..., 1] > background[..., 1])), np.bool_)
 
-    Attributes:
-        differs: most of it does. detail: picture and background both have some to compare.
-        busy: one of them has. alike: both show the same.
+
+def _box_of_patches(steady: Flags, shape: tuple[int, ...]) -> Box | None:
+    """The pixels of the patches that are large enough, with a block more on each side.
+
+    Args:
+        steady: (rows, columns) of every few pixels. shape: of the picture.
     """
-
-    differs: Flags
-    detail: Flags
-    busy: Flags
-    alike: Flags
-
-    @classmethod
-    def of(cls, picture: Picture, background: Picture, mask: Mask) -> _Blocks:
-        size = _grid(mask.shape)
-        now, usual = (np.asarray(eye[..., 1], np.float32) for eye in (picture, background))
-        light, before = _means(now, size), _means(usual, size)
-        variance, variance_before = (
-            np.maximum(_means(eye * eye, size) - mean * mean, 0)
-            for eye, mean in ((now, light), (usual, before))
-        )
-        common = _means(now * usual, size) - light * before
-        here, there = variance > _DETAIL**2, variance_before > _DETAIL**2
-        brighter = np.clip((light + 1) / (before + 1), *_RATIOS)
-        expected = brighter * brighter * variance_before
-        rest = variance - 2 * brighter * common + expected
-        alike = (common > _ALIKE * np.sqrt(variance * variance_before)) & (
-            rest < np.maximum(_NOISE**2, _REST**2 * expected)
-        )
-        alike &= _of_one_colour(_means(picture, size) + 1, _means(background, size) + 1)
-        return cls(_filled(mask), here & there, here | there, np.asarray(alike, np.bool_))
-
-
-def _of_one_colour(now: Floats, usual: Floats) -> Flags:
-    """(rows, columns) whether light alone makes the difference between two colours."""
-    ratio = now / usual
-    return np.asarray(ratio.max(axis=2) < _COLOURED * ratio.min(axis=2), np.bool_)
-
-
-def _box_of_patches(solid: Flags, shape: tuple[int, ...]) -> Box | None:
-    """The pixels of the patches that are large enough, with a block more on each side."""
+    solid = filled(white(steady), grid(shape))
     _, _, stats, _ = cv2.connectedComponentsWithStats(solid.view(np.uint8), connectivity=4)
     large = stats[1:][stats[1:, cv2.CC_STAT_AREA] >= _PATCH_BLOCKS]
     if not len(large):
@@ -150,73 +109,14 @@ def _pixels_of(first: int, end: int, pixels: int, blocks: int) -> slice:
     return slice(max(first, 0) * pixels // blocks, min(end, blocks) * pixels // blocks)
 
 
-def _of_patches(blocks: _Blocks) -> Flags:
-    """The lit blocks of patches of which most are lit."""
-    count, patch = cv2.connectedComponents(blocks.differs.view(np.uint8), connectivity=4)
-    told = blocks.differs & blocks.detail
-    lit = told & blocks.alike
-    of_told, of_lit = (np.bincount(patch[which], minlength=count) for which in (told, lit))
-    real = (of_lit >= _PATCH_BLOCKS) & (of_lit >= _PATCH_SHARE * of_told)
-    return np.asarray(lit & real[patch], np.bool_)
+def _together(lit: Flags) -> Flags:
+    """The blocks of which enough hang together: clothes never look so like the floor."""
+    _, patch, stats, _ = cv2.connectedComponentsWithStats(lit.view(np.uint8), connectivity=4)
+    large = stats[:, cv2.CC_STAT_AREA] >= _PATCH_BLOCKS
+    return np.asarray(lit & large[patch], np.bool_)
 
 
 def _mostly_lit(lit: Flags, differs: Flags) -> Flags:
     """The blocks near which more are lit than are as they were."""
     more = lit.astype(np.float32) - ~differs
-    return np.asarray(cv2.boxFilter(more, -1, _NEAR, normalize=False) > 0.5, np.bool_)
-
-
-def _ratio(picture: Picture, background: Picture, mask: Mask, lit: Flags, guessed: Flags) -> Floats:
-    """(height, width, 3) the change of light: measured on lit blocks, taken over on guessed ones.
-
-    What differs beside a lit block, too little to fill its own, has the lit block's light.
-    """
-    size = mask.shape[1], mask.shape[0]
-    changed = np.asarray(cv2.morphologyEx(mask, cv2.MORPH_CLOSE, _HOLES), np.uint8)
-    measured = changed & _enlarged(lit.view(np.uint8) * np.uint8(255), size)
-    guess = _enlarged((guessed & ~lit).view(np.uint8) * np.uint8(255), size)
-    taken = (changed & _enlarged(_around(lit, _BESIDE), size)) | guess
-    lights = [cv2.copyTo(eye, measured).astype(np.float32) for eye in (picture, background)]
-    now, usual = (cv2.boxFilter(light, -1, _EVEN_PX, normalize=False) for light in lights)
-    far_now, far_usual = (
-        cv2.boxFilter(_means(light, lit.shape[::-1]), -1, _NEAR, normalize=False)
-        for light in lights
-    )
-    far = np.asarray(
-        cv2.resize(_quotient(far_now, far_usual), size, interpolation=cv2.INTER_LINEAR)
-    )
-    ratio = np.where(usual > _EVEN_PX[0], _quotient(now, usual), far)
-    ratio[taken == 0] = 1.0
-    return np.asarray(ratio, np.float32)
-
-
-def _quotient(now: cv2.typing.MatLike, usual: cv2.typing.MatLike) -> Floats:
-    """How much brighter, 1 where there is nothing to compare."""
-    share = np.clip(now / np.maximum(usual, 1e-3), *_RATIOS)
-    return np.where(usual > 0.5, share, np.float32(1)).astype(np.float32)
-
-
-def _around(blocks: Flags, shape: Mask) -> Mask:
-    """255 in blocks and round them."""
-    return np.asarray(cv2.dilate(blocks.view(np.uint8) * np.uint8(255), shape), np.uint8)
-
-
-def _enlarged(blocks: Mask, size: tuple[int, int]) -> Mask:
-    """Blocks in pixels."""
-    return np.asarray(cv2.resize(blocks, size, interpolation=cv2.INTER_NEAREST), np.uint8)
-
-
-def _grid(shape: tuple[int, ...]) -> tuple[int, int]:
-    """How many blocks lie across and down a picture."""
-    return -(-shape[1] // _BLOCK_PX), -(-shape[0] // _BLOCK_PX)
-
-
-def _filled(mask: Mask) -> Flags:
-    """(rows, columns) the blocks of which most is in the mask."""
-    share = cv2.resize(mask, _grid(mask.shape), interpolation=cv2.INTER_AREA)
-    return np.asarray(share > _MOSTLY * 255, np.bool_)
-
-
-def _means(values: Floats | Picture, size: tuple[int, int]) -> Floats:
-    """The mean of each block, channel by channel."""
-    return np.asarray(cv2.resize(values, size, interpolation=cv2.INTER_AREA), np.float32)
+    return np.asarray(cv2.boxFilter(more, -1, NEAR, normalize=False) > 0.5, np.bool_)
