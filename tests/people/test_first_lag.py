@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from tracking.geometry import Camera, Ground, Rectification, StereoCalibration
 from tracking.people import lag_looks
+from tracking.people.eye_movement import thinned
+from tracking.people.first_lag import thinned_eyes, thinned_maps
 from tracking.recording import StereoFrame
 
 COUNT, ROWS = 300, 120
@@ -49,19 +53,33 @@ def test_a_lag_is_found_in_the_first_stretch(late: int) -> None:
     assert found(Footage(late), 60) == (late, list(range(60, 92)))
 
 
-def test_where_nothing_moves_another_stretch_is_looked_at() -> None:
+def test_where_nothing_moves_another_stretch_is_looked_at_soon() -> None:
     lag, read = found(Footage(4, still_until=100))
     assert lag == 4
-    assert read[:32] == list(range(32))
-    assert read[-32:] == list(range(107, 139))
+    assert read[:9] == list(range(9))
+    assert read[-32:] == list(range(114, 146))
 
 
 def test_footage_in_which_nothing_moves_tells_nothing() -> None:
     lag, read = found(Footage(4, still_until=COUNT + 20))
     assert lag is None
-    assert len(read) == 5 * 32
+    assert len(read) == 7 * 9
 
 
 def test_a_stretch_at_the_end_begins_earlier() -> None:
     lag, read = found(Footage(-6), COUNT - 2)
     assert (lag, read[-1]) == (-6, COUNT - 1)
+
+
+def test_pixels_are_compared_where_they_are_after_rectification() -> None:
+    size, matrix = (320, 240), np.array([[300.0, 0, 160], [0, 300, 120], [0, 0, 1]])
+    camera = Camera(matrix, np.array([-0.1, 0, 0, 0, 0]), *size)
+    tilt = np.asarray(cv2.Rodrigues(np.array([0.03, 0, 0.02]))[0], float)
+    calibration = StereoCalibration(camera, camera, tilt, np.array([-0.1, 0, 0]))
+    rectification = Rectification(calibration, Ground(2.0, 20.0))
+    smooth = cv2.GaussianBlur(np.random.default_rng(1).uniform(0, 255, (240, 320, 3)), (0, 0), 3)
+    left, right = smooth.astype(np.uint8), smooth[::-1].astype(np.uint8)
+    eyes = thinned_eyes(StereoFrame(0, 0.0, left, right), thinned_maps(rectification))
+    for eye, whole in zip(eyes, rectification.rectify(left, right), strict=True):
+        assert eye.shape == thinned(whole).shape
+        assert np.abs(eye.astype(int) - thinned(whole)).max() <= 5

@@ -92,6 +92,10 @@ class EyeMovement:
         """All movement that is kept; None before there is enough to tell any lag."""
         return self._last(self.span) if len(self) == self.span else None
 
+    def is_still(self) -> bool:
+        """Whether hardly anything moves in the frames so far."""
+        return not _moves([self._last(self.span)])
+
     def agrees(self) -> bool:
         """Whether nothing in the recent movement speaks against that no eye is late."""
         recent = self._last(self.recent)
@@ -112,10 +116,14 @@ class EyeMovement:
 
 
 def thinned(eye: Picture) -> Picture:
-    """Of a rectified eye (height, width, 3) or (height, width) what is compared, one channel."""
-    step = max(1, eye.shape[1] // _WIDE_PX)
-    green = eye[..., 1] if eye.ndim == 3 else eye
-    return np.ascontiguousarray(green[::step, ::step])
+    """Of a rectified eye (height, width, 3) what is compared: one channel of some pixels."""
+    step = thinning_px(eye.shape[1])
+    return np.ascontiguousarray(eye[::step, ::step, 1])
+
+
+def thinning_px(width: int) -> int:
+    """How far the pixels that are compared are from each other."""
+    return max(1, width // _WIDE_PX)
 
 
 def late_by(stretches: Sequence[Stretch], most_lag: int) -> int | None:

@@ -6,12 +6,28 @@ from collections.abc import Generator
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
-from tracking.people.eye_movement import EyeMovement, Picture, Stretch, late_by, thinned
+from tracking.geometry import Rectification
+from tracking.people.eye_movement import (
+    EyeMovement,
+    Picture,
+    Stretch,
+    late_by,
+    thinned,
+    thinning_px,
+)
 from tracking.recording import Recording, StereoFrame
 
-_ELSEWHERE = 4
+Map = NDArray[np.float32]
+"""(2, rows, columns): across and down, where a pixel comes from."""
+
+_ELSEWHERE = 6
 """So many other stretches of a recording are looked at where the first one tells nothing."""
+_A_GLANCE = 8
+"""Frames after which a stretch is left in which hardly anything moves."""
+_NOWHERE_PX = -1e4
+"""Of pixels behind the camera: far outside, so that they are black."""
 
 
 def first_lag(recording: Recording, start: int = 0) -> int | None:
@@ -42,7 +58,7 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
     Args:
         recording: of two eyes; rectified where it can be. start: the frame that matters most.
     """
-    movement = EyeMovement(recording.fps)
+    movement, maps = EyeMovement(recording.fps), thinned_maps(recording.rectification)
     stretches: list[Stretch] = []
     last = max(0, recording.frame_count - movement.span - 1)
     spread = np.linspace(0, last, _ELSEWHERE + 2)[1:-1].astype(int).tolist()
@@ -50,7 +66,9 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
         movement.begin()
         for number in range(first, min(first + movement.span + 1, recording.frame_count)):
             frame = yield number
-            movement.add(_eyes(recording, frame))
+            movement.add(thinned_eyes(frame, maps))
+            if len(movement) == _A_GLANCE and movement.is_still():
+                break
         stretch = movement.stretch()
         if stretch is not None:
             stretches.append(stretch)
@@ -61,12 +79,34 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
     return None
 
 
-def _eyes(recording: Recording, frame: StereoFrame) -> tuple[Picture, Picture]:
-    """Both eyes as they are compared; one channel of three is rectified."""
-    assert frame.right is not None
+def thinned_maps(rectification: Rectification | None) -> tuple[Map, Map] | None:
+    """Where the pixels that are compared come from in both eyes; None: from where they are.
+
+    All pixels would take seconds to find out.
+    """
+    if rectification is None or rectification.identity:
+        return None
+    width, height = rectification.size
+    step = thinning_px(width)
+    u, v = np.meshgrid(np.arange(0.0, width, step), np.arange(0.0, height, step))
+    pixels = np.column_stack((u.ravel(), v.ravel()))
     left, right = (
-        np.asarray(cv2.extractChannel(e, 1), np.uint8) for e in (frame.left, frame.right)
+        np.nan_to_num(recorded, nan=_NOWHERE_PX).astype(np.float32).T.reshape(2, *u.shape)
+        for recorded in (
+            rectification.recorded_from_rectified(pixels),
+            rectification.right_recorded_from_rectified(pixels),
+        )
     )
-    if recording.rectification is not None:
-        left, right = recording.rectification.rectify(left, right)
-    return thinned(left), thinned(right)
+    return left, right
+
+
+def thinned_eyes(frame: StereoFrame, maps: tuple[Map, Map] | None) -> tuple[Picture, Picture]:
+    """Both eyes as they are compared."""
+    assert frame.right is not None
+    if maps is None:
+        return thinned(frame.left), thinned(frame.right)
+    left, right = (
+        np.asarray(cv2.remap(cv2.extractChannel(eye, 1), x, y, cv2.INTER_LINEAR), np.uint8)
+        for eye, (x, y) in zip((frame.left, frame.right), maps, strict=True)
+    )
+    return left, right

@@ -212,7 +212,7 @@ def _late_eye(frame: StereoFrame | None) -> str:
     if frame.right_lag is None:
         return tr("Nothing was recorded of this instant: another frame is shown")
     number = frame.number + frame.right_lag
-    return tr("Frame {number}: this eye shows the same instant there", number=number)
+    return tr("Frame {number} of this eye: the same instant", number=number)
 
 
 def _nowhere(points: Floats) -> Floats:

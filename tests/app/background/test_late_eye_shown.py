@@ -54,7 +54,7 @@ def test_the_right_picture_says_which_frame_it_is(late_recording, tiny_session):
             scenes = [document.pictures.scene(e, frame, instant, Pictured()) for e in eyes]
             said.append([scene.message for scene in scenes])
         document.session.close()
-    assert said[0] == ["", "Frame 26: this eye shows the same instant there"]
+    assert said[0] == ["", "Frame 26 of this eye: the same instant"]
     assert said[1] == ["", "Nothing was recorded of this instant: another frame is shown"]
 
 
