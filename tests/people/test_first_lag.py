@@ -20,6 +20,7 @@ class Footage:
     """Rows in which by chance much or little moves, seen by two eyes of which one is late."""
 
     fps, frame_count, rectification = 20.0, COUNT, None
+    right_lag: int | None = None
 
     def __init__(self, late: int, still_until: int = 0) -> None:
         random = np.random.default_rng(4)
@@ -69,6 +70,12 @@ def test_footage_in_which_nothing_moves_tells_nothing() -> None:
 def test_a_stretch_at_the_end_begins_earlier() -> None:
     lag, read = found(Footage(-6), COUNT - 2)
     assert (lag, read[-1]) == (-6, COUNT - 1)
+
+
+def test_a_lag_that_the_recording_tells_is_not_looked_for() -> None:
+    footage = Footage(4)
+    footage.right_lag = -2
+    assert found(footage) == (-2, [])
 
 
 def test_pixels_are_compared_where_they_are_after_rectification() -> None:

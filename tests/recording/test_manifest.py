@@ -32,11 +32,17 @@ COMMON = {
     "calibration": st.lists(SOURCES, max_size=2).map(tuple),
     "ground": GROUNDS,
 }
-MANIFESTS = st.builds(Manifest, right=st.none() | SOURCES, **COMMON) | st.builds(
-    Manifest,
-    layout=st.sampled_from(["side-by-side", "top-bottom"]),
-    first=st.sampled_from(["left", "right"]),
-    **COMMON,
+LAGS = st.none() | st.integers(-60, 60)
+MANIFESTS = st.one_of(
+    st.builds(Manifest, **COMMON),
+    st.builds(Manifest, right=SOURCES, right_lag=LAGS, **COMMON),
+    st.builds(
+        Manifest,
+        right_lag=LAGS,
+        layout=st.sampled_from(["side-by-side", "top-bottom"]),
+        first=st.sampled_from(["left", "right"]),
+        **COMMON,
+    ),
 )
 
 
@@ -65,6 +71,12 @@ def test_the_contracts_example_is_read() -> None:
         calibration=("intrinsics.yml", "extrinsics.yml"),
         ground=Ground(2.4, 30.0),
     )
+
+
+@pytest.mark.parametrize(("lag", "problem"), [("61", "-60 to 60"), ("1.5", "a whole number")])
+def test_a_lag_that_cannot_be_is_refused(lag: str, problem: str) -> None:
+    with pytest.raises(RecordingError, match=rf"recording.toml: \[right\] lag must be {problem}"):
+        parsed(f'[left]\nsource = "a.mp4"\n[right]\nsource = "b.mp4"\nlag = {lag}\n')
 
 
 def test_one_video_with_both_eyes_lies_side_by_side_with_the_left_eye_first_unless_told() -> None:

@@ -52,12 +52,15 @@ def first_lag(recording: Recording, start: int = 0) -> int | None:
 def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFrame, int | None]:
     """The same as `first_lag`, for who reads the frames: asks for one by number after the other.
 
-    Looked at is a stretch of a second or two from a frame on, and where it tells nothing, others
-    that are spread over the recording, each of them and all together.
+    Nothing is asked for where the recording tells its lag. Looked at is a stretch of a second or
+    two from a frame on, and where it tells nothing, others that are spread over the recording, each
+    of them and all together.
 
     Args:
         recording: of two eyes; rectified where it can be. start: the frame that matters most.
     """
+    if recording.right_lag is not None:
+        return recording.right_lag
     movement, maps = EyeMovement(recording.fps), thinned_maps(recording.rectification)
     stretches: list[Stretch] = []
     last = max(0, recording.frame_count - movement.span - 1)

@@ -20,13 +20,15 @@ FORMAT = 1
 _T = TypeVar("_T", bound=str)
 _MAX_BYTES = 64 * 1024
 _LARGEST_WHOLE = 10**15
+_LARGEST_LAG = 60
+"""Frames; so many pictures of an eye wait in memory for those of the other."""
 _LAYOUTS: tuple[Layout, ...] = ("side-by-side", "top-bottom")
 _SIDES: tuple[Side, ...] = ("left", "right")
 _KNOWN: Mapping[str, frozenset[str]] = {
     "": frozenset(("format", "name", "fps", "left", "right", "stereo", "calibration", "ground")),
     "left": frozenset(("source",)),
-    "right": frozenset(("source",)),
-    "stereo": frozenset(("source", "layout", "first")),
+    "right": frozenset(("source", "lag")),
+    "stereo": frozenset(("source", "layout", "first", "lag")),
     "calibration": frozenset(("file",)),
     "ground": frozenset(("height", "tilt", "roll")),
 }
@@ -42,6 +44,7 @@ class Manifest:
         right: the right eye's source; None: monocular, or both eyes in `left` (see `layout`).
         layout: how both eyes lie in `left`; None: `left` holds one eye.
         first: the eye on the left or at the top, where `layout` is given.
+        right_lag: frames by which the right eye is late; negative: the left one; None: not told.
         fps: frames a second; None: as the video says.
         calibration: one file, or a pair; empty: not calibrated.
         ground: where the floor is; None: unknown.
@@ -53,6 +56,7 @@ class Manifest:
     right: str | None = None
     layout: Layout | None = None
     first: Side = "left"
+    right_lag: int | None = None
     fps: float | None = None
     calibration: tuple[str, ...] = ()
     ground: Ground | None = None
@@ -107,6 +111,7 @@ def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
         right=right,
         layout=layout,
         first=first,
+        right_lag=_right_lag(table),
         fps=_fps(table),
         calibration=_calibration(table),
         ground=_ground(table),
@@ -126,6 +131,8 @@ def format_manifest(manifest: Manifest) -> str:
         lines += ["", "[left]", f"source = {_quoted(manifest.left)}"]
     if manifest.right is not None:
         lines += ["", "[right]", f"source = {_quoted(manifest.right)}"]
+    if manifest.right_lag is not None and (manifest.right or manifest.layout):
+        lines.append(f"lag = {manifest.right_lag}")
     if manifest.calibration:
         files = [_quoted(file) for file in manifest.calibration]
         listed = files[0] if len(files) == 1 else f"[{', '.join(files)}]"
@@ -217,6 +224,14 @@ def _choice(table: _Table, key: str, choices: tuple[_T, ...], default: _T) -> _T
         if choice == value:
             return choice
     raise table.error(key, f"must be one of {', '.join(choices)}")
+
+
+def _right_lag(table: _Table) -> int | None:
+    eye = table.section("stereo" if "stereo" in table else "right")
+    lag: int | None = eye.get("lag", int, None)
+    if lag is not None and abs(lag) > _LARGEST_LAG:
+        raise eye.error("lag", f"must be -{_LARGEST_LAG} to {_LARGEST_LAG} frames")
+    return lag
 
 
 def _fps(table: _Table) -> float | None:

@@ -34,6 +34,7 @@ class Recording:
         fps: frames a second; the manifest's counts before the video's.
         frame_count: the number of frames; of two eyes that differ, the shorter one's.
         size: width and height of one eye's pictures in px.
+        right_lag: frames by which the right eye is late, where the manifest tells; see `Instants`.
         calibration, ground, view, rectification: None where not known; a rectification needs two
             calibrated eyes, a view a calibrated left eye and the floor.
         manifest_text, calibration_text: as read; the manifest's is made up where there is none,
@@ -49,6 +50,7 @@ class Recording:
         self.frame_count: int = eyes.frame_count
         self.size: tuple[int, int] = eyes.size
         self.fps: float = _rate(located, eyes)
+        self.right_lag: int | None = located.manifest.right_lag
         self.calibration: StereoCalibration | None = calibrated.calibration
         self.ground: Ground | None = located.manifest.ground
         self.view: View | None = calibrated.view
