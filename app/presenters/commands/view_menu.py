@@ -30,7 +30,6 @@ COMMANDS: Final = (
         lambda now: two_eyes(now) or floor(now),
         True,
     ),
-    Command("view.floor_legend", "View", "Legend on the floor", (), floor, checkable=True),
     Command("view.labels", "View", "Labels on the picture", ("U",), recording, True),
     Command(
         "view.parts",
@@ -213,4 +212,14 @@ COMMANDS: Final = (
     ),
     Command("view.look_light", "View", "Look: light", checkable=True, submenu="Look"),
     Command("view.look_dark", "View", "Look: dark", checkable=True, submenu="Look"),
+    Command(
+        "view.floor_legend",
+        "View",
+        "Legend on the floor",
+        (),
+        floor,
+        True,
+        separated=True,
+        submenu="Look",
+    ),
 )
