@@ -28,7 +28,7 @@ _DETAIL = 1.5
 _NOISE, _REST = 4.0, 0.5
 """What another light does not explain of a block: deviation in grey levels, or as a share of the
 background's own; more is another thing with edges at the same places."""
-_COLOURED = 1.3
+_COLOURED = 1.5
 """The light that changes is at most so much stronger in one channel than in another."""
 _RATIOS = (0.2, 5.0)
 """Changes of light that are believed."""
