@@ -103,6 +103,17 @@ def test_overexposed_pictures_say_that_the_scene_changed_instead_of_showing_peop
     assert not seen.mask.any()
 
 
+def test_whoever_stands_there_while_most_of_the_light_goes_out_is_not_learnt() -> None:
+    model = BackgroundModel(FPS)
+    model.learn([textured(low=100, high=220)])
+    dark = dimmed(textured(low=100, high=220), 0.4)
+    watch(model, with_person(dark), 4.0, None)
+    assert (model.subtract(with_person(dark)).mask[PERSON] > 0).mean() > 0.9
+    seen = model.subtract(dark)
+    assert not seen.scene_changed
+    assert (seen.mask > 0).mean() < 0.01
+
+
 def test_the_background_is_learnt_although_people_stand_everywhere_at_times() -> None:
     pictures = []
     for i in range(12):

@@ -71,6 +71,7 @@ class BackgroundModel:
         self._frames = 0
         self._odd_s = 0.0
         self._exposure = 1.0
+        self._explained = False
 
     def learn(self, pictures: Sequence[Picture]) -> None:
         """Start from the commonest look of pictures spread over some time, people or not.
@@ -98,6 +99,7 @@ class BackgroundModel:
         if differs > _MUCH_CHANGED and self._took_light(smooth, mask):
             mask, differs = self._compared(smooth)
         changed = differs > self._settings.scene_change
+        self._explained = differs < _MUCH_CHANGED
         if changed or not _within(self._exposure, _READABLE_EXPOSURE):
             return Subtraction(smooth, self._background, np.zeros(mask.shape, np.uint8), True)
         return Subtraction(smooth, self._background, mask, False)
@@ -153,11 +155,20 @@ class BackgroundModel:
         if odd and self._primed and self._odd_s < _PATIENCE_S:
             return
         if seen.scene_changed:
-            self._start(seen.picture)
+            self._begin_anew(seen.picture)
             return
         self._take_exposure_in()
         self._adapt(seen)
         self._absorb(seen, people)
+        self._refresh()
+
+    def _begin_anew(self, picture: Picture) -> None:
+        """The scene is another one; unless it is the same in very different light."""
+        if not self._explained:
+            self._start(picture)
+            return
+        self._take_exposure_in()
+        self._odd_s = 0.0
         self._refresh()
 
     def _start(self, picture: Picture) -> None:
