@@ -39,6 +39,16 @@ def test_in_clothes_of_one_colour_walking_alone_tells_them_apart() -> None:
     assert (id_near(run, 115, A[115]), id_near(run, 115, B[115])) == (1, 2)
 
 
+def test_one_person_whom_the_tracker_followed_under_two_ids_in_turns_is_one() -> None:
+    run = run_of(
+        Stretch(1, 0, A[:67], lost=range(60, 64)),
+        Stretch(2, 60, A[60:], lost=range(4, 7)),
+        frames=120,
+    )
+    linked_run = linked(run, VIEW, FPS)
+    assert list(ids_at(linked_run, 50)) == list(ids_at(linked_run, 110)) == [1]
+
+
 def test_two_who_passed_and_were_not_exchanged_stay() -> None:
     run = run_of(Stretch(1, 0, A, RED), Stretch(2, 0, B, BLUE), frames=120)
     assert linked(run, VIEW, FPS).tracks["track"].tolist() == run.tracks["track"].tolist()

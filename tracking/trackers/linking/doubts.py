@@ -43,6 +43,8 @@ def doubts(
     for row in _met(seen, meetings, first | found, fps):
         if not doubt[max(row - least, 0) : row + least].any():
             doubt[row] = Doubt.MET
+    turns = _in_turns(seen, meetings, fps)
+    doubt[turns[doubt[turns] == Doubt.NONE]] = Doubt.MET
     return doubt
 
 
@@ -68,3 +70,22 @@ def _met(seen: Seen, meetings: Encounters, ends: Flags, fps: float) -> list[int]
             at = span.start + np.searchsorted(seen.frame[span], sorted(times))
             rows += [int(i) for i in at if span.start < i < span.stop]
     return rows
+
+
+def _in_turns(seen: Seen, meetings: Encounters, fps: float) -> NDArray[np.intp]:
+    """(k,) rows where one of two who met is seen after the other, and never both in one frame.
+
+    They may be one person whom the tracker followed twice: cut there, the pieces of both stand one
+    behind the other and can be linked.
+    """
+    rows = [np.zeros(0, np.intp)]
+    order = seen.track * 2**32 + seen.frame  # ascending, as `Seen` is
+    for stretch in meetings.stretches(round(_APART_S * fps)):
+        around = meetings.frame[stretch][[0, -1]] + (0, 1)
+        pair = meetings.pair[stretch.start].tolist()
+        ends = [np.searchsorted(order, track * 2**32 + around) for track in pair]
+        both = np.concatenate([np.arange(*end) for end in ends])
+        both = both[np.argsort(seen.frame[both], kind="stable")]
+        if (np.diff(seen.frame[both]) > 0).all():
+            rows.append(both[1:][np.diff(seen.track[both]) != 0])
+    return np.concatenate(rows)
