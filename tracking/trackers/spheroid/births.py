@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.spheroid.feet import feet_said
+from tracking.trackers.spheroid.feet import Feet, feet_said, part_of
 from tracking.trackers.spheroid.floor_cells import FloorCells
 from tracking.trackers.spheroid.judging import bounds, enlarged, silhouette
 from tracking.trackers.spheroid.sums import Window, sums_inside, window
@@ -136,8 +136,8 @@ def _feet_gains(ramp: Picture, counted: Flags, cells: FloorCells, rows: NDArray[
     """(n,) what feet add to the gain of the cells at these rows: the right ones of a column."""
     gain = np.zeros(len(rows))
     flat = np.flatnonzero(~cells.steep[rows])
-    feet = cells.feet.at(rows[flat])
-    gain[flat] = _FEET * feet_said([window(ramp, counted, 0, 0, _STEP)], feet)[0]
+    legs, below = cells.feet.legs.at(rows[flat]), cells.feet.below.at(rows[flat])
+    gain[flat] = _FEET * feet_said([part_of(ramp, counted)], Feet(legs, below))[0]
     return gain
 
 

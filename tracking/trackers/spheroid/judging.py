@@ -105,34 +105,21 @@ def bounds(
     return sides[0], sides[1], np.maximum(sides[2], sides[0]), np.maximum(sides[3], sides[1])
 
 
-def joined(one: Ellipses, other: Ellipses) -> Ellipses:
-    """Both of each person's, (people, n + k)."""
-    pairs = ((getattr(one, name), getattr(other, name)) for name in one.__slots__)
-    return Ellipses(*(np.concatenate(pair, axis=1) for pair in pairs))
-
-
-def windows_of(
-    evidence: Evidence, reach: Ellipses, own: Ellipses, lines: int, *more: Ellipses
-) -> list[Window]:
+def windows_of(evidence: Evidence, reach: Ellipses, own: Ellipses, lines: int) -> list[Window]:
     """A window for each person, with the other people's silhouettes masked out.
 
     Args:
         reach: (people, n) what the window must hold. own: (people) each one's own silhouette,
             which is part of the cover. lines: most in a silhouette, 0: as many as it has.
-        more: (people) of each one's own, what else is part of the cover.
     """
     shape = evidence.ramp.shape
-    outlines = [
-        (one.polygons(_CORNERS), np.column_stack(bounds(one, shape))) for one in (own, *more)
-    ]
+    corners, boxes = own.polygons(_CORNERS), np.column_stack(bounds(own, shape))
     top, bottom = own.rows()
     tall = np.nan_to_num(bottom - top, nan=0.0)
     windows = []
     for k, (left, up, right, down) in enumerate(zip(*bounds(reach, shape), strict=True)):
         part = np.s_[up:down, left:right]
-        others = evidence.cover[part].copy()
-        for corners, boxes in outlines:
-            _take_off(others, (left, up, right, down), corners[k], boxes[k])
+        others = others_cover(evidence.cover, (left, up, right, down), corners[k], boxes[k])
         counted = evidence.counted[part] & (others == 0)
         step = max(1, int(np.ceil(tall[k] / lines))) if lines else 1
         step = min(step, max(int(down - up), 1))
@@ -152,21 +139,14 @@ def others_cover(
         cover: everybody's. part: left, top, right, bottom. outline: (corners, 2) px of the own
             silhouette. box: (4,) its `bounds`.
     """
-    others = cover[part[1] : part[3], part[0] : part[2]].copy()
-    _take_off(others, part, outline, box)
-    return others
-
-
-def _take_off(
-    cover: Picture, part: tuple[int, int, int, int], outline: Floats, box: NDArray[np.intp]
-) -> None:
-    """Take a silhouette off the cover of a part of the picture; see `others_cover`."""
     left, top, right, bottom = (int(side) for side in box)
     own = silhouette((bottom - top, right - left), outline, left, top)
+    others = cover[part[1] : part[3], part[0] : part[2]].copy()
     low_u, low_v = max(left, part[0]), max(top, part[1])
     high_u, high_v = max(min(right, part[2]), low_u), max(min(bottom, part[3]), low_v)
     shared = own[low_v - top : high_v - top, low_u - left : high_u - left]
-    cover[low_v - part[1] : high_v - part[1], low_u - part[0] : high_u - part[0]] -= shared
+    others[low_v - part[1] : high_v - part[1], low_u - part[0] : high_u - part[0]] -= shared
+    return others
 
 
 def judged(windows: list[Window], hypotheses: Ellipses, regions: Ellipses) -> Judgement:

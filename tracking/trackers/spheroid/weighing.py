@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView, standing_ellipses
-from tracking.trackers.spheroid.feet import feet_of, feet_said, feet_windows
+from tracking.trackers.spheroid.feet import feet_of, feet_parts, feet_said
 from tracking.trackers.spheroid.followed import Floats, Followed
-from tracking.trackers.spheroid.judging import LINES, Evidence, joined, judged, windows_of
+from tracking.trackers.spheroid.judging import LINES, Evidence, judged, windows_of
 from tracking.trackers.spheroid.moving import weighed
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.sums import Window, sums_inside
@@ -108,7 +108,7 @@ def _scored(
     scale = settings.region_scale
     axes, tall = hypotheses_of(people, settings)
     region = standing_ellipses(flat.projection, axes, tall, settings.radius_m, scale)
-    windows = windows_of(evidence, joined(seen, region), own, 0)
+    windows = windows_of(evidence, _joined(seen, region), own, 0)
     with np.errstate(divide="ignore"):
         return np.log(judged(windows, seen, region).scores()), windows
 
@@ -139,8 +139,8 @@ def _feet_gains(
     if len(rows) == 0:
         return np.zeros((0, axes.shape[1]))
     feet = feet_of(flat, axes[rows])
-    windows = feet_windows(evidence, flat, own, axes_of(people, settings), feet, rows)
-    return _FEET * feet_said(windows, feet)
+    parts = feet_parts(evidence, flat, own, axes_of(people, settings), feet, rows)
+    return _FEET * feet_said(parts, feet)
 
 
 def _balances(
@@ -171,3 +171,9 @@ def taken(people: Followed, settings: SpheroidSettings) -> Flags:
             offset = people.state[one, :, :2] - people.xy[other]
             close[one] |= np.hypot(offset[:, 0], offset[:, 1]) < reach
     return close
+
+
+def _joined(one: Ellipses, other: Ellipses) -> Ellipses:
+    """Both of each person's, (people, n + k)."""
+    pairs = ((getattr(one, name), getattr(other, name)) for name in one.__slots__)
+    return Ellipses(*(np.concatenate(pair, axis=1) for pair in pairs))
