@@ -1,0 +1,77 @@
+"""Feet, by which somebody seen from the side is as far away as they look."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+from people_of_one_colour import view
+
+from tracking.geometry import FlatView, ellipses_of, standing_ellipses
+from tracking.trackers.spheroid.births import unexplained
+from tracking.trackers.spheroid.feet import feet_of, feet_parts, feet_said
+from tracking.trackers.spheroid.floor_cells import FloorCells
+from tracking.trackers.spheroid.judging import Evidence, covered
+
+FLAT = FlatView(view(2.5, 20.0))
+ALONG = np.arange(3.4, 7.0, 0.1)
+
+
+def _seen(*places: tuple[float, float]) -> np.ndarray:
+    """(240, 320) B times 255 of people who stand with their legs a little apart."""
+    ramp = np.zeros(FLAT.size[::-1], np.uint8)
+    for x, y in places:
+        trunk = ellipses_of(
+            FLAT.projection, np.array([[x, y, 1.22]]), np.array([[0.22, 0.22, 0.5]])
+        )
+        cv2.fillPoly(ramp, [np.rint(trunk.polygons(40)[0]).astype(np.int32)], 255)
+        for leg in (x - 0.12, x + 0.12):
+            ends = FLAT.flat_from_world(np.array([[leg, y, 0.8], [leg, y, 0.0]]))
+            cv2.line(ramp, *np.rint(ends).astype(int).tolist(), 255, 3)
+    return ramp
+
+
+def _said(ramp: np.ndarray, everybody: np.ndarray, row: int) -> np.ndarray:
+    """What feet say of hypotheses along the view of who stands at a row."""
+    own = standing_ellipses(FLAT.projection, everybody, np.full(len(everybody), 1.72), 0.25)
+    evidence = Evidence(ramp, np.ones(ramp.shape, bool), covered(ramp.shape, own))
+    feet = feet_of(FLAT, np.column_stack((np.zeros(len(ALONG)), ALONG))[None])
+    parts = feet_parts(evidence, FLAT, own, everybody, feet, np.array([row]))
+    return feet_said(parts, feet)[0]
+
+
+@pytest.mark.parametrize("away_m", [4.5, 5.5])
+def test_feet_speak_for_where_legs_end(away_m: float) -> None:
+    said = _said(_seen((0.0, away_m)), np.array([[0.0, away_m]]), 0)
+    assert abs(ALONG[said.argmax()] - away_m) < 0.3
+    assert said.max() > 0.5
+    # Nearer there is nothing, farther away legs go on below.
+    assert said[away_m - 1.0 > ALONG].max() < 0.1
+    assert said[away_m + 1.0 < ALONG].max() < 0.2
+
+
+def test_feet_of_who_stands_in_front_are_not_those_of_who_stands_behind() -> None:
+    both = np.array([[0.0, 4.2], [0.0, 6.0]])
+    ramp = _seen((0.0, 4.2))
+    assert _said(ramp, both, 0).max() > 0.5
+    assert np.abs(_said(ramp, both, 1)[ALONG < 5.0]).max() < 0.1
+
+
+def test_feet_out_of_the_picture_say_nothing() -> None:
+    below = np.array([[[0.0, 1.2]]])
+    feet = feet_of(FLAT, below)
+    own = standing_ellipses(FLAT.projection, below[0], np.array([1.72]), 0.25)
+    ramp = np.full(FLAT.size[::-1], 255, np.uint8)
+    evidence = Evidence(ramp, np.ones(ramp.shape, bool), covered(ramp.shape, own))
+    parts = feet_parts(evidence, FLAT, own, below[0], feet, np.array([0]))
+    assert feet_said(parts, feet)[0, 0] == 0.0
+
+
+def test_newcomers_begin_where_their_legs_end() -> None:
+    ramp = _seen((0.0, 5.0))
+    cells = FloorCells(FLAT, 1.72, 0.25)
+    everywhere = np.ones(ramp.shape, bool)
+    (place, *_) = unexplained(ramp, everywhere, cells, np.zeros((0, 2)), everywhere)
+    (without, *_) = unexplained(ramp, everywhere, cells, np.zeros((0, 2)))
+    assert abs(place[1] - 5.0) < 0.35
+    assert abs(place[1] - 5.0) < abs(without[1] - 5.0)
