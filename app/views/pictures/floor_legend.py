@@ -23,18 +23,15 @@ Sign = Callable[[QPainter, QPointF, Theme], None]
 
 def draw_floor_legend(
     painter: QPainter, scene: OverheadScene, corner: QPointF, area: QRectF, theme: Theme
-) -> float:
-    """A plate with the signs the scene has, its lower left corner given; how high it stands.
-
-    None where there is no room for it.
-    """
+) -> None:
+    """A plate with the signs the scene has, its lower left corner given, where there is room."""
     lines = _lines(scene)
     metrics = QFontMetricsF(painter.font())
     line = metrics.height() + 3
     width = max((metrics.horizontalAdvance(text) for _, text in lines), default=0.0)
     width, height = width + _SIGN_PX + _GAP + 2 * _PAD, len(lines) * line + 2 * _PAD
     if not lines or height > _MOST_OF_AREA * area.height() or width > area.width() / 2:
-        return 0.0
+        return
     plate = QRectF(corner.x(), corner.y() - height, width, height)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(faded(theme.window, 0.82))
@@ -45,7 +42,6 @@ def draw_floor_legend(
         inside.setLeft(inside.left() + _SIGN_PX + _GAP)
         painter.setPen(theme.text)
         painter.drawText(inside, Qt.AlignmentFlag.AlignVCenter, text)
-    return height
 
 
 def _lines(scene: OverheadScene) -> list[tuple[Sign, str]]:

@@ -223,10 +223,9 @@ class OverheadView(Canvas):
         draw_preview(painter, scene.preview, self.viewport)
         self._draw_plates(painter, scene, theme, area)
         painter.setFont(scaled_font(self.font(), 0.85))
-        foot.setY(foot.y() - draw_legend(painter, self._truth.legend, foot, theme))
-        if self._explained:
-            over = _LEGEND_PX if self._truth.legend else 0.0
-            draw_floor_legend(painter, scene, foot - QPointF(0, over), area, theme)
+        draw_legend(painter, self._truth.legend, foot, theme)
+        if self._explained and self._flow is None and not self._truth.legend:
+            draw_floor_legend(painter, scene, foot, area, theme)  # one more would hide the floor
         draw_scale_bar(painter, area, self.viewport, theme, self.tr("m"))
 
     def _floor(self, scene: OverheadScene, theme: Theme) -> QPixmap:

@@ -67,6 +67,8 @@ def test_an_overlay_that_cannot_be_painted_is_told_once(qtbot, no_threads_left):
 
 
 class _Frame:
+    right_lag = None
+
     def __init__(self, number):
         self.number = number
 
