@@ -22,7 +22,7 @@ _RECENT_S, _RECENT_FRAMES = 0.8, 16
 """How much movement tells whether eyes agree, and in frames: fewer correlate by chance."""
 _MOST_LAG_S, _MOST_LAG_FRAMES = 0.5, 15
 """By how much an eye may be late and found to be, and in frames at the least."""
-_NEAR = 0.3
+_NEAR = 0.2
 """Of the recent movement, the lags at which eyes that agree are less alike."""
 _ALIKE, _BETTER = 0.4, 0.04
 """Correlation of the two eyes' movement at their lag, and how much less it is at any other."""
