@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -67,33 +68,47 @@ def hidden_sides(
         (k, 4) bool for the left, top, right and bottom side, and (k,) bool, touching the edge.
     """
     rows, columns = labels.shape
-    hidden = np.zeros((len(boxes), 4), np.bool_)
-    distance = np.hypot(sight[:, 0], sight[:, 1])
-    # By label, of which 0 is nobody: who stands nearer than whom.
-    nearer = np.zeros((len(boxes), len(boxes) + 1), np.bool_)
-    nearer[:, 1:] = distance < distance[:, None]
-    truncated = np.zeros(len(boxes), np.bool_)
-    for k, (left, top, width, height) in enumerate(boxes):
-        right, bottom = left + width, top + height
-        at_edge = (
+    left, top, width, height = np.array(boxes, np.intp).reshape(-1, 4).T
+    right, bottom = left + width, top + height
+    at_edge = np.array(
+        (
             left <= _EDGE_PLACES,
             top <= _EDGE_PLACES,
             right >= columns - _EDGE_PLACES,
             bottom >= rows - _EDGE_PLACES,
         )
-        strips = (
-            labels[top:bottom, max(left - 1, 0) : left],
-            labels[max(top - 1, 0) : top, left:right],
-            labels[top:bottom, right : right + 1],
-            labels[bottom : bottom + 1, left:right],
-        )
-        covering = nearer[k]
-        hidden[k] = [
-            outside or np.count_nonzero(covering.take(strip)) > _COVERED * strip.size
-            for outside, strip in zip(at_edge, strips, strict=True)
-        ]
-        truncated[k] = any(at_edge)
-    return hidden, truncated
+    )
+    # With nobody all round the picture, no side lies outside.
+    padded = np.asarray(cv2.copyMakeBorder(labels, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=(0.0,)))
+    row = columns + 2
+    corner = (top + 1) * row + left + 1
+    first = np.concatenate((corner - 1, corner - row, corner + width, corner + height * row))
+    count = np.concatenate((height, width, height, width))
+    side, place = _along(first, np.repeat((row, 1, row, 1), len(boxes)), count)
+    nearer = _who_is_nearer(sight)[side % max(len(boxes), 1), padded.ravel().take(place)]
+    covered = np.bincount(side, nearer, len(count)) > _COVERED * count
+    return (at_edge | covered.reshape(4, -1)).T, np.asarray(at_edge.any(axis=0), np.bool_)
+
+
+def _who_is_nearer(sight: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """(k, k + 1) whether the region of a label, of which 0 is nobody, is nearer than region k."""
+    distance = np.hypot(sight[:, 0], sight[:, 1])
+    nearer = np.zeros((len(sight), len(sight) + 1), np.bool_)
+    nearer[:, 1:] = distance < distance[:, None]
+    return nearer
+
+
+def _along(
+    first: NDArray[np.intp], step: NDArray[np.intp], count: NDArray[np.intp]
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """All places of lines: the number of each one's line, and the place.
+
+    Args:
+        first: (lines,) where each begins. step: from place to place. count: how many it has.
+    """
+    line = np.repeat(np.arange(len(count)), count)
+    ahead = np.arange(len(line)) - np.repeat(np.cumsum(count) - count, count)
+    return line, first.take(line) + ahead * step.take(line)
 
 
 def behind_things(
@@ -110,16 +125,19 @@ def behind_things(
         (k, 4) bool for the left, top, right and bottom side; top and bottom are not looked at.
     """
     hidden = np.zeros((len(boxes), 4), np.bool_)
-    for k, (left, top, width, height) in enumerate(boxes):
-        right, rows = left + width, slice(top, top + height)
-        beside = (
-            scene[rows, max(left - _BESIDE_PLACES, 0) : left],
-            scene[rows, right : right + _BESIDE_PLACES],
-        )
-        for side, strip in zip((0, 2), beside, strict=True):
-            # In rows as long as the side: short ones take many times as long.
-            nearer = np.greater(strip.T, limit[k], order="C").any(axis=0)
-            hidden[k, side] = np.count_nonzero(nearer) > _COVERED * height
+    left, top, width, height = np.array(boxes, np.intp).reshape(-1, 4).T
+    # With unknown places to both sides of the scene, none that is looked at lies outside.
+    beside = _BESIDE_PLACES
+    padded = np.asarray(
+        cv2.copyMakeBorder(scene, 0, 0, beside, beside, cv2.BORDER_CONSTANT, value=(np.nan,))
+    )
+    row = padded.shape[1]
+    first = top * row + left + np.array(((0,), (beside,))) + np.array(((0,), (1,))) * width
+    side, place = _along(first.ravel(), np.full(first.size, row), np.tile(height, 2))
+    seen = padded.ravel().take(place + np.arange(beside)[:, None])
+    nearer = (seen > np.tile(limit, 2).take(side)).any(axis=0)
+    covered = np.bincount(side, nearer, first.size).reshape(2, -1) > _COVERED * height
+    hidden[:, 0], hidden[:, 2] = covered
     return hidden
 
 

@@ -109,6 +109,7 @@ def evidence_of(
     offset = seen.position[None, :, :2] - people.position[:, None, :]
     distance = np.hypot(offset[..., 0], offset[..., 1])
     place = place_density(offset, spread_of(people), sigma)
-    match = new - place - likeness + np.nan_to_num(turn) - np.log(found)[:, None]
+    turned = np.where(np.isnan(turn), 0.0, turn)
+    match = new - place - likeness + turned - np.log(found)[:, None]
     reach = _REACH_M + FASTEST_M_PER_S * people.missed_s
     return Evidence(match, -np.log1p(-found), distance <= reach[:, None], distance)

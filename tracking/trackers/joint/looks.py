@@ -112,7 +112,7 @@ class Telling:
         other = np.maximum(self.other / self.other_count, same)
         ratio = np.log(other / same) - difference * (1.0 / same - 1.0 / other)
         told = np.log((1.0 - _LEAST) * np.exp(ratio) + _LEAST)
-        return np.asarray(np.nan_to_num(told).sum(axis=-1))
+        return np.asarray(np.where(np.isnan(told), 0.0, told).sum(axis=-1))
 
 
 def _more(total: Floats, count: Floats, values: Floats) -> tuple[Floats, Floats]:
