@@ -40,13 +40,14 @@ class Blocks:
 
     Attributes:
         differs: most of it does. detail: picture and background both have some to compare.
-        busy: one of them has. alike: both show the same.
+        busy: one of them has. alike: both show the same. brighter: the picture is.
     """
 
     differs: Flags
     detail: Flags
     busy: Flags
     alike: Flags
+    brighter: Flags
 
     @classmethod
     def of(cls, picture: Picture, background: Picture, mask: Mask) -> Blocks:
@@ -69,7 +70,7 @@ class Blocks:
         _, fine_there, fine_alike = _compared(fine[0], fine[1], brighter)
         alike |= fine_alike & fine_there
         alike &= _of_one_colour(*colours)
-        return cls(filled(mask, size), here & there, here | there, alike)
+        return cls(filled(mask, size), here & there, here | there, alike, brighter > 1)
 
 
 def _compared(now: Floats, usual: Floats, brighter: Floats) -> tuple[Flags, Flags, Flags]:

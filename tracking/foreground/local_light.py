@@ -19,6 +19,8 @@ _COARSE = 4
 """Patches are looked for in every so-manieth pixel."""
 _SHARE = 0.3
 """Of the blocks that differ and have detail, so many must be the same thing in other light."""
+_A_FEW, _MOST = 0.05, 0.5
+"""Shares of what is near that must be brighter, or darker, to believe it of what people hide."""
 _PATCH_BLOCKS = 4
 """Patches of fewer blocks are left alone."""
 
@@ -41,7 +43,7 @@ def change_of_light(picture: Picture, background: Picture, mask: Mask) -> Floats
     lit = told & blocks.alike
     if not lit.any() or lit.sum() < _SHARE * told.sum():
         return None
-    hidden = blocks.differs & ~lit & _mostly_lit(lit, blocks.differs)
+    hidden = blocks.differs & ~lit & _may_be_lit(lit, blocks)
     return ratio_of_light(picture, background, mask, lit, hidden)
 
 
@@ -75,7 +77,7 @@ def patches_of_light(
     lit = _together(blocks.differs & blocks.detail & blocks.alike)
     if not lit.any():
         return None
-    flat = blocks.differs & ~blocks.busy & _mostly_lit(lit, blocks.differs)
+    flat = blocks.differs & ~blocks.busy & _may_be_lit(lit, blocks)
     return box, ratio_of_light(picture[box], background[box], steady, lit, flat)
 
 
@@ -116,7 +118,16 @@ def _together(lit: Flags) -> Flags:
     return np.asarray(lit & large[patch], np.bool_)
 
 
-def _mostly_lit(lit: Flags, differs: Flags) -> Flags:
-    """The blocks near which more are lit than are as they were."""
-    more = lit.astype(np.float32) - ~differs
-    return np.asarray(cv2.boxFilter(more, -1, NEAR, normalize=False) > 0.5, np.bool_)
+def _may_be_lit(lit: Flags, blocks: Blocks) -> Flags:
+    """The blocks that likely have the light of lit ones near by, and not that of the others.
+
+    At the edge of a patch it is not known. A background that is too dark there makes people where
+    nobody is, one that is too bright only shadows: more light is believed sooner, less light where
+    most of what is near has it.
+    """
+    brighter, darker = (
+        cv2.boxFilter(which.astype(np.float32), -1, NEAR)
+        for which in (lit & blocks.brighter, lit & ~blocks.brighter)
+    )
+    more = (brighter > darker) & (brighter > _A_FEW)
+    return np.asarray(more | (darker > _MOST), np.bool_)
