@@ -49,6 +49,14 @@ def test_one_person_whom_the_tracker_followed_under_two_ids_in_turns_is_one() ->
     assert list(ids_at(linked_run, 50)) == list(ids_at(linked_run, 110)) == [1]
 
 
+def test_who_was_seen_beside_somebody_before_they_left_is_somebody_else() -> None:
+    beside = A[58:] + np.array((0.0, 0.8))
+    run = run_of(Stretch(1, 0, A[:60]), Stretch(2, 58, beside, lost=range(1, 10)), frames=120)
+    linked_run = linked(run, VIEW, FPS)
+    assert list(ids_at(linked_run, 40)) == [1]
+    assert list(ids_at(linked_run, 110)) == [2]
+
+
 def test_two_who_passed_and_were_not_exchanged_stay() -> None:
     run = run_of(Stretch(1, 0, A, RED), Stretch(2, 0, B, BLUE), frames=120)
     assert linked(run, VIEW, FPS).tracks["track"].tolist() == run.tracks["track"].tolist()

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.linking.borders import birth_costs, death_costs, return_costs
+from tracking.trackers.linking.choosing import least_rows
 from tracking.trackers.linking.doubts import Doubt
 from tracking.trackers.linking.hiding import hidden_shares
 from tracking.trackers.linking.links import Links
@@ -33,6 +34,8 @@ _TRACKER = 3.0
 """Log-odds of what the tracker said, which knew more of looks and of every frame."""
 _KEPT_APART = 1.5
 """Log-odds that two ids it gave are two people; an exchange where they met is two already."""
+_SEEN_BOTH = 5.0
+"""Log-odds that they are, where the one began while the other was still seen."""
 _GAP_S = 0.25
 """From which on somebody counts as lost, and not as missed for a moment."""
 _HOPELESS = 12.0
@@ -65,6 +68,7 @@ def links_between(
         pieces,
         born=fresh_likelihood(pieces.first) - birth_costs(seen, pieces, view, fps, frames[0]),
         gone=-death_costs(seen, pieces, view, fps, frames[1]),
+        begun=_begun(pieces, fps),
         back=return_costs(pieces, view),
         edges=np.cumsum(pieces.doubt == Doubt.EDGE),
     )
@@ -96,12 +100,14 @@ class _Costs:
 
     Attributes:
         born: (t,) log-density of somebody new who begins there. gone: (t,) of one who ends there.
+        begun: (t,) frame from which somebody is told to be there; see `_begun`.
         back: (t,) what it costs to come back at all. edges: (t,) number of ways over the edge.
     """
 
     pieces: Tracklets
     born: Floats
     gone: Floats
+    begun: Integers
     back: Floats
     edges: NDArray[np.intp]
 
@@ -114,6 +120,7 @@ class _Costs:
         over_edge = self.edges[start] > self.edges[end]
         other = (pieces.track[end] != pieces.track[start]) & (pieces.doubt[start] != Doubt.MET)
         together += _TRACKER * (same & ~over_edge) - _KEPT_APART * other
+        together -= _SEEN_BOTH * (other & (self.begun[start] <= pieces.last.frame[end]))
         cost = self.born[start] + self.gone[end] - together
         hidden = np.zeros(len(end))
         lost = np.flatnonzero((gap_s > _GAP_S) & (cost < _HOPELESS))
@@ -122,6 +129,16 @@ class _Costs:
         cost -= _found_again(gap_s, hidden, fps)
         cost[same & over_edge & (start == end + 1)] = _BACK_AT_ONCE
         return Links(end, start, cost).only(cost < _HOPELESS)
+
+
+def _begun(pieces: Tracklets, fps: float) -> Integers:
+    """(t,) the frame in which each begins, or in which its track did, by a few rows before a gap.
+
+    Those rows are put in after all others are linked; that somebody was there they tell already.
+    """
+    few = (pieces.stop - pieces.start < least_rows(fps)) & (pieces.doubt == Doubt.TRACK)
+    led = np.append(False, few[:-1] & (np.diff(pieces.track) == 0))
+    return np.where(led, np.roll(pieces.first.frame, 1), pieces.first.frame)
 
 
 def _ways(
