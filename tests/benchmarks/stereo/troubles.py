@@ -47,10 +47,18 @@ class Trouble:
 
 
 TROUBLES = (
-    Trouble("right eye one frame late", lag=1),
     Trouble("right eye two frames late", lag=2),
+    Trouble("right eye twelve frames late", lag=12),
+    Trouble("right eye eight frames ahead", lag=-8),
     Trouble("right eye dark for four seconds", dark=True, start_s=12.0, end_s=16.0),
     Trouble("right eye stands still for four seconds", still=True, start_s=12.0, end_s=16.0),
+    Trouble(
+        "right eye twelve frames late, and still for four seconds",
+        lag=12,
+        still=True,
+        start_s=12.0,
+        end_s=16.0,
+    ),
 )
 
 
