@@ -89,8 +89,14 @@ def _strips(flat: FlatView, xy: Floats, z_m: float, half_m: float) -> Strips:
     down = eye[2] ** 2 / (away2 + eye[2] ** 2)
     focal_px = float(np.linalg.norm(np.cross(matrix[0, :3], matrix[2, :3])))
     px_per_m = focal_px / depth
-    tall = np.sqrt(half_m**2 * (1.0 - down) + _RADIUS_M**2 * down)
-    return Strips(u / depth, v / depth, px_per_m * _RADIUS_M, px_per_m * tall)
+    along = px_per_m * np.sqrt(half_m**2 * (1.0 - down) + _RADIUS_M**2 * down)
+    across = px_per_m * _RADIUS_M
+    u, v = u / depth, v / depth
+    # Bodies are upright in the picture only if the camera is not turned and not straight above.
+    up_u, up_v = matrix[0, 2] - u * matrix[2, 2], matrix[1, 2] - v * matrix[2, 2]
+    lean2 = up_u**2 / np.maximum(up_u**2 + up_v**2, 1e-12)
+    wide = np.sqrt(along**2 * lean2 + across**2 * (1.0 - lean2))
+    return Strips(u, v, wide, np.sqrt(along**2 * (1.0 - lean2) + across**2 * lean2))
 
 
 def foot_zones(flat: FlatView, xy: Floats) -> Ellipses:
