@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 from collections.abc import Sequence
@@ -18,10 +19,15 @@ _MISUSE: type[Exception] = next(
     kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "UsageError"
 )
 """What all wrong arguments raise; typer has no name for it that all its versions share."""
+_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS")
+"""What NumPy's matrix products read, when NumPy is imported, and the processes begun from here."""
 
 
 def main() -> None:
     """Run what was typed and exit."""
+    # The matrices here are small: shared out among threads, their products cost many times more.
+    for variable in _THREADS:
+        os.environ.setdefault(variable, "1")
     # A polite request to end leaves no more behind than Ctrl+C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     sys.exit(run(sys.argv[1:]))
