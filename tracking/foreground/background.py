@@ -106,8 +106,9 @@ class BackgroundModel:
 
     def _compared(self, picture: Picture) -> tuple[Mask, float]:
         """Where a picture differs from the background, and in how large a share of it."""
-        difference = largest_difference(picture, self._background)
-        mask = cv2.compare(difference, self._limit, cv2.CMP_GT)
+        # Kept for the update with the same frame.
+        self._difference = largest_difference(picture, self._background)
+        mask = cv2.compare(self._difference, self._limit, cv2.CMP_GT)
         mask = cv2.morphologyEx(mask, cv2.MORPH_OPEN, _OPENING)
         return np.asarray(mask, np.uint8), cv2.countNonZero(mask) / mask.size
 
@@ -207,9 +208,8 @@ class BackgroundModel:
         """Follow slow changes where there is no foreground."""
         rate = 1 - np.exp(-self._period_s / self._settings.adapt_s)
         still = cv2.bitwise_not(cv2.dilate(seen.mask, _OPENING))
-        difference = largest_difference(seen.picture, self._background)
         cv2.accumulateWeighted(seen.picture, self._mean, rate, mask=still)
-        cv2.accumulateWeighted(difference, self._noise, rate, mask=still)
+        cv2.accumulateWeighted(self._difference, self._noise, rate, mask=still)
 
     def _absorb(self, seen: Subtraction, people: Mask | None) -> None:
         """Take foreground that keeps still and is nobody into the background."""

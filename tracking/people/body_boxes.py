@@ -10,7 +10,7 @@ from tracking.people.boxes import (
     GridBox,
     full_body_boxes,
     recorded_boxes,
-    standing_boxes,
+    several_standing_boxes,
     with_feet,
 )
 from tracking.people.regions import Extent
@@ -88,13 +88,14 @@ class BodyBoxes:
         xy, width_m = position[:, :2], self._settings.body_width_m
         height = self._heights(xy, extent, hidden)
         ankles = np.full(len(xy), _ANKLE_M)
-        feet = standing_boxes(self._view, xy, ankles, width_m * _FEET_WIDTH)
-        return full_body_boxes(
-            with_feet(self._recorded(boxes), feet, extent.low > _FEET_SEEN_M),
-            standing_boxes(self._view, xy, height, width_m),
-            standing_boxes(self._view, xy, height + _SLACK_M, width_m * _STRETCH),
-            hidden,
+        bodies = (
+            (ankles, width_m * _FEET_WIDTH),
+            (height, width_m),
+            (height + _SLACK_M, width_m * _STRETCH),
         )
+        feet, standing, reach = several_standing_boxes(self._view, xy, bodies)
+        seen = with_feet(self._recorded(boxes), feet, extent.low > _FEET_SEEN_M)
+        return full_body_boxes(seen, standing, reach, hidden)
 
     def _heights(self, xy: Floats, extent: Extent, hidden: NDArray[np.bool_]) -> Floats:
         """(k,) m; the usual height at least where the head is hidden or outside the picture."""

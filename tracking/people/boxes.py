@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 import cv2
@@ -161,12 +162,25 @@ def standing_boxes(view: View, xy: Boxes, height_m: Boxes, width_m: float) -> Bo
     Returns:
         Pixels as recorded; NaN where a body is in part behind the camera.
     """
-    body = _body_points(width_m)
-    points = np.empty((len(xy), len(body), 3))
-    points[..., :2] = xy[:, None] + body[:, :2]
-    points[..., 2] = height_m[:, None] * body[:, 2]
-    pixels = view.pixel_from_world(points.reshape(-1, 3)).reshape(len(xy), len(body), 2)
-    return _round(pixels)
+    (boxes,) = several_standing_boxes(view, xy, ((height_m, width_m),))
+    return boxes
+
+
+def several_standing_boxes(
+    view: View, xy: Boxes, bodies: Sequence[tuple[Boxes, float]]
+) -> tuple[Boxes, ...]:
+    """`standing_boxes` of several bodies, heights and width each, at the same floor places.
+
+    All are projected at once, which costs little more than one.
+    """
+    count = len(_RINGS) * _RING_POINTS
+    points = np.empty((len(bodies), len(xy), count, 3))
+    for standing, (height_m, width_m) in zip(points, bodies, strict=True):
+        body = _body_points(width_m)
+        standing[..., :2] = xy[:, None] + body[:, :2]
+        standing[..., 2] = height_m[:, None] * body[:, 2]
+    pixels = view.pixel_from_world(points.reshape(-1, 3)).reshape(-1, count, 2)
+    return tuple(_round(pixels).reshape(len(bodies), len(xy), 4))
 
 
 def with_feet(seen: Boxes, feet: Boxes, unseen: NDArray[np.bool_]) -> Boxes:

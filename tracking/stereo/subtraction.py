@@ -43,7 +43,9 @@ class SubtractionStereo:
             lines.disparity_at_height(self._settings.tallest_m, near, far)[::STEP, ::STEP]
             + _SLACK_PX
         )
-        self._column = np.tile(np.arange(0, STEP * self._least.shape[1], STEP), len(self._least))
+        rows, width = len(self._least), lines.shape[1]
+        self._column = np.tile(np.arange(0, width, STEP), rows)
+        self._pixel = self._column + np.repeat(np.arange(rows) * width, self._least.shape[1])
         self._least_parts = np.ceil(self._least * _PARTS_OF_PX).astype(np.int16)
         self._most_parts = np.floor(self._most * _PARTS_OF_PX).astype(np.int16)
         self._reach_px = self._settings.window_px // 2 + _FILTER_PX
@@ -139,10 +141,11 @@ class SubtractionStereo:
         Args:
             mask: of every second row. place: (n,) on the grid.
         """
-        partner = np.rint(self._column.take(place) - disparity).astype(np.intp)
-        inside = (partner >= 0) & (partner < mask.shape[1])
-        row = place // self._least.shape[1]
-        return np.asarray(inside & (mask[row, partner * inside] > 0), np.bool_)
+        column = self._column.take(place)
+        shift = np.rint(disparity).astype(np.intp)
+        inside = (shift <= column) & (shift > column - mask.shape[1])
+        partner = self._pixel.take(place) - shift * inside
+        return np.asarray(inside & (mask.ravel().take(partner) > 0), np.bool_)
 
     def _search(
         self, left: Grey, right: Grey, box: tuple[slice, slice], lowest: int, highest: int
