@@ -35,7 +35,7 @@ def filled(tracks: Columns, signals: Columns, view: View, fps: float) -> tuple[C
     sort = np.lexsort((whole["track"], whole["frame"]))
     whole = {name: column[sort] for name, column in whole.items()}
     is_new = np.append(np.zeros(len(order), bool), np.ones(len(before), bool))[sort]
-    _expect_visibility(whole, is_new, view)
+    expect_visibility(whole, is_new, view)
     if len(signals["frame"]) != len(tracks["frame"]):
         return whole, signals
     row = np.append(order, order[before])[sort]
@@ -66,7 +66,7 @@ def _between(tracks: Columns, longest: int) -> tuple[dict[str, NDArray[Any]], Ro
     return typed(values, TRACK_COLUMNS), before
 
 
-def _expect_visibility(tracks: Columns, is_new: NDArray[np.bool_], view: View) -> None:
+def expect_visibility(tracks: Columns, is_new: NDArray[np.bool_], view: View) -> None:
     """Put what others leave to be seen of the new rows in them."""
     box: Floats = np.stack([tracks[name] for name in SIDES], axis=1)
     range_m = np.hypot(tracks["x"], tracks["y"])

@@ -13,6 +13,7 @@ from tracking.trackers.linking.choosing import chains, chosen, least_rows
 from tracking.trackers.linking.doubts import Doubt, doubts
 from tracking.trackers.linking.edges import returned_over_edge
 from tracking.trackers.linking.looks import looks_of
+from tracking.trackers.linking.reaching import reached
 from tracking.trackers.linking.renaming import renamed
 from tracking.trackers.linking.seen import Integers, Seen, seen_of
 from tracking.trackers.linking.tracklets import Tracklets, tracklets
@@ -39,7 +40,8 @@ def linked(run: Run, view: View, fps: float, given: Columns | None = None) -> Ru
     """
     row, name = _names_of_rows(run, view, fps, given)
     if len(row):
-        run = renamed(run, row, name, view, fps)
+        free = run.detections["track"] == 0
+        run = reached(renamed(run, row, name, view, fps), free, view, fps)
     return smoothed(run, view, fps, given)
 
 

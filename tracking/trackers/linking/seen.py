@@ -91,9 +91,14 @@ def begins(seen: Seen) -> Flags:
 def found_again(seen: Seen, gap_s: float, fps: float) -> Flags:
     """(n,) rows after a gap, or a step too long."""
     elapsed_s = np.diff(seen.frame, prepend=seen.frame[:1]) / fps
-    step_m = np.hypot(*np.diff(seen.place, axis=0, prepend=seen.place[:1]).T)
-    error_m = _STEP_ERRORS * place_errors(seen.place)
-    return np.asarray((elapsed_s > gap_s) | (step_m > _FASTEST_M_S * elapsed_s + error_m))
+    step = np.diff(seen.place, axis=0, prepend=seen.place[:1])
+    return np.asarray((elapsed_s > gap_s) | ~may_have_walked(step, seen.place, elapsed_s))
+
+
+def may_have_walked(step: Floats, place: Floats, elapsed_s: Floats | float) -> Flags:
+    """(n,) whether steps (n, 2) m to measured places (n, 2) in this time are somebody's."""
+    error_m = _STEP_ERRORS * place_errors(place)
+    return np.asarray(np.hypot(*step.T) <= _FASTEST_M_S * elapsed_s + error_m)
 
 
 def keys(frame: NDArray[np.integer], track: NDArray[np.integer]) -> Integers:
