@@ -126,6 +126,31 @@ def test_what_darkens_for_a_moment_only_as_shadows_of_walkers_do_is_not_learnt()
     assert not background.subtract(scene(np.ones(SHAPE[:2]), seed=10)).mask.any()
 
 
+def with_shadow(picture: Picture, person: slice) -> Picture:
+    """Somebody in dark clothes without detail in some columns, and the shadow beside."""
+    shaded = picture.copy()
+    rows, beside = slice(60, 180), slice(person.stop, person.stop + 32)
+    shaded[rows, person] = 45
+    shaded[rows, beside] = (shaded[rows, beside] * 0.6).astype(np.uint8)
+    return shaded
+
+
+def crowd_walks_in(background: BackgroundModel) -> tuple[Picture, Picture]:
+    """One after the other; their picture, and where they are."""
+    picture, people = scene(np.ones(SHAPE[:2]), seed=9), np.zeros(SHAPE[:2], np.uint8)
+    for left in (16, 96, 176, 256):
+        picture = with_shadow(picture, slice(left, left + 32))
+        people[60:180, left : left + 32] = 255
+        watch(background, picture, 0.3, people)
+    return picture, people
+
+
+def test_a_crowd_that_walks_in_with_its_shadows_is_no_change_of_light() -> None:
+    background = learnt()
+    picture, people = crowd_walks_in(background)
+    assert background.subtract(picture).mask[people > 0].mean() > 0.97 * 255
+
+
 @pytest.mark.parametrize("seed", range(8))
 def test_clothes_that_keep_still_are_no_patch_of_light(seed: int) -> None:
     random = np.random.default_rng(seed)

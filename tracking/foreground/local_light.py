@@ -23,6 +23,9 @@ _A_FEW, _MOST = 0.05, 0.5
 """Shares of what is near that must be brighter, or darker, to believe it of what people hide."""
 _PATCH_BLOCKS = 4
 """Patches of fewer blocks are left alone."""
+_NEARLY_ALL, _AT_ONCE = 0.6, 0.1
+"""Unless so much of what differs shows the same thing, only what hangs together over such a share
+of the picture is believed at once: shadows of a crowd are as much in all, but each is small."""
 
 
 def change_of_light(picture: Picture, background: Picture, mask: Mask) -> Floats | None:
@@ -30,7 +33,8 @@ def change_of_light(picture: Picture, background: Picture, mask: Mask) -> Floats
 
     Where only the light changed, a block of the picture shows the same detail as the background,
     brighter or darker as a whole. People cover the detail with their own; behind them the light
-    is that of the places near by.
+    is that of the places near by. Shadows of people show the background's detail, too, but light
+    changes over a large part of the picture that hangs together.
 
     Args:
         picture, background: (height, width, 3). mask: (height, width), 255 where they differ.
@@ -41,6 +45,8 @@ def change_of_light(picture: Picture, background: Picture, mask: Mask) -> Floats
     blocks = Blocks.of(picture, background, mask)
     told = blocks.differs & blocks.detail
     lit = told & blocks.alike
+    if lit.sum() < _NEARLY_ALL * blocks.differs.sum():
+        lit = _together(lit, _AT_ONCE * lit.size)
     if not lit.any() or lit.sum() < _SHARE * told.sum():
         return None
     hidden = blocks.differs & ~lit & _may_be_lit(lit, blocks)
@@ -74,7 +80,7 @@ def patches_of_light(
     inside = picture[box], background[box], still_s[box]
     steady = white(_steady(*inside, least_s))
     blocks = Blocks.of(picture[box], background[box], steady)
-    lit = _together(blocks.differs & blocks.detail & blocks.alike)
+    lit = _together(blocks.differs & blocks.detail & blocks.alike, _PATCH_BLOCKS)
     if not lit.any():
         return None
     flat = blocks.differs & ~blocks.busy & _may_be_lit(lit, blocks)
@@ -111,10 +117,10 @@ def _pixels_of(first: int, end: int, pixels: int, blocks: int) -> slice:
     return slice(max(first, 0) * pixels // blocks, min(end, blocks) * pixels // blocks)
 
 
-def _together(lit: Flags) -> Flags:
-    """The blocks of which enough hang together: clothes never look so like the floor."""
+def _together(lit: Flags, least: float) -> Flags:
+    """The blocks of which so many hang together: clothes never look so like the floor."""
     _, patch, stats, _ = cv2.connectedComponentsWithStats(lit.view(np.uint8), connectivity=4)
-    large = stats[:, cv2.CC_STAT_AREA] >= _PATCH_BLOCKS
+    large = stats[:, cv2.CC_STAT_AREA] >= least
     return np.asarray(lit & large[patch], np.bool_)
 
 
