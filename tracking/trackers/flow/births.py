@@ -52,17 +52,10 @@ def newcomer(
     """
     middle = np.median(slope, axis=0)
     place = floor.places(middle[None], _CENTRES_M)
-    highest = floor.heights(slope[None], place[:, None]).max(axis=1)
-    pace = np.median(
-        paces(
-            slope[None],
-            before[None],
-            floor.heights(slope[None], place[:, None]),
-            over_s,
-            floor.camera_m,
-        ),
-        axis=1,
-    )
+    height = floor.heights(slope[None], place[:, None])
+    highest = height.max(axis=1)
+    every = paces(slope[None], before[None], height, over_s, floor.camera_m)
+    pace = np.median(every, axis=1)
     fit = fits(place, mask, cover, floor)
     speed = np.hypot(pace[:, 0], pace[:, 1])
     odd = ((_CENTRES_M - _USUAL_CENTRE_M) / _CENTRE_ERROR_M) ** 2

@@ -8,7 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.silhouettes import Mask, Spots, cover_of, fits_at, may_stand, spots_at
+from tracking.trackers.flow.silhouettes import (
+    Mask,
+    Spots,
+    cover_of,
+    cover_with,
+    fits_at,
+    may_stand,
+    spots_at,
+)
 
 Floats = NDArray[np.float64]
 
@@ -75,20 +83,26 @@ class FloorGrid:
             least: score, seen and own of a `Fit` that convince.
             apart_m: from the people followed and from each other.
         """
-        known, cover = followed, cover_of(followed, self._floor)
+        cover = cover_of(followed, self._floor)
         rows = np.flatnonzero(may_stand(self._spots, mask, cover))
-        for _ in range(_MOST_A_FRAME):
+        rows = rows[self._free(rows, followed, apart_m)]
+        found: list[Floats] = []
+        while len(rows) and len(found) < _MOST_A_FRAME:
             fit = fits_at(self._spots.select(rows), mask, cover)
             good = (fit.score >= least[0]) & (fit.seen >= least[1]) & (fit.own >= least[2])
-            away = self.place[rows][:, None] - known[None]
-            good &= (np.hypot(away[..., 0], away[..., 1]) > apart_m).all(axis=1)
             if not good.any():
                 break
             best = np.where(good, fit.score + _OWN_WEIGHT * fit.own, -1.0).argmax()
-            known = np.concatenate((known, self.place[rows[best : best + 1]]))
+            found.append(self.place[rows[best]])
             rows = rows[good]  # others explain more, never less
-            cover = cover_of(known, self._floor)
-        return known[len(followed) :]
+            rows = rows[self._free(rows, found[-1][None], apart_m)]
+            cover = cover_with(cover, found[-1], self._floor)
+        return np.array(found).reshape(-1, 2)
+
+    def _free(self, rows: NDArray[np.intp], people: Floats, apart_m: float) -> NDArray[np.bool_]:
+        """Which places, by number, are far enough from all these people (m, 2)."""
+        away = self.place[rows][:, None] - people
+        return np.asarray((np.hypot(away[..., 0], away[..., 1]) > apart_m).all(axis=1), np.bool_)
 
 
 def _in_sight(floor: Floor) -> Floats:

@@ -158,6 +158,11 @@ def cover_of(place: Floats, floor: Floor) -> Cover:
     return cover
 
 
+def cover_with(cover: Cover, place: Floats, floor: Floor) -> Cover:
+    """The `cover_of` people and one more, at place (2,) m."""
+    return np.minimum(cover, cover_of(place[None], floor))
+
+
 def fits(place: Floats, mask: Mask, cover: Cover, floor: Floor, own: Floats | None = None) -> Fit:
     """How well bodies at places (k, 2) suit the foreground.
 
