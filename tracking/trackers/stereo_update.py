@@ -106,6 +106,8 @@ def guests_kept(
     They count as predicted: [Kawashita2014] takes people in merged regions as undetected.
     """
     rows = shared.guest
+    if len(rows) == 0:
+        return people
     sigma = 2.0 * likelihood_sigma(shared.guest_at, settings)
     particles, weight = weighed(people.particles[rows], shared.guest_at, sigma, random)
     return people.changed(
