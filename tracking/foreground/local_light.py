@@ -24,8 +24,9 @@ _A_FEW, _MOST = 0.05, 0.5
 _PATCH_BLOCKS = 4
 """Patches of fewer blocks are left alone."""
 _NEARLY_ALL, _AT_ONCE = 0.6, 0.1
-"""Unless so much of what differs shows the same thing, only what hangs together over such a share
-of the picture is believed at once: shadows of a crowd are as much in all, but each is small."""
+"""A change of light is believed at once if so much of what differs shows the same thing, or such a
+share of the picture that hangs together: shadows of a crowd are as much in all, but each is small.
+"""
 
 
 def change_of_light(picture: Picture, background: Picture, mask: Mask) -> Floats | None:
@@ -45,9 +46,7 @@ def change_of_light(picture: Picture, background: Picture, mask: Mask) -> Floats
     blocks = Blocks.of(picture, background, mask)
     told = blocks.differs & blocks.detail
     lit = told & blocks.alike
-    if lit.sum() < _NEARLY_ALL * blocks.differs.sum():
-        lit = _together(lit, _AT_ONCE * lit.size)
-    if not lit.any() or lit.sum() < _SHARE * told.sum():
+    if not lit.any() or lit.sum() < _SHARE * told.sum() or not _large(lit, blocks.differs):
         return None
     hidden = blocks.differs & ~lit & _may_be_lit(lit, blocks)
     return ratio_of_light(picture, background, mask, lit, hidden)
@@ -115,6 +114,12 @@ def _box_of_patches(steady: Flags, shape: tuple[int, ...]) -> Box | None:
 def _pixels_of(first: int, end: int, pixels: int, blocks: int) -> slice:
     """The pixels of blocks along one side of the picture."""
     return slice(max(first, 0) * pixels // blocks, min(end, blocks) * pixels // blocks)
+
+
+def _large(lit: Flags, differs: Flags) -> bool:
+    """Whether nearly all that differs is lit, or much of the picture that hangs together."""
+    nearly_all = lit.sum() >= _NEARLY_ALL * differs.sum()
+    return bool(nearly_all or _together(lit, _AT_ONCE * lit.size).any())
 
 
 def _together(lit: Flags, least: float) -> Flags:
