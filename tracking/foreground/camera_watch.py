@@ -54,7 +54,7 @@ class CameraWatch:
         self._marks: Points = np.zeros((0, 1, 2), np.float32)
 
     def look(self, frame: int, picture: Picture) -> None:
-        """Take notice of the next frame; only every so-manieth is looked at closely.
+        """Take notice of the next frame; only one in some is looked at closely.
 
         Args:
             picture: (height, width) or (height, width, 3) uint8.

@@ -63,7 +63,7 @@ class Overlays:
         return _resized(self._disparity, self._size) * np.float32(self._shrink)
 
     def ranged(self, every_px: int) -> tuple[int, int]:
-        """Of every so-manieth pixel across and down, how many are foreground and no shadow.
+        """Of every n-th pixel across and down, how many are foreground and no shadow.
 
         Returns the number of these, and of those among them that have a disparity.
         """
@@ -76,7 +76,7 @@ class Overlays:
         return int(np.count_nonzero(moving)), int(np.count_nonzero(known))
 
     def _every(self, picture: NDArray[Any], step: int) -> NDArray[Any]:
-        """Every so-manieth pixel of the picture as shown."""
+        """Every n-th pixel of the picture as shown."""
         columns, rows = (
             np.arange(0, shown, step) * stored // shown
             for shown, stored in zip(self._size, picture.shape[::-1], strict=True)

@@ -1,4 +1,4 @@
-"""The direction people walk in: where it is taken from, and what a turn costs."""
+"""What is kept of people: which way they walk, their colours, and what both cost."""
 
 from __future__ import annotations
 

@@ -110,8 +110,8 @@ BEFALLEN = """
 ## Light that changes, a right eye that fails or lags
 
 A part of the light goes out within a second (clips of 15 s), or the right eye of a clip of 30 s is
-late or ahead by frames throughout, dark, or shows one picture for four seconds from the twelfth on. "Longest
-alone" is the longest stretch in which a track stands where nobody is within a metre.
+late or ahead by frames throughout, dark, or shows one picture for four seconds from the twelfth
+on. "Longest alone" is the longest stretch in which a track stands where nobody is within a metre.
 """
 
 MEANINGS = {

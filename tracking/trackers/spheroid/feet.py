@@ -191,15 +191,16 @@ def _ends(place: Floats, size: Whole) -> Whole:
 
 def _reach(feet: Feet, shape: tuple[int, ...]) -> tuple[Whole, Whole, Whole, Whole]:
     """(people,) left, top, right, bottom px of what holds all feet of each, half-open."""
-    sides = []
-    for middle, half, length in (("u", "wide", shape[1]), ("v", "tall", shape[0])):
-        low, high = (
-            np.concatenate([getattr(s, middle) + sign * getattr(s, half) for s in both], axis=1)
-            for sign in (-1, 1)
-            for both in ((feet.legs, feet.below),)
-        )
-        begin = np.clip(np.nan_to_num(np.fmin.reduce(low, axis=1)), 0, length).astype(np.intp)
-        end = np.ceil(np.clip(np.nan_to_num(np.fmax.reduce(high, axis=1)) + 1, 0, length))
-        sides.append((begin, np.maximum(end.astype(np.intp), begin)))
-    (left, right), (top, bottom) = sides
+    both = (feet.legs, feet.below)
+    left, right = _ends_of([s.u for s in both], [s.wide for s in both], shape[1])
+    top, bottom = _ends_of([s.v for s in both], [s.tall for s in both], shape[0])
     return left, top, right, bottom
+
+
+def _ends_of(middles: list[Floats], halves: list[Floats], length: int) -> tuple[Whole, Whole]:
+    """(people,) the first pixel along one side of the picture, and the one behind the last."""
+    middle, half = np.concatenate(middles, axis=1), np.concatenate(halves, axis=1)
+    low, high = np.fmin.reduce(middle - half, axis=1), np.fmax.reduce(middle + half, axis=1)
+    begin = np.clip(np.nan_to_num(low), 0, length).astype(np.intp)
+    end = np.ceil(np.clip(np.nan_to_num(high) + 1, 0, length)).astype(np.intp)
+    return begin, np.maximum(end, begin)

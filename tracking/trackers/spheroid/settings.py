@@ -114,7 +114,11 @@ class SpheroidSettings:
         "paper",
     )
     smooth: bool = setting(
-        True, "", None, "once tracked, smooth paths and boxes from both ends and fill their gaps"
+        True,
+        "",
+        None,
+        "once tracked, look the whole run over: one id for a person's whole stay (not with paper), "
+        "smooth paths and boxes, gaps filled",
     )
     occluders: str = setting(
         "", "", None, "outlines of what hides people: [[[u, v], ...], ...] in px of the left image"
