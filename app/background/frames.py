@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Generator
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from tracking.errors import RecordingError
-from tracking.people import lag_looks
+from app.background.late_eye import LagSearch
 from tracking.recording import FrameCache, Instants, Recording, StereoFrame
 
 
@@ -23,7 +21,7 @@ class FrameReader(QObject):
     """Reads frames of one recording in a thread.
 
     `ready(ticket, frame)` carries a `StereoFrame`: both eyes of one instant. Whether an eye is late
-    is found while the first frames are read ahead; if it is, the frame asked for last comes once
+    is looked for from the first one on (`LagSearch`); if it is, the frame asked for last comes once
     more, with the right picture of its instant. Requests that were overtaken before their turn are
     never read. `failed(frame, error)` says which frame could not be read; later requests go on.
     """
@@ -35,9 +33,8 @@ class FrameReader(QObject):
         super().__init__(parent)
         self._instants = Instants(recording)
         self._cache = FrameCache(self._instants, cache_bytes)
-        self._looks: Generator[int, StereoFrame, int | None] | None = None
-        self._next_look = 0
-        self._sought = not recording.is_stereo
+        self._search = LagSearch(recording, self._take_lag)
+        self._found = 0  # the lag, until the thread takes it
         self._ticket = 0
         self._wanted: _Request | None = None
         self._closed = False
@@ -65,26 +62,30 @@ class FrameReader(QObject):
 
     def close(self) -> None:
         """End the thread and wait for it."""
+        self._search.cancel()
         with self._changed:
             self._closed = True
             self._changed.notify()
         self._thread.join()
+        self._search.wait()
 
     def _run(self) -> None:
         served: _Request | None = None
         more = False
         while True:
             with self._changed:
-                while not self._closed and self._wanted is served and not more:
+                while not (self._closed or more or self._found or self._wanted is not served):
                     self._changed.wait()
                 if self._closed:
                     return
                 request = self._wanted
+                if self._found:
+                    self._pair_anew()
+                    served = None
             if request is not None and request is not served:
                 self._serve(request)
+                self._search.start(request.frame)
                 served, more = request, True
-            elif not self._sought:
-                served = None if self._seek_lag(served.frame if served else 0) else served
             else:
                 more = self._fetch_ahead()
 
@@ -96,24 +97,16 @@ class FrameReader(QObject):
         else:
             self.ready.emit(request.ticket, frame)
 
-    def _seek_lag(self, start: int) -> bool:
-        """Look at one more frame for whether an eye is late; whether one was found to be."""
-        recording = self._instants.recording
-        try:
-            if self._looks is None:
-                self._looks = lag_looks(recording, start)
-                self._next_look = next(self._looks)
-            else:
-                self._next_look = self._looks.send(recording.read(self._next_look))
-        except StopIteration as told:
-            self._sought = True
-            self._instants.lag = told.value or 0
-            if told.value:
-                self._cache.clear()
-            return bool(told.value)
-        except RecordingError:
-            self._sought = True  # told when somebody asks for this very frame
-        return False
+    def _take_lag(self, lag: int) -> None:
+        """An eye is late; told in the thread of the search."""
+        with self._changed:
+            self._found = lag
+            self._changed.notify()
+
+    def _pair_anew(self) -> None:
+        """Forget what was paired wrongly; in the thread that reads, between two frames."""
+        self._instants.lag, self._found = self._found, 0
+        self._cache.clear()
 
     def _fetch_ahead(self) -> bool:
         """Read one more frame in the play direction; whether there may be more to fetch."""

@@ -5,7 +5,7 @@ import pytest
 import shiboken6
 from PySide6.QtCore import QObject
 
-from app.background import FrameReader, Job
+from app.background import FrameReader, Job, late_eye
 from app.views.widgets.progress_strip import ProgressStrip
 from app.views.widgets.work import Work
 from tracking.errors import CancelledError, OutputError, RecordingError
@@ -149,6 +149,52 @@ def test_a_bug_in_reading_is_told_and_the_next_request_works(reader, qtbot, monk
     assert isinstance(told.args[1], ValueError)
     with qtbot.waitSignal(reader.ready):
         reader.request(5)
+
+
+def test_playing_never_waits_for_the_search_for_a_late_eye(reader, qtbot, monkeypatch):
+    go = threading.Event()
+
+    def slow(_recording, start):
+        yield start
+        go.wait(10)
+
+    monkeypatch.setattr(late_eye, "lag_looks", slow)
+    reader.request(10)
+    qtbot.waitUntil(lambda: reader.cached(20) is not None)
+    with qtbot.waitSignal(reader.ready) as answer:
+        reader.request(60)
+    assert answer.args[1].number == 60
+    go.set()
+
+
+def test_a_search_for_a_late_eye_ends_when_the_reader_is_closed(reader, qtbot, monkeypatch):
+    looked = threading.Event()
+
+    def endless(_recording, start):
+        while True:
+            yield start
+            looked.set()
+
+    monkeypatch.setattr(late_eye, "lag_looks", endless)
+    reader.request(10)
+    qtbot.waitUntil(looked.is_set)
+    reader.close()
+    assert not any(thread.name == "late eye" for thread in threading.enumerate())
+
+
+def test_a_bug_in_the_search_for_a_late_eye_is_logged_and_frames_are_read_on(
+    reader, qtbot, monkeypatch, caplog
+):
+    def stumble(_recording, start):
+        yield start
+        raise ValueError("nobody expected this")
+
+    monkeypatch.setattr(late_eye, "lag_looks", stumble)
+    reader.request(10)
+    qtbot.waitUntil(lambda: "nobody expected this" in caplog.text)
+    with qtbot.waitSignal(reader.ready) as answer:
+        reader.request(60)
+    assert answer.args[1].number == 60
 
 
 def test_a_job_may_go_with_its_parent_while_its_work_goes_on(qtbot, no_threads_left):
