@@ -5,17 +5,35 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
-from numbered_videos import number_in, write_video
+from numbered_videos import number_in, numbered_picture, write_video
 from small_recordings import COUNT, RIGHT_OFFSET, write_pair
 
+from tracking.errors import RecordingError
 from tracking.recording import Instants, Recording, StereoFrame, open_recording
+from tracking.recording.frame import Image
+from tracking.recording.video import VideoSource
 
 
-@pytest.fixture(scope="module")
-def recording(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Recording]:
+def write_split(folder: Path, layout: str) -> None:
+    """One video that holds both eyes."""
+    stack = np.hstack if layout == "side-by-side" else np.vstack
+    both = [stack((numbered_picture(n), numbered_picture(n + RIGHT_OFFSET))) for n in range(COUNT)]
+    write_video(folder / "both.mp4", (), pictures=both)
+    manifest = f'format = 1\n[stereo]\nsource = "both.mp4"\nlayout = "{layout}"\n'
+    (folder / "recording.toml").write_text(manifest)
+
+
+@pytest.fixture(scope="module", params=["two videos", "side-by-side", "top-bottom"])
+def recording(
+    tmp_path_factory: pytest.TempPathFactory, request: pytest.FixtureRequest
+) -> Iterator[Recording]:
     folder = tmp_path_factory.mktemp("pair")
-    write_pair(folder)
+    if request.param == "two videos":
+        write_pair(folder)
+    else:
+        write_split(folder, request.param)
     with open_recording(folder) as opened:
         yield opened
 
@@ -56,20 +74,44 @@ def test_another_lag_counts_from_the_next_frame_on(
     assert seen == wanted(lags[0], 0, 6) + wanted(lags[1], 6, COUNT)
 
 
-def test_each_picture_is_decoded_once(
-    recording: Recording, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("lag", [-3, 0, 3])
+@pytest.mark.parametrize(("start", "stop"), [(4, COUNT + 1), (-2, 5), (5, 3)])
+def test_frames_that_are_not_there_are_refused(
+    recording: Recording, lag: int, start: int, stop: int
 ) -> None:
-    decoded: list[int] = []
-    frames = Recording.frames
+    with pytest.raises(RecordingError, match="are not within 0 to"):
+        list(Instants(recording, lag).frames(start, stop))
 
-    def counted(self: Recording, start: int, stop: int) -> Iterator[StereoFrame]:
-        for frame in frames(self, start, stop):
-            decoded.append(frame.number)
-            yield frame
 
-    monkeypatch.setattr(Recording, "frames", counted)
-    assert len(list(Instants(recording, 3).frames(2, 7))) == 5
-    assert decoded == list(range(2, 10))
+@pytest.mark.parametrize(("lag", "rights"), [(3, (5, 10)), (-1, (1, 6))])
+def test_each_picture_is_decoded_once_and_none_waits(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, lag: int, rights: tuple[int, int]
+) -> None:
+    write_pair(tmp_path)
+    asked: list[tuple[int, int]] = []
+    decoded = [0]
+    pictures = VideoSource.pictures
+
+    def counted(self: VideoSource, start: int, stop: int) -> Iterator[Image]:
+        asked.append((start, stop))
+        for picture in pictures(self, start, stop):
+            decoded[0] += 1
+            yield picture
+
+    monkeypatch.setattr(VideoSource, "pictures", counted)
+    with open_recording(tmp_path) as opened:
+        so_far = [decoded[0] for _ in Instants(opened, lag).frames(2, 7)]
+    assert sorted(asked) == sorted([(2, 7), rights])
+    assert so_far == [2, 4, 6, 8, 10]
+
+
+@pytest.mark.parametrize("recording", ["top-bottom"], indirect=True)
+@pytest.mark.parametrize("lag", [-4, 4])
+def test_of_pictures_that_hold_both_eyes_one_half_waits(recording: Recording, lag: int) -> None:
+    frames = Instants(recording, lag).frames(5, 7)
+    frame = next(iter(frames))
+    assert frame.right is not None
+    assert (frame.left if lag > 0 else frame.right).base is None
 
 
 def test_a_recording_of_one_eye_stays_as_it_is(tmp_path: Path) -> None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterator
 from typing import Literal, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
@@ -43,8 +45,12 @@ class Eyes(Protocol):
     def read(self, number: int, right_number: int) -> ImagePair:
         """The left picture of one pair and the right one of another; None with one eye."""
 
-    def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
-        """Pairs start to stop (half-open) in order."""
+    def pairs(self, start: int, stop: int, lag: int = 0) -> Iterator[ImagePair]:
+        """Left pictures start to stop (half-open) in order, each with a right one.
+
+        The right picture is that of the pair `lag` later; beyond the first and the last pair,
+        that of these.
+        """
 
 
 class OneEye:
@@ -61,7 +67,7 @@ class OneEye:
         """One picture, and no right one."""
         return self.sources[0].read(number), None
 
-    def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
+    def pairs(self, start: int, stop: int, lag: int = 0) -> Iterator[ImagePair]:  # noqa: ARG002
         """Pictures start to stop in order."""
         for image in self.sources[0].pictures(start, stop):
             yield image, None
@@ -93,11 +99,11 @@ class TwoEyes:
         left, right = self.sources
         return left.read(number), right.read(int(self._right_number[right_number]))
 
-    def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
-        """Pairs start to stop in order; both sources are read once."""
+    def pairs(self, start: int, stop: int, lag: int = 0) -> Iterator[ImagePair]:
+        """Pairs start to stop in order; both sources are read once, and no picture waits."""
         if stop <= start:
             return
-        wanted = self._right_number[start:stop]
+        wanted = self._right_number[_partners(start, stop, lag, self.frame_count)]
         first, last = int(wanted[0]), int(wanted[-1])
         lefts = self.sources[0].pictures(start, stop)
         rights = enumerate(self.sources[1].pictures(first, last + 1), first)
@@ -134,14 +140,37 @@ class SplitEyes:
             right = self._cut(self.sources[0].read(right_number))[1]
         return left, right
 
-    def pairs(self, start: int, stop: int) -> Iterator[ImagePair]:
-        """Pictures start to stop in order, cut into their eyes."""
-        for image in self.sources[0].pictures(start, stop):
-            yield self._cut(image)
+    def pairs(self, start: int, stop: int, lag: int = 0) -> Iterator[ImagePair]:
+        """Pictures start to stop in order, cut into their eyes; of a late eye's, one waits."""
+        if stop <= start:
+            return
+        partners = _partners(start, stop, lag, self.frame_count)
+        first, last = min(start, int(partners[0])), max(stop, int(partners[-1]) + 1)
+        pictures = enumerate(self.sources[0].pictures(first, last), first)
+        waiting: deque[tuple[int, Image]] = deque()
+        newest = first - 1
+        for number, partner in enumerate(partners, start):
+            while newest < max(number, partner):
+                newest, image = next(pictures)
+                left, right = self._cut(image)
+                if lag and newest >= (start if lag > 0 else partners[0]):
+                    # A copy: the half may be a view that keeps the whole picture.
+                    waiting.append((newest, (left if lag > 0 else right).copy()))
+            while waiting and waiting[0][0] < min(number, partner):
+                waiting.popleft()
+            yield (
+                waiting[0][1] if lag > 0 else left,
+                waiting[0][1] if lag < 0 else right,
+            )
 
-    def _cut(self, image: Image) -> ImagePair:
+    def _cut(self, image: Image) -> tuple[Image, Image]:
         width, height = self.size
         one = image[:height, :width]
         two = image[:height, width : 2 * width] if self._beside else image[height : 2 * height]
         left, right = (one, two) if self._left_first else (two, one)
         return np.ascontiguousarray(left), np.ascontiguousarray(right)
+
+
+def _partners(start: int, stop: int, lag: int, count: int) -> NDArray[np.intp]:
+    """The pair whose right picture goes with each left one."""
+    return (np.arange(start, stop) + lag).clip(0, count - 1)

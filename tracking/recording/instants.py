@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Generator, Iterator
+from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import replace
 
-from tracking.recording.frame import Image, StereoFrame
+from tracking.recording.frame import StereoFrame
 from tracking.recording.recording import Recording
 
 
@@ -50,36 +49,13 @@ class Instants:
         Raises:
             RecordingError: the range is not in the recording.
         """
-        while start < stop:
+        while True:
             lag = self.lag
-            with closing(self._of_lag(lag, start, stop)) as frames:
+            with closing(self.recording.frames(start, stop, lag)) as frames:
                 for frame in frames:
                     yield frame
                     start += 1
                     if self.lag != lag:
                         break
-
-    def _of_lag(self, lag: int, start: int, stop: int) -> Generator[StereoFrame]:
-        if lag and self.recording.is_stereo:
-            return self._paired(lag, start, stop)
-        return self.recording.frames(start, stop)
-
-    def _paired(self, lag: int, start: int, stop: int) -> Generator[StereoFrame]:
-        """Frames of a lag that is not 0: of one eye, pictures wait for those of the other."""
-        first, last = max(0, start + min(lag, 0)), min(self.frame_count, stop + max(lag, 0))
-        lefts: deque[StereoFrame] = deque()
-        rights: dict[int, Image | None] = {}
-        with closing(self.recording.frames(first, last)) as recorded:
-            for number in range(start, stop):
-                wanted = number + lag
-                until = max(number, min(wanted, last - 1))
-                while first <= until:
-                    newest = next(recorded)
-                    first += 1
-                    if newest.number >= start + lag:
-                        rights[newest.number] = newest.right
-                    if newest.number >= start:
-                        lefts.append(replace(newest, right=None))
-                is_there = 0 <= wanted < last
-                right = rights.pop(wanted) if is_there else newest.right
-                yield replace(lefts.popleft(), right=right, right_lag=lag if is_there else None)
+                else:
+                    return

@@ -116,8 +116,14 @@ class Recording:
             left, right = self._eyes.read(number, right_number)
         return StereoFrame(number, self.time_s(number), left, right, right_number - number)
 
-    def frames(self, start: int = 0, stop: int | None = None) -> Generator[StereoFrame]:
+    def frames(
+        self, start: int = 0, stop: int | None = None, lag: int = 0
+    ) -> Generator[StereoFrame]:
         """Frames start to stop (half-open) in order, read fast and apart from `read`.
+
+        Args:
+            lag: frames by which the right eye is late; negative: the left one. Beyond its first
+                and its last picture these stand in, and `right_lag` is None.
 
         Raises:
             RecordingError: the range is not in the recording.
@@ -127,8 +133,10 @@ class Recording:
             raise RecordingError(
                 f"{self.path}: frames {start} to {stop} are not within 0 to {self.frame_count}"
             )
-        for number, (left, right) in enumerate(self._eyes.pairs(start, stop), start):
-            yield StereoFrame(number, self.time_s(number), left, right)
+        lag = lag if self.is_stereo else 0
+        for number, (left, right) in enumerate(self._eyes.pairs(start, stop, lag), start):
+            right_lag = lag if 0 <= number + lag < self.frame_count else None
+            yield StereoFrame(number, self.time_s(number), left, right, right_lag)
 
     def close(self) -> None:
         """Let go of all files."""
