@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from tracking.people import eyes_watch
 from tracking.people.eyes_watch import EyesWatch, shows_nothing
 
 Picture = NDArray[np.uint8]
@@ -80,6 +82,12 @@ def test_a_lag_that_changes_all_the_time_is_unknown() -> None:
     watch, said = followed(lates)
     assert said[-60:] == [None] * 60
     assert len(watch.told()) == 1
+
+
+def test_a_lag_that_is_not_found_twice_on_end_is_not_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    finds = itertools.cycle([3, None, None])
+    monkeypatch.setattr(eyes_watch, "late_by", lambda *_: next(finds))
+    assert watched(3, 120).lag is None
 
 
 def test_an_eye_that_freezes_fails_until_it_moves_again() -> None:

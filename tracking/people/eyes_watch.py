@@ -116,7 +116,9 @@ class EyesWatch:
             return
         stretch = self._movement.stretch()
         found = None if stretch is None else late_by([stretch], self._movement.most_lag)
-        if found is not None:
+        if found is None:
+            self._looks = 0
+        else:
             self._looks = self._looks + 1 if found == self._found else 1
             self._found = found
             if self._looks >= _LOOKS and self._paired + found != self.lag:
