@@ -197,6 +197,15 @@ def test_no_run_takes_the_place_of_edited_tracks(session: Session) -> None:
     assert state_of(session) == before
 
 
+def test_no_run_of_fewer_frames_takes_the_place_of_the_tracks(session: Session) -> None:
+    whole = session.runs[0]
+    session.add_run(replace(make_run(seed=1), frames=(whole.frames[0] + 1, whole.frames[1])))
+    before = state_of(session)
+    with pytest.raises(EditError, match="alone; take from the run"):
+        session.adopt_run(1)
+    assert (session.adopted_run, state_of(session)) == (0, before)
+
+
 def test_a_run_that_is_no_table_is_refused(session: Session) -> None:
     run = make_run()
     run.tracks["frame"][:] = run.tracks["frame"][::-1].copy()

@@ -153,7 +153,7 @@ class Session(Held):
         Raises EditError where the run's tracks are no table.
         """
         self._refuse_read_only()
-        adopts = adopt and not len(self.history) and self._covers_adopted(run)
+        adopts = adopt and not len(self.history) and self.covers_corrected(run)
         table = self._table_of(run) if adopts else None
         number = self._runs.add(run)
         if table is not None:
@@ -165,28 +165,28 @@ class Session(Held):
     def adopt_run(self, number: int) -> None:
         """Begin the corrected table anew as another run's tracks; on disk as after `add_run`.
 
-        Raises EditError where somebody has edited: the edits are those of the table there is.
+        Raises EditError where somebody has edited: the edits are those of the table there is; and
+        where the run is of fewer frames than the one begun with: people outside of them would go.
         """
         self._refuse_read_only()
+        run = self._runs[number]
         if len(self.history):
             raise EditError(
                 f"run {number} cannot be begun with: the tracks have been edited; take from the "
                 "run what it says otherwise"
             )
-        self._edited.tracks, self._adopted = self._table_of(self._runs[number]), number
+        if not self.covers_corrected(run):
+            raise EditError(
+                f"run {number} cannot be begun with: it is of frames {run.frames[0]} to "
+                f"{run.frames[1] - 1} alone; take from the run what it says otherwise"
+            )
+        self._edited.tracks, self._adopted = self._table_of(run), number
         self._content += 1
         self._base = self._content
 
     def _table_of(self, run: Run) -> TrackTable:
         """The run's tracks as a corrected table; ids that were ever given stay used."""
         return TrackTable(run.tracks, highest_track=self.tracks.highest_track)
-
-    def _covers_adopted(self, run: Run) -> bool:
-        """Whether a run is of all frames of the one whose tracks are corrected now."""
-        if self._adopted is None:
-            return True
-        start, stop = self._runs[self._adopted].frames
-        return run.frames[0] <= start and stop <= run.frames[1]
 
     def drop_run(self, number: int) -> None:
         """Forget the last run. Raises EditError for another one, and for the one adopted."""

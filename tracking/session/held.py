@@ -78,6 +78,13 @@ class Held:
         """
         return None if self._adopted is None else self._runs[self._adopted]
 
+    def covers_corrected(self, run: Run) -> bool:
+        """Whether a run is of all frames of the one the corrected table began as."""
+        if self._adopted is None:
+            return True
+        start, stop = self._runs[self._adopted].frames
+        return run.frames[0] <= start and stop <= run.frames[1]
+
     @property
     def history(self) -> History:
         """The log of edits."""

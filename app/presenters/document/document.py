@@ -238,7 +238,7 @@ class Document:
             EditError: the tracks shown are not the session's but those of a tracker at work, or
                 more would change than the history can keep.
         """
-        self._refuse_while_live()
+        self.refuse_while_live()
         refuse_too_large(change)
         if self.session is not None:
             self.session.apply(change, written)
@@ -249,7 +249,7 @@ class Document:
         entry = self.session.history.next_undo if self.session is not None else None
         if self.session is None or entry is None:
             return None
-        self._refuse_while_live()
+        self.refuse_while_live()
         change = entry.change
         self.session.undo()
         return self._shown(change, change.inverse)
@@ -259,7 +259,7 @@ class Document:
         entry = self.session.history.next_redo if self.session is not None else None
         if self.session is None or entry is None:
             return None
-        self._refuse_while_live()
+        self.refuse_while_live()
         change = entry.change
         self.session.redo()
         return self._shown(change, change)
@@ -272,7 +272,7 @@ class Document:
         """
         if self.session is None:
             raise EditError(tr("Nothing to undo: there is no session yet"))
-        self._refuse_while_live()
+        self.refuse_while_live()
         change = self.session.undo_alone(edit).change
         return self._shown(change, change)
 
@@ -280,7 +280,8 @@ class Document:
         """Why an edit cannot be undone alone; "" where it can."""
         return "" if self.session is None else self.session.history.why_not_alone(edit)
 
-    def _refuse_while_live(self) -> None:
+    def refuse_while_live(self) -> None:
+        """Raises EditError while the tracks of a tracker at work are shown."""
         if self.is_live and self.session is not None:
             raise EditError(tr("Not changed: stop tracking first, then correct"))
 

@@ -74,8 +74,9 @@ class RunList:
             their figures could not be compared.
     """
 
-    def __init__(self, session: Session, recording: Recording) -> None:
-        self._session = session
+    def __init__(self, session: Session, recording: Recording, *, live: bool = False) -> None:
+        """`live`: a tracker is at work on the recording."""
+        self._session, self._live = session, live
         self._recording = recording
         self._figures: dict[int, Mapping[str, Any]] = {}
         self.shared = True
@@ -130,9 +131,9 @@ class RunList:
         truth_path = self._recording.truth_path
         assert truth_path is not None
         runs, common = self._session.runs, self._common if self.shared else None
-        columns: dict[int, Columns] = {CORRECTED: self._session.tracks.snapshot().columns()}
-        columns |= {n: runs[n].tracks for n in range(len(runs))}
-        tables = [(n, columns[n], common or frames) for n, frames in self._ranges.items()]
+        tracks: dict[int, Columns] = {CORRECTED: self._session.tracks.snapshot().columns()}
+        tracks |= {n: runs[n].tracks for n in range(len(runs))}
+        tables = [(n, tracks[n], common or frames) for n, frames in self._ranges.items()]
 
         def work(report: Progress) -> dict[int, Mapping[str, Any]]:
             truth = read_mot(truth_path)
@@ -182,6 +183,8 @@ class RunList:
     def _why_not_corrected(self, number: int) -> str:
         if number == self._session.adopted_run:
             return tr("This run is the one being corrected.")
+        if self._live:
+            return tr("A tracker is at work: stop it first.")
         return read_only() if self._session.read_only else ""
 
     def _figures_of(self, number: int) -> dict[str, str]:

@@ -18,6 +18,7 @@ from app.views.desk.workspace import Workspace
 from app.views.playing.playback import Playback
 from tracking.editing import Change, Difference
 from tracking.errors import TrackwrightError
+from tracking.session import Session
 
 _BEFORE_S = 0.5
 
@@ -77,22 +78,24 @@ class Comparing(QObject):
     def correct(self, number: int) -> None:
         """Have a run's tracks be the ones to correct: at once, or by taking them over the edits.
 
-        What nobody has edited begins anew as the run. Else the run is compared, with everything
-        ticked that it says otherwise: one edit takes it, and what people corrected stays.
+        What nobody has edited begins anew as the run. Where people have edited, or the run is of
+        fewer frames, it is compared, with everything ticked that it says otherwise: one edit takes
+        it, and what people corrected, or is outside of its frames, stays.
         """
         session = self._document.session
         if session is None:
             return
-        if len(session.history):
-            self.open(number, everything=True)
-            self.said.emit(
-                tr("You have edited already: take what is ticked, as one edit that can be undone")
-            )
-            return
         try:
-            session.adopt_run(number)
+            self._document.refuse_while_live()
+            why_compared = _why_compared(session, number)
+            if not why_compared:
+                session.adopt_run(number)
         except TrackwrightError as error:
             self.failed.emit(error)
+            return
+        if why_compared:
+            self.open(number, everything=True)
+            self.said.emit(why_compared)
             return
         self._document.take_session(session)
         self.said.emit(tr("Run {n} is the one being corrected now", n=number))
@@ -299,3 +302,12 @@ class Comparing(QObject):
         if self._comparison is not None:
             doing = tr("Comparing...") if self._job is not None else ""
             self._workspace.show_differences(self._comparison.scene(doing, self._share))
+
+
+def _why_compared(session: Session, number: int) -> str:
+    """Why a run is taken by comparing it, in words; "" where tracks can begin anew as the run."""
+    if len(session.history):
+        return tr("You have edited already: take what is ticked, as one edit that can be undone")
+    if not session.covers_corrected(session.runs[number]):
+        return tr("It has fewer frames: take what is ticked, as one edit that can be undone")
+    return ""

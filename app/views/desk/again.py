@@ -52,7 +52,8 @@ def show_runs(desk: Desk) -> None:
     session = desk.document.session
     if session is None:
         return
-    dialog = RunsDialog(RunList(session, desk.document.recording), desk.window_page)
+    runs = RunList(session, desk.document.recording, live=desk.document.is_live)
+    dialog = RunsDialog(runs, desk.window_page)
     dialog.compare_asked.connect(
         lambda run, base: desk.comparing.open(run, None if base == CORRECTED else base)
     )

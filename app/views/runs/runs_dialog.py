@@ -195,7 +195,11 @@ class RunsDialog(QDialog):
         said = why_not[chosen[0]] if len(chosen) == 1 else self.tr("Select one run to correct it.")
         self._correct.setEnabled(not said)
         self._correct.setToolTip(
-            said or self.tr("Its tracks become the ones you correct; nothing is lost by it")
+            said
+            or self.tr(
+                "Its tracks become the ones you correct. Where you have edited, or it has fewer "
+                "frames, you first see what would change, and take that as one edit."
+            )
         )
 
     def _ask_correct(self) -> None:

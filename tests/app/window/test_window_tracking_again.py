@@ -12,6 +12,7 @@ from app.presenters.comparing.differences import Comparison
 from app.presenters.files import opening
 from app.presenters.runs.runs import CORRECTED
 from app.presenters.words import span_text
+from app.views.desk.again import show_runs
 from app.views.runs.runs_dialog import RunsDialog
 from app.views.runs.track_dialog import TrackDialog
 from tracking.editing import plan_delete, plan_mark_reviewed
@@ -228,12 +229,15 @@ def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tin
     assert (desk.document.comparison.base, desk.document.comparison.run) == (0, 1)
 
 
-def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtbot):
-    session = desk.document.session
-    run = session.runs[0]
+def _late_part(run):
     late = run.tracks["frame"] >= 40
     rows = {name: column[late] for name, column in run.tracks.items()}
-    session.add_run(replace(run, tracks=rows, frames=(40, 80)), adopt=False)
+    return replace(run, tracks=rows, frames=(40, 80))
+
+
+def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtbot):
+    session = desk.document.session
+    session.add_run(_late_part(session.runs[0]), adopt=False)
     window.run_command("review.runs")
     dialog = window.findChild(RunsDialog)
     figures = lambda: [dialog._table.item(row, 6).text() for row in (1, 2)]  # noqa: E731
@@ -247,8 +251,9 @@ def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtb
     dialog.reject()
 
 
-def test_another_run_is_corrected_where_nobody_has_edited(window, desk, tiny_run):
-    desk.document.session.add_run(replace(tiny_run, seed=7), adopt=False)
+def test_another_run_is_corrected_where_nobody_has_edited(window, desk, tiny_run, shifted_run):
+    wrong = _place(desk, shifted_run[1], 65)
+    desk.document.session.add_run(tiny_run, adopt=False)
     window.run_command("review.runs")
     dialog = window.findChild(RunsDialog)
     dialog.choose(0)
@@ -256,7 +261,39 @@ def test_another_run_is_corrected_where_nobody_has_edited(window, desk, tiny_run
     dialog.choose(1)
     dialog._correct.click()
     assert desk.document.session.adopted_run == 1
+    assert _place(desk, shifted_run[1], 65) == pytest.approx(wrong - 1.0, abs=1e-5)
     assert not desk.comparing.shown
+
+
+def test_no_run_is_corrected_while_a_tracker_is_at_work(window, desk, tiny_run):
+    desk.document.session.add_run(tiny_run, adopt=False)
+    desk.document.begin_live()
+    show_runs(desk)
+    dialog = window.findChild(RunsDialog)
+    dialog.choose(1)
+    assert not dialog._correct.isEnabled()
+    assert "stop it first" in dialog._correct.toolTip()
+    dialog.reject()
+    errors = []
+    desk.comparing.failed.connect(errors.append)
+    desk.comparing.correct(1)
+    assert "stop tracking first" in str(errors[0])
+    assert desk.document.is_live
+    assert desk.document.session.adopted_run == 0
+
+
+def test_people_outside_of_the_frames_of_a_shorter_run_stay(
+    window, desk, qtbot, tiny_run, shifted_run
+):
+    session, track = desk.document.session, shifted_run[1]
+    wrong, rows = _place(desk, track, 65), len(session.tracks.columns()["x"])
+    session.add_run(_late_part(tiny_run), adopt=False)
+    desk.comparing.correct(1)
+    qtbot.waitUntil(lambda: bool(_items(desk)), timeout=10_000)
+    window.workspace.differences.taken.emit(1)
+    assert _place(desk, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
+    assert len(session.tracks.columns()["x"]) == rows
+    assert len(session.history) == 1
 
 
 def test_over_edits_another_run_is_taken_as_one_edit_that_can_be_undone(
