@@ -31,10 +31,10 @@ class FrameReader(QObject):
 
     def __init__(self, recording: Recording, cache_bytes: int, parent: QObject) -> None:
         super().__init__(parent)
-        self._instants = Instants(recording)
+        self._instants = Instants(recording, recording.right_lag or 0)
         self._cache = FrameCache(self._instants, cache_bytes)
         self._search = LagSearch(recording, self._take_lag)
-        self._found = 0  # the lag, until the thread takes it
+        self._lag = self._instants.lag  # as it is known; the thread takes it between two frames
         self._ticket = 0
         self._wanted: _Request | None = None
         self._closed = False
@@ -74,13 +74,14 @@ class FrameReader(QObject):
         more = False
         while True:
             with self._changed:
-                while not (self._closed or more or self._found or self._wanted is not served):
+                while not (more or self._has_news(served)):
                     self._changed.wait()
                 if self._closed:
                     return
                 request = self._wanted
-                if self._found:
-                    self._pair_anew()
+                if self._lag != self._instants.lag:
+                    self._instants.lag = self._lag
+                    self._cache.clear()  # of pictures that were paired wrongly
                     served = None
             if request is not None and request is not served:
                 self._serve(request)
@@ -88,6 +89,11 @@ class FrameReader(QObject):
                 served, more = request, True
             else:
                 more = self._fetch_ahead()
+
+    def _has_news(self, served: _Request | None) -> bool:
+        """Whether there is more to do than to fetch ahead."""
+        asked = self._wanted is not served or self._lag != self._instants.lag
+        return asked or self._closed
 
     def _serve(self, request: _Request) -> None:
         try:
@@ -98,15 +104,10 @@ class FrameReader(QObject):
             self.ready.emit(request.ticket, frame)
 
     def _take_lag(self, lag: int) -> None:
-        """An eye is late; told in the thread of the search."""
+        """Told in the thread of the search."""
         with self._changed:
-            self._found = lag
+            self._lag = lag
             self._changed.notify()
-
-    def _pair_anew(self) -> None:
-        """Forget what was paired wrongly; in the thread that reads, between two frames."""
-        self._instants.lag, self._found = self._found, 0
-        self._cache.clear()
 
     def _fetch_ahead(self) -> bool:
         """Read one more frame in the play direction; whether there may be more to fetch."""

@@ -19,7 +19,7 @@ class LagSearch:
 
     Args:
         recording: where the pictures come from; nothing is looked for in one of a single eye.
-        found: is told frames by which the right eye is late, where an eye is; in the thread.
+        found: is told by how many frames the right eye is late, where that is known; in the thread.
     """
 
     def __init__(self, recording: Recording, found: Callable[[int], None]) -> None:
@@ -51,7 +51,7 @@ class LagSearch:
         except Exception:  # who asks for the frame that cannot be read is told
             _log.warning("whether an eye is late is not known", exc_info=True)
         else:
-            if lag:
+            if lag is not None:
                 self._found(lag)
 
     def _look(self, start: int) -> int | None:

@@ -48,7 +48,7 @@ class LiveTracker(QObject):
         settings: Any,
         seed: int,
         parent: QObject,
-        frames: tuple[int, int] | None = None,
+        frames: tuple[int, int],
         resume: Resume | None = None,
     ) -> None:
         """The arguments of `pipeline.track`; nothing is begun before `start`."""
@@ -56,8 +56,7 @@ class LiveTracker(QObject):
         self.tracker = tracker
         self._recording = recording
         self._request = TrackingRequest.of(recording, tracker, settings, seed, frames, resume)
-        first = resume.frame if resume is not None else 0
-        self._asked = frames or (first, recording.frame_count)
+        self._asked = frames
         self.kept = KeptSteps()
         self.ended: Ended | None = None
         self._process = TrackerProcess(self._request)

@@ -46,40 +46,55 @@ class Ended:
 
     @property
     def _frames_text(self) -> str:
-        count = self.frames[1] - self.frames[0]
-        if self.frames == self.asked:
-            return counted(count, "{n} frame", "{n} frames")
-        whole = self.asked[1] - self.asked[0]
-        return tr("{n} of {all} frames", n=count, all=whole)
-
-    @property
-    def _found_text(self) -> str:
-        begin = tr("Tracked") if self.frames == self.asked else tr("Stopped early: tracked")
-        found = counted(self.tracks, "{n} track", "{n} tracks")
-        return tr(
-            "{tracked} {frames} with {tracker}: {found}.",
-            tracked=begin,
-            frames=self._frames_text,
+        count, whole = (stop - start for start, stop in (self.frames, self.asked))
+        if self.frames != self.asked:
+            return tr(
+                "Stopped early: tracked {n} of {all} frames with {tracker}.",
+                n=count,
+                all=whole,
+                tracker=self.tracker,
+            )
+        return counted(
+            count,
+            "Tracked {n} frame with {tracker}.",
+            "Tracked {n} frames with {tracker}.",
             tracker=self.tracker,
-            found=found,
         )
 
     @property
+    def _found_text(self) -> str:
+        return counted(self.tracks, "Found {n} track.", "Found {n} tracks.")
+
+    @property
     def _ids_text(self) -> str:
-        lead = "Ids were then put right over the whole recording: {n} of the {seen} you saw on the "
-        one, many = "way is another now, or gone.", "way are others now, or gone."
-        return counted(self.changed, lead + one, lead + many, seen=self.seen)
+        return counted(
+            self.changed,
+            "Ids were then put right over the whole recording: {n} of the {seen} you saw on the "
+            "way is another now, or gone.",
+            "Ids were then put right over the whole recording: {n} of the {seen} you saw on the "
+            "way are others now, or gone.",
+            seen=self.seen,
+        )
 
     def words(self, kept: str) -> str:
         """All of it in one paragraph; `kept`: where the run is."""
-        said = [self._found_text, *([self._ids_text] if self.changed else []), kept]
-        return " ".join(said)
+        ids = [self._ids_text] if self.changed else []
+        return " ".join((self._frames_text, self._found_text, *ids, kept))
 
 
 def kept_first() -> str:
     """Where the first run of a recording is kept."""
     return tr(
         "It is on disk and ready to be corrected; give it a file of your own with Save (Ctrl+S)."
+    )
+
+
+def kept_as_first(number: int) -> str:
+    """Where the first run of a session is kept that was begun without one."""
+    return tr(
+        "Kept as run {n}, and its tracks are the ones to correct now. The session's file has it "
+        "after the next Save (Ctrl+S).",
+        n=number,
     )
 
 

@@ -8,7 +8,13 @@ from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document.document import Document
 from app.presenters.pictures.of_run import AtWork
-from app.presenters.runs.ended import kept_beside, kept_first, kept_instead, kept_to_compare
+from app.presenters.runs.ended import (
+    kept_as_first,
+    kept_beside,
+    kept_first,
+    kept_instead,
+    kept_to_compare,
+)
 from app.presenters.runs.tracker_state import TrackerState, TrackerWords
 from app.views.comparing.comparing import Comparing
 from app.views.desk.following import Following
@@ -24,7 +30,8 @@ class TrackerAtWork(QObject):
 
     Signals: `found(first, last)`, it went through these frames, both included; `changed()`, all
     is to be drawn; `people_found()`, there are tracks where there were none; `failed(error)`;
-    `tracked(run)`, it came to its end with a `Run`; `noted(lines)`, what the user should be told.
+    `tracked(run)`, it came to its end with a `Run`; `noted(lines, passes)`, what the user should be
+    told, and whether that is good news, which may go by itself.
 
     Attributes:
         live: the tracker. following: whether the playhead goes with it.
@@ -35,7 +42,7 @@ class TrackerAtWork(QObject):
     people_found = Signal()
     failed = Signal(object)
     tracked = Signal(object)
-    noted = Signal(object)
+    noted = Signal(object, bool)
 
     def __init__(
         self, document: Document, playback: Playback, comparing: Comparing, parent: QObject
@@ -149,14 +156,14 @@ class TrackerAtWork(QObject):
         if session.adopted_run != number:
             self._tell(kept_to_compare(number) if self._again else kept_beside(number))
         else:
-            self._tell(kept_first() if before is None else kept_instead(number, before))
+            self._tell(kept_as_first(number) if before is None else kept_instead(number, before))
         self.changed.emit()
 
     def _tell(self, kept: str) -> None:
         """How the tracker ended that is done, once; nothing where none is."""
         ended, self.live.ended = self.live.ended, None
         if ended is not None:
-            self.noted.emit((ended.words(kept), *self.live.notes))
+            self.noted.emit((ended.words(kept), *self.live.notes), not self.live.notes)
 
     def _last_tracked(self) -> int | None:
         """Where playing waits for the tracker, so that people are seen with their picture."""
@@ -177,7 +184,7 @@ class TrackerAtWork(QObject):
     def _end(self, run: object) -> None:
         self.following.end()
         if self.live.notes:
-            self.noted.emit(self.live.notes)
+            self.noted.emit(self.live.notes, False)
         self.tracked.emit(run)
         self.changed.emit()
 

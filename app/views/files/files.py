@@ -182,9 +182,9 @@ class Files(QObject):
 
     # tracking
 
-    def _tell_of_tracking(self, lines: Sequence[str]) -> None:
-        """How it went; where that is all there is to say, it goes by itself after a while."""
-        self._window.notice.say("\n".join(lines), passing=len(lines) == 1)
+    def _tell_of_tracking(self, lines: Sequence[str], passes: bool) -> None:
+        """How it went; what warns of something stays until it is closed."""
+        self._window.notice.say("\n".join(lines), passing=passes)
 
     def ask_track(self) -> None:
         """Ask for tracker and settings, then put it to work; corrected tracks are not touched."""

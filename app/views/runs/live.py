@@ -67,7 +67,7 @@ class LiveTracking(QObject):
         self._frames = frames or (first, self._recording.frame_count)
         self.tracker, self.done, self.notes, self._recent = tracker, 0, (), []
         self.ended = None
-        worker = LiveTracker(self._recording, tracker, settings, seed, self, frames, resume)
+        worker = LiveTracker(self._recording, tracker, settings, seed, self, self._frames, resume)
         worker.tracked.connect(self._take)
         worker.finished.connect(self._finish)
         worker.failed.connect(self._fail)

@@ -5,6 +5,7 @@ from two_people import columns
 from two_people import run as made_run
 
 from app.presenters.runs.ended import Ended, kept_beside
+from app.presenters.words import use_translator
 
 ASKED = (0, 100)
 
@@ -18,7 +19,9 @@ def _with_ids(rows, **ids):
 
 def test_a_run_that_says_what_was_seen_on_the_way_tells_of_no_other_ids():
     words = Ended.of(made_run(), [columns()], ASKED).words(kept_beside(2))
-    assert words.startswith("Tracked 100 frames with stereo-direction: 2 tracks. Kept as run 2")
+    assert words.startswith(
+        "Tracked 100 frames with stereo-direction. Found 2 tracks. Kept as run 2"
+    )
 
 
 def test_ids_that_were_put_right_afterwards_are_counted():
@@ -44,3 +47,14 @@ def test_rows_may_come_in_pieces():
 def test_a_tracking_that_was_stopped_says_how_far_it_came():
     words = Ended.of(made_run(), [columns()], (0, 300)).words("")
     assert words.startswith("Stopped early: tracked 100 of 300 frames with")
+
+
+def test_what_is_told_is_made_of_whole_sentences_that_can_be_translated():
+    asked = []
+    use_translator(lambda text: asked.append(text) or text)
+    try:
+        Ended.of(made_run(), [_with_ids(columns(), t7=9)], ASKED).words("")
+    finally:
+        use_translator(None)
+    assert len(asked) == 3
+    assert all(text[0].isupper() and text.endswith(".") for text in asked)

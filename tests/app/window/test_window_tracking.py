@@ -2,7 +2,9 @@ import numpy as np
 import pytest
 
 from app.presenters.files import opening
+from app.presenters.runs.ended import Ended
 from app.views.runs.track_dialog import TrackDialog
+from tracking.session import Session
 
 
 @pytest.fixture
@@ -135,6 +137,17 @@ def test_what_there_is_to_tell_of_a_tracking_is_shown_when_it_ends(opened, tiny_
     opened.desk.live.notes = ("Lobby: are the eyes swapped?",)
     opened.desk.live.finished.emit(tiny_run)
     assert "are the eyes swapped?" in opened.notice.text
+    assert not opened.notice._passing.isActive()
+
+
+def test_a_result_for_a_session_without_any_says_that_it_is_to_be_saved(opened, tiny_run):
+    desk = opened.desk
+    desk.document.take_session(Session.create(desk.document.recording))
+    desk.live.ended = Ended.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
+    desk.tracking.add_run(tiny_run)
+    assert "Kept as run 0, and its tracks are the ones to correct now" in opened.notice.text
+    assert "on disk" not in opened.notice.text
+    assert opened.notice._passing.isActive()
 
 
 def test_the_views_follow_the_tracker_until_the_playhead_is_moved(opened, qtbot):
@@ -144,14 +157,15 @@ def test_the_views_follow_the_tracker_until_the_playhead_is_moved(opened, qtbot)
     qtbot.waitUntil(lambda: desk.playback.number > 24, timeout=30_000)
     desk.playback.go(21)
     assert not desk.tracking.following.on
-    desk.tracking.found.emit(25, 25)
+    done, desk.tracking.following._shown_s = desk.live.done, 0.0  # a picture is due
+    qtbot.waitUntil(lambda: desk.live.done > done, timeout=30_000)
     assert desk.playback.clock.frame == 21
     opened.run_command("play.follow")
     assert desk.tracking.following.on
     qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
     assert desk.playback.clock.frame == 59
     assert not desk.playback.following
-    assert opened.notice.text.startswith("Tracked 40 frames with stereo-direction: ")
+    assert opened.notice.text.startswith("Tracked 40 frames with stereo-direction. ")
 
 
 def test_whoever_plays_is_not_taken_along_by_the_tracker(opened):
