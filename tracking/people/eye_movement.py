@@ -9,6 +9,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.recording.eyes import MOST_LAG
+
 Picture = NDArray[np.uint8]
 Floats = NDArray[np.float64]
 
@@ -18,12 +20,14 @@ _MOVED = 12
 """Grey levels by which what moves changes from one frame to the next."""
 _POOLED = 2
 """Rows taken together: what moves is drawn a little otherwise in the other eye."""
-_RECENT_S, _RECENT_FRAMES = 0.8, 16
-"""How much movement tells whether eyes agree, and in frames: fewer correlate by chance."""
+_RECENT_S, _RECENT_FRAMES, _MOST_RECENT_FRAMES = 0.8, 16, 96
+"""How much movement tells whether eyes agree, and in frames: fewer correlate by chance, more take
+long where a recording says that it has thousands a second."""
 _MOST_LAG_S, _MOST_LAG_FRAMES = 0.5, 15
 """By how much an eye may be late and found to be, and in frames at the least."""
 _NEAR = 0.2
-"""Of the recent movement, the lags at which eyes that agree are less alike."""
+"""Eyes that agree are most alike without a lag, compared with lags of up to this share of the
+recent frames; more frames than that apart, so short a time is alike by chance."""
 _ALIKE, _BETTER = 0.4, 0.04
 """Correlation of the two eyes' movement at their lag, and how much less it is at any other."""
 _BY_CHANCE, _UNLIKE = 0.2, 0.35
@@ -48,10 +52,11 @@ class EyeMovement:
         span: frames of movement that are kept, and needed to tell a lag.
     """
 
-    def __init__(self, fps: float) -> None:
-        """Nothing has moved yet. fps: frames a second."""
-        self.recent = max(_RECENT_FRAMES, round(_RECENT_S * fps))
-        self.most_lag = max(_MOST_LAG_FRAMES, round(_MOST_LAG_S * fps))
+    def __init__(self, fps: float, told_lag: int = 0) -> None:
+        """Nothing has moved yet. fps: frames a second. told_lag: one to look for in any case."""
+        self.recent = min(max(_RECENT_FRAMES, round(_RECENT_S * fps)), _MOST_RECENT_FRAMES)
+        most = max(_MOST_LAG_FRAMES, round(_MOST_LAG_S * fps), abs(told_lag))
+        self.most_lag = min(most, MOST_LAG)
         self.span = self.recent + self.most_lag
         self._before: tuple[Picture, Picture] | None = None
         self._rows: tuple[deque[Floats], deque[Floats]] = (

@@ -17,6 +17,9 @@ from tracking.recording.pictures import PictureSource
 Layout = Literal["side-by-side", "top-bottom"]
 Side = Literal["left", "right"]
 ImagePair = tuple[Image, Image | None]
+MOST_LAG = 60
+"""Frames by which an eye may be late at the most: of pictures that hold both eyes, so many halves
+wait in memory."""
 
 
 class Eyes(Protocol):

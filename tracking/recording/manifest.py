@@ -13,15 +13,13 @@ from typing import Any, TypeVar
 
 from tracking.errors import CalibrationError, OutputError, RecordingError
 from tracking.geometry import Ground
-from tracking.recording.eyes import Layout, Side
+from tracking.recording.eyes import MOST_LAG, Layout, Side
 
 MANIFEST_NAME = "recording.toml"
 FORMAT = 1
 _T = TypeVar("_T", bound=str)
 _MAX_BYTES = 64 * 1024
 _LARGEST_WHOLE = 10**15
-_LARGEST_LAG = 60
-"""Frames; so many pictures of an eye wait in memory for those of the other."""
 _LAYOUTS: tuple[Layout, ...] = ("side-by-side", "top-bottom")
 _SIDES: tuple[Side, ...] = ("left", "right")
 _KNOWN: Mapping[str, frozenset[str]] = {
@@ -229,8 +227,8 @@ def _choice(table: _Table, key: str, choices: tuple[_T, ...], default: _T) -> _T
 def _right_lag(table: _Table) -> int | None:
     eye = table.section("stereo" if "stereo" in table else "right")
     lag: int | None = eye.get("lag", int, None)
-    if lag is not None and abs(lag) > _LARGEST_LAG:
-        raise eye.error("lag", f"must be -{_LARGEST_LAG} to {_LARGEST_LAG} frames")
+    if lag is not None and abs(lag) > MOST_LAG:
+        raise eye.error("lag", f"must be -{MOST_LAG} to {MOST_LAG} frames")
     return lag
 
 
