@@ -34,15 +34,17 @@ def watched(late: int, frames: int = 60) -> EyesWatch:
     return watch
 
 
-def followed(lates: Iterable[int], known: int = 0) -> tuple[EyesWatch, list[int | None]]:
+def followed(
+    lates: Iterable[int], known: int = 0, told: int | None = None
+) -> tuple[EyesWatch, list[int | None]]:
     """A watch whose lag the pairing follows; `lates`: by how much the eye is late in each frame."""
     watch = EyesWatch(FPS)
-    watch.begin(known)
-    paired, said = known, []
+    watch.begin(known, told)
+    paired, said = watch.pairing, []
     for k, late in enumerate(lates):
         watch.look(k, eye(k), eye(k + paired - late, SHIFT_PX), paired)
         said.append(watch.lag)
-        paired = paired if watch.lag is None else watch.lag
+        paired = watch.pairing
     return watch, said
 
 
@@ -68,6 +70,33 @@ def test_a_lag_that_is_known_before_is_told_and_stays() -> None:
     assert set(said) == {5}
     assert watch.told() == (
         "the right eye is 5 frames late: pictures of the same instant are paired",
+    )
+
+
+@pytest.mark.parametrize("told", [30, -30, 60])
+def test_a_lag_that_is_told_wrong_is_given_up_and_looked_for(told: int) -> None:
+    watch, said = followed([3] * 200, known=told, told=told)
+    assert said[0] == told
+    assert said[-60:] == [3] * 60
+    hint = f"recording.toml says {told}: leave `lag` out to have it looked for"
+    assert watch.told()[0].endswith("as recording.toml says: pictures are paired so")
+    assert all(line.endswith(hint) for line in watch.told()[1:])
+
+
+def test_a_lag_that_is_told_and_true_stays() -> None:
+    watch, said = followed([30] * 100, known=30, told=30)
+    assert set(said) == {30}
+    assert watch.told() == (
+        "the right eye is 30 frames late, as recording.toml says: pictures are paired so",
+    )
+
+
+def test_a_lag_that_is_told_and_that_footage_disproves_is_named() -> None:
+    watch = EyesWatch(FPS)
+    watch.begin(0, told=-12)
+    assert watch.told() == (
+        "neither eye is late: pictures of the same instant are paired; recording.toml says -12: "
+        "leave `lag` out to have it looked for",
     )
 
 
@@ -109,7 +138,7 @@ def test_an_eye_that_is_no_longer_late_is_told_to_be_well() -> None:
     assert watch.lag == 0
     late, well = watch.told()[1], watch.told()[-1]
     assert "the right eye is 2 frames late" in late
-    assert "both eyes show the same instant again" in well
+    assert "both eyes show the same instant" in well
 
 
 def test_an_eye_that_fails_again_and_again_is_told_in_a_few_lines() -> None:

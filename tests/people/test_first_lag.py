@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from tracking.geometry import Camera, Ground, Rectification, StereoCalibration
 from tracking.people import lag_looks
-from tracking.people.eye_movement import thinned
+from tracking.people.eye_movement import EyeMovement, thinned
 from tracking.people.first_lag import thinned_eyes, thinned_maps
 from tracking.recording import StereoFrame
 
-COUNT, ROWS = 300, 120
+COUNT, ROWS, AROUND = 300, 120, 60
 
 
 class Footage:
@@ -24,8 +24,8 @@ class Footage:
 
     def __init__(self, late: int, still_until: int = 0) -> None:
         random = np.random.default_rng(4)
-        self._noise = random.integers(0, 255, (COUNT + 40, ROWS, 160), np.uint8)
-        self._moving = random.integers(0, 100, (COUNT + 40, ROWS, 1))
+        self._noise = random.integers(0, 255, (COUNT + 2 * AROUND, ROWS, 160), np.uint8)
+        self._moving = random.integers(0, 100, (COUNT + 2 * AROUND, ROWS, 1))
         self._late, self._still_until = late, still_until
 
     def frame(self, number: int) -> StereoFrame:
@@ -34,8 +34,8 @@ class Footage:
     def _seen(self, number: int) -> NDArray[np.uint8]:
         if number < self._still_until:
             return np.zeros((ROWS, 160, 3), np.uint8)
-        moves = np.arange(160) < self._moving[number + 20]
-        return np.repeat(np.where(moves, self._noise[number + 20], 0)[..., None], 3, axis=2)
+        moves = np.arange(160) < self._moving[number + AROUND]
+        return np.repeat(np.where(moves, self._noise[number + AROUND], 0)[..., None], 3, axis=2)
 
 
 def found(footage: Footage, start: int = 0) -> tuple[int | None, list[int]]:
@@ -72,10 +72,29 @@ def test_a_stretch_at_the_end_begins_earlier() -> None:
     assert (lag, read[-1]) == (-6, COUNT - 1)
 
 
-def test_a_lag_that_the_recording_tells_is_not_looked_for() -> None:
-    footage = Footage(4)
+@pytest.mark.parametrize("late", [-50, 0, 4, 30])
+@pytest.mark.parametrize("told", [-50, -2, 0, 30])
+def test_a_lag_that_is_told_is_held_against_one_stretch(late: int, told: int) -> None:
+    footage = Footage(late)
+    footage.right_lag = told
+    lag, read = found(footage, 60)
+    assert lag == (late if abs(late) <= max(abs(told), 15) else told)
+    assert read == list(range(60, 60 + 17 + max(abs(told), 15)))
+
+
+def test_a_lag_that_is_told_stands_where_nothing_moves() -> None:
+    footage = Footage(4, still_until=100)
     footage.right_lag = -2
-    assert found(footage) == (-2, [])
+    assert found(footage) == (-2, list(range(9)))
+
+
+@pytest.mark.parametrize(("fps", "most_lag"), [(20.0, 15), (60.0, 30), (10_000.0, 60)])
+def test_a_stretch_is_of_few_frames_however_many_there_are_a_second(
+    fps: float, most_lag: int
+) -> None:
+    movement = EyeMovement(fps)
+    assert movement.most_lag == most_lag
+    assert movement.span <= 156
 
 
 def test_pixels_are_compared_where_they_are_after_rectification() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,8 +11,9 @@ import pytest
 from numpy.typing import NDArray
 
 from tests.benchmarks.stereo.troubles import Trouble, troubled
+from tracking.people import Observation, StereoPerception
 from tracking.pipeline import track
-from tracking.recording import open_recording
+from tracking.recording import StereoFrame, open_recording
 from tracking.synthesis import render_recording
 from tracking.synthesis.circumstances import Circumstances
 from tracking.trackers import TRACKERS, Resume, parse_settings
@@ -107,13 +109,37 @@ def test_frames_without_a_right_picture_are_followed_by_the_left_one(
     assert late.followed(frames) > 0.8 * sound.followed(frames)
 
 
+def test_a_lag_that_recording_toml_tells_wrong_is_not_believed(folder: Path) -> None:
+    wrong = shutil.copytree(folder, folder.with_name("wrong"))
+    manifest = wrong / "recording.toml"
+    text = manifest.read_text().replace("[right]\n", "[right]\nlag = 30\n")
+    manifest.write_text(text)
+    with open_recording(wrong) as recording, track(recording, settings=FAST) as tracking:
+        assert recording.right_lag == 30
+        next(tracking)
+        assert tracking.notes == (
+            "neither eye is late: pictures of the same instant are paired; recording.toml says "
+            "30: leave `lag` out to have it looked for",
+        )
+
+
 def test_tracking_that_goes_on_in_the_middle_is_paired_from_its_first_frame_on(
-    folder: Path, sound: Tracked, ahead: Tracked
+    folder: Path, sound: Tracked, ahead: Tracked, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    lags: dict[int, int | None] = {}
+    observe = StereoPerception.observe
+
+    def noted(self: StereoPerception, frame: StereoFrame) -> Observation:
+        lags[frame.number] = frame.right_lag
+        return observe(self, frame)
+
+    monkeypatch.setattr(StereoPerception, "observe", noted)
     with open_recording(folder) as recording:
         before = TrackTable(ahead.run.tracks, highest_track=20)
         resume = Resume.of(before, GOES_ON_AT, recording.fps)
     again = tracked(troubled(folder, AHEAD), resume)
+    assert set(resume.looks) <= set(lags)
+    assert {lag for frame, lag in lags.items() if frame >= -AHEAD.lag} == {AHEAD.lag}
     assert agreeing(sound, again, range(GOES_ON_AT, FRAMES)) > 0.7
     known = ahead.run.tracks["track"][ahead.run.tracks["frame"] == GOES_ON_AT - 1]
     assert np.isin(known, again.run.tracks["track"]).all()

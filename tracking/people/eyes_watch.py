@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 
 from tracking.people.eye_movement import EyeMovement, Floats, Picture, late_by, thinned
+from tracking.recording.eyes import MOST_LAG
 
 _TILE = 20
 """Side of the squares, of thinned pixels, that are looked at for whether they show anything."""
@@ -41,12 +42,17 @@ class EyesWatch:
         failing: whether the right eye is of no use in the last frame looked at.
         lag: frames by which the right eye is late; negative: the left one is; None: by so many
             that nobody knows.
+        pairing: the lag by which the next frames are to be paired; while `lag` is unknown the last
+            one known, or 0 where recording.toml told one that the footage does not show.
     """
 
     def __init__(self, fps: float) -> None:
         """`fps`: frames a second."""
         self.failing = False
         self.lag: int | None = 0
+        self.pairing = 0
+        self._fps = fps
+        self._told: int | None = None
         self._every = max(1, round(_EVERY_S * fps))
         self._gap = max(1, round(_ONE_FAILURE_S * fps))
         self._movement = EyeMovement(fps)
@@ -56,11 +62,23 @@ class EyesWatch:
         self._failed: list[tuple[int, int]] = []
         self._lagged: list[str] = []
 
-    def begin(self, lag: int) -> None:
-        """The lag is known before the first frame."""
-        self.lag = lag
-        if lag:
-            self._lagged.append(f"{_late(lag)}: pictures of the same instant are paired")
+    def begin(self, lag: int, told: int | None = None) -> None:
+        """The lag is known before the first frame; told: by recording.toml, None: not told."""
+        self.lag = self.pairing = lag
+        self._told = told
+        if told is not None:
+            self._movement = EyeMovement(self._fps, told)
+        if lag and lag == told:
+            self._lagged.append(f"{_late(lag)}, as recording.toml says: pictures are paired so")
+        elif lag != (told or 0):
+            paired = "pictures of the same instant are paired"
+            self._lagged.append(f"{_late(lag)}: {paired}{self._unless_told(lag)}")
+
+    def _unless_told(self, lag: int | None) -> str:
+        """What to do where recording.toml says otherwise."""
+        if self._told is None or lag == self._told:
+            return ""
+        return f"; recording.toml says {self._told}: leave `lag` out to have it looked for"
 
     def look(self, frame: int, left: Picture, right: Picture, paired: int = 0) -> None:
         """Take notice of the next frame; one that does not follow on the last tells no movement.
@@ -121,8 +139,9 @@ class EyesWatch:
         else:
             self._looks = self._looks + 1 if found == self._found else 1
             self._found = found
-            if self._looks >= _LOOKS and self._paired + found != self.lag:
-                self._take(frame, self._paired + found)
+            lag = self._paired + found
+            if self._looks >= _LOOKS and lag != self.lag and abs(lag) <= MOST_LAG:
+                self._take(frame, lag)
         self._unlike = self._unlike + 1 if self._movement.is_unlike() else 0
         if self._unlike >= _LOOKS and self.lag == self._paired:
             self._take(frame, None)
@@ -131,9 +150,13 @@ class EyesWatch:
         """The lag is another one from a frame on."""
         self.lag = lag
         self._looks = 0
-        self._lagged.append(_told_late(frame, lag))
-        if lag is None:
-            self._movement.keep(self._movement.recent)
+        self._lagged.append(_told_late(frame, lag) + self._unless_told(lag))
+        if lag is not None:
+            self.pairing = lag
+            return
+        self._movement.keep(self._movement.recent)
+        if self._told is not None:
+            self.pairing = 0
 
 
 def _told_late(frame: int, lag: int | None) -> str:
@@ -144,7 +167,7 @@ def _told_late(frame: int, lag: int | None) -> str:
             f"is late is unknown: people are followed by the left eye alone, {_MUCH_WORSE}"
         )
     if lag == 0:
-        return f"from frame {frame} on both eyes show the same instant again"
+        return f"from frame {frame} on both eyes show the same instant"
     return (
         f"{_late(lag)}, found at frame {frame}: pictures of the same instant are paired from "
         "there; distances shortly before may be wrong"
@@ -152,6 +175,8 @@ def _told_late(frame: int, lag: int | None) -> str:
 
 
 def _late(lag: int) -> str:
+    if lag == 0:
+        return "neither eye is late"
     eye, by = "right" if lag > 0 else "left", "1 frame" if abs(lag) == 1 else f"{abs(lag)} frames"
     return f"the {eye} eye is {by} late"
 

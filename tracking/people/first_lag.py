@@ -52,20 +52,20 @@ def first_lag(recording: Recording, start: int = 0) -> int | None:
 def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFrame, int | None]:
     """The same as `first_lag`, for who reads the frames: asks for one by number after the other.
 
-    Nothing is asked for where the recording tells its lag. Looked at is a stretch of a second or
-    two from a frame on, and where it tells nothing, others that are spread over the recording, each
-    of them and all together.
+    Looked at is a stretch of a second or two from a frame on, and where it tells nothing, others
+    that are spread over the recording, each of them and all together. Where the recording tells a
+    lag, that one is it unless the first stretch tells another.
 
     Args:
         recording: of two eyes; rectified where it can be. start: the frame that matters most.
     """
-    if recording.right_lag is not None:
-        return recording.right_lag
-    movement, maps = EyeMovement(recording.fps), thinned_maps(recording.rectification)
+    told_lag = recording.right_lag
+    movement = EyeMovement(recording.fps, told_lag or 0)
+    maps = thinned_maps(recording.rectification)
     stretches: list[Stretch] = []
     last = max(0, recording.frame_count - movement.span - 1)
     spread = np.linspace(0, last, _ELSEWHERE + 2)[1:-1].astype(int).tolist()
-    for first in (min(start, last), *spread):
+    for first in (min(start, last), *(spread if told_lag is None else ())):
         movement.begin()
         for number in range(first, min(first + movement.span + 1, recording.frame_count)):
             frame = yield number
@@ -79,7 +79,7 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
                 lag = late_by(told, movement.most_lag)
                 if lag is not None:
                     return lag
-    return None
+    return told_lag
 
 
 def thinned_maps(rectification: Rectification | None) -> tuple[Map, Map] | None:

@@ -44,6 +44,9 @@ class SingleCameraPerception:
         foreground, people: settings; None for the usual ones.
     """
 
+    eyes: None = None
+    """It looks with one eye."""
+
     def __init__(
         self,
         fps: float,

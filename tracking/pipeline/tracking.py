@@ -73,6 +73,11 @@ def _asked_frames(
     """The half-open range to track; see `track`."""
     first = resume.frame if resume is not None else 0
     start, stop = frames or (first, recording.frame_count)
+    if stop <= start:
+        raise SettingsError(
+            f"frames {start}:{stop} are none: the first must be below the one after the last, "
+            f"e.g. {min(start, stop)}:{max(start, stop, min(start, stop) + 1)}"
+        )
     if not 0 <= start < stop <= recording.frame_count:
         raise SettingsError(
             f"frames {start}:{stop} are not in the recording: "
@@ -177,9 +182,7 @@ class Tracking:
         perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
         self._perception, self._tracker = perception, tracker
         timed("learn", _learn, perception, self._recording)
-        # Of perception that looks with both eyes.
-        eyes: EyesWatch | None = getattr(perception, "eyes", None)
-        instants = Instants(self._recording)
+        eyes, instants = perception.eyes, Instants(self._recording)
         if eyes is not None:
             timed("learn", _pair, eyes, instants, self.frames[0])
         if self._resume is not None:
@@ -188,8 +191,8 @@ class Tracking:
         pictures = instants.frames(*self.frames)
         while (frame := timed("decode", next, pictures, None)) is not None:
             self.observation = timed("perception", perception.observe, frame)
-            if eyes is not None and eyes.lag is not None:
-                instants.lag = eyes.lag
+            if eyes is not None:
+                instants.lag = eyes.pairing
             self._ranged.add(self.observation.overlays)
             result = timed("tracker", tracker.step, self.observation)
             self._followed |= bool(len(result.tracks["track"]))
@@ -211,6 +214,7 @@ def _learn(perception: Perception, recording: Recording) -> None:
 
 
 def _pair(eyes: EyesWatch, instants: Instants, start: int) -> None:
-    """Begin with the lag that the footage shows from a frame on."""
-    instants.lag = first_lag(instants.recording, start) or 0
-    eyes.begin(instants.lag)
+    """Begin with the lag that the footage shows from a frame on, or recording.toml tells."""
+    recording = instants.recording
+    eyes.begin(first_lag(recording, start) or 0, recording.right_lag)
+    instants.lag = eyes.pairing

@@ -9,6 +9,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from tracking.people.eyes_watch import EyesWatch
 from tracking.people.observation import Observation
 from tracking.recording.frame import StereoFrame
 from tracking.trackers.resuming import Resume
@@ -64,10 +65,11 @@ class StepResult:
 
 
 class Perception(Protocol):
-    """Turns pictures into observations; holds the background model.
+    """Turns pictures into observations; holds the background model."""
 
-    One that looks with both eyes has `eyes`, too: an `EyesWatch`, which says how frames are paired.
-    """
+    @property
+    def eyes(self) -> EyesWatch | None:
+        """How the eyes' frames are to be paired; None: it looks with one eye."""
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -46,6 +46,9 @@ class FlowPerception:
         foreground: settings; None for the usual ones.
     """
 
+    eyes: None = None
+    """It looks with one eye."""
+
     def __init__(self, fps: float, foreground: ForegroundSettings | None = None) -> None:
         self._background = BackgroundModel(fps, foreground)
         self._shadows = ShadowRemover(foreground)

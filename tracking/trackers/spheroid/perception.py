@@ -70,6 +70,9 @@ class SpheroidPerception:
         foreground, ramp: settings; None for the usual ones.
     """
 
+    eyes: None = None
+    """It looks with one eye."""
+
     def __init__(
         self,
         fps: float,
