@@ -25,8 +25,8 @@ GROUPS = (
     "memory",
 )
 
-_ELSEWHERE = {
-    "trackers": "tracker_peers",
+MODULES = {
+    "trackers": "tracker_peers.comparing",
     "parts": "parts.speed",
     "spheroid": "spheroid_speed",
     "flow": "flow_speed",
@@ -48,7 +48,7 @@ def main() -> None:
         os.environ[variable] = "1"
     figures: dict[str, Any] = {}
     for group in [asked.only] if asked.only else GROUPS:
-        measure = import_module(f"tests.benchmarks.{_ELSEWHERE.get(group, group)}").measure
+        measure = import_module(f"tests.benchmarks.{MODULES.get(group, group)}").measure
         with told(group):
             figures[group] = measure()
         if not asked.json:

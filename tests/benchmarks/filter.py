@@ -155,20 +155,19 @@ def measure() -> dict[str, float | None]:
     by_tracked = {n: tracker_ms(n) for n in _NUMBERS_OF_PEOPLE}
     return {
         "ms": by_people[_PEOPLE],
-        **_grown("ms", "people", by_people),
-        **_grown("ms", "particles", by_particles),
-        **_grown("tracker_ms", "people", by_tracked),
+        **_grown("", "people", by_people),
+        **_grown("", "particles", by_particles),
+        **_grown("tracker_", "people", by_tracked),
         "vs_stonesoup": None if theirs is None else by_people[_PEOPLE] / theirs,
     }
 
 
-def _grown(name: str, what: str, times_ms: dict[int, float]) -> dict[str, float | None]:
+def _grown(prefix: str, what: str, times_ms: dict[int, float]) -> dict[str, float | None]:
     """Figures of how times grow with a number of something."""
     slope, off = straightness(list(times_ms), list(times_ms.values()))
-    prefix = name.removesuffix("ms")
-    one = {"people": "person", "particles": "particle"}[what]
+    each = {"people": "us_per_person", "particles": "us_per_particle"}[what]
     return {
-        **{f"{name}_{n}_{what}": ms for n, ms in times_ms.items()},
-        f"{prefix}us_per_{one}": 1000.0 * slope,
+        **{f"{prefix}ms_{n}_{what}": ms for n, ms in times_ms.items()},
+        f"{prefix}{each}": 1000.0 * slope,
         f"{prefix}{what}_off_the_line": off,
     }

@@ -59,9 +59,7 @@ def measure() -> dict[str, float]:
         figures["long_peak_mb"] = _peak_mb() - before
         for name in _TEXTS:
             tell(f"  {name}")
-            figures |= {
-                f"{name}_{key}_rows_s": rate for key, rate in _rates(name, path, exported).items()
-            }
+            figures |= _rates(name, path, exported)
             path.unlink()
     return figures
 
@@ -85,7 +83,8 @@ def _rates(name: str, path: Path, exported: Exported) -> dict[str, float]:
     found = None if read is None else read(path, Filmed())
     if found is None or len(found.columns["frame"]) != len(exported):
         raise ValueError(f"{name}: what was written is not read back")
-    return {"written": written, "read": len(exported) / (time.perf_counter() - began)}
+    rate = len(exported) / (time.perf_counter() - began)
+    return {f"{name}_written_rows_s": written, f"{name}_read_rows_s": rate}
 
 
 def _written(name: str, path: Path, exported: Exported) -> float:

@@ -64,10 +64,13 @@ def measure() -> dict[str, float | None]:
     figures: dict[str, float | None] = {"ms": 1000.0 * _least(ours, "seconds")}
     for peer in (TRACKEVAL, MOTRICS):
         theirs = [told[peer.name] for _, told in rounds if peer.name in told]
-        for figure, quantity in (("vs", "seconds"), ("memory_vs", "peak_kib")):
-            ratio = _least(ours, quantity) / _least(theirs, quantity) if theirs else None
-            figures[f"{figure}_{peer.name}"] = ratio
+        figures[f"vs_{peer.name}"] = _ratio(ours, theirs, "seconds")
+        figures[f"memory_vs_{peer.name}"] = _ratio(ours, theirs, "peak_kib")
     return figures
+
+
+def _ratio(ours: list[Run], theirs: list[Run], quantity: str) -> float | None:
+    return _least(ours, quantity) / _least(theirs, quantity) if theirs else None
 
 
 def _least(runs: list[Run], quantity: str) -> float:

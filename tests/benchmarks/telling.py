@@ -7,24 +7,26 @@ import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
-_UNITS = (
-    ("vs_", "times theirs"),
-    ("_vs", "times theirs"),
-    ("off_the_line", "share"),
-    ("us_per_person", "\u00b5s a person"),
-    ("us_per_particle", "\u00b5s a particle"),
-    ("bytes", "bytes"),
-    ("rows_s", "rows/s"),
-    ("fps", "frames/s"),
-    ("idf1", "share"),
-    ("hota", "share"),
-    ("r2", "of 1"),
-    ("error_m", "m"),
-    ("id_switches", "switches"),
-)
-_LAST = {"mb": "MB", "ms": "ms", "max": "ms"}
-"""By a word of the name."""
-_COUNTS = ("people", "particles", "frames", "rows", "tracklets", "late")
+_UNITS = {
+    "vs": "times theirs",
+    "off_the_line": "share",
+    "share": "share",
+    "us_per_person": "\u00b5s a person",
+    "us_per_particle": "\u00b5s a particle",
+    "bytes": "bytes",
+    "rows_s": "rows/s",
+    "fps": "frames/s",
+    "idf1": "share",
+    "hota": "share",
+    "linear_r2": "of 1",
+    "error_m": "m",
+    "id_switches": "switches",
+    "mb": "MB",
+    "ms": "ms",
+}
+"""By whole words of the name; the first of them counts."""
+_COUNTS = ("people", "particles", "frames", "rows", "tracklets")
+"""Last words of names of figures that count something."""
 
 
 def tell(said: str) -> None:
@@ -42,18 +44,20 @@ def told(what: str) -> Iterator[None]:
 
 
 def unit_of(name: str) -> str:
-    """The unit a figure is in, by its name; "" for one that has none.
+    """The unit a figure is in, by its name.
 
     Names carry their units, so that JSON needs none beside them.
+
+    Raises:
+        ValueError: the name tells none.
     """
-    for part, unit in _UNITS:
-        if part in name:
+    for words, unit in _UNITS.items():
+        if f"_{words}_" in f"_{name}_":
             return unit
-    words = name.split("_")
-    for word, unit in _LAST.items():
-        if word in words:
-            return unit
-    return words[-1] if words[-1] in _COUNTS else ""
+    counted = name.split("_")[-1]
+    if counted not in _COUNTS:
+        raise ValueError(f"{name}: this name tells no unit; have it tell one of {__name__}")
+    return counted
 
 
 def table(group: str, about: str, figures: Mapping[str, float | None]) -> str:

@@ -89,8 +89,14 @@ def measure() -> dict[str, float | None]:
             continue
         name = row.tracker.lower().replace(" ", "_").replace("-", "_")
         name += "_with_colours" if row.colour else ""
-        for figure in ("id_switches", "idf1", "hota", "floor_error_m", "ms"):
-            figures[f"{name}_{figure}"] = getattr(row.figures, figure, None)
+        found = row.figures
+        figures |= {
+            f"{name}_id_switches": None if found is None else found.id_switches,
+            f"{name}_idf1": None if found is None else found.idf1,
+            f"{name}_hota": None if found is None else found.hota,
+            f"{name}_floor_error_m": None if found is None else found.floor_error_m,
+            f"{name}_ms": None if found is None else found.ms,
+        }
         if row.absent:
             tell(row.absent)
     peers = [row.figures for row in rows if not row.ours and row.figures is not None]
