@@ -43,6 +43,17 @@ def test_a_frame_comes_again_with_its_partner_once_the_lag_is_found(late_recordi
     assert np.array_equal(paired.left, raw.left)
 
 
+def test_a_lag_that_the_recording_tells_is_shown_from_the_first_frame(late_recording, qtbot):
+    parent = QObject()
+    with open_recording(late_recording) as recording:
+        recording.right_lag = LAG
+        reader = FrameReader(recording, 50_000_000, parent)
+        with qtbot.waitSignal(reader.ready) as answer:
+            reader.request(20)
+        reader.close()
+    assert answer.args[1].right_lag == LAG
+
+
 def test_the_right_picture_says_which_frame_it_is(late_recording, tiny_session):
     with open_recording(late_recording) as recording:
         document = Document(recording, Session.open(tiny_session))
