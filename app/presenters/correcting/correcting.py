@@ -25,8 +25,10 @@ from app.presenters.correcting import (
 from app.presenters.correcting.cuts import changed_over
 from app.presenters.correcting.gap_places import gap_near, next_filled
 from app.presenters.correcting.nearness import nearest_first
+from app.presenters.correcting.suspected import is_near
 from app.presenters.document.selection import Selection
 from app.presenters.words import tr
+from tracking.review import Suspicion
 from tracking.tracks import Box
 
 _BOX_STEP_PX, _PLACE_STEP_M, _FAR = 1.0, 0.05, 10.0
@@ -40,6 +42,7 @@ class Correcting:
         flow: as it stands; None: no edit is on its way. planned: what it would do.
         begun_at: the frame the user was at when the edit was begun; None: no edit is on its way.
         marked: the half-open range of frames the user has set for edits over a range.
+        suspected: gives the suspicion that is looked at, None for none.
     """
 
     def __init__(
@@ -50,6 +53,7 @@ class Correcting:
         self.planned: PlannedEdit | None = None
         self.begun_at: int | None = None
         self.marked: Range | None = None
+        self.suspected: Callable[[], Suspicion | None] = _nobody_suspected
         self._let_go: tuple[int, ...] = ()
         self._selection = selection
         self._footing = footing
@@ -177,7 +181,12 @@ class Correcting:
             return flow.with_other(other)
         # A frame that was proposed for somebody else says nothing of where the user looks.
         near = flow.cut if not flow.proposed or self.begun_at is None else self.begun_at
-        return flow.with_other(other, changed_over(on, flow.track, other, near))
+        two, fps = {flow.track, other}, self._footing.fps
+        one = self.suspected()
+        if one is None or not two.issuperset(one.tracks) or not is_near(one, near, fps):
+            return flow.with_other(other, changed_over(on, flow.track, other, near))
+        cuts = changed_over(on, flow.track, other, one.frame, (one.start, one.end))
+        return flow.with_other(other, cuts)
 
     # changing
 
@@ -260,6 +269,11 @@ class Correcting:
         """The edit was done: who was let go for it stays let go."""
         self._let_go = ()
         self.leave()
+
+
+def _nobody_suspected() -> Suspicion | None:
+    """No review is going on."""
+    return None
 
 
 def _with_proposal(flow: EditFlow, on: Ground) -> EditFlow:

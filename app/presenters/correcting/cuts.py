@@ -17,9 +17,12 @@ _REACH_FRAMES = 1000
 """Looked at to either side of the user's frame first, so that hours cost no more than minutes."""
 
 
-def changed_over(on: Ground, track: int, other: int, near: int) -> tuple[SwapFrame, ...]:
+def changed_over(
+    on: Ground, track: int, other: int, near: int, suspected: tuple[int, int] | None = None
+) -> tuple[SwapFrame, ...]:
     """The likeliest first, of those about as likely the nearest.
 
+    Where they are suspected in a half-open range of frames, the likeliest of it comes first.
     Nothing where the two cannot be compared: the plan says why.
     Both are compared within half a minute or so; only where they are not both there, anywhere.
     """
@@ -29,9 +32,12 @@ def changed_over(on: Ground, track: int, other: int, near: int) -> tuple[SwapFra
         both_there = _stand_together(close, track, other)
         table = close if both_there else _two_of(on.table, (track, other), None)
         signals = _within(on.signals, window) if both_there else on.signals
-        found = propose_swap_frames(table, track, other, near, signals, _MOST)
+        found = propose_swap_frames(table, track, other, near, signals, _MOST, suspected)
     except EditError:
         return ()
+    low, high = suspected or (0, 0)
+    if low <= found[0].frame < high:
+        return (found[0], *_worth_telling(found[1:]))
     return nearest_of_likely(found, near)
 
 
@@ -40,8 +46,12 @@ def nearest_of_likely(found: tuple[SwapFrame, ...], near: int) -> tuple[SwapFram
     least = _ABOUT_AS_LIKELY * found[0].likelihood
     likely = [one for one in found if one.likelihood >= least]
     first = min(likely, key=lambda one: abs(one.frame - near))
-    rest = (one for one in found if one is not first and one.likelihood >= _LEAST_LIKELY)
-    return (first, *rest)
+    return (first, *_worth_telling(tuple(one for one in found if one is not first)))
+
+
+def _worth_telling(found: tuple[SwapFrame, ...]) -> tuple[SwapFrame, ...]:
+    """Those that are not all too unlikely."""
+    return tuple(one for one in found if one.likelihood >= _LEAST_LIKELY)
 
 
 def _stand_together(table: TrackTable, track: int, other: int) -> bool:

@@ -92,7 +92,8 @@ def _cuts(flow: EditFlow, on: Ground) -> tuple[Proposal, ...]:
 def _why(flow: EditFlow, number: int, on: Ground) -> str:
     """Why a frame was found; a share of all found only where there are others to choose from."""
     cut = flow.cuts[number]
-    if metres_apart(on.table, flow.track, flow.other, cut.frame) > _FAR_APART_M:
+    apart_m = metres_apart(on.table, flow.track, flow.other, cut.frame)
+    if apart_m > _FAR_APART_M or not cut.shown:
         return tr("nothing shows that they changed over: {why}", why=cut.text)
     if len(flow.cuts) == 1:
         return tr("the only frame found: {why}", why=cut.text)

@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from app.presenters.correcting import EditKind
+from app.presenters.correcting.suspected import first_shown
 from app.presenters.document.document import Document
 from app.presenters.reviewing.review import ReviewQueue, is_fixable, settled, verdict_on
 from app.presenters.reviewing.review_meter import MeterWords
@@ -49,6 +50,7 @@ class Reviewing(QObject):
         self.plays = False
         self._document, self._playback, self._editing = document, playback, editing
         self._panel = panel
+        document.correcting.suspected = lambda: self.queue.current
         self._search = ReviewSearch(self._subject, recording, self)
         self._looked_at: tuple[object, ...] = ()
         self._labels: Labels | None = None
@@ -183,10 +185,15 @@ class Reviewing(QObject):
         self._document.correcting.leave()
         self._select(suspicion.tracks)
         self._playback.pause()
-        self._playback.go(suspicion.start)
+        self._playback.go(self._start_of(suspicion))
         if self.plays:
             self.play()
         self._editing.changed.emit()
+
+    def _start_of(self, suspicion: Suspicion) -> int:
+        """Where watching it starts: just before it, with its people in sight."""
+        session = self._document.session
+        return suspicion.start if session is None else first_shown(suspicion, session.tracks)
 
     def _select(self, tracks: tuple[int, ...]) -> None:
         selection = self._document.selection
@@ -200,7 +207,7 @@ class Reviewing(QObject):
         current = self.queue.current
         if current is None:
             return
-        self._playback.go(current.start)
+        self._playback.go(self._start_of(current))
         if not self._playback.clock.playing:
             self._playback.toggle()
         self._play_until = current.end

@@ -1,11 +1,16 @@
 """Where a swap is proposed from where the user looks."""
 
 import numpy as np
+import pytest
 import two_people
 
 from app.presenters.correcting import EditFlow, EditKind, Footing, Ground, cuts, planned_edit
+from app.presenters.correcting.correcting import Correcting
+from app.presenters.correcting.suspected import first_shown
+from app.presenters.document.selection import Selection
 from tracking.editing import SwapFrame
-from tracking.tracks import Labels, TrackTable
+from tracking.review import Suspicion
+from tracking.tracks import CORRECTED_COLUMNS, Labels, TrackTable
 
 
 def test_of_frames_about_as_likely_the_nearest_comes_first():
@@ -40,3 +45,71 @@ def test_a_single_frame_is_told_as_the_only_one_found_and_not_as_certain():
 def test_two_who_are_far_apart_are_not_told_as_having_changed_over():
     said = _said_of(3.0, others=0)
     assert said == "Frame 50 (00:05.00), nothing shows that they changed over: reasons"
+
+
+def test_where_nothing_speaks_for_a_frame_that_is_said():
+    found = (SwapFrame(50, 0.9, "reasons", False), SwapFrame(80, 0.1, "less"))
+    on = Ground(two_people.table(), Labels(), Footing(None, 100, 10.0, (640, 480)))
+    flow = EditFlow.begin(EditKind.SWAP, 4, 50, 10.0).with_other(7, found)
+    said = planned_edit(flow, on).scene.details[0]
+    assert said == "Frame 50 (00:05.00), nothing shows that they changed over: reasons"
+
+
+@pytest.fixture
+def correcting():
+    on = Ground(two_people.table(), Labels(), Footing(None, 100, 10.0, (640, 480)))
+    selection = Selection()
+    selection.choose(4)
+    selection.add(7)
+    return Correcting(selection, on.footing, lambda: on)
+
+
+def _cut_proposed(correcting, tracks, frame, begun_at):
+    one = Suspicion("margin", tracks, frame, frame - 5, frame + 5, 0.5, 9.0, "why", "swap")
+    correcting.suspected = lambda: one
+    correcting.begin(EditKind.SWAP, begun_at)
+    return correcting.flow.cut
+
+
+def test_a_swap_of_suspects_is_proposed_in_the_frame_they_are_suspected_in(correcting):
+    assert _cut_proposed(correcting, (4, 7), 80, begun_at=75) == 80
+
+
+def test_a_suspicion_of_one_of_the_two_is_about_the_swap_too(correcting):
+    assert _cut_proposed(correcting, (7,), 20, begun_at=20) == 20
+
+
+def test_a_suspicion_left_far_behind_or_of_somebody_else_changes_nothing(correcting):
+    correcting.begin(EditKind.SWAP, 30)
+    alone = correcting.flow.cut
+    assert _cut_proposed(correcting, (4, 7), 80, begun_at=30) == alone != 80
+    assert _cut_proposed(correcting, (4, 9), 30, begun_at=30) == alone
+
+
+def _shown_at(tracks, frames_of, frame):
+    rows = {"track": [], "frame": []}
+    for track, (start, stop) in frames_of.items():
+        rows["frame"] += range(start, stop)
+        rows["track"] += [track] * (stop - start)
+    order = np.lexsort((rows["track"], rows["frame"]))
+    columns = {name: np.zeros(len(order), kind) for name, kind in CORRECTED_COLUMNS.items()}
+    columns |= {name: np.array(rows[name])[order].astype(np.int32) for name in rows}
+    one = Suspicion("height", tracks, frame, frame - 5, frame + 5, 0.5, 9.0, "why", "split")
+    return first_shown(one, TrackTable(columns))
+
+
+def test_a_suspicion_is_looked_at_from_just_before_where_its_people_are_there():
+    assert _shown_at((4,), {4: (0, 100)}, 50) == 45
+
+
+def test_who_begins_within_a_suspicion_is_looked_at_from_there():
+    assert _shown_at((4,), {4: (48, 100)}, 50) == 48
+
+
+def test_of_two_both_must_be_there_unless_one_only_follows_the_other():
+    assert _shown_at((4, 7), {4: (0, 100), 7: (48, 100)}, 50) == 48
+    assert _shown_at((4, 7), {4: (0, 47), 7: (50, 100)}, 50) == 45
+
+
+def test_a_suspicion_of_somebody_who_is_not_there_by_now_is_looked_at_nearest_to_it():
+    assert _shown_at((4,), {4: (70, 100)}, 50) == 70

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracking.editing.identity.courses import Courses, Floats, Frames, courses_of, turned_over
 from tracking.editing.identity.looks import looks_changed
@@ -16,6 +17,8 @@ _APART_WEIGHT = 2.0
 """People change over where they meet: what twice, three times the reach apart counts against it."""
 _NEAR_FRAMES, _NEAR_WEIGHT = 150.0, 1.5
 """How the frame the user looks at counts: of two cuts about as good the nearer one wins."""
+_SPEAKS = 1.0
+"""So much likelier than not, as a difference of log-likelihoods, ways or looks are named."""
 _PEAK_FRAMES = 10
 """Two proposals are at least so far apart."""
 _MOST_FRAMES = 50_000
@@ -32,11 +35,13 @@ class SwapFrame:
         frame: the first one in which they should bear each other's name.
         likelihood: 0 to 1, that it was here or within two frames, if they changed over at all.
         text: why, in words.
+        shown: how they walk or how they look speaks for it.
     """
 
     frame: int
     likelihood: float
     text: str
+    shown: bool = True
 
 
 def propose_swap_frames(
@@ -46,6 +51,7 @@ def propose_swap_frames(
     near: int | None = None,
     signals: Columns | None = None,
     most: int = 5,
+    suspected: tuple[int, int] | None = None,
 ) -> tuple[SwapFrame, ...]:
     """The frames in which a and b most likely changed over, likeliest first; at least one.
 
@@ -59,6 +65,9 @@ def propose_swap_frames(
         near: the frame the user looks at; of two cuts about as good the nearer one wins.
         signals: `SIGNAL_COLUMNS` of the two (see `signals_of`); None: nothing was noticed.
         most: so many at most, each a good number of frames from the others.
+        suspected: half-open frames in which they are suspected to have changed over. What is
+            likeliest in there comes first, and where nothing shows it what is nearest to `near`;
+            behind it only what walks or looks speak for.
 
     Returns:
         People who stand together and look alike give several of low likelihood.
@@ -77,9 +86,13 @@ def propose_swap_frames(
     walks = turned_over(courses, frames)
     looks = looks_changed(signals, a, b, frames)
     apart = _apart(courses, frames)
+    shown = np.maximum(walks, looks) > _SPEAKS
     score = walks + looks - _APART_WEIGHT * np.log1p(np.square(apart / _REACH_M))
     if near is not None:
         score = score - _NEAR_WEIGHT * np.minimum(np.abs(frames - near) / _NEAR_FRAMES, 2.0)
+    first = _suspected(frames, score, shown, near, suspected)
+    if first is not None:
+        score = np.where(shown | (np.arange(len(frames)) == first), score, -np.inf)
     share = np.exp(score - score.max())
     share /= share.sum()
     proposals = (
@@ -87,10 +100,29 @@ def propose_swap_frames(
             int(frames[at]),
             _around(frames, share, at),
             _text(walks[at], looks[at], apart[at], courses),
+            bool(shown[at]),
         )
-        for at in _peaks(frames, score, most)
+        for at in _peaks(frames, score, most, first)
     )
-    return tuple(sorted(proposals, key=lambda proposal: -proposal.likelihood))
+    chosen = None if first is None else int(frames[first])
+    return tuple(sorted(proposals, key=lambda one: (one.frame != chosen, -one.likelihood)))
+
+
+def _suspected(
+    frames: Frames,
+    score: Floats,
+    shown: NDArray[np.bool_],
+    near: int | None,
+    suspected: tuple[int, int] | None,
+) -> int | None:
+    """Which frame is put first as they are suspected there; None where they are not."""
+    low, high = np.searchsorted(frames, suspected if suspected is not None else (0, 0))
+    if low == high:
+        return None
+    if near is not None and not shown[low:high].any():
+        return int(low + np.argmin(np.abs(frames[low:high] - near)))
+    said = np.where(shown[low:high] | (near is None), score[low:high], -np.inf)
+    return int(low + np.argmax(said))
 
 
 def _meeting(table: TrackTable, a: int, b: int, near: int | None) -> tuple[Courses, Frames]:
@@ -133,14 +165,14 @@ def _apart(courses: Courses, frames: Frames) -> Floats:
     return np.asarray(np.minimum(apart, np.concatenate([apart[:1], apart[:-1]])))
 
 
-def _peaks(frames: Frames, score: Floats, most: int) -> list[int]:
-    """The best frames, none within the peak's width of a better one."""
-    chosen: list[int] = []
+def _peaks(frames: Frames, score: Floats, most: int, first: int | None) -> list[int]:
+    """The best frames, none within the peak's width of a better one, nor of the `first`."""
+    chosen: list[int] = [] if first is None else [first]
     for at in np.argsort(-score, kind="stable").tolist():
+        if len(chosen) == most or score[at] == -np.inf:
+            break
         if all(abs(int(frames[at]) - int(frames[other])) > _PEAK_FRAMES for other in chosen):
             chosen.append(at)
-        if len(chosen) == most:
-            break
     return chosen
 
 
@@ -152,8 +184,8 @@ def _around(frames: Frames, share: Floats, at: int) -> float:
 def _text(walks: float, looks: float, apart: float, courses: Courses) -> str:
     unit = "m" if courses.in_metres else "m or so"
     reasons = [f"{apart:.1f} {unit} apart"]
-    if walks > 1:
+    if walks > _SPEAKS:
         reasons.append("each walks on as the other did")
-    if looks > 1:
+    if looks > _SPEAKS:
         reasons.append("their looks change over")
     return ", ".join(reasons)
