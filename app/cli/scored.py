@@ -134,17 +134,30 @@ def tell_oddities(one: Loaded) -> None:
             if why is not None:
                 say(f"note: {why}")
         if one.frames is None:
-            _tell_untracked(tracks)
+            _tell_untracked(tracks, one.truth)
 
 
-def _tell_untracked(result: Tracks) -> None:
-    """Note that frames count which the tracker never went over."""
+def _tell_untracked(result: Tracks, truth: Tracks) -> None:
+    """Note that frames count which the tracker never went over, or the recording has not."""
     if result.tracked is None or result.tracked == (0, result.frames):
+        _tell_outlasting(result, truth)
         return
     start, stop = result.tracked
     say(
         f"note: frames {start}:{stop} of {result.frames} were tracked and all are scored; "
         f"to score what was tracked add --frames {start}:{stop}"
+    )
+
+
+def _tell_outlasting(result: Tracks, truth: Tracks) -> None:
+    """Note that people count as missed in frames that the result's recording does not have."""
+    end = frame_count(truth)
+    if not 0 < result.frames < end:
+        return
+    say(
+        f"note: {truth.path} goes on to frame {end}, the recording of {result.path} has "
+        f"{result.frames}, and all are scored; to score the recording's add "
+        f"--frames 0:{result.frames}"
     )
 
 
