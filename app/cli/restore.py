@@ -6,32 +6,54 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
-from app.cli.output import print_json
+from app.cli.output import print_json, say
 from tracking.errors import SessionError
 from tracking.recording.wording import counted
-from tracking.session import Generation, Session, check_generation, list_generations
+from tracking.session import (
+    Generation,
+    Session,
+    check_generation,
+    generations,
+    list_generations,
+    replace_damaged,
+)
 
 
 def run_restore(path: Path, number: int, *, only_list: bool, as_json: bool) -> None:
     """List the generations that are kept, or put one in the session's place.
 
-    What the session is now, with edits that were never saved, becomes the newest generation.
+    What the session is now, with edits that were never saved, becomes the newest generation; a
+    file that cannot be read is kept beside it instead.
     Raises SessionError where there is none of that number, or another program has the session.
     """
     if only_list:
         _print(path, as_json=as_json)
         return
-    with closing(Session.open(path)) as session:
-        check_generation(session.path or path, number)
-        if session.read_only:
-            why = session.why_read_only.removeprefix(f"{session.path}: ")
-            raise SessionError(f"{path} cannot be restored: {why}")
-        with closing(session.restore(number)) as restored:
-            edits = sum(not entry.undone for entry in restored.history)
+    with closing(_restored(path, number)) as restored:
+        edits = sum(not entry.undone for entry in restored.history)
     if as_json:
         print_json({"restored": number, "session": str(path), "edits": edits})
     else:
         print(path)
+
+
+def _restored(path: Path, number: int) -> Session:
+    """The session as it was; where it cannot be opened, its older generation takes its place."""
+    try:
+        session = Session.open(path)
+    except SessionError:
+        if not path.is_file() or not generations(path.resolve()):
+            raise
+        restored, kept = replace_damaged(path, number)
+        for note in (f"the file that could not be read is kept as {kept}", *restored.notes):
+            say(f"note: {note}")
+        return restored
+    with closing(session):
+        check_generation(session.path or path, number)
+        if session.read_only:
+            why = session.why_read_only.removeprefix(f"{session.path}: ")
+            raise SessionError(f"{path} cannot be restored: {why}")
+        return session.restore(number)
 
 
 def _print(path: Path, *, as_json: bool) -> None:

@@ -20,6 +20,7 @@ from tracking.session.known import KnownRecordings
 from tracking.session.older import Generation, check_generation, list_generations
 from tracking.session.pending import PendingSave
 from tracking.session.reference import RecordingReference, SourceFingerprint
+from tracking.session.replacing import replace_damaged
 from tracking.session.runs import Runs
 from tracking.session.samples import boxes_of, places_of, samples_from, samples_with_boxes
 from tracking.session.saving import generations
@@ -54,6 +55,7 @@ __all__ = [
     "parts_by_now",
     "places_of",
     "read_history",
+    "replace_damaged",
     "samples_from",
     "samples_with_boxes",
     "session_of_import",

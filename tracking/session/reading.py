@@ -23,7 +23,7 @@ from tracking.session.saving import generations
 from tracking.session.seal import holds as is_sealed
 from tracking.session.unpacking import Unpacking
 from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, TrackTable
-from tracking.untrusted import verdicts_of
+from tracking.untrusted import DAMAGED, verdicts_of
 
 _MOST_FPS, _WIDEST = 1e6, 1 << 20
 
@@ -59,7 +59,7 @@ def check_file(path: Path) -> tuple[int, int]:
         return VERSION
     verdict = verdicts_on([path])[0]
     if "refused" in verdict:
-        raise SessionError(f"{path}{verdict['refused']}{_older_copy(path)}")
+        raise SessionError(f"{path}{verdict['refused']}{_way_out(path, verdict['refused'])}")
     major, minor = verdict["version"]
     return int(major), int(minor)
 
@@ -77,10 +77,13 @@ def verdicts_on(paths: Sequence[Path]) -> list[dict[str, Any]]:
     return verdicts_of(inspection.__file__, "session", paths)
 
 
-def _older_copy(path: Path) -> str:
-    """Where the session stands as it was saved before, for the end of a message."""
-    older = generations(path)
-    return f"; as it was saved before it stands in {older[0]}" if older else ""
+def _way_out(path: Path, refused: str) -> str:
+    """What can be done about a file that is refused, for the end of a message."""
+    if generations(path):
+        return f"; trackwright restore {path.name} has back what was saved before"
+    if refused == DAMAGED:
+        return "; no older save is kept: bring a copy of it, or track the recording again"
+    return ""
 
 
 def _read_version_1(file: h5py.File, path: Path) -> Snapshot:

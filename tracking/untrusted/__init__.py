@@ -1,6 +1,13 @@
 """Files from elsewhere are checked before they are read."""
 
-from tracking.untrusted.program import bare_packages, limit, say_verdicts, verdict_by, verdicts_of
+from tracking.untrusted.program import (
+    DAMAGED,
+    bare_packages,
+    limit,
+    say_verdicts,
+    verdict_by,
+    verdicts_of,
+)
 from tracking.untrusted.walk import (
     Kind,
     Refused,
@@ -12,6 +19,7 @@ from tracking.untrusted.walk import (
 )
 
 __all__ = [
+    "DAMAGED",
     "Kind",
     "Refused",
     "Walk",

@@ -21,6 +21,8 @@ from tracking.untrusted.walk import Refused
 
 MEMORY_BYTES = 4 << 30
 SECONDS = 10
+DAMAGED = " is damaged or cut short"
+"""Why a file is refused of which nothing better is known."""
 
 
 def bare_packages(*names: str) -> None:
@@ -55,7 +57,7 @@ def verdict_by(
     except Refused as why:
         return {"refused": f" {why}", "held": why.held}
     except Exception:  # what the library says of a damaged file tells its users nothing
-        return {"refused": " is damaged or cut short"}
+        return {"refused": DAMAGED}
 
 
 def limit() -> None:

@@ -88,3 +88,28 @@ def test_restore_tells_what_is_wrong(
     assert (status, "no older generation 9" in said) == (1, True)
     status, _, said = trackwright("restore", tmp_path / "none.h5", "--list")
     assert (status, "no such session" in said) == (1, True)
+
+
+def test_restore_has_an_older_one_back_where_the_session_is_damaged_and_keeps_that(
+    trackwright: Trackwright, edited: Path
+) -> None:
+    damaged = edited.read_bytes()[:5000]
+    edited.write_bytes(damaged)
+    status, _, said = trackwright("info", edited)
+    assert (status, "trackwright restore" in said) == (1, True)
+    status, printed, said = trackwright("restore", edited, "--json")
+    assert (status, json.loads(printed)["edits"]) == (0, 1)
+    kept = edited.parent / f".{edited.name}.trackwright" / "damaged-1.h5"
+    assert str(kept) in said
+    assert kept.read_bytes() == damaged
+    with closing(Session.open(edited)) as session:
+        assert (len(session.history), session.read_only) == (1, False)
+
+
+def test_a_damaged_session_with_nothing_older_ends_in_what_to_do(
+    trackwright: Trackwright, session: Path
+) -> None:
+    session.write_bytes(session.read_bytes()[:5000])
+    status, _, said = trackwright("restore", session)
+    assert (status, said.count("\n")) == (1, 1)
+    assert "track the recording again" in said
