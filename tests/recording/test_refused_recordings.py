@@ -117,3 +117,9 @@ def test_of_a_file_that_is_no_video_it_is_said_what_can_be_opened(tmp_path: Path
     (tmp_path / "notes.md").write_text("# Notes\n")
     with pytest.raises(RecordingError, match=r"give a video, a folder of images or a folder with"):
         open_recording(tmp_path / "notes.md")
+
+
+def test_a_text_that_could_be_drawn_as_a_film_is_none(tmp_path: Path) -> None:
+    (tmp_path / "truth.txt").write_text("1,1,10,20,30,60,1,1,1\n" * 50)
+    with pytest.raises(RecordingError, match=r"text, not a video; give a video"):
+        open_recording(tmp_path / "truth.txt")

@@ -19,6 +19,9 @@ from tracking.errors import RecordingError
 
 VideoPacket: TypeAlias = "Packet[VideoStream]"
 
+_TEXT_ART = frozenset({"ansi", "bintext", "idf", "xbin"})
+"""Decoders that draw text as pictures: of any text file, with them, a film could be made."""
+
 PacketStamp = tuple[int | None, int | None]
 """Decoding timestamp and byte position: what a packet is known by after a seek."""
 
@@ -67,7 +70,7 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
     """A video's container and its first video stream, decoded on the calling thread.
 
     Raises:
-        RecordingError: missing, not a video, or a list that names other files.
+        RecordingError: missing, not a video, text, or a list that names other files.
     """
     try:
         # Only plain files: a playlist could fetch from anywhere.
@@ -86,6 +89,12 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
     if getattr(stream, "codec_context", None) is None:
         container.close()
         raise RecordingError(f"{where}: its encoding is not known; convert it to H.264")
+    if stream.codec_context.name in _TEXT_ART:
+        container.close()
+        raise RecordingError(
+            f"{where}: text, not a video; give a video, a folder of images or a folder with "
+            "recording.toml"
+        )
     # One thread keeps frames in step with packets, and leaves the other cores to other eyes.
     stream.codec_context.thread_count = 1
     return container, stream
