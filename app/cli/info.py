@@ -78,6 +78,8 @@ def _rows(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
             yield from ((f"{part.replace('_', '-')} labels", _shown(said)) for part, said in parts)
             others = (item for item in value.items() if item[0] != "parts")
             yield from ((what.replace("_", " "), _shown(count)) for what, count in others)
+        elif name == "size":
+            yield name, " x ".join(str(side) for side in value)
         else:
             yield name.replace("_", " "), _shown(value)
 

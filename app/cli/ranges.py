@@ -15,7 +15,7 @@ def typed_range(text: str | None, count: int, option: str = "--frames") -> tuple
         option: which it was typed for.
 
     Raises:
-        SettingsError: it is no such text.
+        SettingsError: it is no such text, or B is not above A.
     """
     if text is None:
         return None
@@ -23,4 +23,8 @@ def typed_range(text: str | None, count: int, option: str = "--frames") -> tuple
     if found is None:
         raise SettingsError(f"frames {text!r} are not A:B, e.g. {option} 100:400")
     start, stop = found.groups()
+    if stop and int(stop) <= int(start or 0):
+        raise SettingsError(
+            f"{option} {text.strip()} holds no frames; name them as A:B with A below B"
+        )
     return int(start or 0), int(stop or count)

@@ -102,14 +102,9 @@ def yardstick_of(asked: Asked) -> Yardstick:
     Raises SettingsError where a range, a radius or distances are none.
     """
     match = FloorMatch(asked.radius_m) if asked.match == "floor" else BoxMatch()
-    ranges = []
-    for text in asked.ranges:
-        start, stop = typed_range(text, _END, "--range") or (0, _END)
-        if start >= stop:
-            raise SettingsError(f"range {text} holds no frames; name one as A:B with A below B")
-        ranges.append((start, stop))
+    ranges = tuple(typed_range(text, _END, "--range") or (0, _END) for text in asked.ranges)
     distances_m = () if asked.distances is None else _distances(asked.distances)
-    return Yardstick(match, Conventions(asked.conventions), tuple(ranges), distances_m)
+    return Yardstick(match, Conventions(asked.conventions), ranges, distances_m)
 
 
 def _distances(text: str) -> tuple[float, ...]:

@@ -8,15 +8,16 @@ import textwrap
 from typing import Any
 
 from app.cli.output import print_json
-from tracking.trackers import TRACKERS, SettingField, TrackerSpec, settings_fields
+from tracking.trackers import TRACKERS, SettingField, TrackerSpec, settings_fields, tracker_named
 
 
-def run_trackers(*, as_json: bool) -> None:
-    """Print the catalogue."""
+def run_trackers(name: str | None, *, as_json: bool) -> None:
+    """Print the catalogue, or one tracker of it. Raises SettingsError for an unknown name."""
+    shown = list(TRACKERS.values()) if name is None else [tracker_named(name)]
     if as_json:
-        print_json({"trackers": [_as_json(spec) for spec in TRACKERS.values()]})
+        print_json({"trackers": [_as_json(spec) for spec in shown]})
         return
-    for number, spec in enumerate(TRACKERS.values()):
+    for number, spec in enumerate(shown):
         source = f" [{spec.paper}]" if spec.paper else ""
         print("\n" * (number > 0) + f"{spec.name}  {spec.title}{source}")
         print(f"  needs: {', '.join(_needs(spec)) or 'one camera'}")

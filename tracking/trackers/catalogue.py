@@ -193,7 +193,8 @@ def require(spec: TrackerSpec, recording: Recording) -> None:
     """
     if spec.needs_stereo and not recording.is_stereo:
         raise RecordingError(
-            f"recording {recording.name} has one camera: {spec.name} needs two; choose three-part"
+            f"recording {recording.name} has one camera: {spec.name} needs two; "
+            f"choose {best_tracker(recording)}"
         )
     if spec.needs_calibration and recording.calibration is None:
         raise CalibrationError(

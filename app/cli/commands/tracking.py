@@ -13,11 +13,16 @@ from app.cli.option_groups import Bare, Onward, Order, spread
 
 
 @program.command()
-def trackers(json: options.Json = False) -> None:
+def trackers(
+    name: Annotated[
+        str | None, typer.Argument(help="Of one tracker only.", show_default="all")
+    ] = None,
+    json: options.Json = False,
+) -> None:
     """List the trackers and their settings."""
     from app.cli.trackers import run_trackers
 
-    run_trackers(as_json=json)
+    run_trackers(name, as_json=json)
 
 
 @program.command()

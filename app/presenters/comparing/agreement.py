@@ -55,9 +55,18 @@ def refuse_other_recording(one: RecordingReference, other: RecordingReference, n
     there = [(part.size_bytes, part.sha256) for part in other.sources], other.frame_count
     if here != there:
         raise SessionError(
-            f"{named} is of another recording ({other.name}, not {one.name}); "
+            f"{named} is of another recording ({_difference(one, other)}); "
             "choose a session of the same one"
         )
+
+
+def _difference(one: RecordingReference, other: RecordingReference) -> str:
+    """What tells two recordings apart, which may be called alike."""
+    if other.name != one.name:
+        return f"{other.name}, not {one.name}"
+    if other.frame_count != one.frame_count:
+        return f"{other.frame_count} frames, not {one.frame_count}"
+    return f"{other.name}, too, but its files are others"
 
 
 def read_other(path: Path, own: Session, snapshot: TrackTable, report: Progress) -> OtherSession:

@@ -64,5 +64,5 @@ def test_sessions_of_different_recordings_are_refused_in_one_line(
         Session.create(footage, [tiny_run], tmp_path / "elsewhere.h5").close()
     status, out, err = trackwright("compare", session, tmp_path / "elsewhere.h5")
     assert (status, out) == (1, "")
-    assert "is of another recording" in err
+    assert "is of another recording (plaza 3, too, but its files are others)" in err
     assert err.count("\n") == 1

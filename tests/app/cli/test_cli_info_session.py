@@ -37,3 +37,4 @@ def test_runs_and_labels_have_lines_of_their_own(
     assert "…" in lines["run 1"]
     assert lines["hip-leg labels"] == "on 0, off 0, unsure 1"
     assert lines["reviewed ranges"] == "0"
+    assert lines["size"] == "320 x 240"

@@ -201,3 +201,10 @@ def test_trackers_are_listed_with_all_their_settings(trackwright: Trackwright) -
     readable = trackwright("trackers")[1]
     for field in found["stereo-direction"]["settings"]:
         assert field["name"] in readable
+
+
+def test_one_tracker_is_listed_by_its_name(trackwright: Trackwright) -> None:
+    status, out, _ = trackwright("trackers", "flow", "--json")
+    assert (status, [one["name"] for one in json.loads(out)["trackers"]]) == (0, ["flow"])
+    status, _, err = trackwright("trackers", "flaw")
+    assert (status, "tracker flaw is unknown" in err) == (1, True)

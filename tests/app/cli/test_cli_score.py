@@ -139,8 +139,8 @@ def test_some_frames_are_measured_as_if_there_were_no_others(
     ("frames", "reason"),
     [
         ("all", "frames 'all' are not A:B"),
-        ("5:5", "choose a range within 0:20"),
-        ("9:3", "choose a range within 0:20"),
+        ("5:5", "frames 5:5 holds no frames"),
+        ("9:3", "frames 9:3 holds no frames"),
         ("15:21", "choose a range within 0:20"),
     ],
 )
@@ -177,6 +177,20 @@ def test_a_session_tracked_in_whole_is_scored_without_a_note(
     trackwright: Trackwright, session: Path, recording: Path
 ) -> None:
     assert trackwright("score", session, "--truth", recording, "--json")[2] == ""
+
+
+def test_a_truth_that_outlasts_the_recording_is_told(
+    trackwright: Trackwright, session: Path, recording: Path
+) -> None:
+    with (recording / "truth.txt").open("a") as truth:
+        truth.write("100,1,10,10,20,40,1,1,1,-1\n")
+    words = ("score", session, "--truth", recording, "--json")
+    _, whole, note = trackwright(*words)
+    assert json.loads(whole)["frames"] == 100
+    assert note.count("\n") == 1
+    assert "goes on to frame 100" in note
+    assert "--frames 0:80" in note
+    assert trackwright(*words, "--frames", "0:80")[2] == ""
 
 
 def test_a_radius_without_the_floor_is_refused(
