@@ -54,7 +54,7 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
 
     Looked at is a stretch of a second or two from a frame on, and where it tells nothing, others
     that are spread over the recording, each of them and all together. Where the recording tells a
-    lag, that one is it unless the first stretch tells another.
+    lag, that one is it unless a stretch tells another.
 
     Args:
         recording: of two eyes; rectified where it can be. start: the frame that matters most.
@@ -65,7 +65,7 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
     stretches: list[Stretch] = []
     last = max(0, recording.frame_count - movement.span - 1)
     spread = np.linspace(0, last, _ELSEWHERE + 2)[1:-1].astype(int).tolist()
-    for first in (min(start, last), *(spread if told_lag is None else ())):
+    for first in (min(start, last), *spread):
         movement.begin()
         for number in range(first, min(first + movement.span + 1, recording.frame_count)):
             frame = yield number
