@@ -73,11 +73,6 @@ def _asked_frames(
     """The half-open range to track; see `track`."""
     first = resume.frame if resume is not None else 0
     start, stop = frames or (first, recording.frame_count)
-    if stop <= start:
-        raise SettingsError(
-            f"frames {start}:{stop} are none: the first must be below the one after the last, "
-            f"e.g. {min(start, stop)}:{max(start, stop, min(start, stop) + 1)}"
-        )
     if not 0 <= start < stop <= recording.frame_count:
         raise SettingsError(
             f"frames {start}:{stop} are not in the recording: "
