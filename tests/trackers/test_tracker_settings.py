@@ -10,6 +10,8 @@ from hypothesis import strategies as st
 from tracking.errors import SettingsError
 from tracking.trackers import (
     TRACKERS,
+    changed_settings,
+    occluders_as_setting,
     parse_settings,
     settings_fields,
     settings_from,
@@ -84,3 +86,10 @@ def test_values_make_the_settings_they_came_from_even_through_json(particles, ga
 def test_settings_cannot_be_changed():
     with pytest.raises(dataclasses.FrozenInstanceError):
         SPEC.settings_type().particles = 3
+
+
+@pytest.mark.parametrize("nothing", ["", "[]", occluders_as_setting([])])
+def test_no_occluders_are_no_change_of_a_setting(nothing):
+    assert changed_settings("spheroid", {"occluders": nothing}) == {}
+    drawn = "[[[1, 1], [2, 1], [2, 2]]]"
+    assert changed_settings("spheroid", {"occluders": drawn}) == {"occluders": drawn}

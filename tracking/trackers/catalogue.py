@@ -147,6 +147,7 @@ _BUILT = (
 TRACKERS: Mapping[str, TrackerSpec] = MappingProxyType({spec.name: spec for spec in _BUILT})
 """The trackers that can be run, the best first."""
 
+_NOTHING = ("", "[]")
 _WITHOUT = " (without, three-part follows people in pixels)"
 
 
@@ -174,15 +175,20 @@ def detector_of(name: str, settings: Mapping[str, Any]) -> str:
 def changed_settings(name: str, settings: Mapping[str, Any]) -> dict[str, Any]:
     """Of a run's settings, by their dotted names, those that are not that tracker's defaults.
 
-    Of a tracker that is not in the catalogue all of them.
+    Of a tracker that is not in the catalogue all of them. Nothing, written as no text or as an
+    empty list, is no change from nothing.
     """
     spec = TRACKERS.get(name)
     defaults = {} if spec is None else settings_values(spec.settings_type())
     return {
         key: value
         for key, value in settings.items()
-        if key not in defaults or defaults[key] != value
+        if key not in defaults or not _is_same(defaults[key], value)
     }
+
+
+def _is_same(default: Any, value: Any) -> bool:
+    return bool(default == value) or (default in _NOTHING and value in _NOTHING)
 
 
 def require(spec: TrackerSpec, recording: Recording) -> None:

@@ -44,5 +44,6 @@ def occluders_from(text: str) -> Polygons:
 
 
 def occluders_as_setting(occluders: Iterable[Occluder]) -> str:
-    """What people drew, as the setting `occluders` has it."""
-    return json.dumps([[list(corner) for corner in one.polygon] for one in occluders])
+    """What people drew, as the setting `occluders` has it; "" where they drew nothing."""
+    outlines = [[list(corner) for corner in one.polygon] for one in occluders]
+    return json.dumps(outlines) if outlines else ""

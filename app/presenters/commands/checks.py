@@ -87,6 +87,13 @@ def scored(now: Situation) -> str:
     return recording(now) or ("" if now.scored else tr("score against a truth first (Shift+S)"))
 
 
+def reportable(now: Situation) -> str:
+    """Tracks must have been compared with a truth, or one stand beside the recording."""
+    if now.live or now.busy:
+        return tr("wait until the work in progress is done")
+    return "" if now.truth and now.tracks else scored(now)
+
+
 def two_eyes(now: Situation) -> str:
     """The recording must have two eyes."""
     return recording(now) or ("" if now.stereo else tr("the recording has one camera"))

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import drawable, editable, recording, savable, scored, session
+from app.presenters.commands.checks import (
+    drawable,
+    editable,
+    recording,
+    reportable,
+    savable,
+    session,
+)
 from app.presenters.commands.command import Command
 
 COMMANDS: Final = (
@@ -23,7 +30,7 @@ COMMANDS: Final = (
         separated=True,
     ),
     Command("file.export", "File", "Export tracks...", ("Ctrl+E",), session, icon="export"),
-    Command("file.export_report", "File", "Export a score report...", (), scored),
+    Command("file.export_report", "File", "Export a score report...", (), reportable),
     Command("file.export_counts", "File", "Export counts...", (), session),
     Command("file.export_log", "File", "Export the log of edits...", (), session),
     Command("file.compare", "File", "Compare with another session...", (), session),

@@ -34,6 +34,7 @@ class RunRow:
         settings: those that differ from the tracker's defaults, "" for none. made: when.
         idf1, hota, switches: figures against the truth, "" without.
         why_not_corrected: why the corrected tracks cannot begin as it; "" where they can.
+        why_not_compared: why it cannot be compared with the corrected tracks; "" where it can.
     """
 
     number: int
@@ -47,6 +48,7 @@ class RunRow:
     hota: str = ""
     switches: str = ""
     why_not_corrected: str = ""
+    why_not_compared: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,13 +151,17 @@ class RunList:
         """Take the figures that scoring gave."""
         self._figures = dict(figures)
 
+    @property
+    def _edits(self) -> int:
+        """How many edits are in force."""
+        return sum(not entry.undone for entry in self._session.history)
+
     def _corrected(self) -> RunRow:
         session = self._session
-        edits = sum(not entry.undone for entry in session.history)
         return RunRow(
             CORRECTED,
             tr("corrected tracks"),
-            counted(edits, "{n} edit", "{n} edits"),
+            counted(self._edits, "{n} edit", "{n} edits"),
             "",
             _range_text((0, self._recording.frame_count)),
             "",
@@ -178,6 +184,7 @@ class RunList:
             len(np.unique(run.tracks["track"])),
             **self._figures_of(number),
             why_not_corrected=self._why_not_corrected(number),
+            why_not_compared=self._why_not_compared(number),
         )
 
     def _why_not_corrected(self, number: int) -> str:
@@ -186,6 +193,11 @@ class RunList:
         if self._live:
             return tr("A tracker is at work: stop it first.")
         return read_only() if self._session.read_only else ""
+
+    def _why_not_compared(self, number: int) -> str:
+        if number == self._session.adopted_run and not self._edits:
+            return tr("The corrected tracks are this run: nothing is edited yet to be compared.")
+        return ""
 
     def _figures_of(self, number: int) -> dict[str, str]:
         figures = self._figures.get(number)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,7 @@ from app.presenters.files import opening
 from app.presenters.files.export_formats import export_formats, proposed_folder, proposed_name
 from app.presenters.files.exporting import exporting, refuse_to_lose
 from app.presenters.scoring.reporting import Reported, reporting
+from app.presenters.scoring.subject import Scored, worked_out
 from app.presenters.words import tr
 from app.views.files.export_dialog import ExportDialog
 from app.views.widgets.questions import choose_file, choose_new_file
@@ -26,6 +28,7 @@ from tracking.progress import Progress
 from tracking.session import Session, write_log_csv, write_log_json
 
 if TYPE_CHECKING:
+    from app.views.desk.desk import Desk
     from app.views.window.main_window import MainWindow
 
 _LOGS = "CSV (*.csv);;JSON (*.json)"
@@ -102,10 +105,19 @@ class Exporting(QObject):
         choose_file(self._window, title, "", self.report_in, folder=True)
 
     def report_in(self, place: Path) -> None:
-        """Write a report of the score as it was worked out last."""
+        """Write a report of the score as it was worked out last; where it was not, score first."""
         desk = self._window.desk
-        scored = desk.scoring.presenter.scored if desk is not None else None
-        if desk is None or scored is None:
+        if desk is None:
+            return
+        presenter = desk.scoring.presenter
+        if presenter.scored is not None:
+            self._report(desk, presenter.scored, place)
+        elif (subject := presenter.wanted()) is not None:
+            work = partial(worked_out, subject, None, presenter.held(subject))
+            self._work.run(tr("Scoring"), work, lambda scored: self._report(desk, scored, place))
+
+    def _report(self, desk: Desk, scored: Scored, place: Path) -> None:
+        if desk is not self._window.desk:
             return
         presenter, document = desk.scoring.presenter, desk.document
         held = presenter.held(scored.subject)

@@ -180,11 +180,14 @@ class RunsDialog(QDialog):
         """What can be compared: one run with the corrected tracks, or two of the rows."""
         chosen = self.chosen
         runs = [number for number in chosen if number != CORRECTED]
-        self._compare.setEnabled(len(chosen) in (1, 2) and bool(runs))
+        why_not = {row.number: row.why_not_compared for row in self._scene.rows}
+        said = why_not[runs[0]] if len(runs) == 1 and len(chosen) <= 2 else ""
+        self._compare.setEnabled(len(chosen) in (1, 2) and bool(runs) and not said)
+        self._compare.setToolTip(said)
         if len(runs) == 2:
             text = self.tr("Compares the two runs; stretches can be taken from either.")
         elif runs and len(chosen) <= 2:
-            text = self.tr("Compares the run with the corrected tracks.")
+            text = said or self.tr("Compares the run with the corrected tracks.")
         else:
             text = self.tr("Select a run, or two of them with Ctrl, to compare.")
         self._about.setText(text)

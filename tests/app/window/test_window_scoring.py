@@ -92,6 +92,14 @@ def test_a_report_is_written_into_a_folder_of_its_own(window, scored, qtbot, tmp
     assert str(folder / "report.html") in window.statusBar().currentMessage()
 
 
+def test_a_report_can_be_had_before_anything_was_scored(window, desk, qtbot, tmp_path):
+    assert desk.scoring.presenter.scored is None
+    assert window.menus.actions["file.export_report"].isEnabled()
+    window.files.exporting.report_in(tmp_path)
+    qtbot.waitUntil(lambda: bool([*tmp_path.glob("*/report.html")]), timeout=30_000)
+    qtbot.waitUntil(lambda: not window.work.busy)
+
+
 def test_a_run_that_cannot_be_scored_is_left_out_of_the_report_and_it_is_said_why(
     window, scored, qtbot, tiny_run, tmp_path
 ):

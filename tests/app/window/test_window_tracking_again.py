@@ -220,6 +220,9 @@ def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tin
     table = dialog._table
     assert [row.number for row in dialog._scene.rows] == [CORRECTED, 0, 1]
     assert table.item(1, 0).text() == "run 0, being corrected"
+    dialog.choose(0)
+    assert not dialog._compare.isEnabled()
+    assert "nothing is edited yet" in dialog._about.text()
     assert table.item(2, 2).text() == "seed 7"
     qtbot.waitUntil(lambda: bool(table.item(2, 6).text()), timeout=20_000)
     assert float(table.item(2, 6).text()) >= float(table.item(1, 6).text())
