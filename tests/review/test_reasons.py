@@ -194,3 +194,8 @@ def test_people_turn_back_in_full_view_as_they_like() -> None:
 def test_who_walks_on_while_hidden_is_no_reversal() -> None:
     walk = Walk(straight((-3, 5), (1.0, 0), 160), predicted=range(70, 90))
     assert len(found("reversal", made_run([walk]))) == 0
+
+
+def test_a_moment_that_is_not_the_very_one_is_said_to_be_about_then() -> None:
+    said = sentence("colour", 3, 0, 0.0, 7.2, about=True)
+    assert said == "3 has other colours from about 00:07 on"

@@ -124,7 +124,7 @@ def _suspicion(
     speaker: Speaker, place: int, leader: int, frame: int, start: int, end: int, likelihood: float
 ) -> Suspicion:
     kind, (first, second) = speaker.kind(leader), speaker.tracks(leader)
-    text, *others = speaker.said(place, leader)
+    text, *others = speaker.said(place, leader, frame)
     return Suspicion(
         kind=kind,
         tracks=(min(first, second), max(first, second)) if second else (first,),

@@ -10,6 +10,8 @@ import numpy as np
 from tracking.review.joining import Places, Reasons
 from tracking.review.wording import sentence
 
+_SAME_MOMENT_S = 0.25
+
 
 @dataclass(frozen=True, slots=True)
 class Speaker:
@@ -49,14 +51,26 @@ class Speaker:
         """Whom a reason is about; 0 for nobody else."""
         return self.columns[1][reason], self.columns[2][reason]
 
-    def said(self, place: int, leader: int) -> list[str]:
-        """Sentences: the leader's, then the strongest of each other kind."""
-        strongest: dict[str, int] = {}
-        for row in (leader, *self.spoken[self.cuts[place] : self.cuts[place + 1]]):
-            strongest.setdefault(self.kind(row), row)
-        return [self._sentence(kind, row) for kind, row in strongest.items()]
+    def said(self, place: int, leader: int, frame: int) -> list[str]:
+        """Sentences: the leader's, then the strongest of each other kind.
 
-    def _sentence(self, kind: str, row: int) -> str:
-        _, _, _, frame, figure = self.columns
-        time_s = frame[row] / self.fps
-        return sentence(kind, *self.tracks(row), figure[row], time_s, on_floor=self.on_floor)
+        The leader's is told for `frame`, that of the place, so that one moment is named alone.
+        """
+        strongest: dict[str, int] = {}
+        for row in self.spoken[self.cuts[place] : self.cuts[place + 1]]:
+            strongest.setdefault(self.kind(row), row)
+        strongest.pop(self.kind(leader), None)
+        others = [self._sentence(row, self.columns[3][row]) for row in strongest.values()]
+        return [self._sentence(leader, frame), *others]
+
+    def _sentence(self, row: int, frame: int) -> str:
+        """A reason told for a frame: with "about" where its own lies elsewhere."""
+        own_s, told_s = self.columns[3][row] / self.fps, frame / self.fps
+        return sentence(
+            self.kind(row),
+            *self.tracks(row),
+            self.columns[4][row],
+            told_s,
+            on_floor=self.on_floor,
+            about=abs(own_s - told_s) > _SAME_MOMENT_S,
+        )

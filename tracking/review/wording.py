@@ -78,18 +78,26 @@ KINDS = tuple(WORDS)
 
 
 def sentence(
-    kind: str, first: int, second: int, figure: float, seconds: float, *, on_floor: bool = True
+    kind: str,
+    first: int,
+    second: int,
+    figure: float,
+    seconds: float,
+    *,
+    on_floor: bool = True,
+    about: bool = False,
 ) -> str:
     """A reason as a sentence, e.g. "4 and 7 passed within 0.3 m at 00:41".
 
     Where the floor is not known (`on_floor`), ways are said in body heights: see `Evidence.place`.
+    Of a moment that is not the very one it is said that it is `about` then.
     """
     words = WORDS[kind]
     said = words.two if second else words.one
     parts = _parts(int(figure)) if kind == "part" else ""
     way = f"{figure:.1f} m" if on_floor else f"{figure / BODY_M:.1f} body heights"
     ground = "floor" if on_floor else "picture"
-    time = clock(seconds)
+    time = f"about {clock(seconds)}" if about else clock(seconds)
     return said.format(
         a=first, b=second, figure=figure, way=way, ground=ground, time=time, parts=parts
     )

@@ -169,6 +169,14 @@ class Comparison:
         self.order = order
         self._list()
 
+    def first_shown(self, one: Difference, before: int) -> int:
+        """The first frame from so many before a difference in which its people are there."""
+        start = max(0, one.start - before)
+        if self._found is None:
+            return start
+        frames = [rows["frame"] for rows in self._versions(one, start, one.end)]
+        return int(min((part.min() for part in frames if len(part)), default=one.start))
+
     # taking
 
     def plan(self) -> Change:

@@ -250,13 +250,13 @@ class Comparing(QObject):
 
     def _look_at(self, one: Difference | None) -> None:
         """Go to just before it; all views show both versions."""
-        if one is not None:
+        if one is not None and self._comparison is not None:
             before = round(_BEFORE_S * self._document.recording.fps)
             self._document.selection.choose(
                 one.track if one.track in self._document.tracks.ids else 0
             )
             self._playback.pause()
-            self._playback.go(max(0, one.start - before))
+            self._playback.go(self._comparison.first_shown(one, before))
         self._editing.changed.emit()
 
     def _tick(self, number: int, on: bool) -> None:

@@ -14,7 +14,7 @@ from app.presenters.reviewing.review import ReviewQueue, is_fixable, settled, ve
 from app.presenters.reviewing.review_meter import MeterWords
 from app.presenters.reviewing.review_scene import Order, ReviewScene
 from app.presenters.reviewing.watching import Watching
-from app.presenters.words import tr
+from app.presenters.words import span_text, tr
 from app.views.correcting.editing import Editing
 from app.views.playing.playback import Playback
 from app.views.reviewing.review_panel import ReviewPanel
@@ -315,12 +315,18 @@ class Reviewing(QObject):
             kind=self.queue.kind,
             order=self.queue.order,
             plays=self.plays,
-            also="; ".join(current.others) if current is not None else "",
+            also=self._also(current) if current is not None else "",
             doing=self._search.doing,
             title=title,
             text=text,
             meter=self._meter_text(),
         )
+
+    def _also(self, suspicion: Suspicion) -> str:
+        """What there is to watch, from a little before, and further reasons."""
+        fps = self._document.recording.fps
+        span = span_text(self._start_of(suspicion) / fps, (suspicion.end - 1) / fps)
+        return "; ".join((tr("Watch {span}", span=span), *suspicion.others))
 
     def _meter_text(self) -> str:
         session = self._document.session
