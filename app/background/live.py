@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import threading
+from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
@@ -112,7 +113,7 @@ class LiveTracker(QObject):
         )
         on_the_way = self.kept.parts("tracks", first, stop)
         self.ended = Ended.of(run, on_the_way, self._asked)
-        return run
+        return replace(run, notes=self.notes)
 
     def _make_room(self, _batch: object) -> None:
         """The window has taken a batch."""

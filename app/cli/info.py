@@ -72,7 +72,9 @@ def _rows(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     """Facts as lines for people: each run and each kind of label has one of its own."""
     for name, value in facts.items():
         if name == "runs":
-            yield from ((f"run {n}", _run(run)) for n, run in enumerate(value))
+            for number, run in enumerate(value):
+                yield f"run {number}", _run(run)
+                yield from ((f"run {number}, note", note) for note in run["notes"])
         elif name == "labels":
             parts = value["parts"].items()
             yield from ((f"{part.replace('_', '-')} labels", _shown(said)) for part, said in parts)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -76,17 +77,17 @@ def tracked(recording: Recording, order: Order, spool: Path) -> Run:
 
 
 def run_of(work: Tracking, recording: Recording, what: str) -> Run:
-    """The run of a tracker at work, to its end, with a progress bar; odd things are told."""
+    """The run of a tracker at work, to its end, with a progress bar; what is odd is told."""
     told = recording.notes
     with progress(what) as advance:
         start, stop = work.frames
         for result in work:
             advance(result.frame + 1 - start, stop - start)
         run = work.run()
-    for note in (*work.notes, *recording.notes):
-        if note not in told:
-            say(f"note: {note}")
-    return run
+    notes = tuple(note for note in (*work.notes, *recording.notes) if note not in told)
+    for note in notes:
+        say(f"note: {note}")
+    return replace(run, notes=notes)
 
 
 def save_session(recording: Recording, run: Run, out: Path) -> None:

@@ -230,7 +230,7 @@ def test_info_tells_what_the_session_holds(session: Session) -> None:
     assert (told["frames"], told["fps"], told["size"]) == (FRAMES, 20.0, [640, 480])
     assert (told["tracks"], told["edits"], told["undone_edits"]) == (4, 1, 0)
     run = {"tracker": "stereo-direction", "frames": [0, FRAMES], "seed": 0, "detector": ""}
-    run |= {"detector_from": None, "settings": {"eta": 0.25, "particles": 10}}
+    run |= {"detector_from": None, "settings": {"eta": 0.25, "particles": 10}, "notes": []}
     assert told["runs"] == [run]
     assert told["recording"] == "recording"
     json.dumps(told)

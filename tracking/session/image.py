@@ -28,6 +28,7 @@ from tracking.session.layout import (
 )
 from tracking.session.packing import Packer
 from tracking.session.reference import RecordingReference
+from tracking.session.run_notes import write_notes
 from tracking.session.runs import StoredRun
 from tracking.session.samples import KeptSamples
 from tracking.tracks import (
@@ -172,6 +173,7 @@ def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
     group.attrs["detector"] = run.detector
     group.attrs["known_tracks"] = run.known_tracks
     group.attrs["made"] = run.made
+    write_notes(group, run.notes)
     tables: Mapping[str, Columns] = {
         "tracks": run.tracks,
         "detections": run.detections,

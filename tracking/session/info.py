@@ -17,6 +17,7 @@ from tracking.session.edited import Edited
 from tracking.session.hdf5 import opened, text_attribute
 from tracking.session.label_tables import read_labels
 from tracking.session.reading import check_file, read_recording
+from tracking.session.run_notes import read_notes
 from tracking.session.waiting import read_with_waiting
 from tracking.trackers import changed_settings
 from tracking.tracks import PART_NAMES, Labels
@@ -74,6 +75,7 @@ def _run(group: h5py.Group) -> dict[str, Any]:
         "detector": detector,
         "detector_from": own if detector else None,
         "settings": changed_settings(tracker, settings),
+        "notes": list(read_notes(group)),
     }
 
 

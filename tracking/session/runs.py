@@ -18,6 +18,7 @@ from tracking.session.copying import copy_group
 from tracking.session.hdf5 import opened, read_columns, text_attribute
 from tracking.session.image_file import ImageFile
 from tracking.session.layout import CHUNK_ROWS, LATER_RUN_COLUMNS, PARTICLE_TABLES, RUN_TABLES
+from tracking.session.run_notes import read_notes
 from tracking.session.stamping import now
 from tracking.tracks import (
     LARGEST_NUMBER,
@@ -71,6 +72,7 @@ class StoredRun:
                 detector=text_attribute(group, "detector"),
                 known_tracks=_known_tracks(group),
                 made=text_attribute(group, "made") if "made" in group.attrs else "",
+                notes=read_notes(group),
             )
 
     def tracker(self) -> str:

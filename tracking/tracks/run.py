@@ -85,6 +85,7 @@ class Run:
         known_tracks: of a run that tracked again from corrected tracks: the highest id there was;
             ids up to it are those of the corrected tracks. 0: a run with ids of its own.
         made: when it was added to a session: UTC, ISO 8601; "" where nobody knows.
+        notes: what the user was told of the tracking, a line each.
     """
 
     tracker: str
@@ -105,3 +106,4 @@ class Run:
     detector: str = ""
     known_tracks: int = 0
     made: str = ""
+    notes: tuple[str, ...] = ()

@@ -35,6 +35,7 @@ class RunRow:
         idf1, hota, switches: figures against the truth, "" without.
         why_not_corrected: why the corrected tracks cannot begin as it; "" where they can.
         why_not_compared: why it cannot be compared with the corrected tracks; "" where it can.
+        notes: what was told of the tracking, in lines; "" for nothing.
     """
 
     number: int
@@ -49,6 +50,7 @@ class RunRow:
     switches: str = ""
     why_not_corrected: str = ""
     why_not_compared: str = ""
+    notes: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,6 +187,7 @@ class RunList:
             **self._figures_of(number),
             why_not_corrected=self._why_not_corrected(number),
             why_not_compared=self._why_not_compared(number),
+            notes="\n".join(run.notes),
         )
 
     def _why_not_corrected(self, number: int) -> str:

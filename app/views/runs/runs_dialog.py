@@ -162,7 +162,7 @@ class RunsDialog(QDialog):
         for row, shown in enumerate(scene.rows):
             for column, text in enumerate(_texts(shown)):
                 item = QTableWidgetItem(text)
-                item.setToolTip(text)
+                item.setToolTip(text if column else "\n".join(filter(None, (text, shown.notes))))
                 if column >= self._table.columnCount() - _NUMBERS:
                     item.setTextAlignment(_RIGHT)
                 self._table.setItem(row, column, item)

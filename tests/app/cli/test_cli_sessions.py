@@ -169,7 +169,10 @@ def test_track_tells_what_is_odd_on_the_way(
     words += ["--height", "6.4", "--tilt", "60", "-o", tmp_path / "s.h5"]
     status, _, err = trackwright("track", *words)
     assert status == 0
-    assert "note: right: no distance for what moves: are the eyes swapped?\n" in err
+    told = "right: no distance for what moves: are the eyes swapped?"
+    assert f"note: {told}\n" in err
+    facts = json.loads(trackwright("info", tmp_path / "s.h5", "--json")[1])
+    assert told in facts["runs"][0]["notes"]
 
 
 def test_a_session_nobody_worked_on_is_replaced(
