@@ -11,7 +11,7 @@ from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, str
 from tracking.editing import apply_change, plan_reassign, plan_swap
 from tracking.errors import CancelledError
 from tracking.review import KINDS, Suspicion, find_suspicions
-from tracking.review.wording import sentence
+from tracking.review.wording import clock, sentence
 from tracking.tracks import Labels, Occluder, Run, TrackTable
 
 MEETING = 80
@@ -208,3 +208,10 @@ def test_ways_are_said_in_body_heights_where_the_floor_is_not_known() -> None:
     assert within == "1 and 5 passed within 0.5 body heights at 00:04"
     begun = sentence("begun", 4, 0, 0.0, 4.0, on_floor=False)
     assert begun == "4 begins in the middle of the picture at 00:04"
+
+
+def test_a_suspicion_names_the_second_its_frame_lies_in() -> None:
+    run = made_run(crossing())
+    told = [one for one in found(run, swapped(run, 1, 2, MEETING)) if " 00:" in one.text]
+    assert told
+    assert all(clock(one.frame / FPS) in one.text for one in told)
