@@ -1,6 +1,13 @@
 """A tracker over a recording, frame by frame, and what it finds kept in little memory."""
 
 from tracking.pipeline.kept import KeptSteps, run_of_steps
-from tracking.pipeline.tracking import Tracking, background_samples, track
+from tracking.pipeline.tracking import Tracking, background_samples, begin_pairing, track
 
-__all__ = ["KeptSteps", "Tracking", "background_samples", "run_of_steps", "track"]
+__all__ = [
+    "KeptSteps",
+    "Tracking",
+    "background_samples",
+    "begin_pairing",
+    "run_of_steps",
+    "track",
+]

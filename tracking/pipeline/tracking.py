@@ -179,7 +179,7 @@ class Tracking:
         timed("learn", _learn, perception, self._recording)
         eyes, instants = perception.eyes, Instants(self._recording)
         if eyes is not None:
-            timed("learn", _pair, eyes, instants, self.frames[0])
+            timed("learn", begin_pairing, eyes, instants, self.frames[0])
         if self._resume is not None:
             seen = (perception.observe(instants.read(n)) for n in self._resume.looks)
             timed("learn", tracker.resume, self._resume, seen)
@@ -208,8 +208,11 @@ def _learn(perception: Perception, recording: Recording) -> None:
     perception.learn(background_samples(recording))
 
 
-def _pair(eyes: EyesWatch, instants: Instants, start: int) -> None:
-    """Begin with the lag that the footage shows from a frame on, or recording.toml tells."""
+def begin_pairing(eyes: EyesWatch, instants: Instants, start: int) -> None:
+    """Begin with the lag that the footage shows from a frame on, or recording.toml tells.
+
+    Whoever reads on takes `eyes.pairing` over to `instants.lag` after each frame looked at.
+    """
     recording = instants.recording
     eyes.begin(first_lag(recording, start) or 0, recording.right_lag)
     instants.lag = eyes.pairing

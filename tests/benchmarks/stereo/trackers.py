@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from tests.benchmarks.kept import LIBRARIES, keep, path_of, sources_of, tables_in
-from tracking.pipeline import KeptSteps, background_samples
-from tracking.recording import Recording, open_recording
+from tracking.pipeline import KeptSteps, background_samples, begin_pairing
+from tracking.recording import Instants, Recording, open_recording
 from tracking.settings import settings_from, settings_values
 from tracking.trackers import tracker_named
 from tracking.trackers.protocol import Perception, Tracker
@@ -110,8 +110,13 @@ def _tracked(recording: Recording, variants: list[Variant]) -> Iterator[tuple[Va
     perception = built[0][0]
     perception.learn(background_samples(recording))
     steps = [KeptSteps() for _ in variants]
-    for frame in recording.frames(0, recording.frame_count):
+    eyes, instants = perception.eyes, Instants(recording)
+    if eyes is not None:
+        begin_pairing(eyes, instants, 0)
+    for frame in instants.frames(0, recording.frame_count):
         seen = perception.observe(frame)
+        if eyes is not None:
+            instants.lag = eyes.pairing
         for (_, tracker), own in zip(built, steps, strict=True):
             own.add([tracker.step(seen)])
     for variant, own in zip(variants, steps, strict=True):
