@@ -74,7 +74,7 @@ def test_the_same_seed_tracks_the_same(
         (["--set", "particels=5"], "did you mean particles?"),
         (["--set", "particles"], "is not KEY=VALUE"),
         (["--frames", "10"], "are not A:B"),
-        (["--frames", "50:10"], "within 0:80"),
+        (["--frames", "50:10"], "holds no frames"),
         (["--frames", "0:9999"], "within 0:80"),
     ],
 )
