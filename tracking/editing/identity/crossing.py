@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,45 +83,70 @@ def propose_swap_frames(
     if not (len(both) and len(frames)):
         later = max(table.frame_range(a)[0], table.frame_range(b)[0])
         return (SwapFrame(later, 1.0, "they never stand in one frame; the later one begins here"),)
-    walks = turned_over(courses, frames)
-    looks = looks_changed(signals, a, b, frames)
-    apart = _apart(courses, frames)
-    shown = np.maximum(walks, looks) > _SPEAKS
+    judged = _judged(courses, frames, looks_changed(signals, a, b, frames), near)
+    first = _suspected(judged, near, suspected)
+    if first is not None:
+        behind = judged.shown | (np.arange(len(frames)) == first)
+        judged = replace(judged, score=np.where(behind, judged.score, -np.inf))
+    return judged.best(most, first, courses)
+
+
+@dataclass(frozen=True, slots=True)
+class _Judged:
+    """Every frame of their time together as a cut.
+
+    Attributes:
+        frames: (n,). walks, looks: (n,) log-likelihood ratios that they changed over there.
+        apart: (n,) m between them. score: (n,) all together; -inf: it is not proposed.
+    """
+
+    frames: Frames
+    walks: Floats
+    looks: Floats
+    apart: Floats
+    score: Floats
+
+    @property
+    def shown(self) -> NDArray[np.bool_]:
+        """(n,) how they walk or how they look speaks for it."""
+        return np.asarray(np.maximum(self.walks, self.looks) > _SPEAKS)
+
+    def best(self, most: int, first: int | None, courses: Courses) -> tuple[SwapFrame, ...]:
+        """What to propose: the cut `first`, if any, then the others, the likeliest before."""
+        share = np.exp(self.score - self.score.max())
+        share /= share.sum()
+        shown = self.shown
+        proposals = {
+            at: SwapFrame(
+                int(self.frames[at]),
+                _around(self.frames, share, at),
+                _text(self.walks[at], self.looks[at], self.apart[at], courses),
+                bool(shown[at]),
+            )
+            for at in _peaks(self.frames, self.score, most, first)
+        }
+        order = sorted(proposals, key=lambda at: (at != first, -proposals[at].likelihood))
+        return tuple(proposals[at] for at in order)
+
+
+def _judged(courses: Courses, frames: Frames, looks: Floats, near: int | None) -> _Judged:
+    """What speaks for each cut; see `propose_swap_frames`."""
+    walks, apart = turned_over(courses, frames), _apart(courses, frames)
     score = walks + looks - _APART_WEIGHT * np.log1p(np.square(apart / _REACH_M))
     if near is not None:
         score = score - _NEAR_WEIGHT * np.minimum(np.abs(frames - near) / _NEAR_FRAMES, 2.0)
-    first = _suspected(frames, score, shown, near, suspected)
-    if first is not None:
-        score = np.where(shown | (np.arange(len(frames)) == first), score, -np.inf)
-    share = np.exp(score - score.max())
-    share /= share.sum()
-    proposals = (
-        SwapFrame(
-            int(frames[at]),
-            _around(frames, share, at),
-            _text(walks[at], looks[at], apart[at], courses),
-            bool(shown[at]),
-        )
-        for at in _peaks(frames, score, most, first)
-    )
-    chosen = None if first is None else int(frames[first])
-    return tuple(sorted(proposals, key=lambda one: (one.frame != chosen, -one.likelihood)))
+    return _Judged(frames, walks, looks, apart, score)
 
 
-def _suspected(
-    frames: Frames,
-    score: Floats,
-    shown: NDArray[np.bool_],
-    near: int | None,
-    suspected: tuple[int, int] | None,
-) -> int | None:
-    """Which frame is put first as they are suspected there; None where they are not."""
+def _suspected(judged: _Judged, near: int | None, suspected: tuple[int, int] | None) -> int | None:
+    """Which cut is put first as they are suspected there; None where they are not."""
+    frames, shown = judged.frames, judged.shown
     low, high = np.searchsorted(frames, suspected if suspected is not None else (0, 0))
     if low == high:
         return None
     if near is not None and not shown[low:high].any():
         return int(low + np.argmin(np.abs(frames[low:high] - near)))
-    said = np.where(shown[low:high] | (near is None), score[low:high], -np.inf)
+    said = np.where(shown[low:high] | (near is None), judged.score[low:high], -np.inf)
     return int(low + np.argmax(said))
 
 
