@@ -51,10 +51,11 @@ def welcome(name: str, own: Path) -> None:
 
 
 def playing(scene: str, frame: int) -> Callable[[str, Path], None]:
-    """A recording that plays while the tracker is at work."""
+    """A recording that plays as it is tracked; what was told of the tracking is dismissed."""
 
     def make(name: str, own: Path) -> None:
         with _playing(_recording(scene, own), frame) as window:
+            window.notice.hide()
             _shoot(window, name)
 
     return make
