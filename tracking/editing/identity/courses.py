@@ -75,28 +75,49 @@ def turned_over(courses: Courses, cuts: Frames) -> Floats:
     """(n,) how much more likely each walk goes on as the other's at a cut than as its own.
 
     A difference of log-likelihoods: rows before and after a cut are joined by lines, and what
-    place and velocity of these differ by is judged by how much rows err and people sway.
+    place and velocity of these differ by is judged by how much rows err and people sway. Where
+    there is nothing to join, as at the very end of a track, nothing can speak for a cut: it is
+    judged as the nearest ones are that can be told, if these are unlikely.
     """
     near, guarded = (_turned_over(courses, cuts, guard) for guard in (0, _GUARD))
-    return near + _GUARDED * guarded
+    guarded = np.where(np.isnan(guarded), near, guarded)
+    return _as_nearby(near + _GUARDED * guarded)
 
 
 def _turned_over(courses: Courses, cuts: Frames, guard: int) -> Floats:
+    """As `turned_over`; NaN where nothing tells."""
     ways = (courses.a, courses.b)
     led = [_line(way, cuts, guard, after=False) for way in ways]
     came = [_line(way, cuts, guard, after=True) for way in ways]
     own = _cost(led[0], came[0]), _cost(led[1], came[1])
     other = _cost(led[0], came[1]), _cost(led[1], came[0])
-    return _sum(other, own) * -1.0
+    return _difference(own, other)
 
 
-def _sum(other: tuple[Floats, Floats], own: tuple[Floats, Floats]) -> Floats:
+def _difference(own: tuple[Floats, Floats], other: tuple[Floats, Floats]) -> Floats:
+    """(n,) what going on as oneself costs more than going on as the other; NaN: nothing tells.
+
+    Where one of the two walks cannot be told on either side, it is taken to say the same as the
+    one that can, if that speaks against changing over: silence speaks for nothing.
+    """
+    missing = [np.isnan(np.stack(pair)) for pair in (own, other)]
     totals = []
-    for first, second in (other, own):
-        total = np.nan_to_num(first) + np.nan_to_num(second)
-        totals.append(total + np.where(np.isnan(first) & np.isnan(second), 2 * _LONELY, 0.0))
-    nothing = np.isnan(np.stack([*other, *own])).all(axis=0)
-    return np.where(nothing, 0.0, totals[0] - totals[1])
+    for pair, lacks in zip((own, other), missing, strict=True):
+        total = np.nansum(np.stack(pair), axis=0)
+        totals.append(total + np.where(lacks.all(axis=0), 2 * _LONELY, 0.0))
+    more = totals[0] - totals[1]
+    half = (missing[0].sum(axis=0) == 1) & (missing[1].sum(axis=0) == 1)
+    more = np.where(half & (more < 0), 2 * more, more)
+    return np.where(missing[0].all(axis=0) & missing[1].all(axis=0), np.nan, more)
+
+
+def _as_nearby(judged: Floats) -> Floats:
+    """(n,) with NaN filled from the nearest that are known, nowhere above 0."""
+    known = np.flatnonzero(~np.isnan(judged))
+    if not len(known):
+        return np.zeros(len(judged))
+    nearby = np.interp(np.arange(len(judged)), known, judged[known])
+    return np.where(np.isnan(judged), np.minimum(nearby, 0.0), judged)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
