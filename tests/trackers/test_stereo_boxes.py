@@ -9,7 +9,7 @@ from people_on_a_floor import view
 
 from tracking.trackers.births_and_ends import confirmed
 from tracking.trackers.population import nobody
-from tracking.trackers.stereo_boxes import body_boxes, outlines_of, overlap, visibility
+from tracking.trackers.stereo_boxes import Bodies, overlap, visibility
 
 FRONT, BEHIND = [100.0, 100.0, 50.0, 150.0], [110.0, 60.0, 50.0, 150.0]
 
@@ -33,33 +33,27 @@ def test_overlap_is_the_largest_share_in_common_with_another():
 @given(st.floats(-3, 3), st.floats(3, 12), st.floats(5, 80), st.floats(20, 300))
 def test_an_outline_gives_back_the_box_it_was_taken_from(x, y, width, height):
     box, position = np.array([[200.0, 90.0, width, height]]), np.array([[x, y]])
-    outline = outlines_of(box, position, view())
-    people = _somebody(position, outline)
-    np.testing.assert_allclose(body_boxes(people, view()), box, atol=1e-6)
+    bodies = Bodies.at(position, view())
+    np.testing.assert_allclose(bodies.boxes(bodies.outlines(box)), box, atol=1e-6)
 
 
 def test_an_outline_moves_and_shrinks_with_its_person():
     box = view().box_of_person(np.array([[0.0, 4.0]]), 1.7, 0.5)
-    outline = outlines_of(box, np.array([[0.0, 4.0]]), view())
-    far = body_boxes(_somebody(np.array([[1.0, 9.0]]), outline), view())
+    outline = Bodies.at(np.array([[0.0, 4.0]]), view()).outlines(box)
+    far = Bodies.at(np.array([[1.0, 9.0]]), view()).boxes(outline)
     expected = view().box_of_person(np.array([[1.0, 9.0]]), 1.7, 0.5)
     np.testing.assert_allclose(far, expected, atol=20.0)
 
 
-def _somebody(position: np.ndarray, outline: np.ndarray):
+def test_ids_go_on_from_the_last_one_and_only_to_people_seen_often_enough():
     empty = nobody(10, 1, 4)
     columns = {
-        field.name: np.zeros((1, *own.shape[1:]), own.dtype)
+        field.name: np.zeros((5, *own.shape[1:]), own.dtype)
         for field in dataclasses.fields(empty)
         for own in (getattr(empty, field.name),)
     }
-    columns |= {"seen_at": position, "position": position, "outline": outline}
-    return empty.replace(**columns)
-
-
-def test_ids_go_on_from_the_last_one_and_only_to_people_seen_often_enough():
-    five = _somebody(np.zeros((1, 2)), np.zeros((1, 4))).select(np.zeros(5, int))
-    five = five.replace(matches=np.array([1, 9, 3, 2, 3], np.int32))
+    columns["matches"] = np.array([1, 9, 3, 2, 3], np.int32)
+    five = empty.replace(**columns)
     people, last = confirmed(five, 3, last_id=7)
     assert people.track.tolist() == [0, 8, 9, 0, 10]
     assert last == 10

@@ -9,6 +9,7 @@ from tracking.filtering import Association
 from tracking.people import Detections
 from tracking.trackers.births_and_ends import Newcomers, newcomers
 from tracking.trackers.population import Population, nobody
+from tracking.trackers.stereo_boxes import Bodies
 from tracking.trackers.stereo_direction import StereoDirectionSettings
 from tracking.trackers.stereo_sharing import Shared, shared_regions
 
@@ -38,7 +39,7 @@ def around(seen: Detections) -> Detections:
 
 def shared(people: Population, seen: Detections, owner: int) -> Shared:
     pairs = Association(np.array([owner]), np.array([0]), np.array([np.nan]))
-    return shared_regions(people, pairs, seen, view())
+    return shared_regions(people, Bodies.at(people.position, view()), pairs, seen, view())
 
 
 def test_two_people_in_one_region_stay_on_their_sides_of_it():
@@ -65,4 +66,6 @@ def test_somebody_matched_with_a_region_of_its_own_is_no_guest():
     both = seen_at(SIDE_BY_SIDE)
     two = dataclasses.replace(both, box=np.concatenate((seen.box, both.box[1:])))
     pairs = Association(np.array([0, 1]), np.array([0, 1]), np.full(2, np.nan))
-    assert len(shared_regions(followed(SIDE_BY_SIDE), pairs, two, view()).guest) == 0
+    people = followed(SIDE_BY_SIDE)
+    bodies = Bodies.at(people.position, view())
+    assert len(shared_regions(people, bodies, pairs, two, view()).guest) == 0

@@ -11,7 +11,7 @@ from tracking.filtering import scatter
 from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.population import Population, unknown_looks, unknown_motion
-from tracking.trackers.stereo_boxes import expected_visibility, outlines_of, share_in_view
+from tracking.trackers.stereo_boxes import Bodies, expected_visibility, share_in_view
 from tracking.trackers.stereo_settings import StereoFilterSettings
 
 _PATIENCE_S = 0.15
@@ -19,6 +19,9 @@ _PATIENCE_S = 0.15
 _AT_THE_EDGE = 0.75
 _OUT_OF_VIEW = 0.35
 """Share of a body inside the picture below which somebody not seen has left it."""
+
+
+Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +82,7 @@ def started(
         colour=spots.colours[rows],
         anchors=np.stack((np.full((count, 2), np.nan), measured), axis=1),
         anchor_age_s=np.zeros(count),
-        outline=outlines_of(seen.box[rows], measured, view),
+        outline=Bodies.at(measured, view).outlines(seen.box[rows]),
         confidence=np.full(count, 0.5),
         looks=unknown_looks(count),
         motion=unknown_motion(spread),
@@ -97,12 +100,16 @@ def confirmed(people: Population, matches: int, last_id: int) -> tuple[Populatio
 
 
 def still_there(
-    people: Population, settings: StereoFilterSettings, view: View
+    people: Population, box: Floats, settings: StereoFilterSettings, size: tuple[int, int]
 ) -> NDArray[np.bool_]:
-    """Whether each person is followed on: (people,)."""
-    inside = share_in_view(people, view)
+    """Whether each person is followed on: (people,).
+
+    Args:
+        box: (people, 4) px of their bodies. size: width and height of the picture.
+    """
+    inside = share_in_view(box, size)
     patience_s = np.where(inside < _AT_THE_EDGE, settings.lost_at_edge_s, settings.lost_after_s)
-    hidden = expected_visibility(people, view) < settings.hidden_below * inside
+    hidden = expected_visibility(people, box, size) < settings.hidden_below * inside
     patience_s = np.where(hidden, settings.lost_hidden_s, patience_s)
     patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)
     left = inside < _OUT_OF_VIEW

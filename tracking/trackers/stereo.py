@@ -13,7 +13,7 @@ from tracking.recording import Recording
 from tracking.trackers.births_and_ends import Newcomers, confirmed, newcomers, still_there
 from tracking.trackers.population import Population, joined
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.stereo_boxes import expected_visibility, outlined
+from tracking.trackers.stereo_boxes import Bodies, expected_visibility, outlined
 from tracking.trackers.stereo_cues import Cues, costs_of
 from tracking.trackers.stereo_filter import StereoFilter, predicted
 from tracking.trackers.stereo_matching import match_people
@@ -23,6 +23,7 @@ from tracking.trackers.stereo_sharing import shared_regions
 from tracking.trackers.stereo_update import Match, aged, guests_kept, matched, unseen
 
 Colours = NDArray[np.float32]
+Floats = NDArray[np.float64]
 
 
 def perception_and_view(
@@ -80,32 +81,45 @@ class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
         measured = seen.position[:, :2]
         way = before.velocity * elapsed_s
         expected = predicted(before, way, self._settings, elapsed_s, self._random)
-        shown = expected_visibility(expected, self._view)
+        bodies, size = Bodies.at(expected.position, self._view), self._view.camera.size
+        shown = expected_visibility(expected, bodies.boxes(expected.outline), size)
         costs = costs_of(expected, measured, colours, self._cues, self._settings, shown)
         pairs = match_people(expected, costs, ~seen.merged, self._settings)
         people = aged(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
-        shared = shared_regions(expected, pairs, seen, self._view)
+        shared = shared_regions(expected, bodies, pairs, seen, self._view)
         alone = ~np.isin(np.arange(len(pairs.track)), shared.owner)
         match = Match(pairs, shared, seen, colours, since_s)
         people = matched(people, match, self._cues, self._settings, self._random)
         people = unseen(people, elapsed_s, self._view, self._settings)
         people = guests_kept(people, expected, shared, self._settings, self._random)
-        people = outlined(people, pairs, alone, seen, elapsed_s, self._view)
+        bodies = Bodies.at(people.position, self._view)
+        people = outlined(people, pairs, alone, seen, elapsed_s, bodies)
+        box = bodies.boxes(people.outline)
         people = self._cues.walked(people, elapsed_s)
         people, self._last_id = confirmed(people, self._settings.confirm_matches, self._last_id)
-        result = step_result(observation, people, pairs, alone, costs, self._view)
-        self._people = self._carried(people, pairs, seen, colours)
+        result = step_result(observation, people, box, pairs, alone, costs, self._view)
+        self._people = self._carried(people, box, pairs, seen, colours)
         return result
 
     def _carried(
-        self, people: Population, pairs: Association, seen: Detections, colours: Colours
+        self,
+        people: Population,
+        box: Floats,
+        pairs: Association,
+        seen: Detections,
+        colours: Colours,
     ) -> Population:
-        """Who goes into the next frame: resampled, the lost left behind, newcomers joined."""
+        """Who goes into the next frame: resampled, the lost left behind, newcomers joined.
+
+        Args:
+            box: (people, 4) px of their bodies.
+        """
         resampled = resample(people.particles, people.weight, self._random)
         people = people.replace(particles=resampled)
         free = ~seen.merged
         free[pairs.detection] = False
         spots = Newcomers(seen, colours, np.flatnonzero(free))
         new = newcomers(people, spots, self._settings, self._random, self._view)
-        return joined((people.select(still_there(people, self._settings, self._view)), new))
+        there = still_there(people, box, self._settings, self._view.camera.size)
+        return joined((people.select(there), new))

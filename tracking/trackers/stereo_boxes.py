@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -24,19 +26,43 @@ _TRUST = 0.85
 """Weight of the box seen against the remembered outline."""
 
 
-def body_boxes(people: Population, view: View) -> Floats:
-    """Where the bodies are in the picture, hidden or not: (people, 4) px as recorded."""
-    middle, px_per_m = middles(people.position, view)
-    low = middle + people.outline[:, :2] * px_per_m
-    high = middle + people.outline[:, 2:] * px_per_m
-    return np.concatenate((low, high - low), axis=1)
+@dataclass(frozen=True, slots=True)
+class Bodies:
+    """Where bodies are in the picture, worked out once for as long as people stand as they do.
 
+    Attributes:
+        middle: (people, 2) px as recorded, of the bodies' middles.
+        px_per_m: (people, 1) how large a metre looks there.
+    """
 
-def outlines_of(box: Floats, position: Floats, view: View) -> Floats:
-    """Boxes (people, 4) as `Population.outline` of people at these positions (people, 2)."""
-    middle, px_per_m = middles(position, view)
-    low = box[:, :2] - middle
-    return np.concatenate((low, low + box[:, 2:]), axis=1) / np.tile(px_per_m, 4)
+    middle: Floats
+    px_per_m: Floats
+
+    @classmethod
+    def at(cls, position: Floats, view: View) -> Bodies:
+        """Of people who stand at these positions (people, 2) m."""
+        range_m = np.maximum(np.hypot(position[:, 0], position[:, 1]), 1e-6)[:, None]
+        across = 0.5 * position[:, ::-1] * (-1.0, 1.0) / range_m
+        points = np.full((2, len(position), 3), MIDDLE_M)
+        points[0, :, :2] = position - across
+        points[1, :, :2] = position + across
+        one, other = view.pixel_from_world(points.reshape(-1, 3)).reshape(2, -1, 2)
+        return cls((one + other) / 2, np.hypot(*(one - other).T)[:, None])
+
+    def select(self, rows: slice | NDArray[np.intp]) -> Bodies:
+        """The bodies at these rows."""
+        return Bodies(self.middle[rows], self.px_per_m[rows])
+
+    def boxes(self, outline: Floats) -> Floats:
+        """The bodies' boxes, hidden or not, by `Population.outline`: (people, 4) px."""
+        box = np.concatenate((self.middle, self.middle), axis=1) + outline * self.px_per_m
+        box[:, 2:] -= box[:, :2]
+        return box
+
+    def outlines(self, box: Floats) -> Floats:
+        """The boxes (people, 4) px of these bodies as `Population.outline`."""
+        low = box[:, :2] - self.middle
+        return np.concatenate((low, low + box[:, 2:]), axis=1) / self.px_per_m
 
 
 def outlined(
@@ -45,57 +71,45 @@ def outlined(
     alone: NDArray[np.bool_],
     seen: Detections,
     elapsed_s: float,
-    view: View,
+    bodies: Bodies,
 ) -> Population:
     """The people with the outlines of those matched brought up to date.
 
     Args:
         alone: (pairs,) False where the region holds somebody else too.
+        bodies: of all people, where they are now.
     """
     rows, chosen = pairs.track[alone], pairs.detection[alone]
-    mixed = overlap(body_boxes(people, view))[rows] > _MIXED
+    mixed = overlap(bodies.boxes(people.outline))[rows] > _MIXED
     memory_s = np.where(mixed, _MIXED_MEMORY_S, _OUTLINE_MEMORY_S)
     share = 1.0 - np.exp(-elapsed_s / memory_s)
     share = np.maximum(share, 1.0 / people.matches[rows])[:, None]
     old = people.outline[rows]
-    new = outlines_of(seen.box[chosen], people.position[rows], view)
+    new = bodies.select(rows).outlines(seen.box[chosen])
     return people.changed(rows, outline=old + share * (new - old))
 
 
 def shown_boxes(
-    people: Population,
-    pairs: Association,
-    alone: NDArray[np.bool_],
-    seen: Detections,
-    view: View,
+    box: Floats, pairs: Association, alone: NDArray[np.bool_], seen: Detections
 ) -> Floats:
     """The boxes to report: what was seen this frame, drawn a little to the remembered outline.
 
     Where a region holds somebody else too, the outline alone counts.
+
+    Args:
+        box: (people, 4) px of the people's bodies.
     """
-    box = body_boxes(people, view)
     own = box[pairs.track]
     trust = _TRUST * alone[:, None]
-    box[pairs.track] = own + trust * (seen.box[pairs.detection] - own)
-    return box
+    shown = box.copy()
+    shown[pairs.track] = own + trust * (seen.box[pairs.detection] - own)
+    return shown
 
 
-def middles(position: Floats, view: View) -> tuple[Floats, Floats]:
-    """Where bodies' middles are, (people, 2) px, and how large a metre looks there, (people, 1)."""
-    range_m = np.maximum(np.hypot(position[:, 0], position[:, 1]), 1e-6)[:, None]
-    across = 0.5 * position[:, ::-1] * (-1.0, 1.0) / range_m
-    points = np.full((2, len(position), 3), MIDDLE_M)
-    points[0, :, :2] = position - across
-    points[1, :, :2] = position + across
-    one, other = view.pixel_from_world(points.reshape(-1, 3)).reshape(2, -1, 2)
-    return (one + other) / 2, np.hypot(*(one - other).T)[:, None]
-
-
-def share_in_view(people: Population, view: View) -> Floats:
-    """The share of each body's box that lies inside the picture: (people,) 0 to 1."""
-    box = body_boxes(people, view)
-    low = np.clip(box[:, :2], 0.0, view.camera.size)
-    high = np.clip(box[:, :2] + box[:, 2:], 0.0, view.camera.size)
+def share_in_view(box: Floats, size: tuple[int, int]) -> Floats:
+    """The share of each box (people, 4) that lies inside a picture so large: (people,) 0 to 1."""
+    low = np.clip(box[:, :2], 0.0, size)
+    high = np.clip(box[:, :2] + box[:, 2:], 0.0, size)
     share = np.prod((high - low) / box[:, 2:], axis=1)
     return np.asarray(np.nan_to_num(share))
 
@@ -135,15 +149,19 @@ def _between(places: Floats, low: Floats, length: Floats) -> NDArray[np.bool_]:
 
 
 def expected_visibility(
-    people: Population, view: View, covering: NDArray[np.bool_] | None = None
+    people: Population,
+    box: Floats,
+    size: tuple[int, int],
+    covering: NDArray[np.bool_] | None = None,
 ) -> Floats:
     """The share of each body that the others, where they are expected, leave to be seen.
 
     Args:
+        box: (people, 4) px of the bodies there. size: width and height of the picture.
         covering: (people,) whose place is known well enough to cover others; None: everybody's.
     """
     range_m = np.hypot(people.position[:, 0], people.position[:, 1])
-    return visibility(body_boxes(people, view), range_m, view.camera.size, covering)
+    return visibility(box, range_m, size, covering)
 
 
 def overlap(box: Floats) -> Floats:

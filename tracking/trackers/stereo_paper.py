@@ -13,7 +13,7 @@ from tracking.people import Detections, Observation
 from tracking.trackers.births_and_ends import Newcomers, confirmed, started
 from tracking.trackers.population import Population, joined
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.stereo_boxes import outlines_of
+from tracking.trackers.stereo_boxes import Bodies
 from tracking.trackers.stereo_cues import Costs, Cues, cue_values
 from tracking.trackers.stereo_filter import StereoFilter, predicted
 from tracking.trackers.stereo_result import step_result
@@ -105,7 +105,7 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
             matches=mine.matches + 1,
             seen_at=position,
             colour=self._cues.updated(mine.colour, colours[chosen], mine.matches),
-            outline=outlines_of(seen.box[chosen], position, self._view),
+            outline=Bodies.at(position, self._view).outlines(seen.box[chosen]),
         ), moved
 
     def _carried(self, people: Population, moved: Floats) -> tuple[Population, Floats]:
@@ -143,7 +143,9 @@ def _told(
     view: View,
 ) -> StepResult:
     """The frame's result; the last of the people are newcomers at the free detections."""
-    result = step_result(observation, people, pairs, np.ones(len(pairs.track), bool), costs, view)
+    box = Bodies.at(people.position, view).boxes(people.outline)
+    alone = np.ones(len(pairs.track), bool)
+    result = step_result(observation, people, box, pairs, alone, costs, view)
     track = result.detections["track"].copy()
     track[spots.free] = people.track[len(people) - len(spots.free) :]
     return replace(result, detections={**result.detections, "track": track})

@@ -23,10 +23,13 @@ from tracking.tracks.columns import (
     typed,
 )
 
+Floats = NDArray[np.float64]
+
 
 def step_result(
     observation: Observation,
     people: Population,
+    box: Floats,
     pairs: Association,
     alone: NDArray[np.bool_],
     costs: Costs,
@@ -36,9 +39,10 @@ def step_result(
     """The frame's result: confirmed people only, sorted by track.
 
     Args:
+        box: (people, 4) px of their bodies. alone: (pairs,) whose region holds nobody else.
         told: (people,) who of those confirmed is to be told of; None: everybody.
     """
-    box = shown_boxes(people, pairs, alone, observation.people, view)
+    box = shown_boxes(box, pairs, alone, observation.people)
     rows = np.flatnonzero(people.confirmed if told is None else people.confirmed & told)
     rows = rows[np.argsort(people.track[rows])]
     shown = people.select(rows)
@@ -55,7 +59,7 @@ def step_result(
     )
 
 
-def _tracks(frame: int, people: Population, box: NDArray[np.float64], view: View) -> Columns:
+def _tracks(frame: int, people: Population, box: Floats, view: View) -> Columns:
     range_m = np.hypot(people.position[:, 0], people.position[:, 1])
     values = {
         "frame": np.full(len(people), frame),

@@ -13,7 +13,7 @@ from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.population import Population, unknown_looks, unknown_motion
 from tracking.trackers.resuming import Resume, is_apart, is_seen, only
-from tracking.trackers.stereo_boxes import outlines_of
+from tracking.trackers.stereo_boxes import Bodies
 from tracking.trackers.stereo_cues import Cues
 from tracking.trackers.stereo_settings import StereoFilterSettings
 from tracking.tracks.columns import Columns
@@ -231,7 +231,7 @@ def _slopes(rows: Columns, people: NDArray[np.int32], resume: Resume) -> Floats:
 def _outlines(rows: Columns, people: NDArray[np.int32], view: View) -> Floats:
     """(people, 4) the mean of the outlines of all rows, by how much of the person they show."""
     box = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
-    outline = outlines_of(box, np.column_stack((rows["x"], rows["y"])), view)
+    outline = Bodies.at(np.column_stack((rows["x"], rows["y"])), view).outlines(box)
     weight = 1e-3 + is_seen(rows) * np.nan_to_num(rows["visibility"]).astype(np.float64) ** 2
     weight[~np.isfinite(outline).all(axis=1)] = 0.0
     number = np.searchsorted(people, rows["track"])

@@ -11,7 +11,7 @@ from tracking.filtering import Association
 from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.population import Population
-from tracking.trackers.stereo_boxes import MIDDLE_M, body_boxes, middles
+from tracking.trackers.stereo_boxes import MIDDLE_M, Bodies
 
 Floats = NDArray[np.float64]
 _INSIDE = 0.5
@@ -41,7 +41,9 @@ class Shared:
 _NOBODY = Shared(*np.zeros((2, 0), np.intp), *np.zeros((2, 0, 2)))
 
 
-def shared_regions(people: Population, pairs: Association, seen: Detections, view: View) -> Shared:
+def shared_regions(
+    people: Population, bodies: Bodies, pairs: Association, seen: Detections, view: View
+) -> Shared:
     """Find the regions that hold two people and put each on its side.
 
     [Kawashita2014] section 3.4 leaves regions larger than a person out. Where we differ: a region
@@ -50,14 +52,15 @@ def shared_regions(people: Population, pairs: Association, seen: Detections, vie
     where they are instead of one taking the middle and the other drifting off.
 
     Args:
-        people: predicted to this frame. pairs: rows of people and of detections.
+        people: predicted to this frame. bodies: theirs, there.
+        pairs: rows of people and of detections.
     """
     alone = people.confirmed & (people.missed_s < _PATIENCE_S)
     alone[pairs.track] = False
     guest = np.flatnonzero(alone)
     if len(guest) == 0:
         return _NOBODY
-    box = body_boxes(people, view)
+    box = bodies.boxes(people.outline)
     region = seen.box[pairs.detection]
     inside = _share_inside(box[guest], region)
     room = region[:, 2] > _WIDER * box[pairs.track, 2]
@@ -72,8 +75,8 @@ def shared_regions(people: Population, pairs: Association, seen: Detections, vie
     return Shared(
         owner,
         guest,
-        _beside(people, host, box, region[owner], ~left_guest, view),
-        _beside(people, guest, box, region[owner], left_guest, view),
+        _beside(bodies.select(host), box[host], region[owner], ~left_guest, view),
+        _beside(bodies.select(guest), box[guest], region[owner], left_guest, view),
     )
 
 
@@ -88,18 +91,12 @@ def _share_inside(box: Floats, region: Floats) -> Floats:
 
 
 def _beside(
-    people: Population,
-    rows: NDArray[np.intp],
-    box: Floats,
-    region: Floats,
-    left: NDArray[np.bool_],
-    view: View,
+    bodies: Bodies, box: Floats, region: Floats, left: NDArray[np.bool_], view: View
 ) -> Floats:
     """(k, 2) m where people stand whose left or right side is the region's."""
-    own = box[rows]
-    to_left = region[:, 0] - own[:, 0]
-    to_right = region[:, 0] + region[:, 2] - own[:, 0] - own[:, 2]
-    middle, px_per_m = middles(people.position[rows], view)
-    farthest = _FARTHEST_M * px_per_m[:, 0]
+    to_left = region[:, 0] - box[:, 0]
+    to_right = region[:, 0] + region[:, 2] - box[:, 0] - box[:, 2]
+    farthest = _FARTHEST_M * bodies.px_per_m[:, 0]
+    middle = bodies.middle.copy()
     middle[:, 0] += np.clip(np.where(left, to_left, to_right), -farthest, farthest)
     return view.floor_from_pixel(middle, MIDDLE_M)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.stereo_boxes import middles
+from tracking.trackers.stereo_boxes import Bodies
 
 Floats = NDArray[np.float64]
 
@@ -16,7 +16,15 @@ _HALF_BODY_M = np.array([0.25, 0.85])
 """Across and upwards."""
 
 
-def share_a_step_off(position: Floats, view: View) -> Floats:
+def here_and_a_step_off(position: Floats, view: View) -> tuple[Bodies, Bodies]:
+    """The bodies of people (people, 2) m, and those a step off: all of one person's in a row."""
+    around = (position[:, None] + _AWAY_M).reshape(-1, 2)
+    everywhere = Bodies.at(np.concatenate((position, around)), view)
+    count = len(position)
+    return everywhere.select(slice(count)), everywhere.select(slice(count, None))
+
+
+def share_a_step_off(around: Bodies, size: tuple[int, int]) -> Floats:
     """The least share, 0 to 1, of a body in the picture a step from where people are: (people,).
 
     Who stands at the picture's edge is a step on the floor from being out of it. That a body is
@@ -24,12 +32,10 @@ def share_a_step_off(position: Floats, view: View) -> Floats:
     and who is there does not leave all of a sudden.
 
     Args:
-        position: (people, 2) m.
+        around: as `here_and_a_step_off`. size: width and height of the picture.
     """
-    around = (position[:, None] + _AWAY_M).reshape(-1, 2)
-    middle, px_per_m = middles(around, view)
-    half = _HALF_BODY_M * px_per_m
-    low = np.clip(middle - half, 0.0, view.camera.size)
-    high = np.clip(middle + half, 0.0, view.camera.size)
+    half = _HALF_BODY_M * around.px_per_m
+    low = np.clip(around.middle - half, 0.0, size)
+    high = np.clip(around.middle + half, 0.0, size)
     share = np.prod((high - low) / (2.0 * half), axis=1)
     return np.asarray(share.reshape(-1, len(_AWAY_M)).min(axis=1))

@@ -5,11 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.geometry import View
 from tracking.trackers.joint.edges import share_a_step_off
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.population import Population
-from tracking.trackers.stereo_boxes import share_in_view
+from tracking.trackers.stereo_boxes import Bodies, share_in_view
 
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
@@ -50,14 +49,24 @@ def told(people: Population, shown: Floats, settings: JointSettings, elapsed_s: 
     return np.asarray(people.confirmed & (people.missed_s <= patience_s))
 
 
-def staying(people: Population, settings: JointSettings, view: View, elapsed_s: float) -> Flags:
+def staying(
+    people: Population,
+    box: Floats,
+    around: Bodies,
+    settings: JointSettings,
+    size: tuple[int, int],
+    elapsed_s: float,
+) -> Flags:
     """(people,) who is followed or remembered on.
 
     Those who were last seen at the picture's edge, or walked out of it, are not: who enters there
     is somebody else.
+
+    Args:
+        box: (people, 4) px of their bodies. around: these a step off. size: of the picture.
     """
-    inside = share_in_view(people, view)
-    at_the_edge = share_a_step_off(people.position, view) < _AT_THE_EDGE
+    inside = share_in_view(box, size)
+    at_the_edge = share_a_step_off(around, size) < _AT_THE_EDGE
     patience_s = np.where(at_the_edge, settings.lost_at_edge_s, settings.remember_s)
     patience_s = np.minimum(patience_s, _REMEMBERED_SHARE * people.matches * elapsed_s)
     patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)

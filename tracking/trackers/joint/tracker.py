@@ -10,6 +10,7 @@ from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.births_and_ends import Newcomers, confirmed, newcomers
 from tracking.trackers.joint.cues import JointCues
+from tracking.trackers.joint.edges import here_and_a_step_off
 from tracking.trackers.joint.evidence import Evidence, arrivals, evidence_of, found_share
 from tracking.trackers.joint.explaining import NAT, explained
 from tracking.trackers.joint.finding import found_again
@@ -21,7 +22,7 @@ from tracking.trackers.joint.staying import hiding, staying, told
 from tracking.trackers.joint.updating import matched
 from tracking.trackers.population import Population, joined
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.stereo_boxes import expected_visibility, outlined
+from tracking.trackers.stereo_boxes import Bodies, expected_visibility, outlined
 from tracking.trackers.stereo_cues import Costs
 from tracking.trackers.stereo_filter import StereoFilter
 from tracking.trackers.stereo_result import step_result
@@ -70,7 +71,9 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         colours, looks = self._cues.seen(seen), looks_of(seen)
         before, elapsed_s = self._begun(observation, colours)
         expected = predicted(before, settings, elapsed_s, self._random)
-        shown = expected_visibility(expected, view, expected.missed_s < settings.lost_after_s)
+        bodies, size = Bodies.at(expected.position, view), view.camera.size
+        known = expected.missed_s < settings.lost_after_s
+        shown = expected_visibility(expected, bodies.boxes(expected.outline), size, known)
         new = arrivals(seen, settings, elapsed_s, view)
         difference = differences(expected, colours, looks)
         sigma = self._noise.sigma(seen.position[:, :2], settings)
@@ -78,20 +81,22 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         pairs, free = explained(expected, evidence, ~seen.merged, settings.least_margin / NAT)
         people = aged(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
-        shared = shared_regions(expected, pairs, seen, view)
+        shared = shared_regions(expected, bodies, pairs, seen, view)
         alone = ~np.isin(np.arange(len(pairs.track)), shared.owner)
         match = Match(pairs, shared, seen, colours, since_s)
         people = matched(people, match, looks, sigma, self._cues, self._random)
         self._learn(expected, pairs, difference, seen)
         people = unseen(people, elapsed_s, view, settings, hiding(people, shown))
         people = guests_kept(people, expected, shared, settings, self._random)
-        people = outlined(people, pairs, alone, seen, elapsed_s, view)
+        bodies, around = here_and_a_step_off(people.position, view)
+        people = outlined(people, pairs, alone, seen, elapsed_s, bodies)
         people = self._cues.walked(people, elapsed_s)
         people = self._named(people, pairs, new, elapsed_s)
-        result = step_result(
-            observation, people, pairs, alone, costs, view, told(people, shown, settings, elapsed_s)
-        )
-        self._people = self._carried(people, Newcomers(seen, colours, free), elapsed_s)
+        box = bodies.boxes(people.outline)
+        there = told(people, shown, settings, elapsed_s)
+        result = step_result(observation, people, box, pairs, alone, costs, view, there)
+        stay = staying(people, box, around, settings, size, elapsed_s)
+        self._people = self._carried(people.select(stay), Newcomers(seen, colours, free))
         return result
 
     def _judged(
@@ -146,9 +151,8 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         people, self._last_id = confirmed(people, enough, self._last_id)
         return people
 
-    def _carried(self, people: Population, spots: Newcomers, elapsed_s: float) -> Population:
-        """Who goes into the next frame: resampled, those gone left behind, newcomers joined."""
-        people = people.select(staying(people, self._settings, self._view, elapsed_s))
+    def _carried(self, people: Population, spots: Newcomers) -> Population:
+        """Who goes into the next frame: those who stay, resampled, and newcomers."""
         particles = resample(people.particles, people.weight, self._random)
         people = people.replace(particles=particles)
         new = newcomers(people, spots, self._settings, self._random, self._view)

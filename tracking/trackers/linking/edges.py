@@ -18,7 +18,7 @@ from tracking.trackers.linking.seen import (
     found_again,
     place_errors,
 )
-from tracking.trackers.stereo_boxes import MIDDLE_M, middles
+from tracking.trackers.stereo_boxes import MIDDLE_M, Bodies
 
 Rows = NDArray[np.intp]
 
@@ -91,7 +91,7 @@ class _Scale:
         chest = np.concatenate((place, np.full((len(place), 1), MIDDLE_M)), axis=1)
         here = view.pixel_from_world(chest)
         moved = [view.pixel_from_world(chest + _STEP_M * axis) - here for axis in np.eye(3)[:2]]
-        _, px_per_m = middles(place, view)
+        px_per_m = Bodies.at(place, view).px_per_m
         return cls(px_per_m[:, 0], np.nan_to_num(np.stack(moved, axis=1)) / _STEP_M)
 
     def outward(self, rows: Rows, touched: Floats) -> Floats:
