@@ -1,9 +1,6 @@
-"""Track colours: distinct for the colour-blind, the same for an id wherever it is drawn."""
+"""The colours of tracks: distinct for the colour-blind."""
 
 from __future__ import annotations
-
-import numpy as np
-from numpy.typing import NDArray
 
 from app.presenters.scenes import Colour
 
@@ -44,18 +41,7 @@ _SECOND: tuple[Colour, ...] = (
 TRACK_COLOURS: tuple[Colour, ...] = (*_FIRST, *_SECOND)
 NOBODY: Colour = (150, 150, 150)
 
-_TABLE = np.array(TRACK_COLOURS, np.uint8)
 
-
-def colour_of_track(track: int) -> Colour:
-    """The colour of a track id; grey for 0, which is nobody."""
-    if track <= 0:
-        return NOBODY
-    return TRACK_COLOURS[(track - 1) % len(TRACK_COLOURS)]
-
-
-def colours_of_tracks(tracks: NDArray[np.int32]) -> NDArray[np.uint8]:
-    """The colours of (n,) ids as (n, 3) red, green, blue."""
-    colours = _TABLE[(tracks - 1) % len(TRACK_COLOURS)]
-    colours[tracks <= 0] = NOBODY
-    return colours
+def usual_place(track: int) -> int:
+    """Which of the colours goes with a track's number; see `TrackColours`, which may differ."""
+    return (track - 1) % len(TRACK_COLOURS)

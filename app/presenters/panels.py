@@ -7,14 +7,17 @@ from datetime import datetime
 import numpy as np
 
 from app.presenters.document.shown import ShownTracks
-from app.presenters.palette import colour_of_track
-from app.presenters.scenes import HistoryItem, MarkKind, TimelineMark, TrackCard
+from app.presenters.scenes import Colour, HistoryItem, MarkKind, TimelineMark, TrackCard
 from tracking.editing import Change, Entry, History
 from tracking.tracks import TrackLabel
 
 
 def track_card(
-    tracks: ShownTracks, track: int, label: TrackLabel, others: tuple[int, ...] = ()
+    tracks: ShownTracks,
+    track: int,
+    label: TrackLabel,
+    colour: Colour,
+    others: tuple[int, ...] = (),
 ) -> TrackCard | None:
     """The card of a track, with who is selected beside it; None where it has no rows."""
     rows = tracks.of_track(track)
@@ -25,7 +28,7 @@ def track_card(
     return TrackCard(
         track=track,
         name=label.name,
-        colour=colour_of_track(track),
+        colour=colour,
         first_frame=int(rows["frame"][0]),
         last_frame=int(rows["frame"][-1]),
         frames_seen=len(rows["frame"]) - predicted,

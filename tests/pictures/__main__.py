@@ -11,7 +11,6 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from app.presenters.palette import colours_of_tracks
 from app.views.application import borrowed_window, show_document, wait_until
 from app.views.desk.desk import Desk
 from app.views.look.theme import Look
@@ -113,7 +112,7 @@ def _who_met(desk: Desk) -> tuple[int, int, int]:
         lasting = [len(tracks.of_track(int(one))["frame"]) > 120 for one in rows["track"]]
         ids, x, y = (rows[name][lasting] for name in ("track", "x", "y"))
         apart = np.hypot(x[:, None] - x, y[:, None] - y)
-        colours = colours_of_tracks(ids).astype(float)
+        colours = np.array([desk.document.colour_of(int(one)) for one in ids]).astype(float)
         alike = np.linalg.norm(colours[:, None] - colours, axis=2) < 150
         apart[alike] = np.inf
         if len(x) > 1 and apart.min() < nearest[0]:

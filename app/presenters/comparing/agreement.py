@@ -12,7 +12,7 @@ from app.presenters.comparing.agreement_scene import (
     DisagreementRow,
 )
 from app.presenters.comparing.other_people import OtherPeople
-from app.presenters.palette import colour_of_track
+from app.presenters.track_colours import ColourOf
 from app.presenters.words import span_text, tr
 from tracking.errors import SessionError
 from tracking.progress import Progress
@@ -118,8 +118,8 @@ class AgreementPresenter:
         people: the other session's people, each in the colour of who they are taken for.
     """
 
-    def __init__(self, recording: Recording, other: OtherSession) -> None:
-        self._recording = recording
+    def __init__(self, recording: Recording, other: OtherSession, colour_of: ColourOf) -> None:
+        self._recording, self._colour_of = recording, colour_of
         self.other = other
         self._own_of = {b: a for a, b in other.agreement.same}
         self.people = OtherPeople(recording, other.tracks, self._colour)
@@ -142,7 +142,7 @@ class AgreementPresenter:
         )
 
     def _colour(self, track: int) -> tuple[int, int, int]:
-        return colour_of_track(self._own_of.get(track, track))
+        return self._colour_of(self._own_of.get(track, track))
 
     def _row(self, one: Disagreement) -> DisagreementRow:
         if one.kind == "only a":

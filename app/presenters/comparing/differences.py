@@ -17,9 +17,9 @@ from app.presenters.comparing.differences_scene import (
 )
 from app.presenters.comparing.finding import Found, search_in
 from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.palette import colour_of_track
 from app.presenters.reviewing.review_scene import ReviewPerson
 from app.presenters.scenes import PreviewTrail
+from app.presenters.track_colours import ColourOf
 from app.presenters.words import span_text, tr
 from tracking.editing import (
     Change,
@@ -62,12 +62,14 @@ class Comparison:
         frames: tuple[int, int] | None = None,
         *,
         everything: bool = False,
+        colour_of: ColourOf,
     ) -> None:
         """Of some frames, None for all; `everything` that differs is ticked at first."""
         self.run, self.base = run, base
         # All is ticked that a run which went on from the corrected tracks would change.
         goes_on = base is None and bool(session.runs[run].known_tracks)
         self._everything = everything or goes_on
+        self._colour_of = colour_of
         self.order = Sorted.TIME
         self.person = 0
         self._session, self._fps, self._frames = session, fps, frames
@@ -251,7 +253,7 @@ class Comparison:
                 self._versions(looked_at, max(0, frame - around), frame + around),
                 strict=True,
             )
-            for trail in _trails(rows, points_of, solid)
+            for trail in self._trails(rows, points_of, solid)
         )
 
     def _versions(self, one: Difference, start: int, end: int) -> tuple[Columns, Columns]:
@@ -259,6 +261,16 @@ class Comparison:
         assert self._found is not None
         found = self._found
         return _rows_of(found.base, one, start, end), _rows_of(found.dashed, one, start, end)
+
+    def _trails(self, rows: Columns, points_of: PointsOf, solid: bool) -> Iterable[PreviewTrail]:
+        if not len(rows["track"]):
+            return
+        points = points_of(rows)
+        known = np.isfinite(points).all(axis=1)
+        for track in np.unique(rows["track"]).tolist():
+            mine = known & (rows["track"] == track)
+            if mine.any():
+                yield PreviewTrail(points[mine], self._colour_of(track), solid)
 
     def scene(self, doing: str = "", share: float | None = None) -> DifferencesScene:
         """The comparison as it stands."""
@@ -270,7 +282,7 @@ class Comparison:
             items=tuple(self._item(number) for number in self._shown),
             current=places.index(self._current) if self._current in self._shown else -1,
             people=tuple(
-                _person(track) for track in sorted({t for one in found for t in one.tracks})
+                self._person(track) for track in sorted({t for one in found for t in one.tracks})
             ),
             person=self.person,
             order=self.order,
@@ -297,6 +309,9 @@ class Comparison:
         last = self.run == len(session.runs) - 1
         return self.base is None and last and session.adopted_run != self.run
 
+    def _person(self, track: int) -> ReviewPerson:
+        return ReviewPerson(track, str(track), self._colour_of(track))
+
     def _side(self, number: int | None) -> Side:
         if number is None:
             return Side(tr("corrected tracks"), tr("corrected"), can_give=False)
@@ -311,7 +326,7 @@ class Comparison:
         return DifferenceItem(
             number=number,
             title=tr(_KINDS.get(one.kind, one.kind)),
-            people=tuple(_person(track) for track in one.tracks),
+            people=tuple(self._person(track) for track in one.tracks),
             when=span_text(one.start / self._fps, (one.end - 1) / self._fps),
             text=one.text,
             ticked=number in self._ticked,
@@ -334,21 +349,6 @@ def _is_about(one: Difference, tracks: Collection[int]) -> bool:
 
 def _same_place(one: Difference) -> tuple[object, ...]:
     return one.kind, one.tracks, one.start, one.end
-
-
-def _person(track: int) -> ReviewPerson:
-    return ReviewPerson(track, str(track), colour_of_track(track))
-
-
-def _trails(rows: Columns, points_of: PointsOf, solid: bool) -> Iterable[PreviewTrail]:
-    if not len(rows["track"]):
-        return
-    points = points_of(rows)
-    known = np.isfinite(points).all(axis=1)
-    for track in np.unique(rows["track"]).tolist():
-        mine = known & (rows["track"] == track)
-        if mine.any():
-            yield PreviewTrail(points[mine], colour_of_track(track), solid)
 
 
 def _rows_of(table: TrackTable, one: Difference, start: int, end: int) -> Columns:

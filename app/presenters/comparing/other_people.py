@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 
 from app.presenters.comparing.agreement_scene import OtherMark, OtherPlace
-from app.presenters.palette import colour_of_track
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.pictures.trails import floor_points, trails_by_track
-from app.presenters.scenes import Colour, Eye
+from app.presenters.scenes import Eye
+from app.presenters.track_colours import ColourOf
 from tracking.recording import Recording
 from tracking.tracks import TrackTable
 
@@ -25,7 +24,7 @@ class OtherPeople:
         self,
         recording: Recording,
         tracks: TrackTable,
-        colour_of: Callable[[int], Colour] = colour_of_track,
+        colour_of: ColourOf,
     ) -> None:
         self._recording = recording
         self._tracks = tracks

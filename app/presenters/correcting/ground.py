@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from app.presenters.correcting.footing import Footing
+from app.presenters.track_colours import TrackColours
 from tracking.tracks import Columns, Labels, TrackTable
 
 
@@ -15,9 +16,11 @@ class Ground:
     Attributes:
         table, labels: of the session, or empty ones where there is none yet.
         footing: of the recording. signals: what the run noticed of its rows; None: nothing.
+        colours: of the tracks.
     """
 
     table: TrackTable
     labels: Labels
     footing: Footing
     signals: Columns | None = None
+    colours: TrackColours = field(default_factory=TrackColours)

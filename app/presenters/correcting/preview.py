@@ -14,8 +14,8 @@ from app.presenters.correcting.planning import plan_of
 from app.presenters.correcting.previewed import changed_rows, within
 from app.presenters.correcting.wording import preview_scene
 from app.presenters.document.shown import joined
-from app.presenters.palette import colour_of_track
 from app.presenters.scenes import EditPreview, PreviewTrail
+from app.presenters.track_colours import ColourOf
 from app.presenters.words import tr
 from tracking.editing import Change
 from tracking.errors import EditError
@@ -69,13 +69,15 @@ def shown_edit(flow: EditFlow, on: Ground, change: Change, problem: str = "") ->
     return PlannedEdit(scene, change, _by_track(before), _by_track(after))
 
 
-def preview_trails(planned: PlannedEdit, points_of: PointsOf) -> tuple[PreviewTrail, ...]:
+def preview_trails(
+    planned: PlannedEdit, points_of: PointsOf, colour_of: ColourOf
+) -> tuple[PreviewTrail, ...]:
     """The trails before and after in the coordinates that `points_of` gives for rows."""
     return tuple(
         PreviewTrail(points[np.isfinite(points).all(axis=1)], colour, after)
         for after, parts in ((False, planned.before), (True, planned.after))
         for rows in parts
-        for points, colour in ((points_of(rows), colour_of_track(int(rows["track"][0]))),)
+        for points, colour in ((points_of(rows), colour_of(int(rows["track"][0]))),)
     )
 
 

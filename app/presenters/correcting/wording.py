@@ -12,7 +12,6 @@ from app.presenters.correcting.ground import Ground
 from app.presenters.correcting.kinds import EditKind, Reach
 from app.presenters.correcting.naming import option_name, question, title_of
 from app.presenters.correcting.nearness import metres_apart
-from app.presenters.palette import colour_of_track
 from app.presenters.scenes import ChoiceRow, EditPreview, Proposal
 from app.presenters.words import counted, time_text, tr
 from tracking.editing import Change
@@ -77,7 +76,7 @@ def _others(flow: EditFlow, on: Ground) -> tuple[Proposal, ...]:
         new = next_track(on.table)
         ids.insert(0, (new, tr("new {track}", track=new)))
     return tuple(
-        Proposal(track, text, track == flow.other, colour_of_track(track)) for track, text in ids
+        Proposal(track, text, track == flow.other, on.colours.of(track)) for track, text in ids
     )
 
 

@@ -19,7 +19,7 @@ from app.presenters.parts.part_curve import LaneScore
 from app.presenters.pictures.of_run import AtWork, MadeBy
 from app.presenters.pictures.overhead import OverheadPresenter
 from app.presenters.pictures.pictures import PicturePresenter
-from app.presenters.scenes import HistoryItem, TimelineMark, TimelineScene, TrackCard
+from app.presenters.scenes import Colour, HistoryItem, TimelineMark, TimelineScene, TrackCard
 from app.presenters.timeline.lanes import TimelinePresenter
 from app.presenters.words import tr
 from tracking.editing import Change, Written
@@ -183,7 +183,7 @@ class Document:
         if not self.selection:
             return None
         track, others = self.selection.track, self.selection.also
-        return track_card(self.tracks, track, self.label(track), others)
+        return track_card(self.tracks, track, self.label(track), self.colour_of(track), others)
 
     def history(self) -> tuple[HistoryItem, ...]:
         """All edits, oldest first."""
@@ -280,6 +280,10 @@ class Document:
         """Why an edit cannot be undone alone; "" where it can."""
         return "" if self.session is None else self.session.history.why_not_alone(edit)
 
+    def colour_of(self, track: int) -> Colour:
+        """The colour a track has in all views."""
+        return self._showing.colours.of(track)
+
     def refuse_while_live(self) -> None:
         """Raises EditError while the tracks of a tracker at work are shown."""
         if self.is_live and self.session is not None:
@@ -293,6 +297,7 @@ class Document:
         frames = change.before.rows["frame"], change.after.rows["frame"]
         marks = self._marks.of(self.session.history)
         self.overhead.take_more(change.after.rows)
+        self._showing.meet(change.after.rows)
         self._timeline.take_changed(change.tracks, self.tracks, frames, marks)
         self._timeline.take_reviewed(self.session.labels.reviewed)
         self.selection.keep(track for track in self.selection.all if track in table)

@@ -12,6 +12,7 @@ from app.presenters.document.shown import ShownTracks
 from app.presenters.pictures.of_run import MadeBy
 from app.presenters.pictures.overlays import Kinds
 from app.presenters.scenes import LegendEntry, PreviewTrail
+from app.presenters.track_colours import TrackColours
 from tracking.tracks import Columns
 
 
@@ -80,6 +81,7 @@ class Instant:
         preview: trails on the floor (m) of an edit that waits.
         picture_preview: the same in pixels of the left eye.
         replaced: the frame's rows that this edit moves elsewhere or takes out; None: none.
+        colours: of the tracks.
         movable: boxes and people can be dragged. drawing: a box is to be drawn.
     """
 
@@ -93,6 +95,7 @@ class Instant:
     preview: tuple[PreviewTrail, ...] = ()
     picture_preview: tuple[PreviewTrail, ...] = ()
     replaced: Columns | None = None
+    colours: TrackColours = field(default_factory=TrackColours)
     movable: bool = False
     drawing: bool = False
 

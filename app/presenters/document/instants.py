@@ -10,6 +10,7 @@ from app.presenters.correcting.correcting import Correcting
 from app.presenters.document.instant import Instant
 from app.presenters.document.selection import Selection
 from app.presenters.document.showing import Showing
+from app.presenters.document.shown import ShownTracks
 from app.presenters.pictures.pictures import PicturePresenter
 from app.presenters.pictures.trails import floor_points
 from tracking.editing import Change
@@ -33,19 +34,25 @@ class Instants:
         planned, flow = self._correcting.planned, self._correcting.flow
         change = planned.change if planned is not None else None
         shown = planned is not None and change is not None
-        tracks = self._showing.tracks
-        in_picture = self._pictures.left_foot_points
+        tracks: ShownTracks = self._showing.tracks
+        if change:
+            tracks = PreviewedTracks(self._showing.tracks, change)
+            self._showing.colours.meet(tracks.of_frame(frame))
+        in_picture, colours = self._pictures.left_foot_points, self._showing.colours
         return Instant(
             frame=frame,
-            tracks=PreviewedTracks(tracks, change) if change else tracks,
+            tracks=tracks,
             names=self._showing.names,
             selected=self._selection.track,
             other=flow.other if flow is not None else 0,
             also=self._emphasised(change),
             run=self._showing.made_by(frame),
-            preview=preview_trails(planned, floor_points) if planned and shown else (),
-            picture_preview=preview_trails(planned, in_picture) if planned and shown else (),
+            preview=preview_trails(planned, floor_points, colours.of) if planned and shown else (),
+            picture_preview=preview_trails(planned, in_picture, colours.of)
+            if planned and shown
+            else (),
             replaced=replaced_rows(planned, frame),
+            colours=colours,
             movable=self._correcting.can_place,
             drawing=flow is not None and flow.drawing,
         )
@@ -66,6 +73,7 @@ class Instants:
                 selected=asked.track if asked is not None else 0,
                 other=asked.other if asked is not None else 0,
                 run=comparison.base_run,
+                colours=instant.colours,
             )
         return replace(
             instant,

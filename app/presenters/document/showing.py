@@ -9,10 +9,11 @@ from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.document.shown import WholeTracks
 from app.presenters.pictures.of_run import AtWork, MadeBy
+from app.presenters.track_colours import TrackColours
 from tracking.pipeline import KeptSteps
 from tracking.session import Session
 from tracking.trackers import StepResult
-from tracking.tracks import Labels, TrackLabel, TrackTable
+from tracking.tracks import Columns, Labels, TrackLabel, TrackTable
 
 
 class Showing:
@@ -21,7 +22,7 @@ class Showing:
     Attributes:
         session: None: there is none yet.
         is_live: whether the tracks of a tracker at work are shown, not those of the session.
-        tracks: the tracks that are shown.
+        tracks: the tracks that are shown. colours: of these.
     """
 
     def __init__(self, session: Session | None) -> None:
@@ -31,6 +32,7 @@ class Showing:
         self._continues_at: int | None = None
         self._at_work: AtWork | None = None
         self.tracks: WholeTracks = self._chosen()
+        self.colours = self._coloured()
 
     @property
     def tracked_until(self) -> int:
@@ -59,7 +61,7 @@ class Showing:
             return None
         run = session.corrected_run
         signals = run.signals if run is not None else None
-        return Ground(session.tracks, session.labels, footing, signals)
+        return Ground(session.tracks, session.labels, footing, signals, self.colours)
 
     def made_by(self, frame: int) -> MadeBy | None:
         """What made the tracks that are shown in a frame; None: nothing is known of that."""
@@ -78,16 +80,33 @@ class Showing:
         self._at_work = at_work
         self._continues_at = continues_at
         self.tracks = self._chosen()
+        if self._renumbered:
+            self.colours = TrackColours()
 
     def extend(self, results: Iterable[StepResult]) -> None:
         """Take further results of the tracker at work, in order."""
-        self._live.extend(results)
+        found = tuple(results)
+        self._live.extend(found)
+        for result in found:
+            self.colours.meet(result.tracks)
 
     def take_session(self, session: Session) -> None:
         """Show a session from now on."""
         self.session = session
         self._live, self.is_live = LiveTracks(), False
         self.tracks = self._chosen()
+        self.colours = self._coloured()
+
+    def meet(self, rows: Columns) -> None:
+        """Take note of rows that an edit made: who is new among them has a colour from now on."""
+        if len(rows["frame"]):
+            self.colours.meet(self.tracks.of_frame(int(rows["frame"][0])))
+
+    def _coloured(self) -> TrackColours:
+        """The colours of the session's tracks; there are none before anything is tracked."""
+        if self.session is None:
+            return TrackColours()
+        return TrackColours.of_session(self.session.tracks, self.session.corrected_run)
 
     def _chosen(self) -> WholeTracks:
         if self.session is None:

@@ -21,7 +21,6 @@ from app.presenters.labelling.labelling_scene import (
     Tool,
 )
 from app.presenters.labelling.part_labelling import PartLabelling
-from app.presenters.palette import colour_of_track
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.scenes import Eye
 from app.presenters.words import tr
@@ -96,7 +95,7 @@ class LabellingPresenter:
 
     def _mark(self, label: PartLabel, given: bool, box: Box) -> PartMark:
         asked = self.choice.tool is Tool.PARTS
-        colour = PART_COLOURS[label.part] if asked else colour_of_track(label.track)
+        colour = PART_COLOURS[label.part] if asked else self._document.colour_of(label.track)
         chosen = asked and label.part == self.parts.choice.part
         track, part = label.track, label.part
         return PartMark(track, part, box, colour, given, label.on_part, asked, chosen)

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Sequence
 
 from app.presenters.labelling.labelling_scene import PartMark, Suggested
 from app.presenters.labelling.part_labelling import SAID
-from app.presenters.palette import colour_of_track
 from app.presenters.parts.parts_scene import CardLine, PartBox, PartCard, Verdict
 from app.presenters.parts.picturing import part_name
+from app.presenters.scenes import Colour
+from app.presenters.track_colours import ColourOf
 from app.presenters.words import tr
 
 
@@ -16,6 +17,7 @@ def cards_of(
     boxes: Sequence[PartBox],
     marks: Sequence[PartMark],
     selected: int,
+    colour_of: ColourOf,
     suggested: Suggested | None = None,
 ) -> tuple[PartCard, ...]:
     """All that is said of the selected person's parts, and of others what people said.
@@ -26,20 +28,23 @@ def cards_of(
     """
     of_selected = [box for box in boxes if box.track == selected]
     labelled = sorted({one.track for one in marks if one.given} - {selected})
-    cards = [_others(track, [one for one in marks if one.track == track]) for track in labelled]
+    cards = [
+        _others(track, colour_of(track), [one for one in marks if one.track == track])
+        for track in labelled
+    ]
     own = [one for one in marks if one.track == selected]
     lines = _lines(of_selected, own)
     if lines:
         foot = tuple(_foot(of_selected, suggested))
-        colour = colour_of_track(selected)
+        colour = colour_of(selected)
         cards.insert(0, PartCard(selected, colour, lines, foot, selected=True))
     return tuple(cards)
 
 
-def _others(track: int, marks: Iterable[PartMark]) -> PartCard:
+def _others(track: int, colour: Colour, marks: Iterable[PartMark]) -> PartCard:
     given = sorted((one for one in marks if one.given), key=lambda one: one.part)
     lines = tuple(CardLine(one.part, _text(None, one), Verdict.NONE, one.box) for one in given)
-    return PartCard(track, colour_of_track(track), lines)
+    return PartCard(track, colour, lines)
 
 
 def _lines(boxes: Sequence[PartBox], marks: Sequence[PartMark]) -> tuple[CardLine, ...]:

@@ -76,7 +76,7 @@ class PartsPresenter:
         boxes: tuple[PartBox, ...] = ()
         if pictured.parts or labelling:
             boxes = pictured_boxes(instant, self._chosen())
-        cards = cards_of(boxes, labels.parts, instant.selected, suggested)
+        cards = cards_of(boxes, labels.parts, instant.selected, instant.colours.of, suggested)
         if labelling:
             shown = (box for box in boxes if pictured.parts and not box.selected)
             boxes = tuple(shown)

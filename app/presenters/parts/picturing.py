@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from app.presenters.document.instant import Instant
-from app.presenters.palette import colour_of_track
 from app.presenters.parts.part_curve import THRESHOLD, PartCurve
 from app.presenters.parts.parts_scene import (
     CurvesScene,
@@ -33,7 +32,7 @@ def with_particles(parts: PicturedParts, instant: Instant, part: int) -> Picture
     mine = (cloud["track"] == instant.selected) & (cloud["part"] == part)
     own = {name: column[mine] for name, column in cloud.items()}
     places = np.column_stack((own["u"], own["v"])).astype(np.float64)
-    colour = colour_of_track(instant.selected)
+    colour = instant.colours.of(instant.selected)
     return replace(parts, particles=places, weights=relative_weights(own), colour=colour)
 
 
@@ -48,7 +47,7 @@ def _box(rows: Columns, row: int, instant: Instant, part: int) -> PartBox | None
     failed, occluded = bool(rows["failed"][row]), bool(rows["occluded"][row])
     selected = track == instant.selected
     text = verdict_text(own, failed, occluded, score)
-    colour = colour_of_track(track)
+    colour = instant.colours.of(track)
     chosen = selected and own == part
     scored = not occluded and math.isfinite(score) and not by_rule(failed, score)
     return PartBox(track, own, box, colour, failed, occluded, text, selected, chosen, scored)

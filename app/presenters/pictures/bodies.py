@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.document.instant import Instant, Pictured
-from app.presenters.palette import colours_of_tracks
 from app.presenters.pictures.of_run import MadeBy, settings_of
 from app.presenters.pictures.overhead import relative_weights
 from app.presenters.scenes import Colour, LegendEntry
@@ -86,7 +85,7 @@ class BodyPainter:
         tall = _heights(instant, tracks, settings)
         xy = np.column_stack((particles["x"][rows], particles["y"][rows])).astype(np.float64)
         drawn = outlines(view, xy, tall, settings.radius_m, _POINTS)
-        _stroke(below, drawn, colours_of_tracks(tracks), weights[rows])
+        _stroke(below, drawn, instant.colours.of_all(tracks), weights[rows])
 
     def _paint_region(self, view: View, instant: Instant, below: Rgba) -> None:
         """Where a hypothesis at the selected person's place is judged, less what others cover.
@@ -202,7 +201,7 @@ def _paint_tracklets(instant: Instant, below: Rgba) -> None:
     """Last positions as strokes in their person's colour, a dot where each point is now."""
     rows = instant.tracks.tracklets(instant.frame)
     ways = _ways(rows)
-    colours = colours_of_tracks(rows["track"])
+    colours = instant.colours.of_all(rows["track"])
     weights = np.where(rows["track"] > 0, 1.0, 0.3).astype(np.float32)
     _stroke(below, ways, colours, weights, closed=False)
     alpha = _alpha(weights)

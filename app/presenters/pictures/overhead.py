@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.document.instant import Instant
-from app.presenters.palette import colour_of_track, colours_of_tracks
 from app.presenters.pictures.extent import MARGIN_M, Bounds, extent, reach_m, united
 from app.presenters.pictures.trails import TRAIL_S, floor_points, trails_by_track
 from app.presenters.scenes import FloorPerson, OverheadScene
@@ -62,7 +61,7 @@ class OverheadPresenter:
         return OverheadScene(
             frame=instant.frame,
             particles=np.column_stack((particles["x"], particles["y"])).astype(np.float32),
-            particle_colours=colours_of_tracks(particles["track"]),
+            particle_colours=instant.colours.of_all(particles["track"]),
             particle_weights=relative_weights(particles),
             measured=floor_points(measured),
             people=self._people(instant),
@@ -101,7 +100,7 @@ def _floor_people(
                 label=instant.label(track),
                 position=(x, y),
                 velocity=(vx, vy) if np.isfinite(vx + vy) else (0.0, 0.0),
-                colour=colour_of_track(track),
+                colour=instant.colours.of(track),
                 selected=instant.is_chosen(track),
                 predicted=lost,
                 trail=trails.get(track, _NO_TRAIL),

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.document.instant import NO_OVERLAY, Instant, Pictured, PictureOverlay
-from app.presenters.palette import colour_of_track, colours_of_tracks
 from app.presenters.pictures.anaglyph import Anaglyph
 from app.presenters.pictures.bodies import BodyPainter, legend_of
 from app.presenters.pictures.right_eye import boxes_in_right_eye
@@ -122,7 +121,7 @@ class PicturePresenter:
                     track=track,
                     box=(float(box[0]), float(box[1]), float(box[2]), float(box[3])),
                     label=instant.label(track),
-                    colour=colour_of_track(track),
+                    colour=instant.colours.of(track),
                     selected=instant.is_chosen(track),
                     predicted=lost,
                     trail=trails.get(track, _NO_TRAIL),
@@ -188,7 +187,7 @@ class PicturePresenter:
         with np.errstate(invalid="ignore"):
             inside = (pixels >= 0).all(axis=1) & (pixels < (width - 1, height - 1)).all(axis=1)
         column, row = pixels[inside].astype(np.intp).T
-        colours = colours_of_tracks(particles["track"][inside])
+        colours = instant.colours.of_all(particles["track"][inside])
         for down, right in ((0, 0), (0, 1), (1, 0), (1, 1)):
             overlay[row + down, column + right, :3] = colours
             overlay[row + down, column + right, 3] = 220

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from app.presenters.palette import colour_of_track
 from app.presenters.reviewing.review_scene import Order, ReviewItem, ReviewKind, ReviewPerson
 from app.presenters.scenes import MarkKind, TimelineMark
+from app.presenters.track_colours import ColourOf
 from app.presenters.words import time_text, tr
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import Suspicion, SuspicionKey, open_suspicions, ranked
@@ -53,10 +53,10 @@ class ReviewQueue:
     The current one is kept by its key, so that it stays the same where the list is found anew.
     """
 
-    def __init__(self, fps: float) -> None:
+    def __init__(self, fps: float, colour_of: ColourOf) -> None:
         self.kind = ""
         self.order = Order.WORTH
-        self._fps = fps
+        self._fps, self._colour_of = fps, colour_of
         self._found: tuple[Suspicion, ...] = ()
         self._open: tuple[Suspicion, ...] = ()
         self._shown: tuple[Suspicion, ...] = ()
@@ -181,7 +181,7 @@ class ReviewQueue:
             title=kind_title(suspicion.kind),
             people=tuple(
                 ReviewPerson(
-                    track, f"{track} {self._names.get(track, '')}".rstrip(), colour_of_track(track)
+                    track, f"{track} {self._names.get(track, '')}".rstrip(), self._colour_of(track)
                 )
                 for track in suspicion.tracks
             ),

@@ -19,6 +19,7 @@ from app.presenters.scoring.score_scene import (
     TruthMark,
     TruthPlace,
 )
+from app.presenters.track_colours import TrackColours
 from app.presenters.words import tr
 from tracking.recording import Recording
 from tracking.scoring import ErrorKind, ErrorTable
@@ -36,7 +37,7 @@ class TruthPeople:
 
     def __init__(self, recording: Recording, people: TrackTable, errors: ErrorTable) -> None:
         self._recording, self._errors = recording, errors
-        self._people = OtherPeople(recording, people)
+        self._people = OtherPeople(recording, people, TrackColours().of)
         self._bounds = extent(people.by_track(("x", "y")), reach_m(recording))
 
     def picture(self, eye: Eye, instant: Instant) -> PicturedTruth:

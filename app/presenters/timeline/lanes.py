@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from app.presenters.document.instant import Instant
 from app.presenters.document.shown import ShownTracks, Spans
-from app.presenters.palette import colour_of_track
 from app.presenters.parts.part_curve import LaneScore
 from app.presenters.scenes import Lane, TimelineMark, TimelineScene
 from tracking.tracks import ReviewedRange
@@ -181,7 +180,7 @@ class TimelinePresenter:
         return Lane(
             track=track,
             label=instant.label(track),
-            colour=colour_of_track(track),
+            colour=instant.colours.of(track),
             selected=False,
             spans=self._spans[track],
             marks=tuple(sorted(marks, key=lambda mark: mark.frame)),

@@ -114,7 +114,9 @@ class Comparing(QObject):
         self._document.correcting.leave()
         self._searched, self._taken = (), False
         fps = self._document.recording.fps
-        self._comparison = Comparison(session, run, base, fps, everything=everything)
+        self._comparison = Comparison(
+            session, run, base, fps, everything=everything, colour_of=self._document.colour_of
+        )
         self._document.comparison = self._comparison
         self.refresh()
         self.changed.emit()
@@ -203,7 +205,7 @@ class Comparing(QObject):
         if taken and not comparison.offers:
             self._end_taken(comparison)
             return
-        self._dashed = OtherPeople(self._document.recording, found.dashed)
+        self._dashed = OtherPeople(self._document.recording, found.dashed, self._document.colour_of)
         if first:
             self._look_at(comparison.walk(1))
         else:

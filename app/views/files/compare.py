@@ -85,7 +85,9 @@ class SessionsBeside(QObject):
 
     def _show(self, desk: Desk, other: OtherSession) -> None:
         if desk is self._window.desk:
-            self._shown = AgreementPresenter(desk.document.recording, other)
+            self._shown = AgreementPresenter(
+                desk.document.recording, other, desk.document.colour_of
+            )
             self.draw()
 
     def _again(self) -> None:

@@ -43,9 +43,10 @@ class Suggesting(QObject):
         self.asked = True
         table, labels, run = session.tracks.snapshot(), session.labels, session.corrected_run
         fps, detector = self._document.recording.fps, self._document.detector
+        colour_of = self._document.colour_of
 
         def work(_: Progress) -> tuple[Suggested, ...]:
-            return suggestions_for(table, run, labels, fps, detector)
+            return suggestions_for(table, run, labels, fps, detector, colour_of)
 
         self._job = Job("suggestions of parts", work, self)
         self._job.done.connect(self._take)

@@ -45,7 +45,7 @@ class Reviewing(QObject):
     ) -> None:
         super().__init__(parent)
         recording = document.recording
-        self.queue = ReviewQueue(recording.fps)
+        self.queue = ReviewQueue(recording.fps, document.colour_of)
         self.watching = Watching(recording.frame_count, recording.fps)
         self.plays = False
         self._document, self._playback, self._editing = document, playback, editing

@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.presenters.document.instant import Instant, Pictured
-from app.presenters.palette import colour_of_track
 from app.presenters.pictures.bodies import BodyPainter, _laid_over, legend_of, why_nothing
 from app.presenters.pictures.of_run import AtWork
+from app.presenters.track_colours import TrackColours
 from tracking.geometry import Camera, Ground, View
 from tracking.trackers.flow import FlowSettings, kernel_table
 from tracking.trackers.flow.clustering import inside
@@ -113,7 +113,7 @@ def test_each_hypothesis_is_an_outline_in_its_persons_colour(view: View) -> None
         (outline,) = outlines(view, np.array([place]), 1.72)
         pixels = on_outline(picture, outline)
         assert (pixels[:, 3] > 0).mean() > 0.9
-        assert np.median(pixels[:, :3], axis=0) == pytest.approx(colour_of_track(track), abs=3)
+        assert np.median(pixels[:, :3], axis=0) == pytest.approx(TrackColours().of(track), abs=3)
 
 
 def test_heavier_hypotheses_are_clearer(view: View) -> None:
@@ -126,7 +126,7 @@ def test_heavier_hypotheses_are_clearer(view: View) -> None:
 def test_of_a_selected_person_only_their_hypotheses_are_drawn(view: View) -> None:
     picture = painted(view, OneFrame(PEOPLE, PARTICLES), selected=2, outlines=True)
     colours = picture[picture[..., 3] > 60][:, :3]
-    assert np.abs(colours - np.array(colour_of_track(2), float)).max() <= 5
+    assert np.abs(colours - np.array(TrackColours().of(2), float)).max() <= 5
 
 
 def test_outlines_are_as_tall_as_the_tracker_thinks(view: View) -> None:
@@ -185,9 +185,9 @@ def test_tracklets_are_strokes_in_the_colour_of_their_cluster() -> None:
         v2=[50, 60],
     )
     picture = painted(None, OneFrame(points=points), tracklets=True)
-    assert picture[50, 85, :3].astype(int) == pytest.approx(colour_of_track(3), abs=2)
-    assert picture[50, 100, :3].astype(int) == pytest.approx(colour_of_track(3), abs=2)
-    assert picture[60, 192, :3].astype(int) == pytest.approx(colour_of_track(0), abs=3)
+    assert picture[50, 85, :3].astype(int) == pytest.approx(TrackColours().of(3), abs=2)
+    assert picture[50, 100, :3].astype(int) == pytest.approx(TrackColours().of(3), abs=2)
+    assert picture[60, 192, :3].astype(int) == pytest.approx(TrackColours().of(0), abs=3)
     assert picture[50, 100, 3] > picture[60, 200, 3] > 0
 
 

@@ -3,7 +3,9 @@
 from app.presenters.labelling.labelling_scene import PartMark, Suggested
 from app.presenters.parts.cards import cards_of
 from app.presenters.parts.parts_scene import PartBox, Verdict
+from app.presenters.track_colours import TrackColours
 
+COLOUR_OF = TrackColours().of
 BOX = (10.0, 20.0, 8.0, 8.0)
 GREY = (128, 128, 128)
 HEAD, TORSO = 0, 1
@@ -22,13 +24,16 @@ def texts(card):
 
 
 def test_verdict_and_label_of_a_part_stand_in_one_line():
-    (card,) = cards_of([box(1, HEAD, "head: off, +0.69")], [mark(1, HEAD, True)], 1)
+    (card,) = cards_of([box(1, HEAD, "head: off, +0.69")], [mark(1, HEAD, True)], 1, COLOUR_OF)
     assert texts(card) == ["head: off, +0.69; labelled on"]
 
 
 def test_a_guess_that_is_labelled_shows_the_verdict_alone():
     (card,) = cards_of(
-        [box(1, HEAD, "head: on, -0.69")], [mark(1, HEAD, None, given=False, chosen=True)], 1
+        [box(1, HEAD, "head: on, -0.69")],
+        [mark(1, HEAD, None, given=False, chosen=True)],
+        1,
+        COLOUR_OF,
     )
     assert texts(card) == ["head: on, -0.69"]
     assert card.lines[0].chosen
@@ -36,7 +41,7 @@ def test_a_guess_that_is_labelled_shows_the_verdict_alone():
 
 def test_of_others_only_what_people_said_is_told_and_the_selected_one_comes_first():
     boxes = [box(1, HEAD, "head: on, -1.00"), box(2, HEAD, "head: on, -2.00")]
-    cards = cards_of(boxes, [mark(1, TORSO, False)], 2)
+    cards = cards_of(boxes, [mark(1, TORSO, False)], 2, COLOUR_OF)
     assert [card.track for card in cards] == [2, 1]
     assert [card.selected for card in cards] == [True, False]
     assert texts(cards[1]) == ["torso: labelled off"]
@@ -46,15 +51,15 @@ def test_a_card_says_whose_its_scores_are():
     suggested = Suggested(
         (5, 1, HEAD), "unsure: score +0.01 of mine.h5", "head", "1", GREY, "00:01"
     )
-    (card,) = cards_of([box(1, HEAD, "head: on, -1.00")], [], 1, suggested)
+    (card,) = cards_of([box(1, HEAD, "head: on, -1.00")], [], 1, COLOUR_OF, suggested)
     assert "of the run" in card.foot[0]
     assert card.foot[1] == "head: unsure: score +0.01 of mine.h5"
-    (unscored,) = cards_of([box(1, HEAD, "head: not judged", scored=False)], [], 1)
+    (unscored,) = cards_of([box(1, HEAD, "head: not judged", scored=False)], [], 1, COLOUR_OF)
     assert unscored.foot == ()
 
 
 def test_nobody_selected_and_nothing_said_makes_no_card():
-    assert cards_of([box(1, HEAD, "head: on, -1.00")], [], 0) == ()
+    assert cards_of([box(1, HEAD, "head: on, -1.00")], [], 0, COLOUR_OF) == ()
 
 
 def test_a_verdict_is_told_apart_in_one_word():

@@ -16,6 +16,7 @@ from app.presenters.correcting.planning import plan_of
 from app.presenters.correcting.wording import rows_changed
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.pictures.trails import floor_points
+from app.presenters.track_colours import TrackColours
 from tracking.editing import SwapFrame, apply_change, plan_delete, plan_swap
 from tracking.errors import EditError
 from tracking.tracks import Labels
@@ -154,7 +155,7 @@ def test_planning_does_not_touch_the_tracks(table):
 
 def test_the_trails_after_a_swap_change_over_at_the_cut(table):
     planned = _planned(_swap(table), table)
-    trails = preview_trails(planned, floor_points)
+    trails = preview_trails(planned, floor_points, TrackColours().of)
     assert [trail.after for trail in trails] == [False, False, True, True]
     was, now = trails[0].points, trails[2].points
     assert was[0, 0] < 0 < was[-1, 0]  # 4 walked to the right

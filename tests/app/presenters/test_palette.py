@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from app.presenters.palette import NOBODY, TRACK_COLOURS, colour_of_track, colours_of_tracks
+from app.presenters.palette import TRACK_COLOURS
 
 # Machado, Oliveira and Fernandes 2009, severity 1.0: what red- and green-blind people see.
 _PROTAN = np.array([[0.152, 1.053, -0.205], [0.115, 0.786, 0.099], [-0.004, -0.048, 1.052]])
@@ -16,17 +16,6 @@ def _lab(linear: np.ndarray) -> np.ndarray:
     f = np.where(xyz > 0.008856, np.cbrt(xyz), 7.787 * xyz + 16 / 116)
     x, y, z = f.T
     return np.column_stack((116 * y - 16, 500 * (x - y), 200 * (y - z)))
-
-
-def test_an_id_has_the_same_colour_alone_and_among_others():
-    ids = np.arange(0, 40, dtype=np.int32)
-    many = colours_of_tracks(ids)
-    assert [tuple(row) for row in many.tolist()] == [colour_of_track(int(one)) for one in ids]
-
-
-def test_nobody_is_grey():
-    assert colour_of_track(0) == NOBODY
-    assert colours_of_tracks(np.array([0, -3], np.int32)).tolist() == [list(NOBODY)] * 2
 
 
 _USUAL = np.eye(3)

@@ -4,6 +4,7 @@ from two_people import table as two_people
 from app.presenters.reviewing.review import ReviewQueue, is_fixable, kind_title, settled, verdict_on
 from app.presenters.reviewing.review_scene import Order
 from app.presenters.scenes import MarkKind
+from app.presenters.track_colours import TrackColours
 from tracking.editing import apply_change, plan_mark_reviewed, plan_swap
 from tracking.review import Suspicion
 from tracking.review.wording import KINDS
@@ -24,7 +25,7 @@ MARGIN = _suspicion("margin", (7,), 80, 10.0, "look")
 
 @pytest.fixture
 def queue():
-    queue = ReviewQueue(FPS)
+    queue = ReviewQueue(FPS, TrackColours().of)
     queue.take((CROSSING, JUMP, MARGIN), Labels())
     return queue
 

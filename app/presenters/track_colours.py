@@ -1,0 +1,98 @@
+"""Which colour each track has: people seen at the same time do not look alike."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.presenters.colour_sight import alike
+from app.presenters.meetings import FAR, Meetings, closeness, meetings_of
+from app.presenters.palette import NOBODY, TRACK_COLOURS, usual_place
+from app.presenters.scenes import Colour
+from tracking.tracks import Columns, Run, TrackTable
+
+ColourOf = Callable[[int], Colour]
+"""The colour of a track id."""
+
+_ALIKE = alike(TRACK_COLOURS)
+_TABLE = np.array((*TRACK_COLOURS, NOBODY), np.uint8)
+_GREY = len(TRACK_COLOURS)
+_TOO_ALIKE = 0.1
+"""From here on an id does not take its usual colour."""
+_SOON_FRAMES = 100
+"""So long after somebody was seen last nobody else comes up in their colour."""
+
+
+class TrackColours:
+    """Colours of track ids, each kept from the moment it was given.
+
+    An id has the colour of the palette that goes with its number, unless somebody who is there at
+    the same time has one that looks like it; then it has the one least like those of the people
+    around it, above all of those who come near.
+    """
+
+    def __init__(self) -> None:
+        self._place: dict[int, int] = {}
+        self._seen: dict[int, int] = {}
+
+    @classmethod
+    def of_session(cls, table: TrackTable, run: Run | None) -> TrackColours:
+        """Colours of a session: of the run's tracks first, which are the same at each opening."""
+        colours = cls()
+        colours._settle(meetings_of(run.tracks if run is not None else table.columns()))
+        if run is not None and any(one not in colours._place for one in table.track_ids):
+            colours._settle(meetings_of(table.columns()))
+        return colours
+
+    def of(self, track: int) -> Colour:
+        """The colour of a track id; grey for 0, which is nobody."""
+        if track <= 0:
+            return NOBODY
+        return TRACK_COLOURS[self._place.get(track, usual_place(track))]
+
+    def of_all(self, tracks: NDArray[np.int32]) -> NDArray[np.uint8]:
+        """The colours of (n,) ids as (n, 3) red, green, blue."""
+        known, inverse = np.unique(tracks, return_inverse=True)
+        places = [
+            self._place.get(one, usual_place(one)) if one > 0 else _GREY for one in known.tolist()
+        ]
+        return np.asarray(_TABLE[np.array(places, np.intp)][inverse])
+
+    def meet(self, rows: Columns) -> None:
+        """Give colours to those of a frame's rows who have none yet."""
+        ids = rows["track"].tolist()
+        if not ids:
+            return
+        frame = int(rows["frame"][0])
+        new = [track for track in ids if track not in self._place]
+        if new:
+            near = closeness(rows)
+            for track in new:
+                self._give(track, {**self._just_seen(frame), **near[track]})
+        self._seen.update(dict.fromkeys(ids, frame))
+
+    def _just_seen(self, frame: int) -> dict[int, float]:
+        soon = _SOON_FRAMES
+        return {one: FAR for one, seen in self._seen.items() if abs(frame - seen) <= soon}
+
+    def _settle(self, meetings: Meetings) -> None:
+        """Give colours to all who have none, in the order they come up."""
+        around: list[tuple[int, int]] = []  # last frame and id of those who may be there still
+        for first, last, track in meetings.stays:
+            around = [one for one in around if one[0] + _SOON_FRAMES >= first]
+            if track not in self._place:
+                near = {other: meetings.near(track, other) for _, other in around}
+                self._give(track, near)
+            around.append((last, track))
+
+    def _give(self, track: int, near: Mapping[int, float]) -> None:
+        """Choose a colour; near: those around, and how near they come."""
+        known = [(self._place[one], much) for one, much in near.items() if one in self._place]
+        place = usual_place(track)
+        if known:
+            theirs, weights = (np.array(part) for part in zip(*known, strict=True))
+            if (_ALIKE[place, theirs] * weights).max() > _TOO_ALIKE:
+                place = int((_ALIKE[:, theirs] @ weights).argmin())
+        self._place[track] = place

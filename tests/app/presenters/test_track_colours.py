@@ -1,0 +1,103 @@
+"""Who is seen at the same time does not look alike, and nobody's colour changes."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.presenters.colour_sight import alike
+from app.presenters.palette import NOBODY, TRACK_COLOURS
+from app.presenters.track_colours import TrackColours
+from tracking.tracks import CORRECTED_COLUMNS, TrackTable
+
+_ALIKE = {
+    (a, b): much
+    for a, row in zip(TRACK_COLOURS, alike(TRACK_COLOURS), strict=True)
+    for b, much in zip(TRACK_COLOURS, row, strict=True)
+}
+
+
+def rows_of(stays, place=lambda track: (track * 1.5, 4.0)):
+    """Rows by frame of tracks: id -> half-open frames in which it stands at its place."""
+    frames = np.concatenate([np.arange(*stay) for stay in stays.values()])
+    tracks = np.concatenate([np.full(b - a, one) for one, (a, b) in stays.items()])
+    order = np.lexsort((tracks, frames))
+    rows = {name: np.zeros(len(frames), kind) for name, kind in CORRECTED_COLUMNS.items()}
+    rows["frame"], rows["track"] = frames[order], tracks[order]
+    rows["x"], rows["y"] = np.array([place(one) for one in rows["track"].tolist()]).T
+    return rows
+
+
+def colours_of(stays, **where):
+    return TrackColours.of_session(TrackTable(rows_of(stays, **where)), None)
+
+
+def test_an_id_has_the_same_colour_alone_and_among_others():
+    ids = np.arange(0, 40, dtype=np.int32)
+    colours = colours_of({1: (0, 9), 25: (0, 9)})
+    many = colours.of_all(ids)
+    assert [tuple(row) for row in many.tolist()] == [colours.of(int(one)) for one in ids]
+
+
+def test_nobody_is_grey():
+    assert TrackColours().of(0) == NOBODY
+    assert TrackColours().of_all(np.array([0, -3], np.int32)).tolist() == [list(NOBODY)] * 2
+
+
+def test_ids_that_would_share_a_colour_differ_where_they_are_seen_together():
+    apart = colours_of({1: (0, 50), 25: (500, 550)})
+    assert apart.of(1) == apart.of(25)
+    together = colours_of({1: (0, 50), 25: (30, 80)})
+    assert _ALIKE[together.of(1), together.of(25)] < 0.05
+
+
+def test_who_comes_up_as_somebody_leaves_does_not_take_their_colour():
+    colours = colours_of({1: (0, 50), 25: (60, 80)})
+    assert colours.of(1) != colours.of(25)
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.lists(st.integers(1, 400), min_size=2, max_size=14, unique=True))
+def test_fourteen_people_of_any_ids_are_told_apart(ids):
+    colours = colours_of(dict.fromkeys(ids, (0, 20)))
+    shown = [colours.of(one) for one in ids]
+    assert max(_ALIKE[a, b] for i, a in enumerate(shown) for b in shown[:i]) < 0.55
+    assert len(set(shown)) == len(ids)
+
+
+def test_in_a_crowd_of_more_than_there_are_colours_who_is_near_differs():
+    random = np.random.default_rng(5)
+    places = random.uniform(0, 30, (61, 2))
+    colours = colours_of(dict.fromkeys(range(1, 61), (0, 20)), place=lambda one: places[one])
+    for one in range(1, 61):
+        apart = np.linalg.norm(places[1:] - places[one], axis=1)
+        apart[one - 1] = np.inf
+        nearest = int(apart.argmin()) + 1
+        assert colours.of(one) != colours.of(nearest)
+
+
+def test_colours_given_while_a_tracker_works_stay_as_others_come_and_go():
+    colours, given_first = TrackColours(), {}
+    rows = rows_of({one: (10 * one, 10 * one + 60) for one in range(1, 60)})
+    for frame in range(10, 650):
+        inside = rows["frame"] == frame
+        colours.meet({name: column[inside] for name, column in rows.items()})
+        here = rows["track"][inside].tolist()
+        for one in here:
+            assert colours.of(one) == given_first.setdefault(one, colours.of(one))
+        assert len({colours.of(one) for one in here}) == len(here)
+
+
+def test_an_edit_takes_no_colour_from_anybody_who_had_one():
+    stays = dict.fromkeys(range(1, 30), (0, 50))
+    table = TrackTable(rows_of(stays))
+    colours = TrackColours.of_session(table, None)
+    before = [colours.of(one) for one in stays]
+    colours.meet(rows_of({**stays, 99: (0, 1)}))
+    assert [colours.of(one) for one in stays] == before
+
+
+@pytest.mark.parametrize("place", [lambda _: (np.nan, np.nan), lambda one: (one, one)])
+def test_people_without_places_on_a_floor_have_colours_too(place):
+    colours = colours_of({1: (0, 9), 2: (0, 9), 25: (3, 9)}, place=place)
+    assert len({colours.of(one) for one in (1, 2, 25)}) == 3
