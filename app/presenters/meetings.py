@@ -20,7 +20,7 @@ _LOOKS = 300
 _SMALL_IDS = 1_000_000
 """Up to here ids are places in an array."""
 
-Near = dict[tuple[int, int], float]
+Near = dict[int, dict[int, float]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,15 +29,15 @@ class Meetings:
 
     Attributes:
         stays: first frame, last frame and id of each track, in this order.
-        nearness: of two ids, the smaller one first, where they are near: up to 1, in one place.
+        nearness: of an id those who come near, and how near: up to 1, in one place.
     """
 
     stays: tuple[tuple[int, int, int], ...] = ()
-    nearness: Mapping[tuple[int, int], float] = field(default_factory=dict)
+    nearness: Mapping[int, Mapping[int, float]] = field(default_factory=dict)
 
-    def near(self, one: int, other: int) -> float:
-        """How near two come to each other who are there together: 0.3 to 1."""
-        return self.nearness.get((min(one, other), max(one, other)), FAR)
+    def near_of(self, track: int) -> Mapping[int, float]:
+        """Who comes near, and how near: from `FAR` to 1."""
+        return self.nearness.get(track, {})
 
 
 def meetings_of(rows: Columns) -> Meetings:
@@ -49,30 +49,36 @@ def meetings_of(rows: Columns) -> Meetings:
     for look in np.unique(np.linspace(0, len(frame) - 1, _LOOKS).astype(int)).tolist():
         start, stop = np.searchsorted(frame, (frame[look], frame[look] + 1))
         part = {name: rows[name][start:stop] for name in ("track", *_PLACE)}
-        for (one, other), much in _pairs(part).items():
-            nearness[one, other] = max(nearness.get((one, other), 0.0), much)
+        for one, near in _nearness(part).items():
+            mine = nearness.setdefault(one, {})
+            for other, much in near.items():
+                mine[other] = max(mine.get(other, 0.0), much)
     return Meetings(_stays(frame, track), nearness)
 
 
-def closeness(rows: Columns) -> dict[int, dict[int, float]]:
-    """For each track of one frame's rows how near all others are; see `Meetings.near`."""
-    here = Meetings((), _pairs(rows))
-    ids = rows["track"].tolist()
-    return {one: {other: here.near(one, other) for other in ids if other != one} for one in ids}
+def closeness(rows: Columns) -> Near:
+    """For each track of one frame's rows how near all others are, from `FAR` to 1."""
+    ids, near = rows["track"].tolist(), _nearness(rows)
+    return {
+        one: {**{other: FAR for other in ids if other != one}, **near.get(one, {})} for one in ids
+    }
 
 
 _PLACE = ("x", "y", "left", "top", "width", "height")
 
 
-def _pairs(rows: Columns) -> Near:
+def _nearness(rows: Columns) -> Near:
     """Those of one frame who are near each other, and how near."""
-    places, ids = _places(rows), rows["track"]
+    places, ids = _places(rows), rows["track"].tolist()
     apart = np.linalg.norm(places[:, None] - places, axis=2)
-    first, second = np.nonzero(np.triu(np.nan_to_num(apart, nan=np.inf) < _NEAR_M, 1))
-    low, high = np.minimum(ids[first], ids[second]), np.maximum(ids[first], ids[second])
+    np.fill_diagonal(apart, np.inf)
+    with np.errstate(invalid="ignore"):
+        first, second = np.nonzero(apart < _NEAR_M)
     much = FAR + (1.0 - FAR) * np.square(1.0 - apart[first, second] / _NEAR_M)
-    pairs = zip(low.tolist(), high.tolist(), strict=True)
-    return dict(zip(pairs, much.tolist(), strict=True))
+    near: Near = {}
+    for a, b, how in zip(first.tolist(), second.tolist(), much.tolist(), strict=True):
+        near.setdefault(ids[a], {})[ids[b]] = how
+    return near
 
 
 def _places(rows: Columns) -> NDArray[np.float64]:

@@ -83,16 +83,17 @@ class TrackColours:
         for first, last, track in meetings.stays:
             around = [one for one in around if one[0] + _SOON_FRAMES >= first]
             if track not in self._place:
-                near = {other: meetings.near(track, other) for _, other in around}
-                self._give(track, near)
+                near = meetings.near_of(track)
+                self._give(track, {other: near.get(other, FAR) for _, other in around})
             around.append((last, track))
 
     def _give(self, track: int, near: Mapping[int, float]) -> None:
         """Choose a colour; near: those around, and how near they come."""
-        known = [(self._place[one], much) for one, much in near.items() if one in self._place]
+        taken = np.zeros(len(TRACK_COLOURS))
+        for one, much in near.items():
+            if one in self._place:
+                taken[self._place[one]] += much
         place = usual_place(track)
-        if known:
-            theirs, weights = (np.array(part) for part in zip(*known, strict=True))
-            if (_ALIKE[place, theirs] * weights).max() > _TOO_ALIKE:
-                place = int((_ALIKE[:, theirs] @ weights).argmin())
+        if (_ALIKE[place] * taken).max() > _TOO_ALIKE:
+            place = int((_ALIKE @ taken).argmin())
         self._place[track] = place
