@@ -173,7 +173,8 @@ class Desk(QObject):
     def set_eyes(self, mode: str) -> None:
         """Show "left", "both" or "anaglyph"."""
         self.eyes = mode if self.document.recording.is_stereo else "left"
-        self._workspace.show_eyes(self.eyes, self.document.recording.is_stereo)
+        width, height = self.document.recording.size
+        self._workspace.show_eyes(self.eyes, width / height, self.document.recording.is_stereo)
         self.draw_instant()
         self.changed.emit()
 

@@ -24,6 +24,7 @@ from app.views.correcting.edit_panel import EditPanel
 from app.views.correcting.track_panel import TrackPanel
 from app.views.counting.counting_panel import CountingPanel
 from app.views.desk.below_floor import BelowFloor
+from app.views.desk.eyes_room import EyesRoom
 from app.views.desk.pane_ring import PaneRing
 from app.views.history.history_panel import HistoryPanel
 from app.views.labelling.labelling_panel import LabellingPanel
@@ -78,6 +79,7 @@ class Workspace(QWidget):
         floor = self._split("floor and panels", Qt.Orientation.Vertical, parts, (5, 6))
         views = (eyes, floor, self._side())
         top = self._split("top", Qt.Orientation.Horizontal, views, (9, 10, 6))
+        self._eyes_room = EyesRoom(top, eyes)
         upper = QWidget(self)
         column = _unspaced(upper)
         column.addWidget(top, 1)
@@ -166,9 +168,14 @@ class Workspace(QWidget):
         self.differences.show_scene(scene)
         self._panels.setVisible(scene is None)
 
-    def show_eyes(self, mode: str, stereo: bool) -> None:
-        """Lay out for "left", "both" or "anaglyph"."""
-        self.right.setVisible(mode == "both" and stereo)
+    def show_eyes(self, mode: str, aspect: float, stereo: bool) -> None:
+        """Lay out for "left", "both" or "anaglyph"; pictures are `aspect` times wider than high."""
+        both = mode == "both" and stereo
+        if both != self.right.isVisibleTo(self):
+            self._eyes_room.end()
+        self.right.setVisible(both)
+        if both:
+            self._eyes_room.begin(aspect)
         self.eye_switch.show_scene(mode, stereo)
         self.eye_switch.setVisible(stereo)
 
@@ -202,6 +209,7 @@ class Workspace(QWidget):
 
     def remember(self, remembered: Remembered) -> None:
         """Keep how the parts are laid out."""
+        self._eyes_room.end()
         for name, splitter in self._splitters.items():
             remembered.set_state(f"workspace/{name}", splitter.saveState())
         self.timeline.area.controls.remember(remembered)

@@ -50,7 +50,7 @@ class NoticeBar(QFrame):
         self.hide()
 
     def stand_over(self, page: QWidget) -> None:
-        """Lie over the upper edge of a page from now on, as wide as it is."""
+        """Lie over the lower edge of a page from now on, as wide as it is: people are above it."""
         self.setParent(page)
         page.installEventFilter(self)
         self._place()
@@ -70,7 +70,8 @@ class NoticeBar(QFrame):
     def _place(self) -> None:
         page = self.parentWidget()
         if page is not None:
-            self.resize(page.width(), self.heightForWidth(page.width()))
+            height = self.heightForWidth(page.width())
+            self.setGeometry(0, page.height() - height, page.width(), height)
         self.raise_()
 
     @property

@@ -1,4 +1,4 @@
-"""What the line over the pictures tells, and when it goes again."""
+"""What the line below the pictures tells, and when it goes again."""
 
 import pytest
 from correcting_desk import Hands, opened_desk
@@ -88,8 +88,18 @@ def test_the_page_does_not_move_when_something_is_told(window, hands, qtbot):
         after = window.workspace.mapToGlobal(QPoint(0, 0)), window.workspace.size()
         assert after == before
         assert window.notice.width() == window.centralWidget().width()
-        shown = window.centralWidget().childAt(QPoint(20, window.notice.height() // 2))
+        shown = window.centralWidget().childAt(window.notice.geometry().center() - QPoint(0, 3))
         assert shown is window.notice or window.notice.isAncestorOf(shown)
+
+
+def test_what_is_told_hides_nobody(window, hands):
+    told = "People stand in the way of the camera: look after it.\nThe right eye is late."
+    for size in ((1280, 688), (1920, 1040)):
+        window.resize(*size)
+        window.notice.say(told, "Try again", lambda: None)
+        over = window.notice.rect().translated(window.notice.mapTo(window, QPoint(0, 0)))
+        for view in (window.workspace.left, window.workspace.right, window.workspace.overhead):
+            assert not view.rect().translated(view.mapTo(window, QPoint(0, 0))).intersects(over)
 
 
 def test_all_of_a_long_text_is_seen_in_a_window_that_becomes_narrow(window, hands, qtbot):

@@ -1,0 +1,39 @@
+"""Room for both eyes: their pictures fill it, the floor has the rest."""
+
+import pytest
+from correcting_desk import opened_desk
+
+
+@pytest.fixture
+def space(window, qtbot, tiny_session):
+    window.resize(1280, 700)
+    opened_desk(window, qtbot, tiny_session)
+    window.grab()  # lays it out
+    return window.workspace
+
+
+def _empty_px(view):
+    """How much of the width the picture leaves."""
+    return view.width() - view.viewport.scale * view.content().width()
+
+
+def test_nothing_is_empty_beside_both_pictures_at_any_size(space, window, qtbot):
+    for size in ((1280, 700), (1920, 1050), (1280, 700)):
+        window.resize(*size)
+        qtbot.waitUntil(lambda: max(_empty_px(space.left), _empty_px(space.right)) < 4)
+
+
+def test_one_eye_has_the_usual_room_again(space, window, qtbot):
+    fitted = space.left.width()
+    window.run_command("view.left")
+    qtbot.waitUntil(lambda: space.left.width() > fitted + 50)
+    window.run_command("view.both")
+    qtbot.waitUntil(lambda: abs(space.left.width() - fitted) < 2)
+
+
+def test_a_border_the_user_moved_stays_where_it_is(space, window, qtbot):
+    top = space._splitters["top"]
+    top.moveSplitter(500, 1)
+    window.resize(1280, 720)
+    qtbot.wait(20)
+    assert space.left.width() > 450
