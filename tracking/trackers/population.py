@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -70,7 +71,7 @@ class Population:
 
     def select(self, rows: NDArray[Any]) -> Population:
         """The people at these rows (indices or a mask)."""
-        return Population(*(getattr(self, name)[rows] for name in _NAMES))
+        return Population(*[column[rows] for column in _columns_of(self)])
 
     def replace(self, **columns: NDArray[Any]) -> Population:
         """The same people with some columns replaced."""
@@ -91,6 +92,7 @@ class Population:
 
 
 _NAMES = tuple(field.name for field in dataclasses.fields(Population))
+_columns_of = attrgetter(*_NAMES)
 
 
 def unknown_looks(people: int) -> NDArray[np.float32]:

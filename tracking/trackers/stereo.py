@@ -20,7 +20,7 @@ from tracking.trackers.stereo_matching import match_people
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
 from tracking.trackers.stereo_sharing import shared_regions
-from tracking.trackers.stereo_update import Match, aged, guests_kept, matched, unseen
+from tracking.trackers.stereo_update import Match, aged, apart, guests_kept, matched, unseen
 
 Colours = NDArray[np.float32]
 Floats = NDArray[np.float64]
@@ -88,8 +88,9 @@ class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
         people = aged(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
         shared = shared_regions(expected, bodies, pairs, seen, self._view)
-        alone = ~np.isin(np.arange(len(pairs.track)), shared.owner)
-        match = Match(pairs, shared, seen, colours, since_s)
+        alone = shared.alone_of(pairs)
+        clear = apart(expected, pairs.track, self._settings.colour_distance_m)
+        match = Match(pairs, shared, clear, seen, colours, since_s)
         people = matched(people, match, self._cues, self._settings, self._random)
         people = unseen(people, elapsed_s, self._view, self._settings)
         people = guests_kept(people, expected, shared, self._settings, self._random)

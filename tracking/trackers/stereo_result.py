@@ -24,6 +24,9 @@ from tracking.tracks.columns import (
 )
 
 Floats = NDArray[np.float64]
+Particles = NDArray[np.float32]
+Ids = NDArray[np.int32]
+Rows = NDArray[np.intp]
 
 
 def step_result(
@@ -45,33 +48,33 @@ def step_result(
     box = shown_boxes(box, pairs, alone, observation.people)
     rows = np.flatnonzero(people.confirmed if told is None else people.confirmed & told)
     rows = rows[np.argsort(people.track[rows])]
-    shown = people.select(rows)
-    frame = observation.frame
+    frame, track = observation.frame, people.track[rows]
+    particles, weight = people.particles[rows], people.weight[rows]
+    own = _seen_alone(people, pairs, alone)[rows]
     return StepResult(
         frame=frame,
-        tracks=_tracks(frame, shown, box[rows], view),
+        tracks=_tracks(frame, people, rows, box[rows], view),
         detections=_detections(frame, observation.people, people, pairs),
-        particles=_particles(shown),
+        particles=_particles(track, particles, weight),
         associations=_associations(frame, people, pairs, costs),
-        signals=_signals(
-            frame, people, rows, _seen_alone(people, pairs, alone), observation.people
-        ),
+        signals=_signals(frame, track, observation.people, own, cloud_shapes(particles, weight)),
     )
 
 
-def _tracks(frame: int, people: Population, box: Floats, view: View) -> Columns:
-    range_m = np.hypot(people.position[:, 0], people.position[:, 1])
+def _tracks(frame: int, people: Population, rows: Rows, box: Floats, view: View) -> Columns:
+    """The people at these rows; box: (rows, 4) px, theirs."""
+    (x, y), (vx, vy) = people.position[rows].T, people.velocity[rows].T
     values = {
-        "frame": np.full(len(people), frame),
-        "track": people.track,
+        "frame": np.full(len(rows), frame),
+        "track": people.track[rows],
         **box_columns(box),
-        "x": people.position[:, 0],
-        "y": people.position[:, 1],
-        "vx": people.velocity[:, 0],
-        "vy": people.velocity[:, 1],
-        "confidence": people.confidence,
-        "visibility": visibility(box, range_m, view.camera.size),
-        "predicted": people.missed_s > 0.0,
+        "x": x,
+        "y": y,
+        "vx": vx,
+        "vy": vy,
+        "confidence": people.confidence[rows],
+        "visibility": visibility(box, np.hypot(x, y), view.camera.size),
+        "predicted": people.missed_s[rows] > 0.0,
     }
     return typed(values, TRACK_COLUMNS)
 
@@ -91,12 +94,12 @@ def _detections(frame: int, seen: Detections, people: Population, pairs: Associa
     return typed(values, DETECTION_COLUMNS)
 
 
-def _particles(people: Population) -> Columns:
+def _particles(track: Ids, particles: Particles, weight: Particles) -> Columns:
     values = {
-        "track": np.repeat(people.track, people.weight.shape[1]),
-        "x": people.particles[..., 0].ravel(),
-        "y": people.particles[..., 1].ravel(),
-        "weight": people.weight.ravel(),
+        "track": np.repeat(track, weight.shape[1]),
+        "x": particles[..., 0].ravel(),
+        "y": particles[..., 1].ravel(),
+        "weight": weight.ravel(),
     }
     return typed(values, PARTICLE_COLUMNS)
 
@@ -119,9 +122,7 @@ def _associations(frame: int, people: Population, pairs: Association, costs: Cos
     return typed(values, ASSOCIATION_COLUMNS)
 
 
-def _seen_alone(
-    people: Population, pairs: Association, alone: NDArray[np.bool_]
-) -> NDArray[np.intp]:
+def _seen_alone(people: Population, pairs: Association, alone: NDArray[np.bool_]) -> Rows:
     """(people,) the detection that shows nobody but this person; -1 without one."""
     detection = np.full(len(people), -1)
     detection[pairs.track[alone]] = pairs.detection[alone]
@@ -129,20 +130,20 @@ def _seen_alone(
 
 
 def _signals(
-    frame: int,
-    people: Population,
-    rows: NDArray[np.intp],
-    detection: NDArray[np.intp],
-    seen: Detections,
+    frame: int, track: Ids, seen: Detections, own: Rows, shapes: tuple[Particles, Particles]
 ) -> Columns:
-    """What is noticed of the people at these rows, beside where they are."""
-    own = detection[rows]
+    """What is noticed of people beside where they are.
+
+    Args:
+        own: (people,) the detection that shows nobody else, -1 without one.
+        shapes: of their clouds, as `cloud_shapes`.
+    """
+    spread_m, split = shapes
     height_m = np.append(np.where(seen.truncated, np.nan, seen.size[:, 1]), np.nan)
     clothes = np.append(seen.clothes.reshape(-1, 6), np.full((1, 6), np.nan), axis=0)
-    spread_m, split = cloud_shapes(people.particles[rows], people.weight[rows])
     values = {
-        "frame": np.full(len(rows), frame),
-        "track": people.track[rows],
+        "frame": np.full(len(track), frame),
+        "track": track,
         "height_m": height_m[own],
         **dict(zip(CLOTHES, clothes[own].T, strict=True)),
         "spread_m": spread_m,

@@ -37,6 +37,12 @@ class Shared:
     owner_at: Floats
     guest_at: Floats
 
+    def alone_of(self, pairs: Association) -> NDArray[np.bool_]:
+        """(pairs,) whose region holds nobody else."""
+        alone = np.ones(len(pairs.track), np.bool_)
+        alone[self.owner] = False
+        return alone
+
 
 _NOBODY = Shared(*np.zeros((2, 0), np.intp), *np.zeros((2, 0, 2)))
 

@@ -38,12 +38,14 @@ class Match:
     Attributes:
         pairs: rows of the population and of the detections.
         shared: which of their regions hold somebody else too.
+        apart: (pairs,) who has nobody close, so that a region's colours are theirs.
         seen: all detections. colours: (detections, cues, bins) of all.
         since_s: (pairs,) seconds since each matched person's last match.
     """
 
     pairs: Association
     shared: Shared
+    apart: NDArray[np.bool_]
     seen: Detections
     colours: NDArray[np.float32]
     since_s: Floats
@@ -87,7 +89,7 @@ def matched(
         matches=mine.matches + 1,
         seen_at=position,
         colour=np.where(
-            apart(people, rows, settings.colour_distance_m)[:, None, None],
+            match.apart[:, None, None],
             cues.updated(mine.colour, match.colours[chosen], mine.matches),
             mine.colour,
         ),
@@ -140,11 +142,11 @@ def unseen(
     if len(lost) == 0 or len(present) == 0:
         return people
     reach_m = hiding_reach(present, view.ground.height_m)
-    away_m = out_of_hiding(people.particles[lost], present, reach_m, _BODY_M)
+    mine = people.particles[lost]
+    away_m = out_of_hiding(mine, present, reach_m, _BODY_M)
     # A longer time says more; a person far from every hiding place is just missed.
     weight = np.exp(-elapsed_s / settings.unseen_s * np.minimum(away_m / _BODY_M, 2.0))
     weight /= weight.sum(axis=1, keepdims=True)
-    mine = people.particles[lost]
     before = mine.mean(axis=1)
     position = people.position[lost] + weighted_mean(mine, weight) - before
     return people.changed(lost, weight=weight, position=position)
@@ -159,6 +161,8 @@ def weighed(
     """Particles and weights by the likelihood; lost clouds are scattered anew first."""
     weight = weigh(particles, measured, sigma)
     lost = np.flatnonzero(effective_share(weight) < _SCATTERED_SHARE)
+    if len(lost) == 0:
+        return particles, weight
     particles = particles.copy()
     particles[lost] = scatter(measured[lost], sigma[lost], particles.shape[1], random)
     weight[lost] = weigh(particles[lost], measured[lost], sigma[lost])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.filtering import Association, associate, margins
+from tracking.filtering import Association, cheapest_pairs, margins
 from tracking.trackers.joint.evidence import Evidence
 from tracking.trackers.population import Population
 
@@ -33,14 +33,14 @@ def explained(
     """
     columns = np.flatnonzero(usable)
     match, allowed = evidence.match[:, columns], evidence.allowed[:, columns]
-    pairs = associate(match, allowed, evidence.missed)
+    track, detection = cheapest_pairs(match, allowed, evidence.missed)
     rival = people.confirmed & (people.missed_s < _SEEN_S)
-    rival[pairs.track] = False
-    gain = np.where(allowed, match - evidence.missed[:, None], np.inf)[rival]
-    own = (match - evidence.missed[:, None])[pairs.track, pairs.detection]
-    gap = gain[:, pairs.detection].min(axis=0, initial=np.inf) - own
+    rival[track] = False
+    cost = match - evidence.missed[:, None]
+    theirs = np.where(allowed, cost, np.inf)[rival][:, detection]
+    gap = theirs.min(axis=0, initial=np.inf) - cost[track, detection]
+    free = np.delete(columns, detection)
     clear = gap >= least_margin
-    track, detection = pairs.track[clear], pairs.detection[clear]
+    track, detection = track[clear], detection[clear]
     margin = margins(match, allowed, track, detection)
-    free = np.delete(columns, pairs.detection)
     return Association(track, columns[detection], NAT * margin), free

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.population import Population
 from tracking.trackers.stereo_cues import likelihood_sigma
 
 Floats = NDArray[np.float64]
@@ -47,13 +46,17 @@ class Noise:
         share = np.clip(self.off / self.expected, _LEAST_SHARE, _MOST_SHARE)
         return np.asarray(np.sqrt(share) * likelihood_sigma(measured, settings))
 
-    def learnt(self, mine: Population, measured: Floats, settings: JointSettings) -> Noise:
-        """With more matches: people predicted, and where (people, 2) they were then seen.
+    def learnt(
+        self, offset: Floats, place: Floats, measured: Floats, settings: JointSettings
+    ) -> Noise:
+        """With more matches: how far (people, 2) m from where they were expected people were seen.
 
         What the prediction itself may err is not the detection's error.
+
+        Args:
+            place: (people,) m², the variance of where they were expected. measured: (people, 2) m.
         """
-        square = 0.5 * np.square(measured - mine.position).sum(axis=1)
-        place = mine.motion[:, 0]
+        square = 0.5 * np.square(offset).sum(axis=1)
         usual = np.square(likelihood_sigma(measured, settings))
         now = usual * np.clip(self.off / self.expected, _LEAST_SHARE, _MOST_SHARE)
         own = np.minimum(square, _MOST * (place + now)) - place

@@ -82,10 +82,11 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         people = aged(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
         shared = shared_regions(expected, bodies, pairs, seen, view)
-        alone = ~np.isin(np.arange(len(pairs.track)), shared.owner)
-        match = Match(pairs, shared, seen, colours, since_s)
+        alone = shared.alone_of(pairs)
+        clear = apart(expected, pairs.track, settings.colour_distance_m)
+        match = Match(pairs, shared, clear, seen, colours, since_s)
         people = matched(people, match, looks, sigma, self._cues, self._random)
-        self._learn(expected, pairs, difference, seen)
+        self._learn(expected, match, difference)
         people = unseen(people, elapsed_s, view, settings, hiding(people, shown))
         people = guests_kept(people, expected, shared, settings, self._random)
         bodies, around = here_and_a_step_off(people.position, view)
@@ -119,23 +120,22 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         total = NAT * (evidence.match - evidence.missed[:, None])
         return Costs(evidence.distance, colour, NAT * turn, total, evidence.allowed), evidence
 
-    def _learn(
-        self, people: Population, pairs: Association, difference: Floats, seen: Detections
-    ) -> None:
+    def _learn(self, people: Population, match: Match, difference: Floats) -> None:
         """How far off places are and what looks tell, from those matched with nobody close.
 
         Args:
             people: predicted to this frame.
         """
-        clear = apart(people, pairs.track, self._settings.colour_distance_m)
-        clear &= people.confirmed[pairs.track]
+        pairs, known = match.pairs, people.confirmed
+        clear = match.apart & known[pairs.track]
         rows, chosen = pairs.track[clear], pairs.detection[clear]
         others = np.zeros(difference.shape[:2], bool)
-        others[:, chosen] = people.confirmed[:, None]
+        others[:, chosen] = known[:, None]
         others[rows, chosen] = False
         self._telling = self._telling.learnt(difference[rows, chosen], difference[others])
-        measured = seen.position[chosen, :2]
-        self._noise = self._noise.learnt(people.select(rows), measured, self._settings)
+        measured = match.seen.position[chosen, :2]
+        offset, place = measured - people.position[rows], people.motion[rows, 0]
+        self._noise = self._noise.learnt(offset, place, measured, self._settings)
 
     def _named(
         self, people: Population, pairs: Association, new: Floats, elapsed_s: float

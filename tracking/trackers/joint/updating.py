@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 from tracking.filtering import weighted_mean
 from tracking.trackers.joint.cues import JointCues
 from tracking.trackers.joint.motion import measured_motion
-from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.population import Population
-from tracking.trackers.stereo_update import Match, apart, weighed
+from tracking.trackers.stereo_update import Match, weighed
 
 
 def matched(
@@ -26,7 +25,6 @@ def matched(
     Args:
         people: predicted. looks: (detections, k) as `Population.looks`. sigma: (detections,) m.
     """
-    settings: JointSettings = cues.settings
     rows, chosen = match.pairs.track, match.pairs.detection
     mine = people.select(rows)
     measured = match.seen.position[chosen, :2]
@@ -34,7 +32,6 @@ def matched(
     particles, weight = weighed(mine.particles, measured, sigma[chosen], random)
     position = weighted_mean(particles, weight)
     velocity, motion = measured_motion(mine, measured, sigma[chosen])
-    clear = apart(people, rows, settings.colour_distance_m)
     colour = cues.updated(mine.colour, match.colours[chosen], mine.matches)
     return people.changed(
         rows,
@@ -45,6 +42,6 @@ def matched(
         motion=motion,
         matches=mine.matches + 1,
         seen_at=position,
-        colour=np.where(clear[:, None, None], colour, mine.colour),
-        looks=np.where(clear[:, None], cues.looked(mine, looks[chosen]), mine.looks),
+        colour=np.where(match.apart[:, None, None], colour, mine.colour),
+        looks=np.where(match.apart[:, None], cues.looked(mine, looks[chosen]), mine.looks),
     )
