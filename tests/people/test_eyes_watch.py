@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from tracking.people import eyes_watch
+from tracking.people.eye_movement import EyeMovement, thinned
 from tracking.people.eyes_watch import EyesWatch, shows_nothing
 
 Picture = NDArray[np.uint8]
@@ -54,6 +55,37 @@ def test_an_eye_that_is_a_little_late_is_found_to_be_so_many_frames(late: int) -
     assert watch.lag == late
     assert not watch.failing
     assert bool(watch.told()) == (late != 0)
+
+
+def noisy(picture: Picture, seed: int) -> Picture:
+    """As a sensor sees it in poor light."""
+    grain = np.random.default_rng(seed).normal(0, 9, picture.shape)
+    return np.asarray((picture + grain).clip(0, 255), np.uint8)
+
+
+def flickering(picture: Picture, seed: int) -> Picture:
+    """As it is under a lamp that another eye sees otherwise at the same instant."""
+    return np.asarray((picture * (1 + 0.15 * np.sin(2.4 * seed))).clip(0, 255), np.uint8)
+
+
+@pytest.mark.parametrize("late", [0, 2])
+@pytest.mark.parametrize("disturbed", [noisy, flickering])
+def test_what_differs_by_chance_between_the_eyes_hides_no_lag_and_makes_none(
+    disturbed: Callable[[Picture, int], Picture], late: int
+) -> None:
+    watch = EyesWatch(FPS)
+    for k in range(48):
+        right = disturbed(eye(k - late, SHIFT_PX), 1000 + 3 * k)
+        watch.look(k, disturbed(eye(k), 5 * k), right)
+    assert watch.lag == late
+    assert not watch.failing
+
+
+def test_where_one_eye_repeats_a_picture_the_next_frame_tells_the_movement_of_both() -> None:
+    movement = EyeMovement(FPS)
+    for left, right in ((0, 0), (1, 1), (2, 1), (3, 3)):
+        movement.add((thinned(eye(left)), thinned(eye(right, SHIFT_PX))))
+    assert len(movement) == 2
 
 
 @pytest.mark.parametrize("late", [-15, -8, 6, 12, 15])

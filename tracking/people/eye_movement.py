@@ -20,6 +20,10 @@ _MOVED = 12
 """Grey levels by which what moves changes from one frame to the next."""
 _POOLED = 2
 """Rows taken together: what moves is drawn a little otherwise in the other eye."""
+_MOVING, _STILL = 20, 0.02
+"""Places that move in one eye at the least, and the share of them that may move in a still one."""
+_MOST_HELD = 2
+"""Encoders, and cables, repeat one picture or two."""
 _RECENT_S, _RECENT_FRAMES, _MOST_RECENT_FRAMES = 0.8, 16, 96
 """How much movement tells whether eyes agree, and in frames: fewer correlate by chance, more take
 long where a recording says that it has thousands a second."""
@@ -59,6 +63,7 @@ class EyeMovement:
         self.most_lag = min(most, MOST_LAG)
         self.span = self.recent + self.most_lag
         self._before: tuple[Picture, Picture] | None = None
+        self._held = 0
         self._rows: tuple[deque[Floats], deque[Floats]] = (
             deque(maxlen=self.span),
             deque(maxlen=self.span),
@@ -69,18 +74,23 @@ class EyeMovement:
         return len(self._rows[0])
 
     def add(self, eyes: tuple[Picture, Picture]) -> tuple[int, int]:
-        """Take in the next frame, of `thinned` eyes; how much moves in each since the last."""
-        before, self._before = self._before, eyes
-        if before is None:
+        """Take in the next frame, of `thinned` eyes; how much moves in each since the last.
+
+        Where one eye shows its last picture once more, its movement is missing in one frame and
+        double in the next, unlike the other's: both eyes' is taken from the frames around then.
+        """
+        if self._before is None:
+            self._before = eyes
             return 0, 0
-        total = []
-        for eye, earlier, rows in zip(eyes, before, self._rows, strict=True):
-            moved = cv2.threshold(cv2.absdiff(eye, earlier), _MOVED, 1, cv2.THRESH_BINARY)[1]
-            moving = cv2.reduce(moved, 1, cv2.REDUCE_SUM, dtype=cv2.CV_32S).ravel()
-            total.append(int(moving.sum()))
-            whole = len(moving) // _POOLED * _POOLED
-            rows.append(moving[:whole].reshape(-1, _POOLED).sum(axis=1).astype(np.float64))
-        return total[0], total[1]
+        moving = [_moving(*pair) for pair in zip(eyes, self._before, strict=True)]
+        left, right = (int(rows.sum()) for rows in moving)
+        if self._held < _MOST_HELD and (stands_still(left, right) or stands_still(right, left)):
+            self._held += 1
+            return left, right
+        for rows, now in zip(self._rows, moving, strict=True):
+            rows.append(now / (1 + self._held))
+        self._held, self._before = 0, eyes
+        return left, right
 
     def keep(self, frames: int) -> None:
         """Forget all movement but that of the last frames."""
@@ -90,7 +100,7 @@ class EyeMovement:
 
     def begin(self) -> None:
         """Forget all, the last pictures too: the next ones do not follow on them."""
-        self._before = None
+        self._before, self._held = None, 0
         self.keep(0)
 
     def stretch(self) -> Stretch | None:
@@ -120,10 +130,40 @@ class EyeMovement:
         return left, right
 
 
+def stands_still(eye: int, other: int) -> bool:
+    """Whether an eye shows its last picture still, while the other one moves in so many places."""
+    return other >= _MOVING and eye <= _STILL * other
+
+
+def _moving(eye: Picture, earlier: Picture) -> Floats:
+    """(rows,) how much moves in rows taken together, from one picture to the next."""
+    changed = cv2.absdiff(eye, _in_light_of(eye, earlier))
+    moved = cv2.threshold(changed, _MOVED, 1, cv2.THRESH_BINARY)[1]
+    rows = cv2.reduce(moved, 1, cv2.REDUCE_SUM, dtype=cv2.CV_32S).ravel()
+    whole = len(rows) // _POOLED * _POOLED
+    return np.asarray(rows[:whole].reshape(-1, _POOLED).sum(axis=1), np.float64)
+
+
+def _in_light_of(eye: Picture, earlier: Picture) -> Picture:
+    """An earlier picture as bright as the present one: lamps that flicker move nothing."""
+    now, before = cv2.mean(eye)[0], cv2.mean(earlier)[0]
+    return np.asarray(cv2.convertScaleAbs(earlier, alpha=now / max(before, 1.0)), np.uint8)
+
+
 def thinned(eye: Picture) -> Picture:
-    """Of a rectified eye (height, width, 3) what is compared: one channel of some pixels."""
-    step = thinning_px(eye.shape[1])
-    return np.ascontiguousarray(eye[::step, ::step, 1])
+    """Of a rectified eye (height, width, 3) what is compared: one channel of a few pixels."""
+    return mean_of_four(eye[..., 1], thinning_px(eye.shape[1]))
+
+
+def mean_of_four(channel: Picture, step: int) -> Picture:
+    """(height // step, width // step) of (height, width), each the mean of four pixels.
+
+    A sensor's noise, alike in no two eyes, would be movement otherwise.
+    """
+    rows, columns = (side // step * step for side in channel.shape)
+    few = [channel[v:rows:step, u:columns:step] for v in (0, step // 2) for u in (0, step // 2)]
+    pairs = [cv2.addWeighted(one, 0.5, other, 0.5, 0) for one, other in (few[:2], few[2:])]
+    return np.asarray(cv2.addWeighted(pairs[0], 0.5, pairs[1], 0.5, 0), np.uint8)
 
 
 def thinning_px(width: int) -> int:

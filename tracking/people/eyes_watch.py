@@ -5,7 +5,14 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from tracking.people.eye_movement import EyeMovement, Floats, Picture, late_by, thinned
+from tracking.people.eye_movement import (
+    EyeMovement,
+    Floats,
+    Picture,
+    late_by,
+    stands_still,
+    thinned,
+)
 from tracking.recording.eyes import MOST_LAG
 
 _TILE = 20
@@ -14,8 +21,6 @@ _STRUCTURED, _FLAT = 4.0, 1.5
 """Deviations of brightness, grey levels: of a tile that shows something, and that shows nothing."""
 _FEWEST_TILES, _LOST = 6, 0.25
 """Of at least so many tiles that show something left, this share must show nothing right."""
-_MOVING, _STILL = 20, 0.02
-"""Places that move left at the least, and the share of them that may move right in a frozen eye."""
 _FROZEN_FRAMES = 3
 """Frames on end without movement after which an eye is frozen: encoders repeat one or two."""
 _EVERY_S = 0.25
@@ -94,8 +99,7 @@ class EyesWatch:
         self._last = frame
         eyes = thinned(left), thinned(right)
         moved = self._movement.add(eyes)
-        still = moved[0] >= _MOVING and moved[1] <= _STILL * moved[0]
-        self._frozen = self._frozen + 1 if still else 0
+        self._frozen = self._frozen + 1 if stands_still(moved[1], moved[0]) else 0
         self.failing = self._frozen >= _FROZEN_FRAMES or _lost(*eyes)
         if self.failing:
             self._took_failure(frame)

@@ -14,6 +14,7 @@ from tracking.people.eye_movement import (
     Picture,
     Stretch,
     late_by,
+    mean_of_four,
     thinned,
     thinning_px,
 )
@@ -26,6 +27,8 @@ _ELSEWHERE = 6
 """So many other stretches of a recording are looked at where the first one tells nothing."""
 _A_GLANCE = 8
 """Frames after which a stretch is left in which hardly anything moves."""
+_MOST_SPANS = 2
+"""Where an eye repeats pictures, so many times as many frames are read to know its movement."""
 _NOWHERE_PX = -1e4
 """Of pixels behind the camera: far outside, so that they are black."""
 
@@ -67,10 +70,12 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
     spread = np.linspace(0, last, _ELSEWHERE + 2)[1:-1].astype(int).tolist()
     for first in (min(start, last), *spread):
         movement.begin()
-        for number in range(first, min(first + movement.span + 1, recording.frame_count)):
+        for number in range(first, min(first + _MOST_SPANS * movement.span, recording.frame_count)):
             frame = yield number
             movement.add(thinned_eyes(frame, maps))
-            if len(movement) == _A_GLANCE and movement.is_still():
+            if len(movement) == movement.span or (
+                len(movement) == _A_GLANCE and movement.is_still()
+            ):
                 break
         stretch = movement.stretch()
         if stretch is not None:
@@ -85,13 +90,18 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
 def thinned_maps(rectification: Rectification | None) -> tuple[Map, Map] | None:
     """Where the pixels that are compared come from in both eyes; None: from where they are.
 
-    All pixels would take seconds to find out.
+    As `thinned` takes the mean of four, there are four for each. All pixels
+    would take seconds.
     """
     if rectification is None or rectification.identity:
         return None
     width, height = rectification.size
     step = thinning_px(width)
-    u, v = np.meshgrid(np.arange(0.0, width, step), np.arange(0.0, height, step))
+    across, down = (
+        (np.arange(side // step)[:, None] * step + (0, step // 2)).ravel()
+        for side in (width, height)
+    )
+    u, v = np.meshgrid(across, down)
     pixels = np.column_stack((u.ravel(), v.ravel()))
     left, right = (
         np.nan_to_num(recorded, nan=_NOWHERE_PX).astype(np.float32).T.reshape(2, *u.shape)
@@ -109,7 +119,9 @@ def thinned_eyes(frame: StereoFrame, maps: tuple[Map, Map] | None) -> tuple[Pict
     if maps is None:
         return thinned(frame.left), thinned(frame.right)
     left, right = (
-        np.asarray(cv2.remap(cv2.extractChannel(eye, 1), x, y, cv2.INTER_LINEAR), np.uint8)
+        mean_of_four(
+            np.asarray(cv2.remap(cv2.extractChannel(eye, 1), x, y, cv2.INTER_LINEAR), np.uint8), 2
+        )
         for eye, (x, y) in zip((frame.left, frame.right), maps, strict=True)
     )
     return left, right
