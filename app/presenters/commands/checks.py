@@ -30,8 +30,8 @@ def read_only() -> str:
 
 def editable(now: Situation) -> str:
     """The session must be open for changes."""
-    if now.live:
-        return tr("stop tracking first, then correct")
+    if now.in_the_way:
+        return now.in_the_way
     if now.read_only:
         return read_only()
     return session(now)
@@ -51,8 +51,8 @@ def drawable(now: Situation) -> str:
     """A recording must be open for changes; the first box that is drawn makes the session."""
     if now.session:
         return editable(now)
-    if now.live:
-        return tr("stop tracking first, then correct")
+    if now.in_the_way:
+        return now.in_the_way
     return tr("wait until the work in progress is done") if now.busy else recording(now)
 
 

@@ -13,7 +13,8 @@ class Situation:
     Attributes:
         recording, session: open. tracks: there is something to select. selected: somebody is.
         editing: a preview waits for Enter. placing: it is one of a box.
-        live: a tracker is at work. busy: other long work is.
+        live: a tracker is at work. in_the_way: what is to be done before tracks can be corrected,
+            as its people are shown; "" for nothing. busy: other long work is going on.
         labelling: something is being labelled. saying: it is body parts. suggesting: those of
             which the detector is least sure are walked.
         suspicions: the review queue lists some. suspicion: one of them is looked at; fixable: an
@@ -45,6 +46,7 @@ class Situation:
     unkept: bool = False
     placing: bool = False
     live: bool = False
+    in_the_way: str = ""
     busy: bool = False
     can_undo: bool = False
     can_redo: bool = False

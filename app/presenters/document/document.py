@@ -73,6 +73,11 @@ class Document:
         """Whether the tracks of a tracker at work are shown, not those of the session."""
         return self._showing.is_live
 
+    @property
+    def at_work(self) -> bool:
+        """Whether a tracker is at work, whoever is shown."""
+        return self._showing.at_work
+
     def made_by(self, frame: int) -> MadeBy | None:
         """What made the tracks that are shown in a frame."""
         return self._showing.made_by(frame)
@@ -116,9 +121,22 @@ class Document:
         """Take further results of the tracker at work, in order."""
         found = tuple(results)
         self._showing.extend(found)
-        for result in found:
-            self.overhead.take_more(result.tracks)
-        self._timeline.take(self.tracks, {})
+        if self.is_live:
+            for result in found:
+                self.overhead.take_more(result.tracks)
+            self._timeline.take(self.tracks, {})
+
+    def watch(self, on: bool) -> bool:
+        """Show what a further run finds, or the session's tracks meanwhile; whether that changes.
+
+        The session's can be corrected while they are shown.
+        """
+        changed = self._showing.watch(on)
+        if changed:
+            self.correcting.leave()
+            self.selection.choose(0)
+            self._retake()
+        return changed
 
     def sign(self, author: str) -> None:
         """Log edits made from now on under a name; "": under that of the account."""
@@ -284,10 +302,24 @@ class Document:
         """The colour a track has in all views."""
         return self._showing.colours.of(track)
 
+    @property
+    def in_the_way(self) -> str:
+        """What is to be done before tracks can be corrected, as a tracker's are shown; "" none."""
+        if not (self.is_live and self._showing.at_work):
+            return ""
+        if self._showing.can_look_away:
+            return tr("move the playhead to your own tracks, or stop tracking first, then correct")
+        return tr("stop tracking first, then correct")
+
     def refuse_while_live(self) -> None:
         """Raises EditError while the tracks of a tracker at work are shown."""
-        if self.is_live and self.session is not None:
-            raise EditError(tr("Not changed: stop tracking first, then correct"))
+        if self.session is not None and self.in_the_way:
+            raise EditError(tr("Not changed: {why}", why=self.in_the_way))
+
+    def refuse_at_work(self) -> None:
+        """Raises EditError while a tracker is at work, whoever is shown."""
+        if self._showing.at_work:
+            raise EditError(tr("Not changed: stop tracking first"))
 
     def _take_changed(self, change: Change) -> None:
         """Make only the lanes of the tracks anew that the change touched."""

@@ -22,17 +22,28 @@ class Showing:
     Attributes:
         session: None: there is none yet.
         is_live: whether the tracks of a tracker at work are shown, not those of the session.
-        tracks: the tracks that are shown. colours: of these.
+        at_work: whether there is one.
+        tracks: the tracks that are shown.
     """
 
     def __init__(self, session: Session | None) -> None:
         self.session = session
-        self.is_live = session is None
+        self.is_live, self.at_work = session is None, False
         self._live = LiveTracks()
         self._continues_at: int | None = None
         self._at_work: AtWork | None = None
         self.tracks: WholeTracks = self._chosen()
-        self.colours = self._coloured()
+        self._own_colours, self._live_colours = self._coloured(), TrackColours()
+
+    @property
+    def colours(self) -> TrackColours:
+        """Of the tracks that are shown."""
+        return self._live_colours if self._renumbered else self._own_colours
+
+    @property
+    def can_look_away(self) -> bool:
+        """Whether the session's tracks can be shown while the tracker at work goes on."""
+        return self.at_work and self.session is not None and self._continues_at is None
 
     @property
     def tracked_until(self) -> int:
@@ -76,26 +87,34 @@ class Showing:
 
         kept: see `LiveTracks`.
         """
-        self._live, self.is_live = LiveTracks(kept), True
+        self._live, self.is_live, self.at_work = LiveTracks(kept), True, True
         self._at_work = at_work
         self._continues_at = continues_at
+        self._live_colours = TrackColours()
         self.tracks = self._chosen()
-        if self._renumbered:
-            self.colours = TrackColours()
+
+    def watch(self, on: bool) -> bool:
+        """Show what the tracker at work finds, or the session's tracks; whether that changes."""
+        if not self.can_look_away or on is self.is_live:
+            return False
+        self.is_live = on
+        self.tracks = self._chosen()
+        return True
 
     def extend(self, results: Iterable[StepResult]) -> None:
         """Take further results of the tracker at work, in order."""
         found = tuple(results)
         self._live.extend(found)
+        colours = self._live_colours if self._continues_at is None else self._own_colours
         for result in found:
-            self.colours.meet(result.tracks)
+            colours.meet(result.tracks)
 
     def take_session(self, session: Session) -> None:
         """Show a session from now on."""
         self.session = session
-        self._live, self.is_live = LiveTracks(), False
+        self._live, self.is_live, self.at_work = LiveTracks(), False, False
         self.tracks = self._chosen()
-        self.colours = self._coloured()
+        self._own_colours = self._coloured()
 
     def meet(self, rows: Columns) -> None:
         """Take note of rows that an edit made: who is new among them has a colour from now on."""

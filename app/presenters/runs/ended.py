@@ -82,6 +82,14 @@ class Ended:
         return " ".join((self._frames_text, self._found_text, *ids, kept))
 
 
+def meanwhile() -> str:
+    """What can be done while a further run is made."""
+    return tr(
+        "A further run is made; the tracks you have stay as they are. Move the playhead, or play, "
+        "to see and correct them meanwhile; Follow shows the people of the new run again."
+    )
+
+
 def kept_first() -> str:
     """Where the first run of a recording is kept."""
     return tr(

@@ -86,7 +86,7 @@ class Comparing(QObject):
         if session is None:
             return
         try:
-            self._document.refuse_while_live()
+            self._document.refuse_at_work()
             why_compared = _why_compared(session, number)
             if not why_compared:
                 session.adopt_run(number)

@@ -52,7 +52,7 @@ def show_runs(desk: Desk) -> None:
     session = desk.document.session
     if session is None:
         return
-    runs = RunList(session, desk.document.recording, live=desk.document.is_live)
+    runs = RunList(session, desk.document.recording, live=desk.document.at_work)
     dialog = RunsDialog(runs, desk.window_page)
     dialog.compare_asked.connect(
         lambda run, base: desk.comparing.open(run, None if base == CORRECTED else base)

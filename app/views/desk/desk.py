@@ -134,6 +134,7 @@ class Desk(QObject):
             part_truth=self.parts.presenter.truth_known,
             placing=document.flow is not None and document.flow.places,
             live=self.live.running,
+            in_the_way=document.in_the_way,
             can_undo=session is not None and session.history.next_undo is not None,
             can_redo=session is not None and session.history.next_redo is not None,
             stereo=recording.is_stereo,
@@ -260,7 +261,7 @@ class Desk(QObject):
 
     def _draw_found(self, first: int, last: int) -> None:
         """Draw what the tracker at work found in some frames, both included."""
-        if first <= self.playback.number <= last:
+        if self.document.is_live and first <= self.playback.number <= last:
             self.draw_instant()
         self.draw_playhead()
         self.progressed.emit()

@@ -14,6 +14,7 @@ from app.presenters.runs.ended import (
     kept_first,
     kept_instead,
     kept_to_compare,
+    meanwhile,
 )
 from app.presenters.runs.tracker_state import TrackerState, TrackerWords
 from app.views.comparing.comparing import Comparing
@@ -56,6 +57,7 @@ class TrackerAtWork(QObject):
         self.live.finished.connect(self._end)
         self.live.failed.connect(self._fail)
         self.following = Following(document, playback, self.live, self)
+        self.following.changed.connect(self._watch)
         playback.wait_at = self._last_tracked
 
     @property
@@ -109,6 +111,8 @@ class TrackerAtWork(QObject):
         self._document.begin_live(first, at_work, kept)
         self.following.begin()
         self.changed.emit()
+        if self._document.session is not None and resume is None:
+            self.noted.emit((meanwhile(),), True)
 
     def track_again(
         self,
@@ -165,8 +169,15 @@ class TrackerAtWork(QObject):
         if ended is not None:
             self.noted.emit((ended.words(kept), *self.live.notes), not self.live.notes)
 
+    def _watch(self) -> None:
+        """Whoever looks elsewhere while a further run is made sees, and corrects, what there is."""
+        if self.live.running and self._document.watch(self.following.on):
+            self.changed.emit()
+
     def _last_tracked(self) -> int | None:
         """Where playing waits for the tracker, so that people are seen with their picture."""
+        if not self._document.is_live:
+            return None
         first = self.live.first
         until = max(self._document.tracked_until, first)
         if self.live.running and self._playback.clock.frame <= until:

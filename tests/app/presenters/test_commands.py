@@ -61,10 +61,10 @@ def test_correcting_needs_a_session_and_a_selected_person():
 
 
 def test_while_a_tracker_is_at_work_nothing_is_corrected_and_the_reason_is_said():
-    live = Situation(recording=True, tracks=True, selected=True, live=True)
+    live = Situation(recording=True, tracks=True, selected=True, live=True, in_the_way="stop first")
     items = {item.command: item for item in command_items(live, frozenset())}
     assert not items["tracks.swap"].enabled
-    assert items["tracks.swap"].why_not == "stop tracking first, then correct"
+    assert items["tracks.swap"].why_not == "stop first"
     assert items["tracks.stop"].enabled
 
 

@@ -173,3 +173,25 @@ def test_whoever_plays_is_not_taken_along_by_the_tracker(opened):
     assert opened.desk.live.running
     assert not opened.desk.tracking.following.on
     assert opened.desk.playback.clock.playing
+
+
+def test_the_first_run_is_seen_and_corrected_while_a_second_one_is_made(opened, qtbot):
+    desk = opened.desk
+    desk.toggle()
+    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    document = desk.document
+    people = document.tracks.of_frame(40)["track"].tolist()
+    desk.tracking.track("stereo-colour", None, 1)
+    assert document.is_live
+    assert document.in_the_way
+    desk.playback.go(40)  # no longer at the tracker's side
+    assert desk.live.running
+    assert not document.is_live
+    assert (document.in_the_way, document.tracks.of_frame(40)["track"].tolist()) == ("", people)
+    desk.editing.rename(people[0], "first")
+    assert document.label(people[0]).name == "first"
+    desk.tracking.following.toggle()
+    assert document.is_live
+    qtbot.waitUntil(lambda: not desk.live.running and _tracked(opened), timeout=30_000)
+    assert not document.is_live
+    assert document.session.adopted_run == 0  # what somebody worked on is not replaced
