@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.stereo.areas import areas
 from tracking.stereo.settings import StereoSettings
+from tracking.stereo.sharpness import EvenSharpness
 from tracking.stereo.sight_lines import SightLines
 
 Grey = NDArray[np.uint8]
@@ -54,6 +55,7 @@ class SubtractionStereo:
         self._lines = lines
         self._scene = np.full_like(self._least, np.nan)
         self._scene_slack = np.zeros_like(self._least)
+        self._sharpness = EvenSharpness()
         self._matcher = cv2.StereoBM.create(16, self._settings.window_px | 1)
         self._matcher.setTextureThreshold(5)
         self._matcher.setUniquenessRatio(10)
@@ -76,6 +78,8 @@ class SubtractionStereo:
         Args:
             left, right: (height, width) rectified grey pictures of the backgrounds.
         """
+        self._sharpness.learn(left, right)
+        left, right = self._sharpness.even(left, right)
         height, width = left[::STEP].shape
         whole = (slice(0, height), slice(0, width))
         low, high = math.floor(float(self._least.min())), math.ceil(float(self._most.max()))
@@ -105,6 +109,7 @@ class SubtractionStereo:
         disparity = np.full(self._least.size, np.nan, np.float32)
         if cv2.hasNonZero(there):
             sought = np.ascontiguousarray(here[:, ::STEP])
+            left, right = self._sharpness.even(left, right)
             parts = self._matched(_rows_halved(left), _rows_halved(right), here, sought)
             good = (parts >= self._least_parts) & (parts <= self._most_parts)
             place = np.flatnonzero(good & sought.view(np.bool_))

@@ -1,0 +1,54 @@
+"""An eye that is a little out of focus is noticed, and the other one smoothed as much."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from tracking.stereo.sharpness import EvenSharpness
+
+Grey = NDArray[np.uint8]
+SHIFT_PX = 8
+
+
+def scene(noise: float, seed: int, spread_px: float = 0.0, gain: float = 1.0) -> Grey:
+    """Tiles and spots as a lens out of focus by `spread_px` shows them to a noisy sensor."""
+    spots = np.random.default_rng(1).uniform(60, 180, (48, 64)).astype(np.float32)
+    light = cv2.resize(spots, (320, 240), interpolation=cv2.INTER_NEAREST)
+    if spread_px:
+        light = cv2.GaussianBlur(light, (0, 0), spread_px)
+    grain = np.random.default_rng(seed).normal(0, noise, light.shape)
+    seen = np.roll(light, -SHIFT_PX * seed, axis=1) * gain + grain
+    return np.asarray(seen.clip(0, 255), np.uint8)
+
+
+@pytest.mark.parametrize(("noise", "gain"), [(0.0, 1.0), (3.0, 1.15), (1.0, 0.85)])
+def test_eyes_that_are_equally_sharp_are_left_as_they_are(noise: float, gain: float) -> None:
+    left, right = scene(noise, 0), scene(noise, 1, gain=gain)
+    eyes = EvenSharpness()
+    eyes.learn(left, right)
+    same = eyes.even(left, right)
+    assert same[0] is left
+    assert same[1] is right
+
+
+@pytest.mark.parametrize("noise", [0.0, 3.0])
+@pytest.mark.parametrize("spread_px", [0.8, 1.3])
+@pytest.mark.parametrize("blurred", [0, 1])
+def test_the_sharper_eye_is_smoothed_as_much_as_the_other_is_out_of_focus(
+    blurred: int, spread_px: float, noise: float
+) -> None:
+    left, right = (scene(noise, eye, spread_px if eye == blurred else 0.0) for eye in (0, 1))
+    eyes = EvenSharpness()
+    eyes.learn(left, right)
+    assert eyes.spread_px[blurred] == 0.0
+    assert eyes.spread_px[1 - blurred] == pytest.approx(spread_px, abs=0.2)
+
+
+def test_an_eye_that_comes_into_focus_again_is_no_longer_evened() -> None:
+    eyes = EvenSharpness()
+    eyes.learn(scene(1.0, 0), scene(1.0, 1, 1.2))
+    eyes.learn(scene(1.0, 0), scene(1.0, 1))
+    assert eyes.spread_px == (0.0, 0.0)

@@ -1,0 +1,73 @@
+"""Which eye sees more sharply, and how much it must be smoothed to see as the other one does."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Grey = NDArray[np.uint8]
+
+_FINE, _COARSE = (3, 5), (7, 15)
+"""Squares between which what is averaged away is fine detail, and coarser detail that every lens
+shows. Noise is finer than either."""
+_SAME = 1.1
+"""Ratio of fine detail up to which two eyes are equally sharp: they never see quite the same."""
+_SPREADS_PX = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75, 2.0)
+"""Standard deviations of the smoothing that may be needed; what is out of focus by more is lost."""
+
+
+class EvenSharpness:
+    """Smooths the sharper one of two eyes where the other is a little out of focus.
+
+    Block matching compares how steep brightness is. In an eye that is out of focus edges are less
+    steep, and what fits a steep edge best is something else.
+
+    Attributes:
+        spread_px: standard deviations of the smoothing of the left and of the right eye; 0: none.
+    """
+
+    def __init__(self) -> None:
+        self.spread_px = (0.0, 0.0)
+
+    def learn(self, left: Grey, right: Grey) -> None:
+        """Compare how sharply both eyes see the empty scene: (height, width) each."""
+        left_detail, right_detail = _fine_detail(left), _fine_detail(right)
+        if max(left_detail, right_detail) <= _SAME * min(left_detail, right_detail):
+            self.spread_px = (0.0, 0.0)
+        elif left_detail > right_detail:
+            self.spread_px = (_spread_to(right_detail, left), 0.0)
+        else:
+            self.spread_px = (0.0, _spread_to(left_detail, right))
+
+    def even(self, left: Grey, right: Grey) -> tuple[Grey, Grey]:
+        """Both eyes as sharp as the less sharp one."""
+        return _smoothed(left, self.spread_px[0]), _smoothed(right, self.spread_px[1])
+
+
+def _fine_detail(eye: Grey) -> float:
+    """Fine detail over coarser one, whatever the contrast."""
+    light = eye.astype(np.float32)
+    fine, coarse = (_detail(light, sides) for sides in (_FINE, _COARSE))
+    return fine / max(coarse, 1e-6)
+
+
+def _detail(light: NDArray[np.float32], sides: tuple[int, int]) -> float:
+    """What averaging over the larger one of two squares takes away of what the smaller leaves.
+
+    In squares, so that edges count, which matching goes by.
+    """
+    near = cv2.blur(light, (sides[0], sides[0]))
+    return cv2.norm(near, cv2.blur(near, (sides[1], sides[1])), cv2.NORM_L2)
+
+
+def _spread_to(detail: float, eye: Grey) -> float:
+    """The smoothing that leaves an eye as much fine detail."""
+    left = [abs(_fine_detail(_smoothed(eye, spread)) - detail) for spread in _SPREADS_PX]
+    return _SPREADS_PX[int(np.argmin(left))]
+
+
+def _smoothed(eye: Grey, spread_px: float) -> Grey:
+    if not spread_px:
+        return eye
+    return np.asarray(cv2.GaussianBlur(eye, (0, 0), spread_px), np.uint8)
