@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.presenters.words import counted, tr
+from tracking.session import Session
 from tracking.tracks import Columns, Run, row_keys
 
 
@@ -88,6 +89,13 @@ def meanwhile() -> str:
         "A further run is made; the tracks you have stay as they are. Move the playhead, or play, "
         "to see and correct them meanwhile; Follow shows the people of the new run again."
     )
+
+
+def told_of_tracking(session: Session) -> list[str]:
+    """What was told when the tracks that are corrected were made, a line each."""
+    run = session.corrected_run
+    notes = run.notes if run is not None else ()
+    return [tr("As it was tracked: {note}", note=note) for note in notes]
 
 
 def kept_first() -> str:

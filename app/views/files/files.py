@@ -14,6 +14,7 @@ from app.presenters.files.demonstration import Demonstration
 from app.presenters.files.first_page import first_page
 from app.presenters.files.importing import holds_tracks_alone
 from app.presenters.files.opening import Opened
+from app.presenters.runs.ended import told_of_tracking
 from app.presenters.scenes import WelcomeScene
 from app.presenters.words import tr
 from app.views.desk.desk import Desk
@@ -174,6 +175,7 @@ class Files(QObject):
             *([greeting] if greeting else []),
             *(() if session is None else session.notes),
             *opened.document.recording.notes,
+            *([] if session is None else told_of_tracking(session)),
         ]
         if lines:
             self._window.notice.say("\n".join(lines), passing=True)

@@ -27,6 +27,8 @@ from app.views.scoring.truth_marks import draw_truth_boxes
 from tracking.recording.frame import Image
 
 _PICK_REACH_PX = 10.0
+_LOW_LINES = 18
+"""In a picture lower than so many lines of text a legend hides people."""
 
 
 class PictureView(Canvas):
@@ -238,7 +240,9 @@ class PictureView(Canvas):
         eye = plate_rect(metrics, self._eye_name, QPointF(8, 12 + metrics.height()))
         self._draw_cards(painter, area, [*names, eye], theme)
         draw_note(painter, eye, self._eye_name, theme)
-        legend = (*self._truth.legend, *self._scene.legend)
+        low = self.height() < _LOW_LINES * self.fontMetrics().lineSpacing()
+        told = () if low else self._truth.legend  # the floor says the same
+        legend = (*told, *self._scene.legend)
         draw_legend(painter, legend, QPointF(8, area.bottom() - 8), theme)
         if self._scene.message:
             said = plate_rect(metrics, self._scene.message, QPointF(0, area.bottom() - 12))

@@ -26,7 +26,7 @@ from app.views.reviewing.queue_view import FewLines, QueueView
 from app.views.widgets.command_list import native_keys
 from app.views.widgets.parts import Panel, bring_into_view, quiet
 
-_ROWS = 3  # seen at least
+_ROWS = 4  # seen at least
 _SIGNS = {"Backspace": "\u232b", "Return": "\u21b5"}
 """Keys with a sign of their own, where there is little room."""
 
@@ -151,9 +151,10 @@ class ReviewPanel(Panel):
         self._plays.setVisible(bool(scene.left))
         self._show_kinds(scene)
         self._orders.setCurrentIndex(self._orders.findData(scene.order.value))
-        for widget in (self._list, self._kinds, self._orders, self._also, *self._tools):
+        for widget in (self._list, self._kinds, self._orders, *self._tools):
             widget.setVisible(listed)
         self._also.setText(scene.also)
+        self._also.setVisible(listed and bool(scene.also))  # else the rows have its room
         self._say(self._title, "" if listed else scene.title)
         self._say(self._text, "" if listed else scene.text)
         self._say(self._doing, scene.doing)

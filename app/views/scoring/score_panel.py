@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QComboBox,
     QDoubleSpinBox,
     QHBoxLayout,
@@ -22,6 +24,8 @@ from app.views.widgets.parts import Panel, quiet
 from tracking.scoring import ErrorKind
 
 _LEAST, _WIDEST_M = 0.05, 10.0
+_ONE_LINE_LETTERS = 84
+"""A panel so wide asks for truth, result and pairing in one line."""
 
 
 class ScorePanel(Panel):
@@ -57,8 +61,12 @@ class ScorePanel(Panel):
         self._kinds: dict[ErrorKind, QToolButton] = {}
         body = QVBoxLayout()
         body.setSpacing(6)
-        body.addLayout(self._choice())
-        body.addLayout(self._pairing())
+        # Side by side where there is room: figures are what the panel is for.
+        self._asked = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._asked.setSpacing(6)
+        self._asked.addLayout(self._choice(), 11)
+        self._asked.addLayout(self._pairing(), 10)
+        body.addLayout(self._asked)
         for widget in (self._message, self._notes):
             body.addWidget(widget)
         body.addWidget(self.table, 1)
@@ -99,9 +107,9 @@ class ScorePanel(Panel):
         self._result = self._list(self.tr("Whose tracks are scored"))
         self._result.activated.connect(self.result_chosen)
         line.addWidget(quiet(self.tr("Truth"), self))
-        line.addWidget(self._truth, 3)
+        line.addWidget(self._truth, 6)
         line.addWidget(quiet(self.tr("Result"), self))
-        line.addWidget(self._result, 2)
+        line.addWidget(self._result, 5)
         return line
 
     def _pairing(self) -> QHBoxLayout:
@@ -204,6 +212,13 @@ class ScorePanel(Panel):
     def _say(label: QLabel, text: str) -> None:
         label.setText(text)
         label.setVisible(bool(text))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """What is asked takes as few lines as it can."""
+        super().resizeEvent(event)
+        wide = self.width() >= _ONE_LINE_LETTERS * self.fontMetrics().averageCharWidth()
+        way = QBoxLayout.Direction
+        self._asked.setDirection(way.LeftToRight if wide else way.TopToBottom)
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Follow the theme."""

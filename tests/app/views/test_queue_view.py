@@ -37,6 +37,16 @@ def test_further_reasons_take_three_lines_however_many_they_are(qtbot, dark):
     assert panel._also.toolTip() == 9 * WORDS
 
 
+def test_until_a_suspicion_is_looked_at_its_room_is_for_rows(qtbot, dark):
+    panel = shown(qtbot, ReviewScene(items=ITEMS, left=40))
+    panel.resize(330, 420)
+    qtbot.wait(1)
+    rows = panel._list.viewport().height()
+    panel.show_scene(ReviewScene(items=ITEMS, current=0, left=40, also=WORDS))
+    qtbot.waitUntil(lambda: panel._list.viewport().height() < rows)
+    assert panel._also.isVisible()
+
+
 def test_no_row_of_the_queue_is_cut(qtbot, dark):
     panel = shown(qtbot, ReviewScene(items=ITEMS, left=40))
     high = row_height(panel._list.font(), 2)

@@ -1,4 +1,5 @@
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from app.presenters.files.demonstration import Demonstration
 from app.views.timeline.tracks_area import TracksArea
 from app.views.widgets.remembered import Place
 from tracking.errors import CancelledError
+from tracking.recording import open_recording
 
 
 def _is_open(window) -> bool:
@@ -38,6 +40,22 @@ def test_a_session_opens_with_its_tracks(window, qtbot, tiny_session):
     qtbot.waitUntil(lambda: _is_open(window))
     assert len(window.desk.document.tracks.ids) >= 4
     assert not window.files.saving.unsaved
+
+
+def test_what_was_told_as_a_session_was_tracked_is_said_once_and_goes_by_itself(
+    window, qtbot, tiny_recording, tiny_run, tmp_path
+):
+    path = tmp_path / "noted.h5"
+    run = replace(tiny_run, notes=("tiny: the right eye was dark for 4 s.",))
+    with open_recording(tiny_recording) as recording:
+        opening.keep_run(recording, run, path).close()
+    window.files.open_path(path)
+    qtbot.waitUntil(lambda: window.desk is not None)
+    assert "As it was tracked: tiny: the right eye was dark" in window.notice.text
+    assert window.notice._passing.isActive()
+    window.notice.hide()
+    window.desk.draw()
+    assert window.notice.text == ""
 
 
 def test_what_cannot_be_opened_is_told_in_one_line_and_the_window_stays(window, qtbot, tmp_path):

@@ -43,6 +43,17 @@ def test_what_is_better_is_green_and_what_is_worse_red(panel, theme):
     assert better.data(Qt.ItemDataRole.AccessibleTextRole) == "\u25b2 +0.010 better"
 
 
+def test_at_the_width_it_has_on_a_small_screen_four_figures_are_in_sight(panel, qtbot):
+    rows = tuple(replace(SCENE.rows[0], name=f"figure {number}") for number in range(9))
+    panel.show_scene(replace(SCENE, rows=rows, moved=""))
+    panel.resize(690, 225)
+    panel.show()
+    qtbot.waitExposed(panel)
+    table = panel.table
+    fourth = table.visualRect(table.model().index(3, 0))
+    assert fourth.bottom() <= table.viewport().height()
+
+
 def test_all_frames_and_those_shown_stand_beside_each_other(panel):
     assert [panel.table.item(0, column).text() for column in (1, 2)] == ["0.670", "0.700"]
     assert panel.table.horizontalHeaderItem(2).toolTip() == "frames 100 to 199"
