@@ -47,17 +47,16 @@ class EvenSharpness:
 
 def _fine_detail(eye: Grey) -> float:
     """Fine detail over coarser one, whatever the contrast."""
-    light = eye.astype(np.float32)
-    fine, coarse = (_detail(light, sides) for sides in (_FINE, _COARSE))
+    fine, coarse = (_detail(eye, sides) for sides in (_FINE, _COARSE))
     return fine / max(coarse, 1e-6)
 
 
-def _detail(light: NDArray[np.float32], sides: tuple[int, int]) -> float:
+def _detail(eye: Grey, sides: tuple[int, int]) -> float:
     """What averaging over the larger one of two squares takes away of what the smaller leaves.
 
     In squares, so that edges count, which matching goes by.
     """
-    near = cv2.blur(light, (sides[0], sides[0]))
+    near = cv2.blur(eye, (sides[0], sides[0]))
     return cv2.norm(near, cv2.blur(near, (sides[1], sides[1])), cv2.NORM_L2)
 
 
