@@ -69,15 +69,16 @@ def margins(
         (pairs,); NaN where there is no other choice.
     """
     cost = np.where(allowed, cost, np.inf)
-    own = cost[track, detection]
     free_track, free_detection = (np.ones(length, np.bool_) for length in cost.shape)
     free_track[track] = free_detection[detection] = False
+    theirs = cost[track]
     free_tracks = cost[free_track][:, detection]
-    free_detections = cost[track][:, free_detection]
+    free_detections = theirs[:, free_detection]
     best = np.minimum(
         free_tracks.min(axis=0, initial=np.inf), free_detections.min(axis=1, initial=np.inf)
     )
-    among = cost[np.ix_(track, detection)]
+    among = theirs[:, detection]
+    own = among.diagonal()
     exchange = among + among.T - own[None, :]
     np.fill_diagonal(exchange, np.inf)
     best = np.minimum(best, exchange.min(axis=1, initial=np.inf))

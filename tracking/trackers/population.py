@@ -71,6 +71,8 @@ class Population:
 
     def select(self, rows: NDArray[Any]) -> Population:
         """The people at these rows (indices or a mask)."""
+        if rows.dtype == np.bool_ and rows.all():
+            return self
         return Population(*[column[rows] for column in _columns_of(self)])
 
     def replace(self, **columns: NDArray[Any]) -> Population:

@@ -108,10 +108,11 @@ def shown_boxes(
 
 def share_in_view(box: Floats, size: tuple[int, int]) -> Floats:
     """The share of each box (people, 4) that lies inside a picture so large: (people,) 0 to 1."""
-    low = np.clip(box[:, :2], 0.0, size)
-    high = np.clip(box[:, :2] + box[:, 2:], 0.0, size)
-    share = np.prod((high - low) / box[:, 2:], axis=1)
-    return np.asarray(np.nan_to_num(share))
+    low = np.maximum(box[:, :2], 0.0)
+    high = np.minimum(box[:, :2] + box[:, 2:], size)
+    share = np.maximum(high - low, 0.0) / box[:, 2:]
+    both = share[:, 0] * share[:, 1]
+    return np.where(np.isfinite(both), both, 0.0)
 
 
 def visibility(
@@ -127,25 +128,29 @@ def visibility(
         size: width and height of the picture.
         covering: (people,) who covers others; None: everybody.
     """
-    columns = box[:, None, 0] + box[:, None, 2] * _ACROSS
-    rows = box[:, None, 1] + box[:, None, 3] * _DOWN
-    nearer = range_m[None, :] < range_m[:, None]
+    left, top, width, height = box.T
+    columns = left[:, None] + width[:, None] * _ACROSS
+    rows = top[:, None] + height[:, None] * _DOWN
+    nearer = range_m[:, None] < range_m
     if covering is not None:
-        nearer &= covering
-    over_columns = _between(columns, box[:, 0], box[:, 2]) & nearer[:, :, None]
-    over_rows = _between(rows, box[:, 1], box[:, 3])
+        nearer &= covering[:, None]
+    over_columns = _between(columns, left, left + width)
+    over_columns &= nearer[:, :, None]
+    over_rows = _between(rows, top, top + height)
     # A place is hidden where one nearer box lies over both its column and its row.
-    covers = over_columns.astype(np.float32).transpose(0, 2, 1) @ over_rows.astype(np.float32)
-    inside_columns = (columns >= 0) & (columns < size[0])
-    inside_rows = (rows >= 0) & (rows < size[1])
-    shown = inside_columns[:, :, None] & inside_rows[:, None, :] & (covers == 0)
+    across, down = over_columns.astype(np.float32), over_rows.astype(np.float32)
+    shown = across.transpose(1, 2, 0) @ down.transpose(1, 0, 2) == 0.0
+    shown &= ((columns >= 0) & (columns < size[0]))[:, :, None]
+    shown &= ((rows >= 0) & (rows < size[1]))[:, None, :]
     return np.asarray(shown.mean(axis=(1, 2)))
 
 
-def _between(places: Floats, low: Floats, length: Floats) -> NDArray[np.bool_]:
-    """(people, others, places) whether each person's places (people, k) lie in others' spans."""
-    offset = places[:, None, :] - low[None, :, None]
-    return np.asarray((offset >= 0) & (offset < length[None, :, None]))
+def _between(places: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:
+    """(others, people, places) whether each person's places (people, k) lie in others' spans."""
+    flat = places.ravel()
+    between = flat >= low[:, None]
+    between &= flat < high[:, None]
+    return between.reshape(len(low), *places.shape)
 
 
 def expected_visibility(
@@ -168,6 +173,8 @@ def overlap(box: Floats) -> Floats:
     """The largest share of each box that it has in common with another one: (people,)."""
     low, high = box[:, :2], box[:, :2] + box[:, 2:]
     side = np.minimum(high[:, None], high[None]) - np.maximum(low[:, None], low[None])
-    common = np.prod(np.clip(side, 0.0, None), axis=2)
+    np.maximum(side, 0.0, out=side)
+    common = side[..., 0] * side[..., 1]
     np.fill_diagonal(common, 0.0)
-    return np.asarray((common / np.prod(box[:, 2:], axis=1)[:, None]).max(axis=1, initial=0.0))
+    area = box[:, 2] * box[:, 3]
+    return np.asarray((common / area[:, None]).max(axis=1, initial=0.0))

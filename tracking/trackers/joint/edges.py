@@ -6,14 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.stereo_boxes import Bodies
+from tracking.trackers.stereo_boxes import Bodies, share_in_view
 
 Floats = NDArray[np.float64]
 
 _STEP_M = 0.75
 _AWAY_M = _STEP_M * np.array([(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)])
-_HALF_BODY_M = np.array([0.25, 0.85])
-"""Across and upwards."""
+_BODY_M = np.array([-0.25, -0.85, 0.25, 0.85])
+"""Left, top, right and bottom of a body from its middle."""
 
 
 def here_and_a_step_off(position: Floats, view: View) -> tuple[Bodies, Bodies]:
@@ -34,8 +34,5 @@ def share_a_step_off(around: Bodies, size: tuple[int, int]) -> Floats:
     Args:
         around: as `here_and_a_step_off`. size: width and height of the picture.
     """
-    half = _HALF_BODY_M * around.px_per_m
-    low = np.clip(around.middle - half, 0.0, size)
-    high = np.clip(around.middle + half, 0.0, size)
-    share = np.prod((high - low) / (2.0 * half), axis=1)
+    share = share_in_view(around.boxes(_BODY_M), size)
     return np.asarray(share.reshape(-1, len(_AWAY_M)).min(axis=1))

@@ -39,8 +39,9 @@ def explained(
     cost = match - evidence.missed[:, None]
     theirs = np.where(allowed, cost, np.inf)[rival][:, detection]
     gap = theirs.min(axis=0, initial=np.inf) - cost[track, detection]
-    free = np.delete(columns, detection)
+    left_over = usable.copy()
+    left_over[columns[detection]] = False
     clear = gap >= least_margin
     track, detection = track[clear], detection[clear]
     margin = margins(match, allowed, track, detection)
-    return Association(track, columns[detection], NAT * margin), free
+    return Association(track, columns[detection], NAT * margin), np.flatnonzero(left_over)

@@ -155,5 +155,7 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         """Who goes into the next frame: those who stay, resampled, and newcomers."""
         particles = resample(people.particles, people.weight, self._random)
         people = people.replace(particles=particles)
+        if len(spots.free) == 0:
+            return people
         new = newcomers(people, spots, self._settings, self._random, self._view)
         return joined((people, new))
