@@ -184,8 +184,8 @@ class BackgroundModel:
         """Make the 8-bit pictures that subtraction compares with."""
         self._background = _exposed(self._mean, self._exposure)
         limit = cv2.convertScaleAbs(self._noise, alpha=self._settings.noise_factor)
-        lowest = np.uint8(round(self._settings.threshold))
-        self._limit = np.maximum(np.asarray(limit, np.uint8), lowest)
+        lowest = np.full(limit.shape, round(self._settings.threshold), np.uint8)
+        self._limit = np.asarray(cv2.max(np.asarray(limit, np.uint8), lowest), np.uint8)
 
     def _follow_exposure(self, picture: Picture) -> None:
         """Scale what is compared with where the whole picture became brighter or darker.

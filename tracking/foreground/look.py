@@ -121,9 +121,11 @@ def texture_change(ratio: Scores) -> Scores:
     The least of the neighbourhood, so that a shadow's own edge does not count.
     """
     change = np.zeros_like(ratio)
-    # Not by OpenCV, which gives nothing where a single row or column is looked at.
-    change[:, 1:] = np.abs(ratio[:, 1:] - ratio[:, :-1])
-    change[1:] += np.abs(ratio[1:] - ratio[:-1])
+    # OpenCV gives nothing where a single row or column is looked at.
+    if ratio.shape[1] > 1:
+        cv2.absdiff(ratio[:, 1:], ratio[:, :-1], change[:, 1:])
+    if ratio.shape[0] > 1:
+        change[1:] += cv2.absdiff(ratio[1:], ratio[:-1])
     return _share_of(cv2.erode(cv2.blur(change, _NEAR), _WIDE), _TEXTURE_FULL)
 
 

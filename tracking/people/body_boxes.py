@@ -99,7 +99,8 @@ class BodyBoxes:
 
     def _heights(self, xy: Floats, extent: Extent, hidden: NDArray[np.bool_]) -> Floats:
         """(k,) m; the usual height at least where the head is hidden or outside the picture."""
-        seen = np.clip(extent.high + _ABOVE_HIGHEST_M, *_HEIGHTS_M).astype(np.float64)
+        lowest, highest = map(np.float32, _HEIGHTS_M)
+        seen = np.minimum(np.maximum(extent.high + _ABOVE_HIGHEST_M, lowest), highest)
         usual = np.full((len(xy), 1), self._settings.body_height_m)
         head = self._view.pixel_from_world(np.concatenate((xy, usual), axis=1))
         inside = ((head >= 0) & (head < np.array(self._rectification.size))).all(axis=1)

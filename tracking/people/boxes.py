@@ -144,6 +144,8 @@ def behind_things(
 
 def recorded_boxes(boxes: Boxes, rectification: Rectification) -> Boxes:
     """Boxes (n, 4) in recorded pixels round boxes (n, 4) in rectified ones."""
+    if rectification.identity:
+        return boxes
     share = np.array((0, 0.5, 1))
     u = boxes[:, :1] + boxes[:, 2:3] * share
     v = boxes[:, 1:2] + boxes[:, 3:] * share

@@ -20,6 +20,10 @@ _MIDDLE_ACROSS = 0.6
 """Share of a box's width that is looked at."""
 _GRID = (16, 12)
 """Points looked at down and across each half of a body: means change little with more."""
+_DOWN, _ACROSS = ((np.arange(points) + 0.5) / points for points in _GRID)
+_SHARE_DOWN = np.array([low + (high - low) * _DOWN for low, high in pairwise(_BANDS)])[..., None]
+_SHARE_ACROSS = 0.5 + (_ACROSS - 0.5) * _MIDDLE_ACROSS
+"""Where these points lie, as shares of a box's height and width."""
 
 
 def colour_histograms(
@@ -75,13 +79,13 @@ def clothes_colours(
         lightness (0 to 100), a and b; NaN where the body shows no pixel.
     """
     count = len(boxes)
-    v, u = _grids(boxes, labels.shape)
+    v, u = _grids(boxes)
     shown = labels.ravel().take(v * labels.shape[1] + u)
     own = shown == np.arange(1, count + 1, dtype=np.uint8).reshape(count, 1, 1, 1)
-    number = np.count_nonzero(own, axis=(2, 3))
     points = _GRID[0] * _GRID[1]
     pixels = _shown(picture, v, u, step).reshape(count, 2, points, 3).astype(np.float32)
     counted = own.reshape(count, 2, 1, points).astype(np.float32)
+    number = counted.sum(axis=(2, 3), dtype=np.float64)
     mean = (counted @ pixels)[:, :, 0] / np.maximum(number, 1)[..., None]
     clothes = _lab(mean.reshape(2 * count, 3)).reshape(count, 2, 3)
     clothes[number == 0] = np.nan
@@ -89,15 +93,16 @@ def clothes_colours(
 
 
 def _grids(
-    boxes: Sequence[tuple[int, int, int, int]], shape: tuple[int, ...]
+    boxes: Sequence[tuple[int, int, int, int]],
 ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Rows (k, 2, down, 1) and columns (k, 1, 1, across) of the points of both bodies' halves."""
+    """Rows (k, 2, down, 1) and columns (k, 1, 1, across) of the points of both bodies' halves.
+
+    The points lie inside their boxes, and so in the picture.
+    """
     left, top, width, height = np.array(boxes, np.float32).reshape(-1, 4, 1, 1, 1).swapaxes(0, 1)
-    down, across = ((np.arange(points) + 0.5) / points for points in _GRID)
-    share = np.array([low + (high - low) * down for low, high in pairwise(_BANDS)])[..., None]
-    v = (top + height * share).astype(np.intp)
-    u = (left + width * (0.5 + (across - 0.5) * _MIDDLE_ACROSS)).astype(np.intp)
-    return np.clip(v, 0, shape[0] - 1), np.clip(u, 0, shape[1] - 1)
+    v = (top + height * _SHARE_DOWN).astype(np.intp)
+    u = (left + width * _SHARE_ACROSS).astype(np.intp)
+    return v, u
 
 
 def _shown(picture: NDArray[np.uint8], v: Rows, u: Rows, step: int) -> NDArray[np.uint8]:

@@ -202,7 +202,10 @@ def shows_nothing(left: Picture, right: Picture) -> bool:
 
 def _lost(left: Picture, right: Picture) -> bool:
     """Whether a part of the right picture shows nothing where the left one shows something."""
-    there, here = _deviation(left) > _STRUCTURED, _deviation(right) < _FLAT
+    here = _deviation(right) < _FLAT
+    if not here.any():
+        return False
+    there = _deviation(left) > _STRUCTURED
     return bool(there.sum() >= _FEWEST_TILES and (there & here).sum() > _LOST * there.sum())
 
 

@@ -77,12 +77,12 @@ class PeopleFinder:
 
         Args:
             points: of this frame.
-            body: (height, width) uint8, 0 in background and shadow, 255 in foreground that is
-                neither, in between where it is shadow if it lies on the floor.
-            picture: (height, width, 3) the left eye, both at the working scale.
+            body: (rows, columns) uint8 on the grid, 0 in background and shadow, 255 in foreground
+                that is neither, in between where it is shadow if it lies on the floor.
+            picture: (height, width, 3) the left eye at the working scale.
         """
         settings = self._settings
-        certain = (body[::STEP, ::STEP] == _CERTAIN).view(np.uint8) * np.uint8(255)
+        certain = (body == _CERTAIN).view(np.uint8) * np.uint8(255)
         high = points.world[:, 2] > settings.lowest_m
         places = find_people(points.chosen(np.flatnonzero(high)), self._eye, settings)
         owner = assign_points(places, points, self._eye, settings)

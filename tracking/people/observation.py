@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.foreground import in_size
 from tracking.people.detections import Detections
 
 T = TypeVar("T", np.uint8, np.float32)
@@ -28,7 +29,7 @@ class Overlays:
         foreground: (rows, columns) 255 in the foreground, 0 elsewhere; with what is shadow as 127,
             or with `shadow` beside it.
         disparity: (rows, columns) working px, of any grid; None without stereo.
-        shadow: as the foreground, 255 where it is shadow.
+        shadow: (rows, columns) of any grid, 255 where what is foreground is shadow.
         size: width and height of the pictures; None for those of `foreground`.
         shrink: pixels a working pixel is wide.
     """
@@ -52,7 +53,8 @@ class Overlays:
         """(height, width) uint8: 0 background, 127 shadow, 255 foreground."""
         shown = self._foreground
         if self._shadow is not None:
-            shown = np.where(self._shadow == 255, np.uint8(_SHADOW), shown)
+            shadow = in_size(self._shadow, (shown.shape[1], shown.shape[0]))
+            shown = np.where((shadow == 255) & (shown > 0), np.uint8(_SHADOW), shown)
         return _resized(shown, self._size)
 
     @property

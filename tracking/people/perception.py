@@ -10,7 +10,13 @@ from numpy.typing import NDArray
 from scipy.ndimage import find_objects
 
 from tracking.errors import RecordingError
-from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
+from tracking.foreground import (
+    BackgroundModel,
+    ForegroundSettings,
+    ShadowRemover,
+    Subtraction,
+    in_size,
+)
 from tracking.geometry import Ground, Rectification
 from tracking.people.detections import Detections
 from tracking.people.eyes_watch import EyesWatch, shows_nothing
@@ -114,7 +120,8 @@ class StereoPerception:
         """What is seen by the left eye; the right one's background is left as it was."""
         left = self._backgrounds[0].subtract(eye)
         shadow = self.shade(left)
-        people = self._one_eye.find(left, shadow)
+        size = (left.mask.shape[1], left.mask.shape[0])
+        people = self._one_eye.find(left, in_size(shadow, size) & left.mask)
         self.remember(left, None, people)
         overlays = self._overlays(left.mask, shadow, None)
         return Observation(frame.number, frame.time_s, people, overlays)
@@ -126,8 +133,9 @@ class StereoPerception:
             RecordingError: the frame has no right eye.
         """
         left, right = self.subtract(*self.rectify(frame))
+        shadow = self.shade(left)
         disparity = None if frame.right_lag is None else self.match(left, right)
-        return self._overlays(left.mask, self.shade(left), disparity)
+        return self._overlays(left.mask, shadow, disparity)
 
     def rectify(self, frame: StereoFrame) -> tuple[Image, Image]:
         """Both eyes rectified, at the working scale."""
@@ -155,8 +163,8 @@ class StereoPerception:
         return self._backgrounds[0].subtract(left), self._backgrounds[1].subtract(right)
 
     def shade(self, left: Subtraction) -> Mask:
-        """(height, width) uint8, which of the left eye's foreground is shadow: `ShadowRemover`."""
-        return self._shadows.shadows(left)
+        """(rows, columns) uint8 on the grid, where the left eye's foreground is shadow, if any."""
+        return self._shadows.dark(left)
 
     def match(self, left: Subtraction, right: Subtraction) -> NDArray[np.float32]:
         """(rows, columns) disparity of the left eye's foreground, of `SubtractionStereo`."""
@@ -164,7 +172,8 @@ class StereoPerception:
 
     def find(self, left: Subtraction, shadow: Mask, disparity: NDArray[np.float32]) -> Detections:
         """The people in the foreground."""
-        body = np.asarray(cv2.subtract(left.mask, shadow), np.uint8)
+        here = np.ascontiguousarray(left.mask[::STEP, ::STEP])
+        body = np.asarray(cv2.subtract(here, shadow), np.uint8)
         return self._finder.find(self._finder.points(disparity), body, left.picture)
 
     def remember(self, left: Subtraction, right: Subtraction | None, people: Detections) -> None:

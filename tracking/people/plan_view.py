@@ -214,6 +214,7 @@ def _distinct(
     near = apart(places, places, noise, eye, settings.body_width_m) < _SAME_PERSON
     kept = np.ones(len(places), np.bool_)
     # Most have nobody better near them.
-    for row in np.flatnonzero(np.triu(near, 1).any(axis=0)).tolist():
+    number = np.arange(len(places))
+    for row in np.flatnonzero((near & (number[:, None] < number)).any(axis=0)).tolist():
         kept[row] = not near[:row, row][kept[:row]].any()
     return places[kept]

@@ -1,4 +1,4 @@
-"""The parts of a picture in which there is something to match."""
+"""The parts of a grid of pixels in which there is something to match."""
 
 from __future__ import annotations
 
@@ -9,37 +9,37 @@ from numpy.typing import NDArray
 Mask = NDArray[np.uint8]
 Box = tuple[slice, slice]
 
-_TILE = (4, 8)
-"""Rows and columns of pixels that are taken in or left out together; 8 columns are one number."""
-_EACH_PX = 1500
-"""What a part costs beside its pixels, in pixels."""
+_TILE = (4, 4)
+"""Rows and columns of places that are taken in or left out together; 4 columns are one number."""
+_EACH = 750
+"""What a part costs beside its places, in places."""
 
 
 def areas(mask: Mask, margin: tuple[int, int]) -> list[Box]:
     """Boxes, rows and columns, that hold all of a mask and little else.
 
     Args:
-        mask: (height, width) uint8, non-zero where it counts.
+        mask: (rows, columns) uint8, non-zero where it counts.
         margin: rows and columns that a box costs beside its own.
 
     Returns:
-        Boxes of tiles, cut at the picture's sides; the one box round all of it where several would
+        Boxes of tiles, cut at the grid's sides; the one box round all of it where several would
         cost more. None without anything.
     """
     count, _, stats, _ = cv2.connectedComponentsWithStats(_tiles(mask), connectivity=8)
     if count <= 1:
         return []
-    found = np.asarray(stats, np.intp)[1:]
-    low = found[:, [cv2.CC_STAT_TOP, cv2.CC_STAT_LEFT]] * _TILE
-    size = found[:, [cv2.CC_STAT_HEIGHT, cv2.CC_STAT_WIDTH]] * _TILE
-    high = np.minimum(low + size, mask.shape)
-    whole_low, whole_high = low.min(axis=0, keepdims=True), high.max(axis=0, keepdims=True)
-    if _cost(low, high, margin) > _cost(whole_low, whole_high, margin):
-        low, high = whole_low, whole_high
-    return [
-        (slice(top, bottom), slice(left, right))
-        for (top, left), (bottom, right) in zip(low.tolist(), high.tolist(), strict=True)
+    (down, across), (height, width) = _TILE, mask.shape
+    # A handful of boxes: plain numbers are quicker than arrays.
+    boxes = [
+        (
+            slice(top * down, min((top + rows) * down, height)),
+            slice(left * across, min((left + columns) * across, width)),
+        )
+        for left, top, columns, rows, _ in np.asarray(stats)[1:].tolist()
     ]
+    whole = _round(boxes)
+    return boxes if _cost(boxes, margin) <= _cost([whole], margin) else [whole]
 
 
 def _tiles(mask: Mask) -> Mask:
@@ -53,10 +53,21 @@ def _tiles(mask: Mask) -> Mask:
     rows = mask[0 :: _TILE[0]].copy()
     for row in range(1, _TILE[0]):
         rows |= mask[row :: _TILE[0]]
-    return np.asarray(rows.view(np.uint64) != 0).view(np.uint8)
+    return np.asarray(rows.view(np.uint32) != 0).view(np.uint8)
 
 
-def _cost(low: NDArray[np.intp], high: NDArray[np.intp], margin: tuple[int, int]) -> int:
-    """Pixels of boxes (n, 2) with their margins, and what each costs beside."""
-    sides = high - low + margin
-    return int((sides[:, 0] * sides[:, 1]).sum()) + _EACH_PX * len(sides)
+def _round(boxes: list[Box]) -> Box:
+    """The box round all of them."""
+    rows, columns = zip(*boxes, strict=True)
+    return (
+        slice(min(side.start for side in rows), max(side.stop for side in rows)),
+        slice(min(side.start for side in columns), max(side.stop for side in columns)),
+    )
+
+
+def _cost(boxes: list[Box], margin: tuple[int, int]) -> int:
+    """Places of boxes with their margins, and what each costs beside."""
+    return sum(
+        (rows.stop - rows.start + margin[0]) * (columns.stop - columns.start + margin[1]) + _EACH
+        for rows, columns in boxes
+    )

@@ -44,14 +44,16 @@ class SubtractionStereo:
             lines.disparity_at_height(self._settings.tallest_m, near, far)[::STEP, ::STEP]
             + _SLACK_PX
         )
-        rows, width = len(self._least), lines.shape[1]
-        self._column = np.tile(np.arange(0, width, STEP), rows)
-        self._pixel = self._column + np.repeat(np.arange(rows) * width, self._least.shape[1])
+        least, most = math.floor(float(self._least.min())), math.ceil(float(self._most.max()))
+        self._beside = max(most, -least) + 1
+        across = np.arange(0, lines.shape[1], STEP) + self._beside
+        row = np.arange(len(self._least)) * (lines.shape[1] + 2 * self._beside)
+        self._partner = (row[:, None] + across).ravel()
         self._least_parts = np.ceil(self._least * _PARTS_OF_PX).astype(np.int16)
         self._most_parts = np.floor(self._most * _PARTS_OF_PX).astype(np.int16)
         self._reach_px = self._settings.window_px // 2 + _FILTER_PX
         least_disparities = 16 + max(0, math.floor(float(self._least.min())))
-        self._margin_px = (2 * self._reach_px, 2 * self._reach_px + least_disparities)
+        self._margin = (2 * self._reach_px, (2 * self._reach_px + least_disparities) // STEP)
         self._lines = lines
         self._scene = np.full_like(self._least, np.nan)
         self._scene_slack = np.zeros_like(self._least)
@@ -80,8 +82,8 @@ class SubtractionStereo:
         """
         self._sharpness.learn(left, right)
         left, right = self._sharpness.even(left, right)
-        height, width = left[::STEP].shape
-        whole = (slice(0, height), slice(0, width))
+        rows, columns = self._least.shape
+        whole = (slice(0, rows), slice(0, columns))
         low, high = math.floor(float(self._least.min())), math.ceil(float(self._most.max()))
         found = self._search(_rows_halved(left), _rows_halved(right), whole, low, high)
         scene = found[:, ::STEP].astype(np.float32) / np.float32(_PARTS_OF_PX)
@@ -105,37 +107,35 @@ class SubtractionStereo:
             (rows, columns) float32 px for the pixels [::STEP, ::STEP]; NaN outside the foreground
             and where nothing matched.
         """
-        here, there = left_mask[::STEP], right_mask[::STEP]
+        here = np.ascontiguousarray(left_mask[::STEP, ::STEP])
+        there = right_mask[::STEP]
         disparity = np.full(self._least.size, np.nan, np.float32)
         if cv2.hasNonZero(there):
-            sought = np.ascontiguousarray(here[:, ::STEP])
             left, right = self._sharpness.even(left, right)
-            parts = self._matched(_rows_halved(left), _rows_halved(right), here, sought)
+            parts = self._matched(_rows_halved(left), _rows_halved(right), here)
             good = (parts >= self._least_parts) & (parts <= self._most_parts)
-            place = np.flatnonzero(good & sought.view(np.bool_))
+            place = np.flatnonzero(good & here.view(np.bool_))
             d = parts.ravel().take(place).astype(np.float32) / np.float32(_PARTS_OF_PX)
             kept = self._foreground_there(there, place, d)
             kept &= ~(np.abs(d - self._scene.take(place)) < self._scene_slack.take(place))
-            disparity[place[kept]] = d[kept]
+            rows = np.flatnonzero(kept)
+            disparity[place.take(rows)] = d.take(rows)
         return disparity.reshape(self._least.shape)
 
-    def _matched(self, left: Grey, right: Grey, here: Mask, sought: Mask) -> Parts:
-        """(rows, columns) disparities of every second column, in parts of a pixel.
+    def _matched(self, left: Grey, right: Grey, here: Mask) -> Parts:
+        """(rows, columns) disparities on the grid, in parts of a pixel.
 
         What is not near foreground is 0, and what did not match is below any disparity.
 
         Args:
-            here: the foreground. sought: of every second column.
+            left, right: rows halved. here: the foreground on the grid.
         """
         found = np.zeros(self._least.shape, np.int16)
-        for rows, columns in areas(here, self._margin_px):
-            small = np.s_[rows, columns.start // STEP : -(-columns.stop // STEP)]
-            own = sought[small]
-            if not cv2.hasNonZero(own):
-                continue
-            low = math.floor(cv2.minMaxLoc(self._least[small], own)[0])
-            high = math.ceil(cv2.minMaxLoc(self._most[small], own)[1])
-            found[small] = self._search(left, right, (rows, columns), low, high)[:, ::STEP]
+        for box in areas(here, self._margin):
+            own = here[box]
+            low = math.floor(cv2.minMaxLoc(self._least[box], own)[0])
+            high = math.ceil(cv2.minMaxLoc(self._most[box], own)[1])
+            found[box] = self._search(left, right, box, low, high)[:, ::STEP]
         return found
 
     def _foreground_there(
@@ -146,20 +146,20 @@ class SubtractionStereo:
         Args:
             mask: of every second row. place: (n,) on the grid.
         """
-        column = self._column.take(place)
-        shift = np.rint(disparity).astype(np.intp)
-        inside = (shift <= column) & (shift > column - mask.shape[1])
-        partner = self._pixel.take(place) - shift * inside
-        return np.asarray(inside & (mask.ravel().take(partner) > 0), np.bool_)
+        # With nobody beside the picture, no partner lies outside.
+        beside = (0, 0, self._beside, self._beside)
+        padded = np.asarray(cv2.copyMakeBorder(mask, *beside, cv2.BORDER_CONSTANT, value=(0.0,)))
+        partner = self._partner.take(place) - np.rint(disparity).astype(np.intp)
+        return np.asarray(padded.ravel().take(partner) != 0, np.bool_)
 
     def _search(
         self, left: Grey, right: Grey, box: tuple[slice, slice], lowest: int, highest: int
     ) -> Parts:
-        """Block matching inside the box; its disparities in parts of a pixel."""
+        """Block matching inside a box of the grid; all its pixels' disparities, in parts of one."""
         count = -(-(highest - lowest + 1) // 16) * 16
         self._matcher.setMinDisparity(lowest)
         self._matcher.setNumDisparities(count)
-        rows, columns = box
+        rows, columns = box[0], slice(box[1].start * STEP, box[1].stop * STEP)
         margin = self._reach_px
         before = max(0, count + lowest) + margin
         top, bottom = max(0, rows.start - margin), min(left.shape[0], rows.stop + margin)
