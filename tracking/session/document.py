@@ -9,26 +9,25 @@ from typing import TYPE_CHECKING
 
 from tracking.editing import Change, Entry, Written, plan_undo_alone, with_parts_carried
 from tracking.errors import EditError, OutputError, SessionError
-from tracking.session.held import Held
 from tracking.session.image import Stamps, empty_snapshot
 from tracking.session.journal import Act
 from tracking.session.known import KnownRecordings
 from tracking.session.older import read_generation, standing_in
+from tracking.session.on_disk import OnDisk
 from tracking.session.pending import PendingSave, next_stamps
-from tracking.session.reading import read_session, saved_as
-from tracking.session.recovery import recover
+from tracking.session.reading import read_session
 from tracking.session.reference import Footage, refer_to
 from tracking.session.saving import UNLIMITED, file_state, generations, real_path
 from tracking.session.stamping import author_named, made_up, now, software
 from tracking.session.store import Store
-from tracking.session.waiting import edits_wait, read_with_waiting
+from tracking.session.waiting import read_with_waiting
 from tracking.tracks import Run, TrackTable
 
 if TYPE_CHECKING:
     from tracking.recording import Recording
 
 
-class Session(Held):
+class Session(OnDisk):
     """One recording's tracks as trackers found them and as people put them right.
 
     Used from one thread; only `PendingSave.write` may run on another. With a path, every edit is
@@ -203,123 +202,6 @@ class Session(Held):
         logged = self._edited.do(act, entry, change, self._keep)
         self._content += 1
         return logged
-
-    def _make_sure(self, store: Store) -> None:
-        """See to it that the session's folder is there, and is the one this session knows."""
-        if not store.make_sure(self._is_own_file):
-            self._saved, self._base = -1, self._content  # what no journal holds goes into the file
-
-    def _is_own_file(self) -> bool:
-        """Whether the file under the session's name is what this session saved last."""
-        path, stamps = self._path, self._stamps
-        return path is not None and saved_as(path) == (stamps.session, stamps.save)
-
-    def _put_base_on_disk(self) -> None:
-        """See to it that the file holds the run that is edited: the journal builds on it."""
-        pending = self._pending
-        if pending is None:
-            self.save()
-        elif pending.store is self._store and pending.content >= self._base > self._saved >= 0:
-            pending.written.result()
-        else:
-            raise SessionError(f"{self._path} is being saved; edit again when that is done")
-
-    def _keep(self, act: Act, entry: Entry) -> None:
-        """Put a step into the journal; a session that was never saved has none."""
-        if self._store is not None:
-            self._store.keep(act, entry, self._stamps.session, self._stamps.save)
-
-    def _begin_journal(self) -> None:
-        """Have a journal ready before the first edit is made."""
-        if self._store is not None:
-            self._store.begin_journal(self._stamps.session, self._stamps.save)
-
-    def _recover(self, store: Store) -> None:
-        found = recover(self._edited, store, self._stamps)
-        self._recovered = self._content = found.steps
-        self._notes += found.notes
-
-    def _refuse_read_only(self) -> None:
-        if self.read_only:
-            raise SessionError(f"{self._path} is open for reading only; save it under another name")
-
-    def _give_up_writing(self, why: str) -> None:
-        """Stay open for reading only."""
-        if self._store is not None:
-            self._store.release(keep_journal=True)
-            self._store = None
-        self._why_read_only = why
-        self._notes.append(f"Open for reading only: {why}")
-        if not self._recovered and self._path is not None and edits_wait(self._path):
-            self._notes.append("edits made after it was saved last are not shown here")
-
-    # Saving
-
-    def save(self, path: Path | None = None) -> Path:
-        """Save, there or under its own name; afterwards this is the session of that file.
-
-        Raises OutputError, with the old file byte for byte as it was, where that fails;
-        SessionError where another program has the file or no path was ever named.
-        """
-        return self._write(self.begin_save(path))
-
-    def _write(self, pending: PendingSave) -> Path:
-        try:
-            pending.write()
-            return self.finish_save(pending)
-        except BaseException:
-            self.abandon_save(pending)
-            raise
-
-    def begin_save(self, path: Path | None = None) -> PendingSave:
-        """The first of three steps of `save`: quick. `write` of what it gives may take long.
-
-        One save at a time: raises SessionError while another one is on its way.
-        """
-        if self._pending is not None:
-            raise SessionError(f"{self._pending.path} is being saved; wait until that is done")
-        target = path if path is not None else self._path
-        if target is None:
-            raise SessionError("the session has no file yet; name one to save it in")
-        target = real_path(target)
-        own = self._path is not None and target.resolve() == self._path.resolve()
-        if own:
-            self._refuse_read_only()
-            if self._store is not None:
-                self._make_sure(self._store)
-        store = self._store if own and self._store is not None else Store.claim(target)
-        stamps = next_stamps(self._stamps, self._stamps, store if own else None)
-        snapshot = self._as_it_is(stamps, self._whereabouts.seen_from(target.parent, self._path))
-        self._pending = PendingSave(snapshot, target, self._content, store)
-        return self._pending
-
-    def finish_save(self, pending: PendingSave) -> Path:
-        """The last step, after `write`: from now on the journal builds on the new file."""
-        stamps, own = pending.snapshot.stamps, pending.store is self._store
-        if own:
-            pending.store.rebase(stamps.session, stamps.save, stamps.included)
-        elif pending.store.has_journal:
-            pending.store.set_journal_aside()  # of the session that was there before
-        left = None if own else self._store
-        self._store, self._path = pending.store, pending.path
-        self._stamps, self._whereabouts.reference = stamps, pending.snapshot.recording
-        self._runs.stored_in(pending.path, len(pending.snapshot.runs))
-        self._saved, self._pending = pending.content, None
-        self._begin_journal()
-        try:
-            if self.dirty and not own:  # edits made meanwhile are in no journal of this file
-                self._base = self._content
-                self.save()
-        finally:
-            if left is not None:
-                left.release(keep_journal=self.dirty)
-        return pending.path
-
-    def abandon_save(self, pending: PendingSave) -> None:
-        """Instead of `finish_save`, where `write` failed or was not called."""
-        self._pending = None
-        if pending.store is not self._store:
-            pending.store.release(keep_journal=True)
 
     # Older generations
 
