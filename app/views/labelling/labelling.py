@@ -4,26 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 
 from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.document.document import Document
-from app.presenters.labelling.drawing import (
-    corners_of,
-    drawn_where,
-    drawn_with,
-    plan_drawn,
-    plan_renamed,
-    plan_reshaped,
-    plan_taken_away,
-)
 from app.presenters.labelling.labelling import CountText, LabellingPresenter
 from app.presenters.labelling.labelling_scene import (
-    LINE_COLOUR,
-    OCCLUDER_COLOUR,
-    REGION_COLOUR,
     FloorLabels,
     LabellingScene,
     PictureLabels,
@@ -33,6 +20,7 @@ from app.presenters.labelling.labelling_scene import (
 from app.presenters.scenes import Eye
 from app.presenters.words import tr
 from app.views.desk.workspace import Workspace
+from app.views.labelling.drawn_shapes import Shapes
 from app.views.labelling.labelling_panel import LabellingPanel
 from app.views.labelling.part_keys import PartKeys
 from app.views.labelling.part_labels import PartsLayer
@@ -40,12 +28,6 @@ from app.views.labelling.shapes import ShapesLayer
 from app.views.playing.playback import Playback
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
-
-_COLOURS = {
-    Tool.OCCLUDERS: OCCLUDER_COLOUR,
-    Tool.LINES: LINE_COLOUR,
-    Tool.REGIONS: REGION_COLOUR,
-}
 
 
 class Labelling(QObject):
@@ -70,8 +52,7 @@ class Labelling(QObject):
         self._refused: tuple[str, tuple[object, ...]] = ("", ())
         self._panel: LabellingPanel = workspace.labelling
         self._parts = PartsLayer(workspace.left)
-        self._on_picture = ShapesLayer(workspace.left)
-        self._on_floor = ShapesLayer(workspace.overhead)
+        self._shapes = Shapes(workspace, playback, self._presenter, self._do, self)
         self._keys = PartKeys(document, playback, self._presenter.parts, self._do, self)
         self._keys.changed.connect(self.changed)
         self._keys.said.connect(self.said)
@@ -84,16 +65,9 @@ class Labelling(QObject):
         self._parts.part_drawn.connect(self._keys.put_box)
         self._parts.picked.connect(self._pick_person)
         self._parts.leave_asked.connect(self.leave)
-        self._on_picture.drawn.connect(self._add_in_picture)
-        self._on_floor.drawn.connect(self._add)
-        for layer in (self._on_picture, self._on_floor):
-            layer.reshaped.connect(self._reshape)
-            layer.picked.connect(self._pick)
-            layer.removal_asked.connect(self._remove_picked)
-            layer.leave_asked.connect(self.leave)
-
-        for view in (self._workspace.left, self._workspace.right):
-            view.picture_clicked.connect(self._tell_where)
+        self._shapes.changed.connect(self.changed)
+        self._shapes.said.connect(self.said)
+        self._shapes.leave_asked.connect(self.leave)
 
     def _connect_panel(self) -> None:
         """Each connection ends with this object."""
@@ -104,9 +78,9 @@ class Labelling(QObject):
         panel.parts.step_chosen.connect(labelling._keys.set_step)
         panel.parts.scope_chosen.connect(labelling._keys.choose_scope)
         panel.parts.suggestion_chosen.connect(labelling._keys.go_to)
-        panel.drawn.picked.connect(labelling._pick)
-        panel.drawn.renamed.connect(labelling._rename)
-        panel.drawn.removed.connect(labelling._remove)
+        panel.drawn.picked.connect(labelling._shapes.pick)
+        panel.drawn.renamed.connect(labelling._shapes.rename)
+        panel.drawn.removed.connect(labelling._shapes.remove)
         panel.ranges.frame_sought.connect(labelling._playback.go)
         panel.ranges.marked.connect(labelling._mark)
         panel.ranges.unmarked.connect(labelling._unmark)
@@ -124,7 +98,7 @@ class Labelling(QObject):
 
     @property
     def _layers(self) -> tuple[QWidget, ...]:
-        return (self._parts, self._on_picture, self._on_floor)
+        return (self._parts, self._shapes.on_picture, self._shapes.on_floor)
 
     # tools
 
@@ -164,9 +138,9 @@ class Labelling(QObject):
         """Where a tool draws; the last one has the keyboard."""
         if tool is Tool.PARTS:
             return (self._parts,)
-        picture = (self._on_picture,) if tool.in_picture else ()
+        picture = (self._shapes.on_picture,) if tool.in_picture else ()
         floor_known = self._document.recording.view is not None
-        return (*picture, self._on_floor) if tool.on_floor and floor_known else picture
+        return (*picture, self._shapes.on_floor) if tool.on_floor and floor_known else picture
 
     # body parts
 
@@ -241,54 +215,6 @@ class Labelling(QObject):
         view = self._workspace.left
         view.track_picked.emit(view.track_at(at))
 
-    # what is drawn
-
-    def _add_in_picture(self, corners: tuple[tuple[float, float], ...]) -> None:
-        self._add(corners, in_picture=True)
-
-    def _add(self, corners: tuple[tuple[float, float], ...], *, in_picture: bool = False) -> None:
-        tool, frame = self.tool, self._playback.number
-        if tool is None:
-            return
-        plan = partial(plan_drawn, corners=corners, frame=frame, in_picture=in_picture)
-        if self._do(lambda: plan(tool, self._presenter.labels)):
-            there = [corners_of(item) for item in drawn_with(tool, self._presenter.labels)]
-            self._pick(there.index(corners) if corners in there else -1)
-
-    def _reshape(self, number: int, corners: tuple[tuple[float, float], ...]) -> None:
-        self._change(partial(plan_reshaped, number=number, corners=corners))
-
-    def _rename(self, number: int, name: str) -> None:
-        self._change(partial(plan_renamed, number=number, name=name))
-
-    def _remove_picked(self) -> None:
-        self._remove(self._presenter.choice.picked)
-
-    def _remove(self, number: int) -> None:
-        if 0 <= number < len(drawn_with(self.tool, self._presenter.labels)):
-            self._presenter.choice.picked = -1
-            self._change(partial(plan_taken_away, number=number))
-
-    def _pick(self, number: int) -> None:
-        if number != self._presenter.choice.picked:
-            self._presenter.choice.picked = number
-            self.changed.emit()
-
-    def _tell_where(self) -> None:
-        """A click in a view the tool does not draw on; on its own a layer lies above."""
-        if self.tool is Tool.OCCLUDERS:
-            self.said.emit(tr("Occluders are drawn in the left eye"))
-        elif self.tool is not None and self.tool.on_floor:
-            self.said.emit(
-                tr("Lines and regions are drawn in the view from above, or in the left eye")
-            )
-
-    def _change(self, plan: Callable[..., Change]) -> None:
-        tool = self.tool
-        if tool is not None:
-            labels, frame = self._presenter.labels, self._playback.number
-            self._do(lambda: plan(tool, labels, frame=frame))
-
     # reviewed ranges
 
     def _mark(self, everybody: bool, start: int, end: int) -> None:
@@ -346,12 +272,7 @@ class Labelling(QObject):
         self._workspace.overhead.show_labels(presenter.floor(count_text))
         if self.tool is Tool.PARTS:
             self._parts.show_parts(left.parts, presenter.parts.choice.part)
-        elif self.tool in _COLOURS:
-            closed, colour = self.tool is not Tool.LINES, _COLOURS[self.tool]
-            for layer in (self._on_picture, self._on_floor):
-                there = layer is self._on_picture
-                shapes = drawn_where(self.tool, presenter.labels, in_picture=there)
-                layer.show_shapes(shapes, closed=closed, colour=colour)
+        self._shapes.draw()
         self._panel.show_scene(self._completed(presenter.scene(frame)))
 
     def _completed(self, scene: LabellingScene | None) -> LabellingScene | None:

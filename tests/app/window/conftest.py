@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
+from shifted_runs import AGAIN_AT, SHIFTED
 
+from app.presenters.files import opening
 from app.views.desk.desk import Desk
 from app.views.window.main_window import MainWindow
+from tracking.recording import open_recording
+from tracking.session import Session
+from tracking.tracks import SIGNAL_COLUMNS, Run, empty
 
 Press = Callable[..., None]
 
@@ -34,3 +40,36 @@ def press(window: MainWindow, desk: Desk, qtbot: QtBot) -> Press:
         qtbot.wait(1)
 
     return press
+
+
+@pytest.fixture(scope="session")
+def shifted_run(tiny_run: Run) -> tuple[Run, int]:
+    """The run with somebody a metre beside where he is for a while, and nobody there late."""
+    tracks = {name: column.copy() for name, column in tiny_run.tracks.items()}
+    track = tracks["track"][tracks["frame"] == SHIFTED[0]].tolist()[0]
+    moved = (tracks["track"] == track) & (tracks["frame"] >= SHIFTED[0])
+    moved &= tracks["frame"] < SHIFTED[1]
+    tracks["x"][moved] += 1.0
+    tracks["left"][moved] += 40.0
+    return replace(tiny_run, tracks=tracks, signals=empty(SIGNAL_COLUMNS)), track
+
+
+@pytest.fixture
+def shifted_session(tiny_recording: Path, shifted_run: tuple[Run, int], tmp_path: Path) -> Path:
+    """A saved session of that run."""
+    path = tmp_path / "shifted.h5"
+    with open_recording(tiny_recording) as recording:
+        session = Session.create(recording, [shifted_run[0]], path)
+        opening.remember_place(session, recording)
+        session.close()
+    return path
+
+
+@pytest.fixture
+def shifted_desk(window: MainWindow, qtbot: QtBot, shifted_session: Path) -> Desk:
+    """The desk on that session, at the frame to track again from."""
+    window.files.open_path(shifted_session)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    assert window.desk is not None
+    window.desk.playback.go(AGAIN_AT)
+    return window.desk

@@ -282,7 +282,7 @@ def test_exporting_nothing_is_told(window, desk, qtbot):
 
 def test_a_line_is_drawn_in_the_picture_and_counts_feet(window, desk, press, qtbot):
     press(Key.Key_3, Qt.KeyboardModifier.AltModifier)
-    layer = desk.labelling._on_picture
+    layer = desk.labelling._shapes.on_picture
     for at in (QPointF(20.0, 120.0), QPointF(300.0, 120.0)):
         place = layer.canvas.viewport.point(at.x(), at.y()).toPoint()
         QTest.mouseClick(layer, LEFT, pos=place)
@@ -305,7 +305,7 @@ def test_a_corner_in_the_picture_is_dragged_though_there_are_lines_on_the_floor(
 ):
     desk = counted(regions=())
     press(Key.Key_3, Qt.KeyboardModifier.AltModifier)
-    layer = desk.labelling._on_picture
+    layer = desk.labelling._shapes.on_picture
     start = layer.canvas.viewport.point(*SCREEN.end).toPoint()
     QTest.mousePress(layer, LEFT, pos=start)
     QTest.mouseMove(layer, start + QPoint(-40, 0))

@@ -119,7 +119,7 @@ def test_a_click_beside_the_parts_selects_another_person(desk, press):
 @pytest.mark.parametrize("closing", ["Enter", "double click", "first corner"])
 def test_an_occluder_is_drawn_by_its_corners(desk, press, labels, closing):
     press(Key.Key_2, _ALT)
-    layer = desk.labelling._on_picture
+    layer = desk.labelling._shapes.on_picture
     _draw(layer, TRIANGLE)
     assert labels().occluders == ()
     if closing == "Enter":
@@ -139,7 +139,7 @@ def test_an_occluder_is_drawn_by_its_corners(desk, press, labels, closing):
 
 def test_a_corner_is_dragged_and_what_is_picked_is_taken_away(desk, press, labels):
     press(Key.Key_2, _ALT)
-    layer = desk.labelling._on_picture
+    layer = desk.labelling._shapes.on_picture
     _draw(layer, TRIANGLE)
     QTest.keyClick(layer, Key.Key_Enter)
     before = labels().occluders[0].polygon
@@ -158,7 +158,7 @@ def test_a_corner_is_dragged_and_what_is_picked_is_taken_away(desk, press, label
 
 def test_esc_drops_what_is_half_drawn_and_then_leaves_the_tool(window, desk, press, labels):
     press(Key.Key_2, _ALT)
-    layer = desk.labelling._on_picture
+    layer = desk.labelling._shapes.on_picture
     _draw(layer, TRIANGLE)
     QTest.keyClick(layer, Key.Key_Backspace)
     QTest.keyClick(layer, Key.Key_Return)
@@ -177,7 +177,7 @@ def test_esc_drops_what_is_half_drawn_and_then_leaves_the_tool(window, desk, pre
 
 def test_a_counting_line_has_its_forward_arrow_to_the_right_of_its_way(window, desk, press, labels):
     press(Key.Key_3, _ALT)
-    layer = desk.labelling._on_floor
+    layer = desk.labelling._shapes.on_floor
     _click(layer, 0.3, 0.5)
     _click(layer, 0.7, 0.5)
     (line,) = labels().lines
@@ -191,7 +191,7 @@ def test_a_counting_line_has_its_forward_arrow_to_the_right_of_its_way(window, d
 
 def test_a_region_is_named_and_one_whose_edges_cross_is_refused(window, desk, press, labels):
     press(Key.Key_4, _ALT)
-    layer = desk.labelling._on_floor
+    layer = desk.labelling._shapes.on_floor
     _draw(layer, TRIANGLE)
     QTest.keyClick(layer, Key.Key_Return)
     drawn = window.workspace.labelling.drawn
@@ -246,8 +246,8 @@ def test_a_click_where_a_tool_does_not_draw_is_answered(window, desk, press):
 
 def test_labels_can_be_hidden_and_an_edit_takes_over_from_a_tool(window, desk, press):
     press(Key.Key_2, _ALT)
-    _draw(desk.labelling._on_picture, TRIANGLE)
-    QTest.keyClick(desk.labelling._on_picture, Key.Key_Return)
+    _draw(desk.labelling._shapes.on_picture, TRIANGLE)
+    QTest.keyClick(desk.labelling._shapes.on_picture, Key.Key_Return)
     desk.labelling.leave()
     assert len(window.workspace.left._labels.outlines) == 1
     press(Key.Key_U)

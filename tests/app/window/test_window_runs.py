@@ -1,0 +1,164 @@
+"""The runs of a session: listed, scored, corrected, compared with each other."""
+
+from dataclasses import replace
+
+import pytest
+from shifted_runs import boxes, items, place
+
+from app.presenters.runs.runs import CORRECTED
+from app.views.desk.again import show_runs
+from app.views.runs.runs_dialog import RunsDialog
+from tracking.editing import plan_delete
+
+
+@pytest.fixture
+def desk(shifted_desk):
+    return shifted_desk
+
+
+def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tiny_run):
+    desk.document.session.add_run(replace(tiny_run, seed=7), adopt=False)
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    table = dialog._table
+    assert [row.number for row in dialog._scene.rows] == [CORRECTED, 0, 1]
+    assert table.item(1, 0).text() == "run 0, being corrected"
+    dialog.choose(0)
+    assert not dialog._compare.isEnabled()
+    assert "nothing is edited yet" in dialog._about.text()
+    assert table.item(2, 2).text() == "seed 7"
+    qtbot.waitUntil(lambda: bool(table.item(2, 6).text()), timeout=20_000)
+    assert float(table.item(2, 6).text()) >= float(table.item(1, 6).text())
+    dialog.choose(0, 1)
+    dialog._compare.click()
+    qtbot.waitUntil(lambda: bool(items(desk)), timeout=10_000)
+    assert (desk.document.comparison.base, desk.document.comparison.run) == (0, 1)
+
+
+def _late_part(run):
+    late = run.tracks["frame"] >= 40
+    rows = {name: column[late] for name, column in run.tracks.items()}
+    return replace(run, tracks=rows, frames=(40, 80))
+
+
+def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtbot):
+    session = desk.document.session
+    session.add_run(_late_part(session.runs[0]), adopt=False)
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    figures = lambda: [dialog._table.item(row, 6).text() for row in (1, 2)]  # noqa: E731
+    qtbot.waitUntil(lambda: all(figures()), timeout=20_000)
+    assert "40 \u2013 79" in dialog._share.text()
+    assert figures()[0] == figures()[1]
+    dialog._share.setChecked(False)
+    assert "cannot be compared" in dialog._over.text()
+    qtbot.waitUntil(lambda: all(figures()), timeout=20_000)
+    assert figures()[0] != figures()[1]
+    dialog.reject()
+
+
+def test_another_run_is_corrected_where_nobody_has_edited(window, desk, tiny_run, shifted_run):
+    wrong = place(desk, shifted_run[1], 65)
+    desk.document.session.add_run(tiny_run, adopt=False)
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    dialog.choose(0)
+    assert not dialog._correct.isEnabled()
+    dialog.choose(1)
+    dialog._correct.click()
+    assert desk.document.session.adopted_run == 1
+    assert place(desk, shifted_run[1], 65) == pytest.approx(wrong - 1.0, abs=1e-5)
+    assert not desk.comparing.shown
+
+
+def test_no_run_is_corrected_while_a_tracker_is_at_work(window, desk, tiny_run):
+    desk.document.session.add_run(tiny_run, adopt=False)
+    desk.document.begin_live()
+    show_runs(desk)
+    dialog = window.findChild(RunsDialog)
+    dialog.choose(1)
+    assert not dialog._correct.isEnabled()
+    assert "stop it first" in dialog._correct.toolTip()
+    dialog.reject()
+    errors = []
+    desk.comparing.failed.connect(errors.append)
+    desk.comparing.correct(1)
+    assert "stop tracking first" in str(errors[0])
+    assert desk.document.is_live
+    assert desk.document.session.adopted_run == 0
+
+
+def test_people_outside_of_the_frames_of_a_shorter_run_stay(
+    window, desk, qtbot, tiny_run, shifted_run
+):
+    session, track = desk.document.session, shifted_run[1]
+    wrong, rows = place(desk, track, 65), len(session.tracks.columns()["x"])
+    session.add_run(_late_part(tiny_run), adopt=False)
+    desk.comparing.correct(1)
+    qtbot.waitUntil(lambda: bool(items(desk)), timeout=10_000)
+    window.workspace.differences.taken.emit(1)
+    assert place(desk, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
+    assert len(session.tracks.columns()["x"]) == rows
+    assert len(session.history) == 1
+
+
+def test_over_edits_another_run_is_taken_as_one_edit_that_can_be_undone(
+    window, desk, qtbot, tiny_run, shifted_run
+):
+    session = desk.document.session
+    session.apply(plan_delete(session.tracks, shifted_run[1], 60, 70))
+    edits = len(session.history)
+    session.add_run(tiny_run, adopt=False)
+    desk.comparing.correct(1)
+    qtbot.waitUntil(lambda: bool(items(desk)), timeout=10_000)
+    assert all(item.ticked or item.locked for item in items(desk))
+    window.workspace.differences.taken.emit(1)
+    assert len(session.history) == edits + 1
+    desk.editing.undo()
+    assert session.history.next_redo is not None
+
+
+def test_the_better_stretch_is_taken_from_either_of_two_runs(
+    window, desk, qtbot, tiny_run, shifted_run
+):
+    track = shifted_run[1]
+    wrong = place(desk, track, 65)
+    desk.document.session.add_run(tiny_run, adopt=False)
+    desk.comparing.open(1, 0)
+    qtbot.waitUntil(lambda: bool(items(desk)), timeout=10_000)
+    panel = window.workspace.differences
+    assert not panel._take_solid.isHidden()
+    panel.all_ticked.emit(True)
+    panel.taken.emit(1)
+    assert place(desk, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
+    panel.taken.emit(0)
+    assert place(desk, track, 65) == pytest.approx(wrong, abs=1e-5)
+
+
+def test_the_boxes_of_both_runs_are_shown_and_not_those_of_the_corrected_tracks(
+    window, desk, qtbot, tiny_run, shifted_run
+):
+    label = str(shifted_run[1])
+    session = desk.document.session
+    session.apply(plan_delete(session.tracks, shifted_run[1], 60, 70))
+    session.add_run(tiny_run, adopt=False)
+    desk.comparing.open(1, 0)
+    qtbot.waitUntil(lambda: bool(items(desk)), timeout=10_000)
+    desk.playback.go(65)
+    picture = window.workspace.left
+    qtbot.waitUntil(lambda: picture._scene.frame == 65)
+    solid, dashed = boxes(picture._scene.people), boxes(picture._others)
+    assert dashed[label][0] == pytest.approx(solid[label][0] - 40.0, abs=0.01)
+    assert label in {place.label for place in window.workspace.overhead._others}
+
+
+def test_the_last_run_is_dropped_from_the_list_but_not_the_one_that_was_corrected(
+    window, desk, tiny_run
+):
+    desk.document.session.add_run(tiny_run, adopt=False)
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    dialog._drop.click()
+    assert len(desk.document.session.runs) == 1
+    assert dialog._drop.isHidden()
+    dialog.reject()
