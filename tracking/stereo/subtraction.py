@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.stereo.areas import areas
+from tracking.stereo.levelling import Levelling
 from tracking.stereo.settings import StereoSettings
 from tracking.stereo.sharpness import EvenSharpness
 from tracking.stereo.sight_lines import SightLines
@@ -24,6 +25,8 @@ _PARTS_OF_PX = 16
 _SLACK_PX = 1.0
 _FILTER_PX = 2
 """How far beyond a window what the matcher does before matching reaches."""
+_SCENES_PER_LEVELLING = 8
+"""Times that the scene is ranged between two looks at whether the eyes are level."""
 _SAME_PLACE_M, _SAME_PLACE_PX = 0.15, 0.75
 """How far in range, and at most in disparity, a change may be from the background it is on."""
 
@@ -58,6 +61,8 @@ class SubtractionStereo:
         self._scene = np.full_like(self._least, np.nan)
         self._scene_slack = np.zeros_like(self._least)
         self._sharpness = EvenSharpness()
+        self._levelling = Levelling()
+        self._scenes = 0
         self._matcher = cv2.StereoBM.create(16, self._settings.window_px | 1)
         self._matcher.setTextureThreshold(5)
         self._matcher.setUniquenessRatio(10)
@@ -81,16 +86,28 @@ class SubtractionStereo:
             left, right: (height, width) rectified grey pictures of the backgrounds.
         """
         self._sharpness.learn(left, right)
-        left, right = self._sharpness.even(left, right)
+        self._scene = self._ranged_scene(left, right)
+        if self._scenes % _SCENES_PER_LEVELLING == 0:
+            self._levelling.learn(left, right, self._scene, STEP)
+            self._scene = self._ranged_scene(left, right)
+        self._scenes += 1
+        infinite = np.float32(self._lines.offset)
+        per_m = (self._scene - infinite) ** 2 / np.float32(self._lines.focal_baseline)
+        self._scene_slack = np.minimum(per_m * _SAME_PLACE_M, np.float32(_SAME_PLACE_PX))
+
+    def _ranged_scene(self, left: Grey, right: Grey) -> Disparity:
+        """(rows, columns) px of the empty scene, NaN where nothing matched."""
+        left, right = self._alike(left, right)
         rows, columns = self._least.shape
         whole = (slice(0, rows), slice(0, columns))
         low, high = math.floor(float(self._least.min())), math.ceil(float(self._most.max()))
         found = self._search(_rows_halved(left), _rows_halved(right), whole, low, high)
         scene = found[:, ::STEP].astype(np.float32) / np.float32(_PARTS_OF_PX)
-        self._scene = np.where(scene >= low, scene, np.nan).astype(np.float32)
-        infinite = np.float32(self._lines.offset)
-        per_m = (self._scene - infinite) ** 2 / np.float32(self._lines.focal_baseline)
-        self._scene_slack = np.minimum(per_m * _SAME_PLACE_M, np.float32(_SAME_PLACE_PX))
+        return np.where(scene >= low, scene, np.nan).astype(np.float32)
+
+    def _alike(self, left: Grey, right: Grey) -> tuple[Grey, Grey]:
+        """Both eyes as if they stood level and were equally sharp."""
+        return self._sharpness.even(left, self._levelling.level(right))
 
     def match(self, left: Grey, right: Grey, left_mask: Mask, right_mask: Mask) -> Disparity:
         """Disparity of the left eye's foreground, on every second pixel.
@@ -111,7 +128,7 @@ class SubtractionStereo:
         there = right_mask[::STEP]
         disparity = np.full(self._least.size, np.nan, np.float32)
         if cv2.hasNonZero(there):
-            left, right = self._sharpness.even(left, right)
+            left, right = self._alike(left, right)
             parts = self._matched(_rows_halved(left), _rows_halved(right), here)
             good = (parts >= self._least_parts) & (parts <= self._most_parts)
             place = np.flatnonzero(good & here.view(np.bool_))

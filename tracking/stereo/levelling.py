@@ -1,0 +1,120 @@
+"""By how much the right eye sees things higher or lower than calibration says, and undoing it."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Grey = NDArray[np.uint8]
+Floats = NDArray[np.float32]
+
+_MARKS, _FAINTEST, _APART_PX, _FEWEST = 200, 0.002, 12, 40
+_WINDOW = (15, 15)
+_RETURN_PX = 0.4
+"""A mark followed to the right eye and back must end so near to where it began."""
+_ASIDE_PX = 2.5
+"""Marks of the empty scene are found so near to where range puts them, to the left and right."""
+_LIKE_PX = 0.6
+"""Marks off by more than this from where all the others are were mistaken."""
+_LEVEL_PX, _MOST_PX = 0.35, 4.0
+"""Eyes that are off by less match as well; off by more they are calibrated wrong."""
+
+
+class Levelling:
+    """Shifts, turns and scales the right eye so that things lie in the rows of the left one.
+
+    A rig that was warm, or knocked, when or after it was calibrated sees the same thing a pixel
+    higher in one eye. Block matching looks along rows, and finds what is there instead. Where what
+    is higher on one side is lower on the other, the eye is turned about its axis, and range is
+    wrong above and below.
+
+    Attributes:
+        off: how much lower the right eye sees than the left one: (3,) px in the picture's middle,
+            and more for each px to the right, and downwards. None: the eyes are level.
+    """
+
+    def __init__(self) -> None:
+        self.off: Floats | None = None
+
+    def learn(self, left: Grey, right: Grey, scene: Floats, step: int) -> None:
+        """Compare where both eyes see marks of the empty scene.
+
+        Args:
+            left, right: (height, width) rectified pictures of it.
+            scene: disparity of the pixels [::step, ::step], NaN where unknown.
+        """
+        start, end = _found_right(left, right, scene, step)
+        self.off = _plane(end - _middle(right), end[:, 1] - start[:, 1], _middle(right))
+
+    def level(self, right: Grey) -> Grey:
+        """The right eye with its rows at the height of the left one's."""
+        if self.off is None:
+            return right
+        shift, turn, larger = self.off.tolist()
+        turned = np.array(((1 + larger, -turn), (turn, 1 + larger)))
+        middle = _middle(right)
+        moved = np.column_stack((turned, middle - turned @ middle + np.array((0.0, shift))))
+        way = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+        size, border = (right.shape[1], right.shape[0]), cv2.BORDER_REPLICATE
+        return np.asarray(cv2.warpAffine(right, moved, size, flags=way, borderMode=border))
+
+
+def _middle(eye: Grey) -> NDArray[np.float64]:
+    """(2,) px."""
+    return (np.array(eye.shape[::-1]) - 1) / 2
+
+
+def _found_right(left: Grey, right: Grey, scene: Floats, step: int) -> tuple[Floats, Floats]:
+    """(n, 2) px of marks in the left eye, and where they are in the right one."""
+    found = cv2.goodFeaturesToTrack(left, _MARKS, _FAINTEST, _APART_PX)
+    marks = np.zeros((0, 2), np.float32) if found is None else np.asarray(found)[:, 0]
+    u, v = (marks // step).astype(np.intp).T
+    range_px = scene[v.clip(0, scene.shape[0] - 1), u.clip(0, scene.shape[1] - 1)]
+    known = np.isfinite(range_px)
+    marks, range_px = marks[known], range_px[known]
+    if not len(marks):
+        return marks, marks
+    guess = marks - np.column_stack((range_px, np.zeros_like(range_px)))
+    there, seen = _followed(left, right, marks, guess)
+    back, again = _followed(right, left, there, marks)
+    good = seen & again & (np.hypot(*(back - marks).T) < _RETURN_PX)
+    good &= np.abs(there[:, 0] - guess[:, 0]) < _ASIDE_PX
+    return marks[good], there[good]
+
+
+def _followed(
+    one: Grey, other: Grey, points: Floats, guess: Floats
+) -> tuple[Floats, NDArray[np.bool_]]:
+    """(n, 2) where points of one picture are in another, and (n,) whether they were found."""
+    there, state, _ = cv2.calcOpticalFlowPyrLK(
+        one,
+        other,
+        points[:, None],
+        guess[:, None].astype(np.float32),
+        winSize=_WINDOW,
+        maxLevel=1,
+        flags=cv2.OPTFLOW_USE_INITIAL_FLOW,
+    )
+    return np.asarray(there, np.float32)[:, 0], np.asarray(state)[:, 0] > 0
+
+
+def _plane(
+    points: NDArray[np.floating], lower_px: Floats, middle: NDArray[np.float64]
+) -> Floats | None:
+    """What most marks say of how much lower the right eye sees; None: nothing worth undoing.
+
+    Args:
+        points: (n, 2) px from the picture's middle. lower_px: (n,). middle: (2,) px.
+    """
+    if len(points) < _FEWEST:
+        return None
+    sides = np.column_stack((np.ones(len(points)), points))
+    off = np.array((np.median(lower_px), 0.0, 0.0))
+    for near_px in (2 * _LIKE_PX, _LIKE_PX):
+        like = np.abs(lower_px - sides @ off) < near_px
+        if np.count_nonzero(like) < max(_FEWEST, len(points) / 2):
+            return None
+        off = np.linalg.lstsq(sides[like], lower_px[like], rcond=None)[0]
+    most = abs(off[0]) + np.abs(off[1:]) @ middle
+    return off.astype(np.float32) if _LEVEL_PX < most < _MOST_PX else None
