@@ -33,8 +33,7 @@ def cloud_shapes(
     x = particles[..., 0] - middle[:, :1]
     y = particles[..., 1] - middle[:, 1:]
     weighted_x, weighted_y = x * weights, y * weights
-    pairs = ((x, weighted_x), (y, weighted_y), (x, weighted_y))
-    xx, yy, xy = (np.einsum("pn,pn->p", one, other) for one, other in pairs)
+    xx, yy, xy = np.vecdot(x, weighted_x), np.vecdot(y, weighted_y), np.vecdot(x, weighted_y)
     half, skew = (xx - yy) / 2, np.hypot((xx - yy) / 2, xy)
     variance = np.maximum((xx + yy) / 2 + skew, 0.0)
     angle = np.arctan2(xy, half) / 2
@@ -48,11 +47,12 @@ def _split(
     """(people,) 0 to 1; along: (people, N) m from the middle in the longest direction."""
     border = np.zeros(len(along), np.float32)
     share = below = border
+    pull = along * weights
     for _ in range(_ROUNDS):
-        low = (along < border[:, None]) * weights
-        share = low.sum(axis=1)
+        low = (along < border[:, None]).astype(np.float32)
+        share = np.vecdot(low, weights)
         # The middle is 0, so the upper cluster pulls as much as the lower one.
-        below = np.einsum("pn,pn->p", low, along)
+        below = np.vecdot(low, pull)
         border = (below / np.maximum(share, 1e-6) - below / np.maximum(1 - share, 1e-6)) / 2
     between = below**2 / np.maximum(share * (1.0 - share), 1e-6)
     explained = between / np.maximum(variance, _LEAST_VARIANCE)

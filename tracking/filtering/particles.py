@@ -78,7 +78,7 @@ def weighted_mean(particles: Particles, weights: Weights) -> Floats:
 
 def effective_share(weights: Weights) -> Floats:
     """The share of each person's particles that carry weight: 1 / (N sum w^2), in 1/N to 1."""
-    squares = np.asarray(np.einsum("pn,pn->p", weights, weights), np.float64)
+    squares = np.vecdot(weights, weights).astype(np.float64)
     return np.asarray(1.0 / (weights.shape[1] * squares))
 
 

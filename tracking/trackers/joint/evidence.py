@@ -46,11 +46,13 @@ class Evidence:
 
 def spread_of(people: Population) -> Floats:
     """(people, 3) covariance xx, yy, xy of each person's particles, all alike in weight, m²."""
-    x, y = np.ascontiguousarray(np.moveaxis(people.particles, 2, 0))
-    x -= x.mean(axis=1, keepdims=True)
-    y -= y.mean(axis=1, keepdims=True)
-    sums = [np.einsum("pn,pn->p", a, b) for a, b in ((x, x), (y, y), (x, y))]
-    return np.asarray(np.column_stack(sums).astype(np.float64) / x.shape[1])
+    count = people.particles.shape[1]
+    alike = np.full(count, 1.0 / count, np.float32)
+    middle = alike @ people.particles
+    x = people.particles[..., 0] - middle[:, :1]
+    y = people.particles[..., 1] - middle[:, 1:]
+    sums = np.stack((np.vecdot(x, x), np.vecdot(y, y), np.vecdot(x, y)), axis=1)
+    return np.asarray(sums.astype(np.float64) / count)
 
 
 def place_density(offset: Floats, spread: Floats, sigma: Floats) -> Floats:
