@@ -1,4 +1,4 @@
-"""What light and a failing right eye do to our tracker."""
+"""What light, a failing right eye and poor cameras do to our tracker."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from tests.benchmarks.rendered import Clip
 from tests.benchmarks.spheroid.ghosts import ghosts_s
 from tests.benchmarks.stereo.clips import folder
 from tests.benchmarks.stereo.columns import OURS
+from tests.benchmarks.stereo.disturbing import DISTURBANCES, disturbed
 from tests.benchmarks.stereo.measuring import figures_of
 from tests.benchmarks.stereo.trackers import runs_over
 from tests.benchmarks.stereo.troubles import TROUBLES, troubled
@@ -40,6 +41,8 @@ def _recordings(
         yield SOUND, clip, place
         for trouble in TROUBLES:
             yield trouble.name, clip, troubled(place, trouble)
+        for disturbance in DISTURBANCES:
+            yield disturbance.name, clip, disturbed(place, disturbance)
 
 
 def _row(place: Path) -> dict[str, Any]:

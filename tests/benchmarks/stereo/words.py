@@ -107,11 +107,13 @@ grey everybody else's.
 """
 
 BEFALLEN = """
-## Light that changes, a right eye that fails or lags
+## Light that changes, a right eye that fails or lags, poor cameras
 
 A part of the light goes out within a second (clips of 15 s), or the right eye of a clip of 30 s is
 late or ahead by frames throughout, dark, or shows one picture for four seconds from the twelfth
-on. "Longest alone" is the longest stretch in which a track stands where nobody is within a metre.
+on; or, throughout, both eyes are noisy or see lamps flicker, or the right one is out of focus or
+not level with the left one. "Longest alone" is the longest stretch in which a track stands where
+nobody is within a metre.
 """
 
 MEANINGS = {
