@@ -34,7 +34,7 @@ def found(monkeypatch: pytest.MonkeyPatch, heads: int) -> Detections:
 
     monkeypatch.setattr(finder, "told_by_heads", told)
     picture = np.full((*SIZE[::-1], 3), 90, np.uint8)
-    return people.find(people.points(disparity), body, picture)
+    return people.find(people.points(disparity), body[::STEP, ::STEP], picture)
 
 
 def test_more_heads_than_labels_are_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:
