@@ -39,6 +39,19 @@ def test_in_clothes_of_one_colour_walking_alone_tells_them_apart() -> None:
     assert (id_near(run, 115, A[115]), id_near(run, 115, B[115])) == (1, 2)
 
 
+def test_two_dressed_alike_who_were_exchanged_while_neither_was_seen_get_their_ids_back() -> None:
+    one, other = straight((-2, 6), (2, 6.3), 120), straight((2, 6.75), (-2, 6.45), 120)
+    tracked = run_of(
+        Stretch(1, 0, one[:66], lost=range(55, 66)),
+        Stretch(2, 0, other[:66], lost=range(55, 66)),
+        Stretch(2, 66, one[66:]),
+        Stretch(1, 66, other[66:]),
+        frames=120,
+    )
+    run = linked(tracked, VIEW, FPS)
+    assert (id_near(run, 115, one[115]), id_near(run, 115, other[115])) == (1, 2)
+
+
 def test_one_person_whom_the_tracker_followed_under_two_ids_in_turns_is_one() -> None:
     run = run_of(
         Stretch(1, 0, A[:67], lost=range(60, 64)),

@@ -18,11 +18,16 @@ from tracking.tracks import Run
 LANES = [straight((-2, 5 + lane), (2, 5 + lane), 100) for lane in range(4)]
 
 
-def pieces_of(clothes: Sequence[Sequence[float]]) -> tuple[Tracklets, Looks]:
-    """A tracklet of each of those who walk in lanes, one after the other."""
+def pieces_of(clothes: Sequence[Sequence[float]], half_hidden: int = 0) -> tuple[Tracklets, Looks]:
+    """A tracklet of each of those who walk in lanes, one after the other.
+
+    Args:
+        half_hidden: track of somebody of whom less shows.
+    """
     run = run_of(
         *(Stretch(n + 1, 100 * n, LANES[n], worn) for n, worn in enumerate(clothes)), frames=400
     )
+    run.tracks["visibility"][run.tracks["track"] == half_hidden] = 0.4
     seen, _ = seen_of(run, VIEW)
     pieces = tracklets(seen, begins(seen).astype(np.uint8), FPS)
     return pieces, looks_of(seen, pieces, FPS)
@@ -37,6 +42,13 @@ def test_the_same_clothes_speak_for_one_person_and_others_against() -> None:
     _, looks = pieces_of([RED, BLUE, RED, BLUE])
     assert likeness(looks, 0, 2) > 1.0
     assert likeness(looks, 0, 1) < -3.0
+
+
+def test_clothes_of_somebody_half_hidden_tell_something_but_less() -> None:
+    _, looks = pieces_of([RED, BLUE, RED, BLUE], half_hidden=1)
+    assert likeness(looks, 0, 2) > 1.0
+    assert likeness(looks, 0, 1) < -1.0
+    assert 0.0 < looks.told[0, 0] < 0.5 * looks.told[2, 0]
 
 
 def test_where_all_wear_the_same_clothes_say_little() -> None:

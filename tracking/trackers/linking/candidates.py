@@ -30,10 +30,10 @@ _LOST_S = 1.5
 """How long others are, while nothing is known that hides the person."""
 _HIDING, _HIDDEN_S = 0.8, 5.0
 """How much likelier a long gap is behind others, and how long those are."""
-_TRACKER = 3.0
+_TRACKER = 2.0
 """Log-odds of what the tracker said, which knew more of looks and of every frame."""
 _KEPT_APART = 1.5
-"""Log-odds that two ids it gave are two people; an exchange where they met is two already."""
+"""Log-odds that a new id it gave is a new person; an exchange of ids makes nobody new."""
 _SEEN_BOTH = 5.0
 """Log-odds that they are, where the one began while the other was still seen."""
 _GAP_S = 0.25
@@ -119,7 +119,9 @@ class _Costs:
         same = (pieces.track[end] == pieces.track[start]) & (start > end)
         over_edge = self.edges[start] > self.edges[end]
         other = (pieces.track[end] != pieces.track[start]) & (pieces.doubt[start] != Doubt.MET)
-        together += _TRACKER * (same & ~over_edge) - _KEPT_APART * other
+        led = self.begun < pieces.first.frame
+        named_anew = other & ((pieces.doubt[start] != Doubt.LOST) | led[start])
+        together += _TRACKER * (same & ~over_edge) - _KEPT_APART * named_anew
         together -= _SEEN_BOTH * (other & (self.begun[start] <= pieces.last.frame[end]))
         cost = self.born[start] + self.gone[end] - together
         hidden = np.zeros(len(end))

@@ -24,6 +24,8 @@ _TRUSTED = 0.6
 """Looks change with light and place in ways that windows of one tracklet do not tell."""
 _BIAS = 0.7
 """Part of the expected spread that windows of one track do not show: light, range, what hides."""
+_HALF_HIDDEN = 0.2
+"""How much clothes of people half hidden tell, of what those of people in full sight do."""
 _MISTAKEN = 3e-4
 """How often looks are somebody else's, seen through or beside the person."""
 
@@ -66,11 +68,14 @@ def looks_of(seen: Seen, pieces: Tracklets, fps: float) -> Looks:
     How far one person's looks spread is learnt from windows along the same tracks, of which few
     change hands; how far people differ, from whole tracks: where all wear the same, colours tell
     next to nothing. Colours are cues together, as light changes all of them alike; height is one
-    of its own.
+    of its own. What shows of the clothes of people half hidden tells less, but in a crowd it may be
+    all there is.
     """
     window = np.round(seen.frame / fps / _WINDOW_S).astype(np.int64)
-    colours = _cues(seen, pieces, window, slice(0, 6), _SAME, _DIFFERENT)
-    height = _cues(seen, pieces, window, slice(6, 7), _SAME_M, _DIFFERENT_M)
+    clothes, tall = seen.looks[:, :6], seen.looks[:, 6:]
+    colours = _cues(seen, pieces, window, (clothes, seen.glimpsed), (_SAME, _DIFFERENT))
+    unseen = np.full_like(tall, np.nan)
+    height = _cues(seen, pieces, window, (tall, unseen), (_SAME_M, _DIFFERENT_M))
     return Looks(*(np.concatenate(both, axis=-1) for both in zip(colours, height, strict=True)))
 
 
@@ -78,29 +83,40 @@ def _cues(
     seen: Seen,
     pieces: Tracklets,
     window: NDArray[np.int64],
-    columns: slice,
-    same: float,
-    different: float,
+    looks: tuple[Floats, Floats],
+    usual: tuple[float, float],
 ) -> tuple[Floats, Floats, Floats]:
-    """`Looks` of some columns."""
-    looks = seen.looks[:, columns]
-    known = np.isfinite(looks).all(axis=1)
-    looks, piece = looks[known], pieces.of_rows[known]
-    width = looks.shape[1]
-    count = np.bincount(piece, minlength=len(pieces)).astype(float)
-    mean = np.zeros((len(pieces), width))
-    mean[count > 0] = _medians(looks, piece)
+    """`Looks` of some columns.
+
+    Args:
+        looks: (n, k) in full sight, and half hidden. usual: expected spread of one person's
+            windows, and between people.
+    """
+    same, different = usual
+    known = np.isfinite(looks[0]).all(axis=1)
+    clear, piece = looks[0][known], pieces.of_rows[known]
     track = np.unique(seen.track[known], return_inverse=True)[1]
     names, number = np.unique(np.stack((track, window[known])), axis=1, return_inverse=True)
-    each = _means(looks, number.ravel(), names.shape[1])
+    each = _means(clear, number.ravel(), names.shape[1])
     level = _medians(each, names[0])
     within = _spread(each - level[names[0]], _PRIOR_WINDOWS, same)
-    within += np.eye(width) * (_BIAS * same) ** 2
-    centre = np.median(level, axis=0) if len(level) else np.zeros(width)
+    within += np.eye(clear.shape[1]) * (_BIAS * same) ** 2
+    centre = np.median(level, axis=0) if len(level) else np.zeros(clear.shape[1])
     between = _spread(level - centre, _PRIOR_PEOPLE, different)
     variance, axes = _common_axes(within, between)
-    told = np.repeat((count / (count + _FEW))[:, None], width, axis=1)
-    return told, told * ((mean - centre) @ axes), variance
+    told, value = _told((clear - centre) @ axes, piece, len(pieces))
+    half = np.isfinite(looks[1]).all(axis=1)
+    more = _told((looks[1][half] - centre) @ axes, pieces.of_rows[half], len(pieces))
+    return told + _HALF_HIDDEN * more[0], value + _HALF_HIDDEN * more[1], variance
+
+
+def _told(values: Floats, piece: NDArray[np.intp], pieces: int) -> tuple[Floats, Floats]:
+    """How much each tracklet tells, and what times that, (pieces, k), of values (n, k)."""
+    count = np.bincount(piece, minlength=pieces).astype(float)
+    middle = np.zeros((pieces, values.shape[1]))
+    middle[count > 0] = _medians(values, piece)
+    told = np.repeat((count / (count + _FEW))[:, None], values.shape[1], axis=1)
+    return told, told * middle
 
 
 def _means(values: Floats, group: NDArray[np.intp], groups: int) -> Floats:

@@ -32,6 +32,8 @@ _WELL_SEEN = 0.5
 """Visibility from which on what is measured of somebody is theirs."""
 _IN_FRONT = 0.8
 """Visibility from which on clothes are this person's even close to others: those are behind."""
+_GLIMPSED = 0.2
+"""Visibility from which on what shows of somebody's clothes tells a little."""
 _TALL = 0.7
 """Of a usual body's height in the picture: the halves of a lower box are not those of a body."""
 _NEAR_ROWS = 3
@@ -46,6 +48,7 @@ class Seen:
         frame, track: (n,) with the ids of the tracker. row: (n,) of the run's tracks.
         place: (n, 2) m, where the detection stood. box: (n, 4) px, of the detection.
         looks: (n, 7) `LOOKS`, NaN where they are not known, or not of this person's whole body.
+        glimpsed: (n, 6) `CLOTHES` of people half hidden by others, NaN elsewhere.
         at_edge: (n,) the box is cut off by the picture's edge.
         alone: (n,) nobody else is near or in front.
     """
@@ -56,6 +59,7 @@ class Seen:
     place: Floats
     box: Floats
     looks: Floats
+    glimpsed: Floats
     at_edge: Flags
     alone: Flags
 
@@ -74,13 +78,16 @@ def seen_of(run: Run, view: View) -> tuple[Seen, Encounters]:
     row = order[(known & ~tracks["predicted"])[order]]
     meetings = encounters(tracks["frame"], tracks["track"], place, box, known)
     _measure(place, box, run.detections, tracks, row)
-    alone = ~meetings.met[row] & (tracks["visibility"][row] >= _WELL_SEEN)
+    shown = tracks["visibility"][row]
+    alone = ~meetings.met[row] & (shown >= _WELL_SEEN)
     edge = _at_edge(box[row], view)
-    looks = _looks(run.signals, tracks)[row]
     whole = ~_near(_cut_off(box[row], view)) & _tall(box[row], place[row], view)
-    looks[~whole | ~(alone | (tracks["visibility"][row] >= _IN_FRONT))] = np.nan
+    clear = alone | (shown >= _IN_FRONT)
+    noticed = _looks(run.signals, tracks)[row]
+    looks = _where(whole & clear, noticed)
+    glimpsed = _where(whole & ~clear & (shown >= _GLIMPSED), noticed[:, : len(CLOTHES)])
     frame, track = tracks["frame"][row].astype(np.int64), tracks["track"][row].astype(np.int64)
-    return Seen(frame, track, row, place[row], box[row], looks, edge, alone), meetings
+    return Seen(frame, track, row, place[row], box[row], looks, glimpsed, edge, alone), meetings
 
 
 def begins(seen: Seen) -> Flags:
@@ -136,6 +143,11 @@ def _looks(signals: Columns, tracks: Columns) -> Floats:
     if len(signals["frame"]) != len(tracks["frame"]):
         return np.full((len(tracks["frame"]), len(LOOKS)), np.nan)
     return np.stack([signals[name].astype(np.float64) for name in LOOKS], axis=1)
+
+
+def _where(rows: Flags, values: Floats) -> Floats:
+    """The values (n, k) of some rows, NaN in the others."""
+    return np.where(rows[:, None], values, np.nan)
 
 
 def _near(edge: Flags) -> Flags:
