@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
@@ -24,6 +25,7 @@ class FrameReader(QObject):
     is looked for from the first one on (`LagSearch`); if it is, the frame asked for last comes once
     more, with the right picture of its instant. Requests that were overtaken before their turn are
     never read. `failed(frame, error)` says which frame could not be read; later requests go on.
+    Without `close`, which waits for its threads, these end once their reader is destroyed.
     """
 
     ready = Signal(int, object)
@@ -37,8 +39,8 @@ class FrameReader(QObject):
         self._lag = self._instants.lag  # as it is known; the thread takes it between two frames
         self._ticket = 0
         self._wanted: _Request | None = None
-        self._closed = False
-        self._changed = threading.Condition()
+        self._closing, self._changed = threading.Event(), threading.Condition()
+        self.destroyed.connect(_ending(self._closing, self._changed, self._search))
         self._thread = threading.Thread(target=self._run, name="frame reader", daemon=True)
         self._thread.start()
 
@@ -62,10 +64,7 @@ class FrameReader(QObject):
 
     def close(self) -> None:
         """End the thread and wait for it."""
-        self._search.cancel()
-        with self._changed:
-            self._closed = True
-            self._changed.notify()
+        _ending(self._closing, self._changed, self._search)()
         self._thread.join()
         self._search.wait()
 
@@ -76,7 +75,7 @@ class FrameReader(QObject):
             with self._changed:
                 while not (more or self._has_news(served)):
                     self._changed.wait()
-                if self._closed:
+                if self._closing.is_set():
                     return
                 request = self._wanted
                 if self._lag != self._instants.lag:
@@ -93,7 +92,7 @@ class FrameReader(QObject):
     def _has_news(self, served: _Request | None) -> bool:
         """Whether there is more to do than to fetch ahead."""
         asked = self._wanted is not served or self._lag != self._instants.lag
-        return asked or self._closed
+        return asked or self._closing.is_set()
 
     def _serve(self, request: _Request) -> None:
         try:
@@ -115,3 +114,17 @@ class FrameReader(QObject):
             return self._cache.prefetch()
         except Exception:
             return False  # told when somebody asks for this very frame
+
+
+def _ending(
+    closing: threading.Event, changed: threading.Condition, search: LagSearch
+) -> Callable[[], None]:
+    """Has the threads of a reader end; holds nothing of the reader, which may be gone."""
+
+    def end() -> None:
+        search.cancel()
+        closing.set()
+        with changed:
+            changed.notify()
+
+    return end

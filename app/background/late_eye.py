@@ -29,8 +29,9 @@ class LagSearch:
         self._thread: threading.Thread | None = None
 
     def start(self, frame: int) -> None:
-        """Begin, unless that was done; `frame` is the one that matters most."""
-        if self._thread is None and self._recording.is_stereo:
+        """Begin, unless that was done or it was cancelled; `frame` matters most."""
+        begun = self._thread is not None or self._closed.is_set()
+        if self._recording.is_stereo and not begun:
             self._thread = threading.Thread(
                 target=self._run, args=(frame,), name="late eye", daemon=True
             )

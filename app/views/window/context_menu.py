@@ -78,6 +78,7 @@ class ContextMenu(QObject):
     def _fill(self, offered: tuple[Offered, ...]) -> QMenu:
         menu, menus = QMenu(self._window), self._window.menus
         menu.setAccessibleName(tr("What can be done here"))
+        menu.installEventFilter(menus)
         for one in offered:
             if isinstance(one, tuple):
                 menu.addMenu(menus.menus[one])

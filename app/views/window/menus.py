@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
+from PySide6.QtGui import QAction, QHelpEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QApplication,
@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QMenu,
     QPlainTextEdit,
     QTextEdit,
+    QToolTip,
 )
 
 from app.presenters.commands import COMMANDS, MENUS, Command
@@ -57,6 +58,8 @@ class Menus(QObject):
             action = self._action(command, window)
             menu.addAction(action)
             self.actions[command.name] = action
+        for menu in self.menus.values():
+            menu.installEventFilter(self)
         self.draw_icons()
 
     def show_items(self, items: Sequence[CommandItem]) -> None:
@@ -82,6 +85,15 @@ class Menus(QObject):
         for command in COMMANDS:
             if command.icon:
                 self.actions[command.name].setIcon(icon(command.icon))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+        """Say beside an entry that cannot be chosen why; what can be needs no words."""
+        if isinstance(watched, QMenu) and isinstance(event, QHelpEvent):
+            entry = watched.actionAt(event.pos())
+            why = entry.statusTip() if entry is not None and not entry.isEnabled() else ""
+            QToolTip.showText(event.globalPos(), why, watched)
+            return True
+        return super().eventFilter(watched, event)
 
     def _menu_of(self, command: Command) -> QMenu:
         """The menu or submenu the command stands in, with the line above it where it has one."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -14,10 +16,12 @@ from app.presenters.document.instant import Pictured
 from app.presenters.pictures.overlays import Kinds
 from app.presenters.scenes import Eye
 from tests.benchmarks.stereo.troubles import Trouble, troubled
-from tracking.recording import Instants, StereoFrame, open_recording
+from tracking.recording import Instants, Recording, StereoFrame, open_recording
 from tracking.session import Session
 
 LAG = 6
+PATIENCE_MS = 60_000
+"""On a busy machine it may take long until the lag is found."""
 
 
 @pytest.fixture(scope="module")
@@ -25,17 +29,29 @@ def late_recording(tiny_recording: Path) -> Path:
     return troubled(tiny_recording, Trouble("late", lag=LAG))
 
 
-def test_a_frame_comes_again_with_its_partner_once_the_lag_is_found(late_recording, qtbot):
-    parent, shown = QObject(), []
-    with open_recording(late_recording) as recording:
-        reader = FrameReader(recording, 50_000_000, parent)
-        reader.ready.connect(lambda ticket, frame: shown.append((ticket, frame)))
-        ticket = reader.request(20)
-        qtbot.waitUntil(lambda: len(shown) == 2)
-        qtbot.waitUntil(lambda: reader.cached(24) is not None)
-        ahead = reader.cached(24)
-        reader.close()
-        partner = recording.read(20 + LAG)
+@pytest.fixture
+def recording(no_threads_left: None, late_recording: Path) -> Iterator[Recording]:
+    with open_recording(late_recording) as opened:
+        yield opened
+
+
+@pytest.fixture
+def reader(recording: Recording) -> Iterator[FrameReader]:
+    """Ended however a test ends: a thread that is left may keep the whole run from ending."""
+    owner = QObject()
+    made = FrameReader(recording, 50_000_000, owner)
+    yield made
+    made.close()
+
+
+def test_a_frame_comes_again_with_its_partner_once_the_lag_is_found(reader, recording, qtbot):
+    shown = []
+    reader.ready.connect(lambda ticket, frame: shown.append((ticket, frame)))
+    ticket = reader.request(20)
+    qtbot.waitUntil(lambda: len(shown) == 2, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: reader.cached(24) is not None, timeout=PATIENCE_MS)
+    ahead = reader.cached(24)
+    partner = recording.read(20 + LAG)
     (_, raw), (again, paired) = shown
     assert (ticket, raw.right_lag) == (again, 0)
     assert (paired.number, paired.right_lag, ahead.right_lag) == (20, LAG, LAG)
@@ -43,42 +59,56 @@ def test_a_frame_comes_again_with_its_partner_once_the_lag_is_found(late_recordi
     assert np.array_equal(paired.left, raw.left)
 
 
-def test_a_lag_that_the_recording_tells_is_shown_from_the_first_frame(late_recording, qtbot):
-    parent = QObject()
-    with open_recording(late_recording) as recording:
-        recording.right_lag = LAG
-        reader = FrameReader(recording, 50_000_000, parent)
-        with qtbot.waitSignal(reader.ready) as answer:
-            reader.request(20)
-        reader.close()
+def test_a_lag_that_the_recording_tells_is_shown_from_the_first_frame(recording, request, qtbot):
+    recording.right_lag = LAG
+    reader = request.getfixturevalue("reader")
+    with qtbot.waitSignal(reader.ready, timeout=PATIENCE_MS) as answer:
+        reader.request(20)
     assert answer.args[1].right_lag == LAG
 
 
-def test_the_right_picture_says_which_frame_it_is(late_recording, tiny_session):
-    with open_recording(late_recording) as recording:
-        document = Document(recording, Session.open(tiny_session))
-        instants, said = Instants(recording, LAG), []
-        for number in (20, recording.frame_count - 1):
-            instant = document.instant(number)
-            frame = instants.read(number)
-            eyes = (Eye.LEFT, Eye.RIGHT)
-            scenes = [document.pictures.scene(e, frame, instant, Pictured()) for e in eyes]
-            said.append([scene.message for scene in scenes])
-        document.session.close()
+def test_the_threads_of_a_reader_end_with_it_though_nobody_closed_it(recording):
+    before = set(threading.enumerate())
+    owner = QObject()
+    FrameReader(recording, 50_000_000, owner).request(20)
+    assert set(threading.enumerate()) > before
+    del owner
+    while begun := set(threading.enumerate()) - before:
+        thread = begun.pop()
+        thread.join(PATIENCE_MS / 1000)
+        assert not thread.is_alive()
+
+
+def test_the_right_picture_says_which_frame_it_is(recording, tiny_session):
+    document = Document(recording, Session.open(tiny_session))
+    instants, said = Instants(recording, LAG), []
+    for number in (20, recording.frame_count - 1):
+        instant = document.instant(number)
+        frame = instants.read(number)
+        eyes = (Eye.LEFT, Eye.RIGHT)
+        scenes = [document.pictures.scene(e, frame, instant, Pictured()) for e in eyes]
+        said.append([scene.message for scene in scenes])
+    document.session.close()
     assert said[0] == ["", "Frame 26 of this eye: the same instant"]
     assert said[1] == ["", "Nothing was recorded of this instant: another frame is shown"]
 
 
-def test_overlays_of_pictures_that_were_paired_wrongly_are_forgotten(qtbot):
-    parent, kinds = QObject(), Kinds(foreground=True)
-    picture = np.zeros((2, 2, 3), np.uint8)
+@pytest.fixture
+def maker(no_threads_left: None) -> Iterator[OverlayMaker]:
+    """Paints by how much the right eye was late; ended however a test ends."""
 
     def paint(frame: StereoFrame, _kinds: Kinds) -> np.ndarray:
         return np.full((2, 2, 4), frame.right_lag, np.uint8)
 
-    maker = OverlayMaker(paint, lambda _: None, 1000, parent)
+    owner = QObject()
+    made = OverlayMaker(paint, lambda _: None, 1000, owner)
+    yield made
+    made.close()
+
+
+def test_overlays_of_pictures_that_were_paired_wrongly_are_forgotten(maker, qtbot):
+    kinds, picture = Kinds(foreground=True), np.zeros((2, 2, 3), np.uint8)
     for lag in (0, LAG):
-        with qtbot.waitSignal(maker.ready):
+        with qtbot.waitSignal(maker.ready, timeout=PATIENCE_MS):
             maker.request(StereoFrame(3, 0.0, picture, picture, lag), kinds)
         assert (maker.made(3, kinds) == lag).all()
-    maker.close()

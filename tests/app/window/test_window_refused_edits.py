@@ -1,6 +1,9 @@
 """Edits that cannot be done are told, and leave everything as it is."""
 
 import pytest
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtWidgets import QApplication, QToolTip
 
 from tracking.editing import plan_delete
 from tracking.errors import EditError, SessionError
@@ -64,3 +67,16 @@ def test_what_is_taken_at_once_is_told_too_where_the_history_cannot_keep_it(desk
     monkeypatch.setattr("tracking.editing.log.text.LARGEST_TEXT", 64)
     with pytest.raises(EditError, match="more than the history can keep"):
         desk.document.apply(change)
+
+
+def test_an_entry_of_a_menu_that_cannot_be_chosen_says_why_beside_it(window, desk, monkeypatch):
+    told = []
+    monkeypatch.setattr(QToolTip, "showText", lambda _at, text, _menu: told.append(text))
+    menu, entries = window.menus.menus["Playback", ""], window.menus.actions
+    menu.popup(window.pos())
+    for name in ("play.follow", "play.next"):
+        at = menu.actionGeometry(entries[name]).center()
+        QApplication.sendEvent(menu, QHelpEvent(QEvent.Type.ToolTip, at, at))
+    menu.close()
+    assert told == [entries["play.follow"].statusTip(), ""]
+    assert "no tracker is at work" in told[0]
