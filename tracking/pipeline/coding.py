@@ -92,13 +92,17 @@ class Steps:
 
     def put(self, spool: Spool, values: NDArray[Any]) -> Block:
         """See `Coding`."""
-        steps = np.rint(values * np.float32(1 / self.size)) + np.float32(0)  # no 0 is negative
+        # One array throughout: many frames' particles at once are too large to be had anew.
+        steps = values * np.float32(1 / self.size)
+        np.rint(steps, out=steps)
+        steps += np.float32(0)  # no 0 is negative
         low, high = float(steps.min()), float(steps.max())
         origin = np.floor((low + high) / 2)
         near = high - low < 2 * _HALF_RANGE - 1 and max(-low, high) < _WHOLE_NUMBERS
         if not near:  # also where something is NaN
             return _plain(spool, steps * np.float32(self.size))
-        data = (steps - np.float32(origin)).astype(np.int16).tobytes()
+        steps -= np.float32(origin)
+        data = steps.astype(np.int16).tobytes()
         return Block(spool.append(data), len(data), len(values), "steps", origin)
 
     def get(self, spool: Spool, block: Block, rows: slice, dtype: np.dtype[Any]) -> NDArray[Any]:
