@@ -83,7 +83,8 @@ class Overlays:
             np.arange(0, shown, step) * stored // shown
             for shown, stored in zip(self._size, picture.shape[::-1], strict=True)
         )
-        return np.asarray(picture[rows[:, None], columns])
+        # One side after the other: several times as fast as both at once.
+        return np.asarray(picture.take(rows, axis=0).take(columns, axis=1))
 
 
 def _resized(picture: NDArray[T], size: tuple[int, int]) -> NDArray[T]:

@@ -1,4 +1,4 @@
-"""The parts of a grid of pixels in which there is something to match."""
+"""The parts of a picture in which there is something to match."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from numpy.typing import NDArray
 Mask = NDArray[np.uint8]
 Box = tuple[slice, slice]
 
-_TILE = (4, 4)
-"""Rows and columns of places that are taken in or left out together; 4 columns are one number."""
-_EACH = 750
-"""What a part costs beside its places, in places."""
+_TILE = (4, 8)
+"""Rows and columns of pixels that are taken in or left out together; 8 columns are one number."""
+_EACH_PX = 1500
+"""What a part costs beside its pixels, in pixels."""
 
 
 def areas(mask: Mask, margin: tuple[int, int]) -> list[Box]:
     """Boxes, rows and columns, that hold all of a mask and little else.
 
     Args:
-        mask: (rows, columns) uint8, non-zero where it counts.
+        mask: (height, width) uint8, non-zero where it counts.
         margin: rows and columns that a box costs beside its own.
 
     Returns:
-        Boxes of tiles, cut at the grid's sides; the one box round all of it where several would
+        Boxes of tiles, cut at the picture's sides; the one box round all of it where several would
         cost more. None without anything.
     """
     count, _, stats, _ = cv2.connectedComponentsWithStats(_tiles(mask), connectivity=8)
@@ -53,7 +53,7 @@ def _tiles(mask: Mask) -> Mask:
     rows = mask[0 :: _TILE[0]].copy()
     for row in range(1, _TILE[0]):
         rows |= mask[row :: _TILE[0]]
-    return np.asarray(rows.view(np.uint32) != 0).view(np.uint8)
+    return np.asarray(rows.view(np.uint64) != 0).view(np.uint8)
 
 
 def _round(boxes: list[Box]) -> Box:
@@ -66,8 +66,8 @@ def _round(boxes: list[Box]) -> Box:
 
 
 def _cost(boxes: list[Box], margin: tuple[int, int]) -> int:
-    """Places of boxes with their margins, and what each costs beside."""
+    """Pixels of boxes with their margins, and what each costs beside."""
     return sum(
-        (rows.stop - rows.start + margin[0]) * (columns.stop - columns.start + margin[1]) + _EACH
+        (rows.stop - rows.start + margin[0]) * (columns.stop - columns.start + margin[1]) + _EACH_PX
         for rows, columns in boxes
     )

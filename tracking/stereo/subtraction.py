@@ -56,7 +56,7 @@ class SubtractionStereo:
         self._most_parts = np.floor(self._most * _PARTS_OF_PX).astype(np.int16)
         self._reach_px = self._settings.window_px // 2 + _FILTER_PX
         least_disparities = 16 + max(0, math.floor(float(self._least.min())))
-        self._margin = (2 * self._reach_px, (2 * self._reach_px + least_disparities) // STEP)
+        self._margin_px = (2 * self._reach_px, 2 * self._reach_px + least_disparities)
         self._lines = lines
         self._scene = np.full_like(self._least, np.nan)
         self._scene_slack = np.zeros_like(self._least)
@@ -124,14 +124,14 @@ class SubtractionStereo:
             (rows, columns) float32 px for the pixels [::STEP, ::STEP]; NaN outside the foreground
             and where nothing matched.
         """
-        here = np.ascontiguousarray(left_mask[::STEP, ::STEP])
-        there = right_mask[::STEP]
+        here, there = left_mask[::STEP], right_mask[::STEP]
         disparity = np.full(self._least.size, np.nan, np.float32)
         if cv2.hasNonZero(there):
             left, right = self._alike(left, right)
-            parts = self._matched(_rows_halved(left), _rows_halved(right), here)
+            sought = np.ascontiguousarray(here[:, ::STEP])
+            parts = self._matched(_rows_halved(left), _rows_halved(right), here, sought)
             good = (parts >= self._least_parts) & (parts <= self._most_parts)
-            place = np.flatnonzero(good & here.view(np.bool_))
+            place = np.flatnonzero(good & sought.view(np.bool_))
             d = parts.ravel().take(place).astype(np.float32) / np.float32(_PARTS_OF_PX)
             kept = self._foreground_there(there, place, d)
             kept &= ~(np.abs(d - self._scene.take(place)) < self._scene_slack.take(place))
@@ -139,17 +139,20 @@ class SubtractionStereo:
             disparity[place.take(rows)] = d.take(rows)
         return disparity.reshape(self._least.shape)
 
-    def _matched(self, left: Grey, right: Grey, here: Mask) -> Parts:
+    def _matched(self, left: Grey, right: Grey, here: Mask, sought: Mask) -> Parts:
         """(rows, columns) disparities on the grid, in parts of a pixel.
 
         What is not near foreground is 0, and what did not match is below any disparity.
 
         Args:
-            left, right: rows halved. here: the foreground on the grid.
+            left, right: rows halved. here: the foreground. sought: of it, on the grid.
         """
         found = np.zeros(self._least.shape, np.int16)
-        for box in areas(here, self._margin):
-            own = here[box]
+        for rows, columns in areas(here, self._margin_px):
+            box = rows, slice(columns.start // STEP, -(-columns.stop // STEP))
+            own = sought[box]
+            if not cv2.hasNonZero(own):
+                continue
             low = math.floor(cv2.minMaxLoc(self._least[box], own)[0])
             high = math.ceil(cv2.minMaxLoc(self._most[box], own)[1])
             found[box] = self._search(left, right, box, low, high)[:, ::STEP]
