@@ -90,6 +90,14 @@ def test_who_enters_where_somebody_leaves_is_somebody_new(clothes: tuple[float, 
     assert list(ids_at(run, 110)) == [2]
 
 
+def test_who_slows_down_and_turns_round_half_out_of_the_picture_stays() -> None:
+    time_s = (np.arange(120) - 60) / FPS
+    away = 0.8 * np.sqrt(time_s**2 + 0.3**2)
+    way = np.stack((-3.9 + away, 6.0 + 0.3 * time_s), axis=1)
+    run = linked(run_of(Stretch(1, 0, way), frames=120), VIEW, FPS)
+    assert set(run.tracks["track"].tolist()) == {1}
+
+
 def test_without_clothes_whom_the_tracker_followed_over_the_edge_stays() -> None:
     unknown = (np.nan,) * 6
     tracked = run_of(Stretch(1, 0, OUT, unknown), Stretch(1, 60, IN, unknown), frames=120)

@@ -30,6 +30,8 @@ _LEAST_LINE = 5
 """Rows of a line."""
 _WAY_M = 0.12
 """Who seems to move less than this, out and in again, may have stood there."""
+_BEND = 1.75
+"""Times the misses of two straight ways, up to which one bend explains the way as well."""
 _SURE = 3.0
 """In errors of a measured place: how much worse two ways must part elsewhere."""
 _ERRORS = 1.5
@@ -40,7 +42,8 @@ def returned_over_edge(seen: Seen, view: View, fps: float) -> list[Return]:
     """Where tracks that went out over the picture's edge come back over it.
 
     At most once in each stretch along the edge that has others before and after it: where the way
-    turns most, if it does from outwards to inwards.
+    turns most, if it does from outwards to inwards. Not where it bends evenly: who turns round
+    slows down first, while somebody else comes as fast as the other went.
     """
     returns = []
     first = begins(seen) | found_again(seen, _TURN_S, fps)
@@ -55,8 +58,8 @@ def returned_over_edge(seen: Seen, view: View, fps: float) -> list[Return]:
             own = own[part[own] == part[start]]
             ways = _Ways.of(seen, own, scale, view, fps)
             row = ways.turn(start, stop, reach)
-            if row:
-                returns.append(ways.sharpened(row, reach))
+            found = [ways.sharpened(row, reach)] if row else []
+            returns += [one for one in found if not ways.bends(one.row, reach)]
     return returns
 
 
@@ -148,6 +151,16 @@ class _Ways:
         gain = self._lines(low, high)[1] - one - other
         gain[~self._return(at, out, back)] = 0.0
         return int(self.row[at[gain.argmax()]]) if gain.max(initial=0.0) > 0.0 else 0
+
+    def bends(self, row: int, reach: int) -> bool:
+        """Whether the way around a row is one even bend, rather than two straight ways."""
+        low, at, high = self._around(np.array([row]), reach)
+        own = slice(int(low[0]), int(high[0]))
+        time = np.vander(self.time_s[own], 3)
+        bend = time @ np.linalg.lstsq(time, self.where[own], rcond=None)[0]
+        miss = np.square(self.where[own] - bend).sum()
+        straight = self._lines(low, at)[1] + self._lines(at, high)[1]
+        return bool(miss <= _BEND * straight[0])
 
     def sharpened(self, row: int, reach: int) -> Return:
         """The row close by that parts the same stretch best, and those that do nearly as well."""
