@@ -22,8 +22,6 @@ _BEFORE_M = 0.5
 """What is nearer than people by this may hide them."""
 _CUT_ROWS = 6
 """What is ranged up to so many rows of the grid below the picture's upper edge goes on above it."""
-_UNRANGED = (np.s_[:_CUT_ROWS], np.s_[:, :_CUT_ROWS], np.s_[:, -_CUT_ROWS:])
-"""The upper, left and right edge of the grid, where the window of block matching ends outside."""
 _MOST_PEOPLE = 255
 """Labels of 8 bits tell no more apart."""
 _LEAST_BELOW_EDGE_M = 0.5
@@ -96,7 +94,7 @@ class PeopleFinder:
         extent = measure(len(places), owner, points, self._eye, certain.shape[1])
         real = self._are_people(extent)
         owner = _renumbered(owner, real)
-        labels = paint(owner, points, _to_the_edges(certain, body))
+        labels = paint(owner, points, certain)
         kept = Extent(*(getattr(extent, name)[real] for name in Extent.__slots__))
         return self._describe(places[real], kept, labels, picture)
 
@@ -163,18 +161,3 @@ def _renumbered(owner: NDArray[np.intp], kept: NDArray[np.bool_]) -> NDArray[np.
     """The owners counted among those kept; -1 for the others."""
     number = np.where(kept, np.cumsum(kept) - 1, -1)
     return np.concatenate((number, [-1])).take(owner)
-
-
-def _to_the_edges(certain: NDArray[np.uint8], body: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Foreground that is a person's whom it touches: what is certain, at the edges all of it.
-
-    Dull clothes look a little like shadow. Elsewhere range tells them apart; people who go on
-    outside the picture would else end short of its edge, and be drawn as if they were whole.
-
-    Args:
-        certain: (rows, columns) 255 in foreground that does not look like shadow; changed.
-        body: (rows, columns) on the grid, of `PeopleFinder.find`.
-    """
-    for edge in _UNRANGED:
-        certain[edge] = np.where(body[edge] > 0, np.uint8(255), np.uint8(0))
-    return certain
