@@ -124,6 +124,24 @@ def test_the_background_is_learnt_although_people_stand_everywhere_at_times() ->
     assert not model.subtract(textured()).mask.any()
 
 
+def test_where_somebody_stood_for_most_of_the_time_the_scene_is_put_back() -> None:
+    scene = textured()
+    stood = np.zeros(scene.shape[:2], np.uint8)
+    stood[PERSON] = 255
+    model = BackgroundModel(FPS)
+    other = model.learn([with_person(scene)] * 9 + [scene] * 6)
+    assert (model.subtract(scene).mask[PERSON] > 0).mean() > 0.9
+    model.put_back(other, stood)
+    assert not model.subtract(scene).mask.any()
+    assert (model.subtract(with_person(scene)).mask[PERSON] > 0).mean() > 0.9
+
+
+def test_what_passes_by_is_no_other_look_of_the_scene() -> None:
+    places = [(slice(10, 80), slice(8 + 20 * i, 22 + 20 * i)) for i in range(5)]
+    pictures = [with_person(textured(), place) for place in places]
+    assert not BackgroundModel(FPS).learn(pictures + [textured()] * 4).where.any()
+
+
 @settings(max_examples=30, deadline=None)
 @given(factor=st.floats(0.6, 1.4), seed=st.integers(0, 50))
 def test_the_brightness_ratio_is_the_factor_of_light(factor: float, seed: int) -> None:

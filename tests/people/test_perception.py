@@ -130,6 +130,21 @@ def test_overlays_have_the_size_of_the_recording(shared_data: Path) -> None:
         assert set(np.unique(seen.overlays.foreground)) <= {0, 127, 255}
 
 
+def test_people_who_stand_for_most_of_the_time_are_not_learnt(shared_data: Path) -> None:
+    with open_recording(shared_data / "rendered-lobby") as recording:
+        assert recording.rectification is not None
+        assert recording.ground is not None
+        perception = StereoPerception(recording.rectification, recording.ground, recording.fps)
+        standing = recording.read(300)
+        passing = [recording.read(n) for n in (0, 120, 480, 540, 599)]
+        perception.learn([standing] * 8 + passing)
+        seen = perception.observe(standing).people.position[:, :2]
+    real = truth_of(shared_data / "rendered-lobby")[300][:, 4:]
+    apart_m = np.linalg.norm(real[:, None] - seen[None], axis=2)
+    assert (apart_m.min(axis=1) < 0.4).mean() > 0.8
+    assert (apart_m.min(axis=0) < 0.4).all()
+
+
 def test_a_frame_without_a_right_eye_is_refused(shared_data: Path) -> None:
     with open_recording(shared_data / "rendered-lobby") as recording:
         perception = prepared(recording)

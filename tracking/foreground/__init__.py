@@ -2,6 +2,7 @@
 
 from tracking.foreground.background import BackgroundModel, Subtraction
 from tracking.foreground.camera_watch import CameraWatch
+from tracking.foreground.first_look import OtherLook
 from tracking.foreground.look import in_size
 from tracking.foreground.ramp import RampSettings, ramp
 from tracking.foreground.settings import ForegroundSettings
@@ -14,6 +15,7 @@ __all__ = [
     "BackgroundModel",
     "CameraWatch",
     "ForegroundSettings",
+    "OtherLook",
     "RampSettings",
     "ShadeColour",
     "ShadowRemover",

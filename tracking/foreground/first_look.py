@@ -1,8 +1,9 @@
-"""The commonest look of a fixed scene, from a few pictures of it."""
+"""The commonest looks of a fixed scene, from a few pictures of it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -13,12 +14,29 @@ from tracking.foreground.one_light import in_one_light
 
 _SAME_WITHIN = 20
 _MOST_PICTURES = 25
+_LASTING, _LASTING_SPREAD = 3, 0.75
+"""Pictures that must share another look, and by how much they may differ, of `_SAME_WITHIN`."""
+
+Picture = NDArray[np.uint8]
 
 
-def commonest_picture(
-    pictures: Sequence[NDArray[np.uint8]],
-) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-    """Per pixel, the one of the pictures' values that most others are close to.
+@dataclass(frozen=True, slots=True)
+class OtherLook:
+    """How a scene looks at other times, where that lasts as well.
+
+    Attributes:
+        picture: (height, width, 3) uint8; the commonest look itself where there is no other.
+        where: (height, width) uint8, 255 where there is another, else 0.
+    """
+
+    picture: Picture
+    where: NDArray[np.uint8]
+
+
+def commonest_looks(
+    pictures: Sequence[Picture],
+) -> tuple[Picture, NDArray[np.float32], OtherLook]:
+    """Per pixel, the one of the pictures' values that most others are close to, and the next.
 
     Unlike a median it needs no majority: people may cover a pixel in most pictures as long as
     they look different and the background looks the same. Light that changes between the
@@ -30,18 +48,40 @@ def commonest_picture(
     Returns:
         picture: (height, width, 3) uint8.
         deviation: (height, width) float32, mean difference of the values close to it.
+        other: what is commonest among the pictures that look otherwise.
     """
     chosen = [pictures[i] for i in _spread(len(pictures))]
     smooth = in_one_light([np.asarray(cv2.blur(picture, (3, 3)), np.uint8) for picture in chosen])
-    height, width = smooth[0].shape[:2]
-    best_cost = np.full((height, width), np.inf, np.float32)
-    best = smooth[0].copy()
-    for picture in smooth:
-        cost = _strangeness(picture, smooth)
+    costs = [_strangeness(picture, smooth) for picture in smooth]
+    best, _ = _least_strange(smooth, costs)
+    return best, _deviation(best, smooth), _other_look(best, smooth, costs)
+
+
+def _least_strange(
+    pictures: Sequence[Picture], costs: Sequence[NDArray[np.float32]]
+) -> tuple[Picture, NDArray[np.float32]]:
+    """Per pixel, the value of the picture that costs least, and its cost."""
+    best_cost = np.full(costs[0].shape, np.inf, np.float32)
+    best = pictures[0].copy()
+    for picture, cost in zip(pictures, costs, strict=True):
         better = cost < best_cost
         np.copyto(best, picture, where=better[..., None])
         np.copyto(best_cost, cost, where=better)
-    return best, _deviation(best, smooth)
+    return best, best_cost
+
+
+def _other_look(
+    best: Picture, pictures: Sequence[Picture], costs: Sequence[NDArray[np.float32]]
+) -> OtherLook:
+    """The commonest look among the values unlike the best, where several pictures share it."""
+    unlike = [
+        np.where(largest_difference(picture, best) < _SAME_WITHIN, np.float32(np.inf), cost)
+        for picture, cost in zip(pictures, costs, strict=True)
+    ]
+    other, cost = _least_strange(pictures, unlike)
+    shared = cost <= _SAME_WITHIN * (len(pictures) - _LASTING + _LASTING_SPREAD)
+    where = np.asarray(shared.view(np.uint8) * np.uint8(255), np.uint8)
+    return OtherLook(np.where(shared[..., None], other, best), where)
 
 
 def _spread(count: int) -> NDArray[np.intp]:

@@ -13,6 +13,7 @@ from tracking.errors import RecordingError
 from tracking.foreground import (
     BackgroundModel,
     ForegroundSettings,
+    OtherLook,
     ShadowRemover,
     Subtraction,
     in_size,
@@ -32,6 +33,8 @@ Mask = NDArray[np.uint8]
 _WIDEST_PX = 800
 """Wider pictures are shrunk by a whole number before anything is done with them."""
 _PROTECTED_MARGIN_PX = 8
+_NEARER_PX = 0.5
+"""People's disparity is at least so much larger than that of the scene behind them."""
 _UPDATES_PER_SCENE = 9
 """Updates of the backgrounds between two looks at how far away they are."""
 
@@ -88,9 +91,33 @@ class StereoPerception:
         """
         pairs = [self.rectify(frame) for frame in frames]
         pairs = [pair for pair in pairs if not shows_nothing(*pair)] or pairs
-        for background, pictures in zip(self._backgrounds, zip(*pairs, strict=True), strict=True):
+        others = [
             background.learn(pictures)
+            for background, pictures in zip(
+                self._backgrounds, zip(*pairs, strict=True), strict=True
+            )
+        ]
         self._learn_scene()
+        self._put_back(others[0], others[1])
+
+    def _put_back(self, left: OtherLook, right: OtherLook) -> None:
+        """Give the scene back where somebody stood so long as to be learnt as background.
+
+        Of two lasting looks of a place the farther one is the scene: people stand before it. So
+        the learnt looks are taken for a picture of people before the other ones.
+        """
+        learnt = [eye.background for eye in self._backgrounds]
+        grey = [_grey(eye) for eye in learnt]
+        self._stereo.suppose_scene(_grey(left.picture), _grey(right.picture))
+        disparity = self._stereo.match(grey[0], grey[1], left.where, right.where)
+        nearer = disparity > self._stereo.scene + _NEARER_PX
+        points = self._finder.points(np.where(nearer, disparity, np.float32(np.nan)))
+        body = np.ascontiguousarray(left.where[::STEP, ::STEP])
+        masks = self._protected(self._finder.find(points, body, learnt[0]), left.where.shape)
+        for background, other, mask in zip(self._backgrounds, (left, right), masks, strict=True):
+            background.put_back(other, mask)
+        self._stereo.suppose_scene(*(_grey(eye.background) for eye in self._backgrounds))
+        self._finder.scene = self._stereo.scene
 
     def observe(self, frame: StereoFrame) -> Observation:
         """What is seen in the frame. Frames come in order.
