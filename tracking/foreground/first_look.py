@@ -53,35 +53,50 @@ def commonest_looks(
     chosen = [pictures[i] for i in _spread(len(pictures))]
     smooth = in_one_light([np.asarray(cv2.blur(picture, (3, 3)), np.uint8) for picture in chosen])
     costs = [_strangeness(picture, smooth) for picture in smooth]
-    best, _ = _least_strange(smooth, costs)
-    return best, _deviation(best, smooth), _other_look(best, smooth, costs)
+    best = _least_strange(smooth, costs)
+    unlike = [largest_difference(picture, best) for picture in smooth]
+    return best, _deviation(unlike), _other_look(best, smooth, costs, unlike)
 
 
-def _least_strange(
-    pictures: Sequence[Picture], costs: Sequence[NDArray[np.float32]]
-) -> tuple[Picture, NDArray[np.float32]]:
-    """Per pixel, the value of the picture that costs least, and its cost."""
+def _least_strange(pictures: Sequence[Picture], costs: Sequence[NDArray[np.float32]]) -> Picture:
+    """Per pixel, the value of the picture that costs least."""
     best_cost = np.full(costs[0].shape, np.inf, np.float32)
     best = pictures[0].copy()
     for picture, cost in zip(pictures, costs, strict=True):
         better = cost < best_cost
         np.copyto(best, picture, where=better[..., None])
         np.copyto(best_cost, cost, where=better)
-    return best, best_cost
+    return best
 
 
 def _other_look(
-    best: Picture, pictures: Sequence[Picture], costs: Sequence[NDArray[np.float32]]
+    best: Picture,
+    pictures: Sequence[Picture],
+    costs: Sequence[NDArray[np.float32]],
+    distances: Sequence[NDArray[np.uint8]],
 ) -> OtherLook:
-    """The commonest look among the values unlike the best, where several pictures share it."""
-    unlike = [
-        np.where(largest_difference(picture, best) < _SAME_WITHIN, np.float32(np.inf), cost)
-        for picture, cost in zip(pictures, costs, strict=True)
-    ]
-    other, cost = _least_strange(pictures, unlike)
-    shared = cost <= _SAME_WITHIN * (len(pictures) - _LASTING + _LASTING_SPREAD)
-    where = np.asarray(shared.view(np.uint8) * np.uint8(255), np.uint8)
-    return OtherLook(np.where(shared[..., None], other, best), where)
+    """The commonest look among the values unlike the best, where several pictures share it.
+
+    Args:
+        distances: (height, width) each, of the pictures from the best.
+    """
+    unlike = [distance >= _SAME_WITHIN for distance in distances]
+    # Nearly everywhere the scene is all there is to see: the few other places are looked at alone.
+    place = np.flatnonzero(np.sum(unlike, axis=0, dtype=np.uint8) >= _LASTING)
+    cost = np.stack(
+        [
+            np.where(other.ravel()[place], each.ravel()[place], np.float32(np.inf))
+            for other, each in zip(unlike, costs, strict=True)
+        ]
+    )
+    shared = cost.min(axis=0) <= _SAME_WITHIN * (len(pictures) - _LASTING + _LASTING_SPREAD)
+    place, chosen = place[shared], cost.argmin(axis=0)[shared]
+    picture, where = best.copy(), np.zeros(best.shape[:2], np.uint8)
+    where.ravel()[place] = 255
+    for number, other in enumerate(pictures):
+        here = place[chosen == number]
+        picture.reshape(-1, 3)[here] = other.reshape(-1, 3)[here]
+    return OtherLook(picture, where)
 
 
 def _spread(count: int) -> NDArray[np.intp]:
@@ -99,15 +114,12 @@ def _strangeness(
     return total
 
 
-def _deviation(
-    picture: NDArray[np.uint8], others: Sequence[NDArray[np.uint8]]
-) -> NDArray[np.float32]:
-    """(height, width) mean distance of the others that are close."""
-    total = np.zeros(picture.shape[:2], np.float32)
-    count = np.zeros(picture.shape[:2], np.float32)
-    for other in others:
-        distance = largest_difference(picture, other)
+def _deviation(distances: Sequence[NDArray[np.uint8]]) -> NDArray[np.float32]:
+    """(height, width) mean distance of the pictures that are close."""
+    total = np.zeros(distances[0].shape, np.float32)
+    count = np.zeros(distances[0].shape, np.uint8)
+    for distance in distances:
         close = distance < _SAME_WITHIN
-        total += distance * close
+        cv2.accumulate(distance, total, mask=close.view(np.uint8))
         count += close
-    return np.asarray(total / np.maximum(count, 1), np.float32)
+    return np.asarray(total / np.maximum(count, 1).astype(np.float32), np.float32)
