@@ -37,6 +37,11 @@ def editable(now: Situation) -> str:
     return session(now)
 
 
+def replaceable(now: Situation) -> str:
+    """The session must be open for changes, and no tracker at work that would end in it."""
+    return tr("a tracker is at work") if now.live else editable(now)
+
+
 def selected(now: Situation) -> str:
     """A person of an editable session must be selected."""
     return editable(now) or ("" if now.selected else tr("select a person first"))
@@ -53,7 +58,11 @@ def drawable(now: Situation) -> str:
         return editable(now)
     if now.in_the_way:
         return now.in_the_way
-    return tr("wait until the work in progress is done") if now.busy else recording(now)
+    if now.busy:
+        return tr("wait until the work in progress is done")
+    if now.unkept:
+        return tr("keep what was tracked first (Ctrl+S)")
+    return recording(now)
 
 
 def waiting(now: Situation) -> str:

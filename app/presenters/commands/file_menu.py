@@ -6,8 +6,8 @@ from typing import Final
 
 from app.presenters.commands.checks import (
     drawable,
-    editable,
     recording,
+    replaceable,
     reportable,
     savable,
     session,
@@ -20,7 +20,7 @@ COMMANDS: Final = (
     Command("file.demo", "File", "Try the demo", icon="demo"),
     Command("file.save", "File", "Save", ("Ctrl+S",), savable, separated=True, icon="save"),
     Command("file.save_as", "File", "Save as...", ("Ctrl+Shift+S",), savable),
-    Command("file.restore", "File", "Restore an older state...", (), editable),
+    Command("file.restore", "File", "Restore an older state...", (), replaceable),
     Command(
         "file.import",
         "File",

@@ -151,8 +151,13 @@ class Document:
         self._marks, self._history = EditMarks(), HistoryList()
         self._retake()
 
+    def rest(self) -> None:
+        """The tracker is done; what it found stays shown until it is kept."""
+        self._showing.end_live()
+
     def end_live(self) -> None:
         """The tracker is done, or failed: show the session again, if there is one."""
+        self.rest()
         if self.session is not None:
             self.take_session(self.session)
 

@@ -109,6 +109,10 @@ class Showing:
         for result in found:
             colours.meet(result.tracks)
 
+    def end_live(self) -> None:
+        """No tracker is at work any more; what it found stays shown until a session is."""
+        self.at_work = False
+
     def take_session(self, session: Session) -> None:
         """Show a session from now on."""
         self.session = session

@@ -86,8 +86,9 @@ class Ended:
 def meanwhile() -> str:
     """What can be done while a further run is made."""
     return tr(
-        "A further run is made; the tracks you have stay as they are. Move the playhead, or play, "
-        "to see and correct them meanwhile; Follow shows the people of the new run again."
+        "A further run is made. Move the playhead, or play, to see and correct the tracks you have "
+        "meanwhile; Follow shows the people of the new run again. Tracks that were corrected, or "
+        "are looked at when it ends, stay as they are."
     )
 
 

@@ -148,13 +148,26 @@ class TrackerAtWork(QObject):
         self.changed.emit()
 
     def add_run(self, run: Run) -> None:
-        """Keep a further result in the session; corrected tracks stay as they are."""
-        session = self._document.session
+        """Keep a further result in the session; corrected tracks stay as they are.
+
+        Whoever looks at the tracks there are, or has begun an edit of them, keeps them as well.
+
+        Raises:
+            EditError: the session cannot take it; its own tracks are shown again all the same.
+        """
+        document, session = self._document, self._document.session
         if session is None:
             return
         before = session.adopted_run
-        number = session.add_run(run)
-        self._document.end_live()
+        free = document.flow is None and (document.is_live or before is None)
+        if document.is_live and not self._again:
+            document.selection.choose(0)  # by the tracker's numbers
+        try:
+            number = session.add_run(run, adopt=free)
+        finally:
+            document.end_live()
+        if session.adopted_run == number:
+            document.selection.choose(0)  # the same number is somebody else by now
         if self._again:
             self._comparing.open(number)
         if session.adopted_run != number:
@@ -196,6 +209,9 @@ class TrackerAtWork(QObject):
         self.following.end()
         if self.live.notes:
             self.noted.emit(self.live.notes, False)
+        self._document.rest()
+        if run is None:
+            self._document.end_live()
         self.tracked.emit(run)
         self.changed.emit()
 

@@ -1,4 +1,5 @@
 from collections import Counter
+from dataclasses import replace
 
 from app.presenters.commands import COMMANDS, MENUS, Situation, command_items
 
@@ -79,3 +80,15 @@ def test_checked_commands_are_ticked():
     assert items["view.grid"].checked is True
     assert items["view.trails"].checked is False
     assert items["file.open"].checked is None
+
+
+def test_nothing_takes_the_place_of_the_session_while_a_tracker_works():
+    now = Situation(recording=True, session=True, tracks=True)
+    assert "file.restore" in _enabled(now)
+    assert "file.restore" not in _enabled(replace(now, live=True))
+
+
+def test_nobody_is_drawn_over_a_result_that_is_in_memory_alone():
+    now = Situation(recording=True, tracks=True)
+    assert {"tracks.draw", "file.import"} <= _enabled(now)
+    assert not {"tracks.draw", "file.import"} & _enabled(replace(now, unkept=True))

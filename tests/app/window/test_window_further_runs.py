@@ -1,0 +1,86 @@
+"""What becomes of the window, and of an edit that waits, when a tracker ends."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from app.presenters.correcting import EditKind
+from app.views.desk.desk import Desk
+from tracking.errors import EditError, RecordingError
+from tracking.session import Session
+
+Key = Qt.Key
+
+
+@pytest.fixture
+def untracked(window, qtbot, tiny_recording) -> Desk:
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    return window.desk
+
+
+@pytest.fixture
+def looked_away(desk) -> Desk:
+    """The desk with a further tracker at work, while the session's tracks are looked at."""
+    desk.document.begin_live()
+    assert desk.document.watch(on=False)
+    return desk
+
+
+def test_after_a_first_tracker_failed_somebody_can_be_drawn(untracked, window):
+    untracked.document.begin_live()
+    untracked.live.failed.emit(RecordingError("out of memory"))
+    assert not untracked.document.at_work
+    window.run_command("tracks.draw")
+    assert untracked.document.flow.kind is EditKind.DRAW
+
+
+def test_after_a_tracker_was_stopped_before_its_first_frame_the_session_is_shown(desk):
+    desk.document.begin_live()
+    desk.live.finished.emit(None)
+    assert not desk.document.is_live
+    assert desk.document.tracks.ids
+
+
+def test_after_a_run_that_cannot_be_kept_the_session_can_be_corrected(
+    desk, window, tiny_run, monkeypatch
+):
+    def refuse(*_, **__) -> int:
+        raise EditError("the run's tracks are no table")
+
+    monkeypatch.setattr(Session, "add_run", refuse)
+    desk.document.begin_live()
+    desk.live.finished.emit(tiny_run)
+    assert window.files.keeping.holds
+    assert (desk.document.at_work, desk.document.is_live) == (False, False)
+
+
+def test_a_run_that_ends_leaves_the_table_under_an_edit_that_waits(looked_away, press, tiny_run):
+    desk, document = looked_away, looked_away.document
+    before = document.session.tracks.columns()["track"].copy()
+    first, second = document.tracks.of_frame(40)["track"].tolist()[:2]
+    desk.playback.go(40)
+    document.correcting.pick(first)
+    desk.editing.begin(EditKind.SWAP)
+    document.correcting.pick(second)
+    desk.live.finished.emit(tiny_run)
+    assert document.session.adopted_run == 0
+    assert np.array_equal(document.session.tracks.columns()["track"], before)
+    assert (document.flow.track, document.flow.other) == (first, second)
+    desk.editing.confirm()
+    assert set(document.session.history.next_undo.change.tracks) == {first, second}
+
+
+def test_tracks_that_are_looked_at_are_not_replaced_by_a_run_that_ends(looked_away, tiny_run):
+    looked_away.live.finished.emit(tiny_run)
+    assert looked_away.document.session.adopted_run == 0
+
+
+def test_whoever_watches_a_further_run_to_its_end_has_its_tracks_and_nobody_selected(
+    desk, tiny_run
+):
+    desk.document.begin_live()
+    desk.document.selection.choose(1)  # by the tracker's numbers
+    desk.live.finished.emit(tiny_run)
+    assert desk.document.session.adopted_run == 1
+    assert not desk.document.selection
