@@ -10,17 +10,17 @@ import pytest
 from numpy.typing import NDArray
 
 from tracking.people import eyes_watch
-from tracking.people.eye_movement import EyeMovement, thinned
+from tracking.people.eye_movement import EyeMovement, late_by, thinned
 from tracking.people.eyes_watch import EyesWatch, shows_nothing
 
 Picture = NDArray[np.uint8]
 FPS, SHIFT_PX = 20.0, 12
 
 
-def eye(frame: int, shift_px: int = 0) -> Picture:
-    """A grained scene past which three people bob and stride, seen by one eye."""
+def eye(frame: int, shift_px: int = 0, people: int = 3) -> Picture:
+    """A grained scene past which people bob and stride, seen by one eye."""
     grain = np.random.default_rng(0).normal(110, 12, (240, 320))
-    for k, speed in enumerate((2.0, -1.5, 1.0)):
+    for k, speed in enumerate((2.0, -1.5, 1.0)[:people]):
         left = int(60 + 70 * k + speed * frame) % 240 + 30 - shift_px
         top = 40 + 20 * k + round(6 * np.sin(0.6 * frame + 2 * k))
         grain[top : top + 100, left : left + 24 + round(8 * np.sin(0.3 * frame + k))] = 40
@@ -81,11 +81,35 @@ def test_what_differs_by_chance_between_the_eyes_hides_no_lag_and_makes_none(
     assert not watch.failing
 
 
-def test_where_one_eye_repeats_a_picture_the_next_frame_tells_the_movement_of_both() -> None:
+def movement_of(lefts: Iterable[Picture], rights: Iterable[Picture]) -> EyeMovement:
+    """All the movement of two eyes that show these pictures."""
     movement = EyeMovement(FPS)
-    for left, right in ((0, 0), (1, 1), (2, 1), (3, 3)):
-        movement.add((thinned(eye(left)), thinned(eye(right, SHIFT_PX))))
-    assert len(movement) == 2
+    for left, right in zip(lefts, rights, strict=True):
+        movement.add((thinned(left), thinned(right)))
+    return movement
+
+
+def test_where_one_eye_repeats_a_picture_the_movement_of_both_is_spread_over_both_frames() -> None:
+    assert len(movement_of(map(eye, range(4)), map(eye, (0, 1, 1, 3)))) == 3
+    count = EyeMovement(FPS).span + 1
+    rights = [eye(k - (k == 2), SHIFT_PX) for k in range(count)]
+    stretch = movement_of(map(eye, range(count)), rights).stretch()
+    assert stretch is not None
+    for rows in stretch:
+        assert (rows[1] == rows[2]).all()
+    left, right = (rows.sum(axis=1) for rows in stretch)
+    assert np.abs(left - right).max() < 0.25 * left.max()
+
+
+@pytest.mark.parametrize("late", [-8, 8])
+def test_people_who_come_and_go_leave_the_lag_of_a_late_eye_to_be_told(late: int) -> None:
+    def seen(k: int, shift_px: int = 0) -> Picture:
+        return eye(k if k % 24 < 12 else 0, shift_px, people=3 if k % 24 < 12 else 0)
+
+    movement = movement_of(map(seen, range(60)), [seen(k - late, SHIFT_PX) for k in range(60)])
+    stretch = movement.stretch()
+    assert stretch is not None
+    assert late_by([stretch], movement.most_lag) == late
 
 
 @pytest.mark.parametrize("late", [-15, -8, 6, 12, 15])

@@ -22,7 +22,7 @@ _POOLED = 2
 """Rows taken together: what moves is drawn a little otherwise in the other eye."""
 _MOVING, _STILL = 20, 0.02
 """Places that move in one eye at the least, and the share of them that may move in a still one."""
-_MOST_HELD = 2
+MOST_HELD = 2
 """Encoders, and cables, repeat one picture or two."""
 _RECENT_S, _RECENT_FRAMES, _MOST_RECENT_FRAMES = 0.8, 16, 96
 """How much movement tells whether eyes agree, and in frames: fewer correlate by chance, more take
@@ -77,20 +77,33 @@ class EyeMovement:
         """Take in the next frame, of `thinned` eyes; how much moves in each since the last.
 
         Where one eye shows its last picture once more, its movement is missing in one frame and
-        double in the next, unlike the other's: both eyes' is taken from the frames around then.
+        double in the next, unlike the other's: both eyes' is taken from the frames around then,
+        and spread evenly over them, so that rows stay as far apart as frames are.
         """
         if self._before is None:
             self._before = eyes
             return 0, 0
         moving = [_moving(*pair) for pair in zip(eyes, self._before, strict=True)]
         left, right = (int(rows.sum()) for rows in moving)
-        if self._held < _MOST_HELD and (stands_still(left, right) or stands_still(right, left)):
+        if self._held < MOST_HELD and (
+            self._repeats(0, left, right) or self._repeats(1, right, left)
+        ):
             self._held += 1
             return left, right
+        shared = 1 + self._held
         for rows, now in zip(self._rows, moving, strict=True):
-            rows.append(now / (1 + self._held))
+            rows.extend([now / shared] * shared)
         self._held, self._before = 0, eyes
         return left, right
+
+    def _repeats(self, eye: int, moved: int, other: int) -> bool:
+        """Whether an eye shows its last picture once more.
+
+        Not where it stood still before: in eyes that are late somebody begins to move in one
+        before the other, which is what tells by how much.
+        """
+        rows = self._rows[eye]
+        return bool(rows) and rows[-1].sum() >= _MOVING and stands_still(moved, other)
 
     def keep(self, frames: int) -> None:
         """Forget all movement but that of the last frames."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import Rectification
 from tracking.people.eye_movement import (
+    MOST_HELD,
     EyeMovement,
     Picture,
     Stretch,
@@ -27,8 +28,6 @@ _ELSEWHERE = 6
 """So many other stretches of a recording are looked at where the first one tells nothing."""
 _A_GLANCE = 8
 """Frames after which a stretch is left in which hardly anything moves."""
-_MOST_SPANS = 2
-"""Where an eye repeats pictures, so many times as many frames are read to know its movement."""
 _NOWHERE_PX = -1e4
 """Of pixels behind the camera: far outside, so that they are black."""
 
@@ -66,16 +65,16 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
     movement = EyeMovement(recording.fps, told_lag or 0)
     maps = thinned_maps(recording.rectification)
     stretches: list[Stretch] = []
-    last = max(0, recording.frame_count - movement.span - 1)
+    frames = movement.span + 1 + MOST_HELD
+    last = max(0, recording.frame_count - frames)
     spread = np.linspace(0, last, _ELSEWHERE + 2)[1:-1].astype(int).tolist()
     for first in (min(start, last), *spread):
         movement.begin()
-        for number in range(first, min(first + _MOST_SPANS * movement.span, recording.frame_count)):
+        for number in range(first, min(first + frames, recording.frame_count)):
             frame = yield number
             movement.add(thinned_eyes(frame, maps))
-            if len(movement) == movement.span or (
-                len(movement) == _A_GLANCE and movement.is_still()
-            ):
+            glanced = number == first + _A_GLANCE
+            if len(movement) == movement.span or (glanced and movement.is_still()):
                 break
         stretch = movement.stretch()
         if stretch is not None:
