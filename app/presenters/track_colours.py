@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from heapq import heappop, heappush
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,13 +80,21 @@ class TrackColours:
 
     def _settle(self, meetings: Meetings) -> None:
         """Give colours to all who have none, in the order they come up."""
-        around: list[tuple[int, int]] = []  # last frame and id of those who may be there still
+        around: dict[int, int] = {}  # of those who may be there still, the place of their colour
+        leaving: list[tuple[int, int]] = []  # last frame and id of the same, a heap
+        worn = np.zeros(len(TRACK_COLOURS))  # by how many of them
         for first, last, track in meetings.stays:
-            around = [one for one in around if one[0] + _SOON_FRAMES >= first]
+            while leaving and leaving[0][0] + _SOON_FRAMES < first:
+                worn[around.pop(heappop(leaving)[1])] -= 1
             if track not in self._place:
-                near = meetings.near_of(track)
-                self._give(track, {other: near.get(other, FAR) for _, other in around})
-            around.append((last, track))
+                taken = FAR * worn
+                for other, much in meetings.near_of(track).items():
+                    if other in around:
+                        taken[around[other]] += much - FAR
+                self._choose(track, taken)
+            heappush(leaving, (last, track))
+            around[track] = self._place[track]
+            worn[around[track]] += 1
 
     def _give(self, track: int, near: Mapping[int, float]) -> None:
         """Choose a colour; near: those around, and how near they come."""
@@ -93,6 +102,10 @@ class TrackColours:
         for one, much in near.items():
             if one in self._place:
                 taken[self._place[one]] += much
+        self._choose(track, taken)
+
+    def _choose(self, track: int, taken: NDArray[np.float64]) -> None:
+        """The usual colour, or the one least like others; taken: (colours,) how much each is."""
         place = usual_place(track)
         if (_ALIKE[place] * taken).max() > _TOO_ALIKE:
             place = int((_ALIKE @ taken).argmin())

@@ -33,6 +33,7 @@ class Showing:
         self._continues_at: int | None = None
         self._at_work: AtWork | None = None
         self.tracks: WholeTracks = self._chosen()
+        self._coloured_with: tuple[Session | None, int | None] = None, None
         self._own_colours, self._live_colours = self._coloured(), TrackColours()
 
     @property
@@ -118,7 +119,8 @@ class Showing:
         self.session = session
         self._live, self.is_live, self.at_work = LiveTracks(), False, False
         self.tracks = self._chosen()
-        self._own_colours = self._coloured()
+        if (session, session.adopted_run) != self._coloured_with:
+            self._own_colours = self._coloured()
 
     def meet(self, rows: Columns) -> None:
         """Take note of rows that an edit made: who is new among them has a colour from now on."""
@@ -129,6 +131,7 @@ class Showing:
         """The colours of the session's tracks; there are none before anything is tracked."""
         if self.session is None:
             return TrackColours()
+        self._coloured_with = self.session, self.session.adopted_run
         return TrackColours.of_session(self.session.tracks, self.session.corrected_run)
 
     def _chosen(self) -> WholeTracks:

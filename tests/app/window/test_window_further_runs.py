@@ -84,3 +84,20 @@ def test_whoever_watches_a_further_run_to_its_end_has_its_tracks_and_nobody_sele
     desk.live.finished.emit(tiny_run)
     assert desk.document.session.adopted_run == 1
     assert not desk.document.selection
+
+
+def test_a_colour_stays_as_runs_end_and_are_dropped(desk, tiny_run):
+    document, session = desk.document, desk.document.session
+    track = session.tracks.track_ids[0]
+    desk.editing.rename(track, "first")  # so that a further run is kept beside
+    document.correcting.pick(track)
+    desk.playback.go(40)
+    desk.editing.begin(EditKind.SPLIT)
+    desk.editing.confirm()
+    before = [document.colour_of(one) for one in session.tracks.track_ids]
+    colours = document._showing.colours
+    document.begin_live()
+    desk.live.finished.emit(tiny_run)
+    desk.tracking.drop()
+    assert [document.colour_of(one) for one in session.tracks.track_ids] == before
+    assert document._showing.colours is colours
