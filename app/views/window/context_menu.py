@@ -81,7 +81,8 @@ class ContextMenu(QObject):
         menu.installEventFilter(menus)
         for one in offered:
             if isinstance(one, tuple):
-                menu.addMenu(menus.menus[one])
+                # Not addMenu: that makes the menu bar's own submenu this menu's, to die with it.
+                menu.addAction(menus.menus[one].menuAction())
             elif one == _LINE:
                 menu.addSeparator()
             else:

@@ -5,9 +5,9 @@ import time
 import numpy as np
 import pytest
 from correcting_desk import CROWDED, LEFT, NO_KEY, SHIFT, Hands, opened_desk
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QApplication, QToolButton
 
 from app.presenters.correcting import Reach
 from app.presenters.scenes import Eye
@@ -64,6 +64,15 @@ def test_the_menu_of_every_view_is_about_who_was_clicked(hands, someone, where):
         hands.choose_in_menu(view.right, middle, "tracks.end_here")
     _apply(hands)
     assert max(hands.frames(someone)) == CROWDED - 1
+
+
+def test_the_menu_of_a_person_is_whole_each_time_it_opens(hands, someone):
+    overhead = hands.window.workspace.overhead
+    for _ in range(3):
+        hands.choose_in_menu(overhead, hands.place_on(someone), "tracks.delete_track")
+        hands.window.menus.actions["tracks.none"].trigger()
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        assert hands.desk.document.flow is None
 
 
 def test_the_menu_key_over_the_timeline_is_about_who_is_selected(hands, someone):
