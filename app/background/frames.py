@@ -95,12 +95,19 @@ class FrameReader(QObject):
         return asked or self._closing.is_set()
 
     def _serve(self, request: _Request) -> None:
+        frame: StereoFrame | None = None
         try:
             frame = self._cache.read(request.frame)
         except Exception as error:  # a bug too: the window says so, later requests go on
-            self.failed.emit(request.frame, error)
-        else:
-            self.ready.emit(request.ticket, frame)
+            problem = error
+        try:
+            if frame is None:
+                self.failed.emit(request.frame, problem)
+            else:
+                self.ready.emit(request.ticket, frame)
+        except RuntimeError:  # the reader was destroyed while it read: nobody is there to tell
+            if not self._closing.is_set():
+                raise
 
     def _take_lag(self, lag: int) -> None:
         """Told in the thread of the search."""

@@ -124,6 +124,8 @@ def test_people_who_stand_together_and_look_alike_give_several_unsure_frames() -
     still = np.zeros((COUNT, 2))
     found = propose_swap_frames(table_of_ways(still, still + 0.1), 1, 2)
     assert len(found) == 5
+    # Chance tells them apart, and the ends of the tracks, where nothing tells, take no share from
+    # the best any more (0.40): what counts is that the others together are as likely.
     assert found[0].likelihood < 0.5
     crossing = table_of_ways(*ways((1.2, 0.0), (1.2, 0.0), 0.6))
     apply_change(crossing, Labels(), plan_swap(crossing, 1, 2, 100))

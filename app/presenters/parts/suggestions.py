@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from app.presenters.labelling.labelling_scene import Suggested
+from app.presenters.palette import NOBODY
 from app.presenters.parts.detector_choice import DetectorChoice
 from app.presenters.parts.picturing import part_name
-from app.presenters.track_colours import ColourOf
 from app.presenters.words import time_text, tr
 from tracking.errors import EditError
 from tracking.failure import Suggestion, suggest
@@ -19,27 +19,25 @@ def suggestions_for(
     labels: Labels,
     fps: float,
     choice: DetectorChoice,
-    colour_of: ColourOf,
 ) -> tuple[Suggested, ...]:
-    """The parts nearest to the detector's operating point, the nearest first.
+    """The parts nearest to the detector's operating point, the nearest first, in no colour yet.
 
+    On any thread: it reads nothing that may change meanwhile.
     Raises EditError where no parts were tracked, FormatError where the detector is gone.
     """
     if run is None or not len(run.parts["frame"]):
         raise EditError(tr("No parts were tracked: track with three-part (Ctrl+T) first"))
     parts = parts_by_now(table, run, table.track_ids)
     found = suggest(parts, fps, choice.load(), labels.parts)
-    return tuple(_suggested(one, labels, fps, choice.whose, colour_of) for one in found)
+    return tuple(_suggested(one, labels, fps, choice.whose) for one in found)
 
 
-def _suggested(
-    one: Suggestion, labels: Labels, fps: float, scored_by: str, colour_of: ColourOf
-) -> Suggested:
+def _suggested(one: Suggestion, labels: Labels, fps: float, scored_by: str) -> Suggested:
     return Suggested(
         key=one.key,
         reason=f"unsure: score {one.score:+.2f} of {scored_by}",
         title=part_name(one.part),
         label=labels.title(one.track),
-        colour=colour_of(one.track),
+        colour=NOBODY,
         when=time_text(one.frame / fps),
     )

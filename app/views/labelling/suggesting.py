@@ -43,10 +43,9 @@ class Suggesting(QObject):
         self.asked = True
         table, labels, run = session.tracks.snapshot(), session.labels, session.corrected_run
         fps, detector = self._document.recording.fps, self._document.detector
-        colour_of = self._document.colour_of
 
         def work(_: Progress) -> tuple[Suggested, ...]:
-            return suggestions_for(table, run, labels, fps, detector, colour_of)
+            return suggestions_for(table, run, labels, fps, detector)
 
         self._job = Job("suggestions of parts", work, self)
         self._job.done.connect(self._take)
@@ -87,7 +86,9 @@ class Suggesting(QObject):
         self._drop()
         session = self._document.session
         if session is not None:
-            self.queue.take(found, session.labels.parts)
+            colour_of = self._document.colour_of
+            shown = [replace(one, colour=colour_of(one.key[1])) for one in found]
+            self.queue.take(shown, session.labels.parts)
         self.changed.emit()
 
     def _tell(self, error: Exception) -> None:

@@ -151,6 +151,31 @@ def test_a_bug_in_reading_is_told_and_the_next_request_works(reader, qtbot, monk
         reader.request(5)
 
 
+@pytest.mark.parametrize("fails", [False, True])
+def test_a_reader_that_goes_while_it_reads_ends_in_silence(
+    tiny_recording, no_threads_left, monkeypatch, fails
+):
+    parent, reading, go, fell = QObject(), threading.Event(), threading.Event(), []
+    monkeypatch.setattr(threading, "excepthook", fell.append)
+    with open_recording(tiny_recording) as recording:
+        reader = FrameReader(recording, 50_000_000, parent)
+        read, thread = reader._cache.read, reader._thread
+
+        def slow(frame):
+            reading.set()
+            go.wait(5)
+            return read(9999 if fails else frame)
+
+        monkeypatch.setattr(reader._cache, "read", slow)
+        reader.request(7)
+        assert reading.wait(5)
+        shiboken6.delete(parent)
+        go.set()
+        thread.join(5)
+    assert not thread.is_alive()
+    assert fell == []
+
+
 def test_playing_never_waits_for_the_search_for_a_late_eye(reader, qtbot, monkeypatch):
     go = threading.Event()
 
