@@ -7,6 +7,8 @@ from typing import Annotated, Literal
 
 import typer
 
+from tracking.errors import SettingsError
+
 _BARE = "Without recording.toml"
 LARGEST_SEED = 2**63 - 1
 """What a session file can hold."""
@@ -20,7 +22,15 @@ Force = Annotated[
         "is replaced anyway. The older session stays beside it as a backup.",
     ),
 ]
-Seed = Annotated[int, typer.Option(min=0, max=LARGEST_SEED, help="Of all random numbers.")]
+
+
+def _held_seed(seed: int) -> int:
+    if not 0 <= seed <= LARGEST_SEED:
+        raise SettingsError(f"seed is {seed}; give --seed 0 to {LARGEST_SEED}")
+    return seed
+
+
+Seed = Annotated[int, typer.Option(callback=_held_seed, help="Of all random numbers.")]
 
 _AGAIN = "Again, after corrections"
 Again = Annotated[

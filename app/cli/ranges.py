@@ -6,6 +6,8 @@ import re
 
 from tracking.errors import SettingsError
 
+_MOST_DIGITS = 9  # of a frame number: what is longer lies beyond every recording
+
 
 def typed_range(text: str | None, count: int, option: str = "--frames") -> tuple[int, int] | None:
     """A:B as numbers; either may be left out. None where nothing was typed.
@@ -15,14 +17,18 @@ def typed_range(text: str | None, count: int, option: str = "--frames") -> tuple
         option: which it was typed for.
 
     Raises:
-        SettingsError: it is no such text, or B is not above A.
+        SettingsError: it is no such text, lies where no frame can be, or B is not above A.
     """
     if text is None:
         return None
-    found = re.fullmatch(r"\s*(\d{0,9})\s*:\s*(\d{0,9})\s*", text)
+    found = re.fullmatch(r"\s*(-?\d*)\s*:\s*(-?\d*)\s*", text, re.ASCII)
     if found is None:
         raise SettingsError(f"frames {text!r} are not A:B, e.g. {option} 100:400")
     start, stop = found.groups()
+    if "-" in start + stop or max(len(start), len(stop)) > _MOST_DIGITS:
+        raise SettingsError(
+            f"frames {text.strip()} are not all there: choose a range within 0:{count}"
+        )
     if stop and int(stop) <= int(start or 0):
         raise SettingsError(
             f"{option} {text.strip()} holds no frames; name them as A:B with A below B"

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from app.cli.destination import check_folder, nearest_folder
 from app.cli.output import print_json, progress
+from tracking.progress import Progress
 from tracking.synthesis import Circumstances, check_seconds, render_recording
 
 _BYTES_A_SECOND = 1 << 20
@@ -37,7 +40,7 @@ def run_synth(out: Path, request: SynthRequest, *, as_json: bool) -> None:
     check_seconds(request.seconds)
     circumstances = Circumstances(request.begin_s, request.dimmed_s, request.bumped_s)
     check_folder(nearest_folder(out.parent), int((request.seconds or 0) * _BYTES_A_SECOND))
-    with progress(f"rendering {request.scene}") as advance:
+    with _begun(f"rendering {request.scene}") as advance:
         folder = render_recording(
             out,
             request.scene,
@@ -51,3 +54,17 @@ def run_synth(out: Path, request: SynthRequest, *, as_json: bool) -> None:
         print_json({"recording": str(folder)})
     else:
         print(folder)
+
+
+@contextlib.contextmanager
+def _begun(what: str) -> Iterator[Progress]:
+    """Progress that says nothing before there is some: what is asked for may be refused first."""
+    with contextlib.ExitStack() as shown:
+        bars: list[Progress] = []
+
+        def advance(done: int, total: int) -> None:
+            if not bars:
+                bars.append(shown.enter_context(progress(what)))
+            bars[0](done, total)
+
+        yield advance

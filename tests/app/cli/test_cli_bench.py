@@ -40,3 +40,10 @@ def test_without_a_checkout_there_are_none(trackwright: Trackwright, checkout: P
     status, _, err = trackwright("bench")
     assert status == 1
     assert "checkout" in err
+
+
+def test_a_group_there_is_not_is_told_in_a_line(capfd: pytest.CaptureFixture[str]) -> None:
+    assert run(["bench", "--only", "nope"]) == 1
+    err = capfd.readouterr().err
+    assert err.startswith("trackwright: no benchmark 'nope'; choose one of pipeline, filter")
+    assert err.count("\n") == 1

@@ -76,6 +76,8 @@ def test_the_same_seed_tracks_the_same(
         (["--frames", "10"], "are not A:B"),
         (["--frames", "50:10"], "holds no frames"),
         (["--frames", "0:9999"], "within 0:80"),
+        (["--frames", "0:99999999999999999999999"], "not all there: choose a range within 0:80"),
+        (["--frames", "-5:10"], "frames -5:10 are not all there: choose a range within 0:80"),
     ],
 )
 def test_a_wrong_order_is_told_before_any_work(
