@@ -14,9 +14,11 @@ STEP, DISPARITY_PX = 2, 9.0
 ROWS, COLUMNS = 240, 320
 
 
-def eyes(lower_px: float = 0.0, turned_rad: float = 0.0, noise: float = 1.5) -> tuple[Grey, Grey]:
+def eyes(
+    lower_px: float = 0.0, turned_rad: float = 0.0, noise: float = 1.5, seed: int = 2
+) -> tuple[Grey, Grey]:
     """Spots seen level by the left eye, and by the right one lower and turned about its middle."""
-    random = np.random.default_rng(2)
+    random = np.random.default_rng(seed)
     spots = cv2.GaussianBlur(random.uniform(0, 255, (ROWS, COLUMNS)).astype(np.float32), (0, 0), 3)
     left = 110 + 6 * (spots - spots.mean())
     middle = np.array(((COLUMNS - 1) / 2, (ROWS - 1) / 2))
@@ -59,6 +61,33 @@ def test_rows_of_an_eye_that_sees_lower_or_is_turned_are_put_back(
     level = learnt(left, right).level(right)
     assert apart(left, level) < 0.6 * apart(left, right)
     assert learnt(left, level).off is None
+
+
+def learnt_in_a_corner(lower_px: float, seed: int) -> Levelling:
+    """Of eyes that see something in the upper left of a large picture alone."""
+    random = np.random.default_rng(100 + seed)
+    both = []
+    for eye, shift in zip(
+        eyes(lower_px, noise=0.0, seed=seed), (0, round(DISPARITY_PX)), strict=True
+    ):
+        whole = np.full((2 * ROWS, 2 * COLUMNS), 110.0)
+        whole[:140, : 160 - shift] = eye[:140, : 160 - shift]
+        noise = random.normal(0, 1.5, whole.shape)
+        both.append(np.asarray((whole + noise).clip(0, 255), np.uint8))
+    levelling = Levelling()
+    scene = np.full((2 * ROWS // STEP, 2 * COLUMNS // STEP), DISPARITY_PX, np.float32)
+    levelling.learn(both[0], both[1], scene, STEP)
+    return levelling
+
+
+def test_marks_in_a_corner_turn_no_level_eyes() -> None:
+    assert all(learnt_in_a_corner(0.0, seed).off is None for seed in range(8))
+
+
+def test_marks_in_a_corner_say_how_much_lower_an_eye_sees() -> None:
+    off = learnt_in_a_corner(1.2, 0).off
+    assert off is not None
+    assert off[0] == pytest.approx(1.2, abs=0.5)
 
 
 def test_an_eye_that_is_far_off_is_calibrated_wrong_and_left_alone() -> None:

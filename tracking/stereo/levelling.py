@@ -17,6 +17,10 @@ _ASIDE_PX = 2.5
 """Marks of the empty scene are found so near to where range puts them, to the left and right."""
 _LIKE_PX = 0.6
 """Marks off by more than this from where all the others are were mistaken."""
+_FEWEST_IN_QUARTER = 5
+"""So many marks in a quarter of the picture tell what is there."""
+_CERTAIN = 3.0
+"""Standard errors by which a slope must differ from none."""
 _LEVEL_PX, _MOST_PX = 0.35, 4.0
 """Eyes that are off by less match as well; off by more they are calibrated wrong."""
 
@@ -28,6 +32,9 @@ class Levelling:
     higher in one eye. Block matching looks along rows, and finds what is there instead. Where what
     is higher on one side is lower on the other, the eye is turned about its axis, and range is
     wrong above and below.
+
+    Marks are [ShiTomasi1994] corners, followed as by [LucasKanade1981] from one eye to the other
+    and back. What is made of them is ours.
 
     Attributes:
         off: how much lower the right eye sees than the left one: (3,) px in the picture's middle,
@@ -104,17 +111,68 @@ def _plane(
 ) -> Floats | None:
     """What most marks say of how much lower the right eye sees; None: nothing worth undoing.
 
+    Marks that lie together tell how much lower it sees there, but not how it is turned.
+
     Args:
         points: (n, 2) px from the picture's middle. lower_px: (n,). middle: (2,) px.
     """
-    if len(points) < _FEWEST:
-        return None
     sides = np.column_stack((np.ones(len(points)), points))
-    off = np.array((np.median(lower_px), 0.0, 0.0))
-    for near_px in (2 * _LIKE_PX, _LIKE_PX):
-        like = np.abs(lower_px - sides @ off) < near_px
-        if np.count_nonzero(like) < max(_FEWEST, len(points) / 2):
-            return None
-        off = np.linalg.lstsq(sides[like], lower_px[like], rcond=None)[0]
+    if not _spread_out(points):
+        sides = sides[:, :1]
+    off = _fitted(sides, lower_px)
+    if off is None or not _foretold(sides, lower_px):
+        return None
+    off = np.append(off, np.zeros(3 - len(off)))
     most = abs(off[0]) + np.abs(off[1:]) @ middle
     return off.astype(np.float32) if _LEVEL_PX < most < _MOST_PX else None
+
+
+def _spread_out(points: NDArray[np.floating]) -> bool:
+    """Whether marks lie in three quarters of the picture at least."""
+    quarter = (points[:, 0] > 0) + 2 * (points[:, 1] > 0)
+    return int(np.count_nonzero(np.bincount(quarter, minlength=4) >= _FEWEST_IN_QUARTER)) >= 3
+
+
+def _fitted(sides: NDArray[np.floating], lower_px: Floats) -> NDArray[np.float64] | None:
+    """What most marks say, as much of it as is more than chance; None: they do not agree.
+
+    Args:
+        sides: (n, k) by what each number counts for each mark; the first for all of them alike.
+        lower_px: (n,).
+    """
+    if len(sides) < _FEWEST // 2:
+        return None
+    off = np.append(np.median(lower_px), np.zeros(sides.shape[1] - 1))
+    for near_px in (2 * _LIKE_PX, _LIKE_PX):
+        like = np.abs(lower_px - sides @ off) < near_px
+        if np.count_nonzero(like) < max(_FEWEST // 2, len(sides) / 2):
+            return None
+        off = _least_squares(sides[like], lower_px[like])
+    return off
+
+
+def _least_squares(sides: NDArray[np.floating], lower_px: Floats) -> NDArray[np.float64]:
+    """(k,) of the marks; slopes that chance may have made are 0."""
+    off = np.linalg.lstsq(sides, lower_px, rcond=None)[0]
+    spread = np.sum((lower_px - sides @ off) ** 2) / max(1, len(sides) - len(off))
+    errors = np.sqrt(spread * np.diag(np.linalg.pinv(sides.T @ sides)))
+    certain = np.abs(off) > _CERTAIN * errors
+    certain[0] = True
+    told = np.zeros(len(off))
+    told[certain] = np.linalg.lstsq(sides[:, certain], lower_px, rcond=None)[0]
+    return told
+
+
+def _foretold(sides: NDArray[np.floating], lower_px: Floats) -> bool:
+    """Whether what every other mark says fits those left out better than that eyes are level."""
+    if len(sides) < _FEWEST:
+        return False
+    off = _fitted(sides[::2], lower_px[::2])
+    if off is None:
+        return False
+    left_out = lower_px[1::2]
+    wrong, level = (
+        np.minimum(np.abs(px), 2 * _LIKE_PX).mean()
+        for px in (left_out - sides[1::2] @ off, left_out)
+    )
+    return bool(wrong < level)
