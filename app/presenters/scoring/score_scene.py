@@ -142,11 +142,16 @@ class TruthPlace:
 
 @dataclass(frozen=True, slots=True)
 class PicturedTruth:
-    """The truth over a picture. `legend`: what the marks mean."""
+    """The truth over a picture.
+
+    Attributes:
+        legend: what the marks mean. floor_tells: it stands on the floor as well.
+    """
 
     people: tuple[TruthMark, ...] = ()
     alarms: tuple[TruthMark, ...] = ()
     legend: tuple[LegendEntry, ...] = ()
+    floor_tells: bool = True
 
 
 @dataclass(frozen=True, slots=True, eq=False)

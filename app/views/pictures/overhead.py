@@ -104,6 +104,12 @@ class OverheadView(Canvas):
             self._others = others
             self.update()
 
+    @property
+    def shows_floor(self) -> bool:
+        """Whether there is a floor to see, and room to see it."""
+        known = self._scene is not None and not self._scene.message
+        return known and not self.size().isEmpty()
+
     def show_truth(self, truth: FlooredTruth) -> None:
         """Draw the people of a truth, and where the result errs."""
         if truth is not self._truth:

@@ -241,7 +241,7 @@ class PictureView(Canvas):
         self._draw_cards(painter, area, [*names, eye], theme)
         draw_note(painter, eye, self._eye_name, theme)
         low = self.height() < _LOW_LINES * self.fontMetrics().lineSpacing()
-        told = () if low else self._truth.legend  # the floor says the same
+        told = () if low and self._truth.floor_tells else self._truth.legend
         legend = (*told, *self._scene.legend)
         draw_legend(painter, legend, QPointF(8, area.bottom() - 8), theme)
         if self._scene.message:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
@@ -100,6 +101,7 @@ class Scoring(QObject):
         right = left
         if people is not None and shown:
             left, floor = people.picture(Eye.LEFT, instant), people.floor(instant)
+            left = replace(left, floor_tells=view.overhead.shows_floor)
             right = people.picture(Eye.RIGHT, instant) if eyes == "both" else right
         view.left.show_truth(left)
         view.right.show_truth(right)

@@ -8,7 +8,8 @@ from drawn_scenes import BLUE, RED, person, picture
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor
 
-from app.presenters.scenes import Eye, PictureScene, PreviewTrail
+from app.presenters.scenes import Eye, LegendEntry, PictureScene, PreviewTrail
+from app.presenters.scoring.score_scene import PicturedTruth
 from app.views.pictures.picture import PictureView
 
 LEFT = Qt.MouseButton.LeftButton
@@ -182,3 +183,13 @@ def test_people_are_named_under_the_cursor(view):
 def test_the_eye_is_told_to_screen_readers(view):
     view.show_scene(PictureScene(Eye.RIGHT, 7, None))
     assert view.accessibleName() == "Right eye"
+
+
+def test_a_low_picture_explains_the_truth_where_no_floor_does(view, drawn):
+    view.resize(320, 120)
+    plain = drawn(view)
+    truth = PicturedTruth(legend=(LegendEntry(RED, "truth"),))
+    view.show_truth(truth)
+    assert drawn(view) == plain
+    view.show_truth(replace(truth, floor_tells=False))
+    assert drawn(view) != plain
