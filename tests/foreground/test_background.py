@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from tracking.foreground import BackgroundModel
+from tracking.foreground import BackgroundModel, ForegroundSettings
 from tracking.foreground.gain import brightness_ratio
 
 FPS = 20.0
@@ -129,17 +129,30 @@ def test_where_somebody_stood_for_most_of_the_time_the_scene_is_put_back() -> No
     stood = np.zeros(scene.shape[:2], np.uint8)
     stood[PERSON] = 255
     model = BackgroundModel(FPS)
-    other = model.learn([with_person(scene)] * 9 + [scene] * 6)
+    other = model.learn_both_looks([with_person(scene)] * 9 + [scene] * 6)
     assert (model.subtract(scene).mask[PERSON] > 0).mean() > 0.9
     model.put_back(other, stood)
     assert not model.subtract(scene).mask.any()
     assert (model.subtract(with_person(scene)).mask[PERSON] > 0).mean() > 0.9
 
 
+def test_what_stood_where_the_scene_was_put_back_is_absorbed_no_sooner_than_anything() -> None:
+    scene, everywhere = textured(), np.full((96, 128), 255, np.uint8)
+    plain, mended = (BackgroundModel(FPS, ForegroundSettings(absorb_s=2.0)) for _ in range(2))
+    plain.learn([scene])
+    other = mended.learn_both_looks([with_person(scene)] * 9 + [scene] * 6)
+    mended.put_back(other, everywhere)
+    for _ in range(round(4 * FPS)):
+        seen = [model.subtract(with_person(scene)) for model in (plain, mended)]
+        assert seen[0].mask[PERSON].any() == seen[1].mask[PERSON].any()
+        for model, picture in zip((plain, mended), seen, strict=True):
+            model.update(picture)
+
+
 def test_what_passes_by_is_no_other_look_of_the_scene() -> None:
     places = [(slice(10, 80), slice(8 + 20 * i, 22 + 20 * i)) for i in range(5)]
     pictures = [with_person(textured(), place) for place in places]
-    assert not BackgroundModel(FPS).learn(pictures + [textured()] * 4).where.any()
+    assert not BackgroundModel(FPS).learn_both_looks(pictures + [textured()] * 4).where.any()
 
 
 @settings(max_examples=30, deadline=None)

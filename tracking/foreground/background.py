@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.foreground.difference import largest_difference
-from tracking.foreground.first_look import OtherLook, commonest_looks
+from tracking.foreground.first_look import OtherLook, commonest_look, commonest_looks
 from tracking.foreground.gain import brightness_ratio
 from tracking.foreground.local_light import change_of_light, patches_of_light
 from tracking.foreground.settings import ForegroundSettings
@@ -73,32 +73,42 @@ class BackgroundModel:
         self._exposure = 1.0
         self._explained = False
 
-    def learn(self, pictures: Sequence[Picture]) -> OtherLook:
+    def learn(self, pictures: Sequence[Picture]) -> None:
         """Start from the commonest look of pictures spread over some time, people or not.
 
         Args:
             pictures: at least one (height, width, 3), in any order.
+        """
+        self._begin_with(*commonest_look(pictures))
 
-        Returns:
-            The next commonest look, for `put_back` where the commonest one is somebody's.
+    def learn_both_looks(self, pictures: Sequence[Picture]) -> OtherLook:
+        """Start as `learn` does; the next commonest look, for `put_back`.
+
+        Args:
+            pictures: see `learn`.
         """
         picture, deviation, other = commonest_looks(pictures)
+        self._begin_with(picture, deviation)
+        return other
+
+    def _begin_with(self, picture: Picture, deviation: NDArray[np.float32]) -> None:
         self._start(picture)
         self._noise = np.maximum(deviation, _NOISE_AT_FIRST).astype(np.float32)
         self._refresh()
         self._primed = True
-        return other
 
     def put_back(self, other: OtherLook, people: Mask) -> None:
         """Take the other look of what was learnt where somebody stood for most of the time.
 
         Args:
-            other: as `learn` gave it.
+            other: as `learn_both_looks` gave it.
             people: (height, width) uint8, non-zero where they stood.
         """
         here = (people != 0) & (other.where != 0)
         self._mean[here] = other.picture[here]
         self._noise[here] = _NOISE_AT_FIRST
+        self._candidate[here] = other.picture[here]
+        self._stillness_s[here] = 0
         self._refresh()
 
     def subtract(self, picture: Picture) -> Subtraction:

@@ -33,10 +33,8 @@ class OtherLook:
     where: NDArray[np.uint8]
 
 
-def commonest_looks(
-    pictures: Sequence[Picture],
-) -> tuple[Picture, NDArray[np.float32], OtherLook]:
-    """Per pixel, the one of the pictures' values that most others are close to, and the next.
+def commonest_look(pictures: Sequence[Picture]) -> tuple[Picture, NDArray[np.float32]]:
+    """Per pixel, the one of the pictures' values that most others are close to.
 
     Unlike a median it needs no majority: people may cover a pixel in most pictures as long as
     they look different and the background looks the same. Light that changes between the
@@ -48,14 +46,28 @@ def commonest_looks(
     Returns:
         picture: (height, width, 3) uint8.
         deviation: (height, width) float32, mean difference of the values close to it.
-        other: what is commonest among the pictures that look otherwise.
     """
+    _, _, best, unlike = _compared(pictures)
+    return best, _deviation(unlike)
+
+
+def commonest_looks(
+    pictures: Sequence[Picture],
+) -> tuple[Picture, NDArray[np.float32], OtherLook]:
+    """As `commonest_look`, and what is commonest among the pictures that look otherwise."""
+    smooth, costs, best, unlike = _compared(pictures)
+    return best, _deviation(unlike), _other_look(best, smooth, costs, unlike)
+
+
+def _compared(
+    pictures: Sequence[Picture],
+) -> tuple[list[Picture], list[NDArray[np.float32]], Picture, list[NDArray[np.uint8]]]:
+    """The pictures in one light, their strangeness, the commonest look, and how far from it."""
     chosen = [pictures[i] for i in _spread(len(pictures))]
     smooth = in_one_light([np.asarray(cv2.blur(picture, (3, 3)), np.uint8) for picture in chosen])
     costs = [_strangeness(picture, smooth) for picture in smooth]
     best = _least_strange(smooth, costs)
-    unlike = [largest_difference(picture, best) for picture in smooth]
-    return best, _deviation(unlike), _other_look(best, smooth, costs, unlike)
+    return smooth, costs, best, [largest_difference(picture, best) for picture in smooth]
 
 
 def _least_strange(pictures: Sequence[Picture], costs: Sequence[NDArray[np.float32]]) -> Picture:

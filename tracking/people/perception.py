@@ -92,7 +92,7 @@ class StereoPerception:
         pairs = [self.rectify(frame) for frame in frames]
         pairs = [pair for pair in pairs if not shows_nothing(*pair)] or pairs
         others = [
-            background.learn(pictures)
+            background.learn_both_looks(pictures)
             for background, pictures in zip(
                 self._backgrounds, zip(*pairs, strict=True), strict=True
             )
@@ -106,6 +106,8 @@ class StereoPerception:
         Of two lasting looks of a place the farther one is the scene: people stand before it. So
         the learnt looks are taken for a picture of people before the other ones.
         """
+        if not cv2.hasNonZero(left.where):
+            return
         learnt = [eye.background for eye in self._backgrounds]
         grey = [_grey(eye) for eye in learnt]
         self._stereo.suppose_scene(_grey(left.picture), _grey(right.picture))

@@ -86,10 +86,14 @@ class SubtractionStereo:
             left, right: (height, width) rectified grey pictures of the backgrounds.
         """
         self._sharpness.learn(left, right)
+        scene = self._ranged_scene(left, right)
         if self._scenes % _SCENES_PER_LEVELLING == 0:
-            self._levelling.learn(left, right, self._ranged_scene(left, right), STEP)
+            before = self._levelling.off
+            self._levelling.learn(left, right, scene, STEP)
+            if before is not None or self._levelling.off is not None:
+                scene = self._ranged_scene(left, right)
         self._scenes += 1
-        self.suppose_scene(left, right)
+        self._take_scene(scene)
 
     def suppose_scene(self, left: Grey, right: Grey) -> None:
         """Range a scene as `learn_scene` does, learning nothing of the eyes from it.
@@ -97,7 +101,11 @@ class SubtractionStereo:
         Args:
             left, right: (height, width) rectified grey pictures of the scene.
         """
-        self._scene = self._ranged_scene(left, right)
+        self._take_scene(self._ranged_scene(left, right))
+
+    def _take_scene(self, scene: Disparity) -> None:
+        """What is as far away as this is no person from now on."""
+        self._scene = scene
         infinite = np.float32(self._lines.offset)
         per_m = (self._scene - infinite) ** 2 / np.float32(self._lines.focal_baseline)
         self._scene_slack = np.minimum(per_m * _SAME_PLACE_M, np.float32(_SAME_PLACE_PX))
