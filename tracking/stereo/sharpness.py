@@ -21,7 +21,7 @@ class EvenSharpness:
     """Smooths the sharper one of two eyes where the other is a little out of focus.
 
     Block matching compares how steep brightness is. In an eye that is out of focus edges are less
-    steep, and what fits a steep edge best is something else.
+    steep, and what fits a steep edge best is something else. The measure and the remedy are ours.
 
     Attributes:
         spread_px: standard deviations of the smoothing of the left and of the right eye; 0: none.
