@@ -11,7 +11,7 @@ from app.presenters.correcting.planning import refuse_too_large
 from app.presenters.document.instant import Instant
 from app.presenters.document.instants import Instants
 from app.presenters.document.selection import Selection
-from app.presenters.document.showing import Showing
+from app.presenters.document.showing import Colours, Showing
 from app.presenters.document.shown import WholeTracks
 from app.presenters.panels import EditMarks, HistoryList, track_card
 from app.presenters.parts.detector_choice import DetectorChoice, PartsAsked
@@ -21,6 +21,7 @@ from app.presenters.pictures.overhead import OverheadPresenter
 from app.presenters.pictures.pictures import PicturePresenter
 from app.presenters.scenes import Colour, HistoryItem, TimelineMark, TimelineScene, TrackCard
 from app.presenters.timeline.lanes import TimelinePresenter
+from app.presenters.track_colours import TrackColours
 from app.presenters.words import tr
 from tracking.editing import Change, Written
 from tracking.errors import EditError
@@ -306,6 +307,15 @@ class Document:
     def colour_of(self, track: int) -> Colour:
         """The colour a track has in all views."""
         return self._showing.colours.of(track)
+
+    @property
+    def colours_due(self) -> Colours | None:
+        """Colours of tracks that are to be made still; None: all are there."""
+        return self._showing.colours_due
+
+    def take_colours(self, due: Colours, made: TrackColours) -> bool:
+        """Show colours that were due; False where others are by now."""
+        return self._showing.take_colours(due, made)
 
     @property
     def in_the_way(self) -> str:

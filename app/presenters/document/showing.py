@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
 
 from app.presenters.correcting import Footing, Ground
 from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
@@ -15,6 +16,21 @@ from tracking.session import Session
 from tracking.trackers import StepResult
 from tracking.tracks import Columns, Labels, TrackLabel, TrackTable
 
+_AT_ONCE_ROWS = 50_000
+"""Up to so many rows tracks are given their colours in a few milliseconds."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Colours:
+    """Colours that are due.
+
+    Attributes:
+        make: makes them, on any thread. met: frames that were edited meanwhile.
+    """
+
+    make: Callable[[], TrackColours]
+    met: set[int] = field(default_factory=set)
+
 
 class Showing:
     """The tracks of a session once there is one, but for the time a tracker is at work.
@@ -24,6 +40,7 @@ class Showing:
         is_live: whether the tracks of a tracker at work are shown, not those of the session.
         at_work: whether there is one.
         tracks: the tracks that are shown.
+        colours_due: the session's colours, where they are to be made still (see `take_colours`).
     """
 
     def __init__(self, session: Session | None) -> None:
@@ -34,7 +51,9 @@ class Showing:
         self._at_work: AtWork | None = None
         self.tracks: WholeTracks = self._chosen()
         self._coloured_with: tuple[Session | None, int | None] = None, None
-        self._own_colours, self._live_colours = self._coloured(), TrackColours()
+        self.colours_due: Colours | None = None
+        self._own_colours, self._live_colours = TrackColours(), TrackColours()
+        self._colour()
 
     @property
     def colours(self) -> TrackColours:
@@ -119,20 +138,37 @@ class Showing:
         self.session = session
         self._live, self.is_live, self.at_work = LiveTracks(), False, False
         self.tracks = self._chosen()
-        if (session, session.adopted_run) != self._coloured_with:
-            self._own_colours = self._coloured()
+        self._colour()
 
     def meet(self, rows: Columns) -> None:
         """Take note of rows that an edit made: who is new among them has a colour from now on."""
         if len(rows["frame"]):
-            self.colours.meet(self.tracks.of_frame(int(rows["frame"][0])))
+            frame = int(rows["frame"][0])
+            self.colours.meet(self.tracks.of_frame(frame))
+            if self.colours_due is not None:
+                self.colours_due.met.add(frame)
 
-    def _coloured(self) -> TrackColours:
-        """The colours of the session's tracks; there are none before anything is tracked."""
-        if self.session is None:
-            return TrackColours()
-        self._coloured_with = self.session, self.session.adopted_run
-        return TrackColours.of_session(self.session.tracks, self.session.corrected_run)
+    def take_colours(self, due: Colours, made: TrackColours) -> bool:
+        """Show colours that were due; False where others are by now."""
+        if due is not self.colours_due or self.session is None:
+            return False
+        for frame in sorted(due.met):
+            made.meet(self.session.tracks.of_frame(frame))
+        self._own_colours, self.colours_due = made, None
+        return True
+
+    def _colour(self) -> None:
+        """Give the session's tracks colours, unless they have them; many have theirs later."""
+        session = self.session
+        if session is None or (session, session.adopted_run) == self._coloured_with:
+            return
+        self._coloured_with = session, session.adopted_run
+        table, run = session.tracks.snapshot(), session.corrected_run
+        due = Colours(lambda: TrackColours.of_session(table, run))
+        self.colours_due = due
+        rows = max(len(table), len(run.tracks["frame"]) if run is not None else 0)
+        if rows <= _AT_ONCE_ROWS:
+            self.take_colours(due, due.make())
 
     def _chosen(self) -> WholeTracks:
         if self.session is None:

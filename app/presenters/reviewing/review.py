@@ -168,6 +168,10 @@ class ReviewQueue:
             for track in one.tracks
         )
 
+    def colour_anew(self) -> None:
+        """Tracks have other colours by now."""
+        self._list()
+
     def _list(self) -> None:
         if self.kind not in {suspicion.kind for suspicion in self._open}:
             self.kind = ""

@@ -13,6 +13,7 @@ from app.views.comparing.comparing import Comparing
 from app.views.correcting.dragging import Dragging
 from app.views.correcting.editing import Editing
 from app.views.counting.counting import Counting
+from app.views.desk.colouring import Colouring
 from app.views.desk.gestures import connect_gestures
 from app.views.desk.tracker_at_work import TrackerAtWork
 from app.views.desk.workspace import Workspace
@@ -42,6 +43,7 @@ class Desk(QObject):
         super().__init__(parent)
         self.document = document
         self.playback = Playback(document.recording, self)
+        self.colouring = Colouring(document, self)
         self.editing = Editing(document, self.playback, self)
         self.dragging = Dragging(document, self.playback, self.editing)
         self.overlaying = Overlaying(document, self.playback, self)
@@ -89,6 +91,7 @@ class Desk(QObject):
         self.scoring.said.connect(self.said)
         self.parts.said.connect(self.said)
         self.tracking.changed.connect(self.draw)
+        self.colouring.changed.connect(self._draw_coloured)
         self.tracking.following.changed.connect(self.changed)
         self.tracking.found.connect(self._draw_found)
         self.tracking.people_found.connect(self.changed)
@@ -97,6 +100,7 @@ class Desk(QObject):
     def close(self) -> None:
         """End all threads and let the recording go."""
         self.live.close()
+        self.colouring.close()
         self.reviewing.close()
         self.comparing.end()
         self.overlaying.close()
@@ -189,6 +193,7 @@ class Desk(QObject):
     def draw(self) -> None:
         """Draw everything."""
         view, document = self._workspace, self.document
+        self.colouring.look()
         self.reviewing.refresh()  # first: it may select who a suspicion is about
         self.draw_instant()
         self.draw_playhead()
@@ -197,6 +202,11 @@ class Desk(QObject):
         view.preview.show_scene(document.planned.scene if document.planned else None)
         self.comparing.refresh()
         self.changed.emit()
+
+    def _draw_coloured(self) -> None:
+        """Tracks have other colours by now."""
+        self.reviewing.queue.colour_anew()
+        self.draw()
 
     def _draw_scored(self) -> None:
         """Another score, another choice, another range of frames."""

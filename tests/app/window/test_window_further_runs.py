@@ -1,10 +1,14 @@
 """What becomes of the window, and of an edit that waits, when a tracker ends."""
 
+import threading
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
 from app.presenters.correcting import EditKind
+from app.presenters.document import showing
+from app.presenters.track_colours import TrackColours
 from app.views.desk.desk import Desk
 from tracking.errors import EditError, RecordingError
 from tracking.session import Session
@@ -101,3 +105,25 @@ def test_a_colour_stays_as_runs_end_and_are_dropped(desk, tiny_run):
     desk.tracking.drop()
     assert [document.colour_of(one) for one in session.tracks.track_ids] == before
     assert document._showing.colours is colours
+
+
+def test_a_long_session_has_its_colours_from_another_thread(desk, tiny_run, qtbot, monkeypatch):
+    document, ids = desk.document, desk.document.session.tracks.track_ids
+    wanted = [document.colour_of(one) for one in ids]
+    monkeypatch.setattr(showing, "_AT_ONCE_ROWS", 0)
+    made_in, of_session = [], TrackColours.of_session
+
+    def noted(table, run):
+        made_in.append(threading.current_thread())
+        return of_session(table, run)
+
+    monkeypatch.setattr(TrackColours, "of_session", noted)
+    before = document._showing.colours
+    document.begin_live()
+    desk.live.finished.emit(tiny_run)
+    assert document.session.adopted_run == 1
+    assert document._showing.colours is before  # the old ones till then
+    qtbot.waitUntil(lambda: document.colours_due is None)
+    assert threading.main_thread() not in made_in
+    assert document._showing.colours is not before
+    assert [document.colour_of(one) for one in ids] == wanted
