@@ -12,12 +12,20 @@ from app.presenters.colour_sight import alike
 from app.presenters.meetings import FAR, Meetings, closeness, meetings_of
 from app.presenters.palette import NOBODY, TRACK_COLOURS, usual_place
 from app.presenters.scenes import Colour
+from app.presenters.shown_colours import THEMES, standing_out
 from tracking.tracks import Columns, Run, TrackTable
 
 ColourOf = Callable[[int], Colour]
 """The colour of a track id."""
 
-_ALIKE = alike(TRACK_COLOURS)
+_ALIKE = np.max(
+    [alike(TRACK_COLOURS)]
+    + [alike([standing_out(one, colour) for colour in TRACK_COLOURS]) for one in THEMES],
+    axis=0,
+)
+"""How much alike every two look where they look most alike: on pictures, or in either theme."""
+_NEXT_TO_SAME = _ALIKE**4
+"""The same, but what is very much alike outweighs all that is only a little."""
 _TABLE = np.array((*TRACK_COLOURS, NOBODY), np.uint8)
 _GREY = len(TRACK_COLOURS)
 _TOO_ALIKE = 0.1
@@ -108,5 +116,5 @@ class TrackColours:
         """The usual colour, or the one least like others; taken: (colours,) how much each is."""
         place = usual_place(track)
         if (_ALIKE[place] * taken).max() > _TOO_ALIKE:
-            place = int((_ALIKE @ taken).argmin())
+            place = int((_NEXT_TO_SAME @ taken).argmin())
         self._place[track] = place

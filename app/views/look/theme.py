@@ -6,7 +6,6 @@ repaints it when the look changes.
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass, fields
 from enum import Enum
 from functools import cache
@@ -17,9 +16,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
+from app.presenters import shown_colours
 from app.presenters.scenes import Colour
-
-_LEAST_CONTRAST = 1.9  # of a line or a bar against its ground
+from app.presenters.shown_colours import standing_out, theme_table
 
 
 class Look(Enum):
@@ -73,19 +72,12 @@ class Theme:
 @cache
 def load_theme(name: str) -> Theme:
     """Read `dark` or `light` from the resources."""
-    text = (files("resources") / "themes" / f"{name}.toml").read_text(encoding="utf-8")
-    table = tomllib.loads(text)
-    return Theme(table["name"], **{key: QColor(code) for key, code in table["colours"].items()})
+    return Theme(name, **{key: QColor(code) for key, code in theme_table(name).items()})
 
 
 @cache
 def _standing_out(theme_name: str, colour: Colour) -> QColor:
-    theme = load_theme(theme_name)
-    for share in (0.0, 0.15, 0.3, 0.45, 0.6):
-        moved = _mixed(QColor(*colour), theme.text, share)
-        if contrast(moved, theme.sunken) >= _LEAST_CONTRAST:
-            return moved
-    return theme.text
+    return QColor(*standing_out(theme_name, colour))
 
 
 def current_theme() -> Theme:
@@ -184,22 +176,7 @@ def _ink_on(rgb: int) -> QColor:
 
 
 def contrast(one: QColor, other: QColor) -> float:
-    """How well two colours are told apart, 1 to 21 [WCAG 2.1, contrast ratio]."""
-    low, high = sorted((_luminance(one), _luminance(other)))
-    return (high + 0.05) / (low + 0.05)
-
-
-def _luminance(colour: QColor) -> float:
-    linear = [
-        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
-        for part in (colour.redF(), colour.greenF(), colour.blueF())
-    ]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-
-def _mixed(one: QColor, other: QColor, share: float) -> QColor:
-    return QColor.fromRgbF(
-        one.redF() + share * (other.redF() - one.redF()),
-        one.greenF() + share * (other.greenF() - one.greenF()),
-        one.blueF() + share * (other.blueF() - one.blueF()),
+    """How well two colours are told apart, 1 to 21; see `shown_colours.contrast`."""
+    return shown_colours.contrast(
+        (one.red(), one.green(), one.blue()), (other.red(), other.green(), other.blue())
     )

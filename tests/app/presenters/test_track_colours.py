@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from app.presenters.colour_sight import alike
 from app.presenters.palette import NOBODY, TRACK_COLOURS
+from app.presenters.shown_colours import THEMES, standing_out
 from app.presenters.track_colours import TrackColours
 from tracking.tracks import CORRECTED_COLUMNS, TrackTable
 
@@ -54,6 +55,16 @@ def test_ids_that_would_share_a_colour_differ_where_they_are_seen_together():
 def test_who_comes_up_as_somebody_leaves_does_not_take_their_colour():
     colours = colours_of({1: (0, 50), 25: (60, 80)})
     assert colours.of(1) != colours.of(25)
+
+
+@pytest.mark.parametrize("theme", THEMES)
+def test_people_close_to_each_other_are_told_apart_as_a_theme_shows_them(theme):
+    shown = alike([standing_out(theme, one) for one in TRACK_COLOURS])
+    places = {colour: place for place, colour in enumerate(TRACK_COLOURS)}
+    pairs = [(a, b) for a in range(1, 25) for b in range(1, a)]
+    for a, b in pairs:
+        colours = colours_of({a: (0, 9), b: (0, 9)}, place=lambda one: (one / 99, 4.0))
+        assert shown[places[colours.of(a)], places[colours.of(b)]] < 0.15, (a, b)
 
 
 @settings(max_examples=20, deadline=None)
