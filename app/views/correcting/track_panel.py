@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 from app.presenters.scenes import TrackCard
 from app.presenters.words import counted
 from app.views.correcting.attributes import AttributesTable
-from app.views.look.theme import current_theme, scaled_font
+from app.views.look.theme import scaled_font
 from app.views.widgets.parts import Panel, Swatch, bring_into_view, heading, quiet
 
 _LEAST_LINES = 7
@@ -211,7 +211,7 @@ class TrackPanel(Panel):
             self._scroll.verticalScrollBar().setValue(0)
         self._several.setVisible(bool(card.others))
         self._several.setText(self._words_on(card))
-        self._swatch.set_colour(current_theme().track(card.colour))
+        self._swatch.set_track_colour(card.colour)
         self._id.setText(str(card.track))
         self._first.setText(str(card.first_frame))
         self._last.setText(str(card.last_frame))

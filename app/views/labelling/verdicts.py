@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from app.presenters.labelling.labelling_scene import PART_COLOURS, LabellingScene
 from app.views.labelling.balance import BalanceBar
 from app.views.labelling.suggestions import SuggestionsList
-from app.views.look.theme import current_theme, scaled_font
+from app.views.look.theme import scaled_font
 from app.views.widgets.choices import ChoiceButtons
 from app.views.widgets.parts import Swatch, quiet
 from tracking.tracks import PART_NAMES
@@ -149,7 +149,7 @@ class PartsGrid(QWidget):
 
     def _name_line(self, scene: LabellingScene, part: int) -> None:
         line = scene.parts[part]
-        self._swatches[part].set_colour(current_theme().track(PART_COLOURS[part]))
+        self._swatches[part].set_track_colour(PART_COLOURS[part])
         self._names[part].setText(line.name)
         self._names[part].setChecked(line.chosen)
         self._names[part].setFont(scaled_font(self.font(), 1.0, bold=line.chosen))

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 from app.presenters.labelling.labelling_scene import PART_COLOURS
 from app.presenters.parts.parts_scene import CurvesScene
 from app.views.look.icons import IconButton
-from app.views.look.theme import current_theme, scaled_font
+from app.views.look.theme import scaled_font
 from app.views.parts.curves_plot import CurvesPlot
 from app.views.widgets.parts import Panel, Swatch
 
@@ -60,7 +60,7 @@ class CurvesPanel(Panel):
             swatch.setVisible(there)
             said.setVisible(there)
             if there:
-                swatch.set_colour(current_theme().track(PART_COLOURS[part]))
+                swatch.set_track_colour(PART_COLOURS[part])
                 said.setText(scene.said[part])
                 said.setFont(scaled_font(self.font(), 0.92, bold=part == scene.chosen))
         self.plot.show_scene(scene)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from app.presenters.explaining import explain
 from app.presenters.labelling.labelling_scene import PART_COLOURS
 from app.presenters.parts.training_result import PartFigures, ResultScene, TrainingResult
-from app.views.look.theme import current_theme, scaled_font
+from app.views.look.theme import scaled_font
 from app.views.parts.mistakes import Cutter, MistakesList
 from app.views.parts.roc import RocPlot
 from app.views.widgets.parts import Swatch, heading, quiet
@@ -141,7 +141,7 @@ class ResultDialog(QDialog):
             cells = tuple(QLabel(self) for _ in range(6))
             if part < len(PART_COLOURS):
                 swatch = Swatch(self)
-                swatch.set_colour(current_theme().track(PART_COLOURS[part]))
+                swatch.set_track_colour(PART_COLOURS[part])
                 grid.addWidget(swatch, part + 1, 0)
             for column, cell in enumerate(cells, start=1):
                 grid.addWidget(cell, part + 1, column)

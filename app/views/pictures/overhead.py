@@ -72,6 +72,7 @@ class OverheadView(Canvas):
         self._held: FloorPerson | None = None
         self._held_off = QPointF()
         self._dragged = False
+        self._plates: tuple[tuple[int, QRectF], ...] = ()
         self._floor_key: tuple[object, ...] = ()
         self._floor_drawn = QPixmap()
         self._explained = True
@@ -192,6 +193,9 @@ class OverheadView(Canvas):
     def _person_at(self, at: QPointF) -> FloorPerson | None:
         if self._scene is None or self._scene.message:
             return None
+        named = next((track for track, plate in self._plates if plate.contains(at)), 0)
+        if named:  # what lies on top of people
+            return next((one for one in self._scene.people if one.track == named), None)
         reach = max(_PICK_REACH_PX, self._radius() + 4)
         near = [
             (QLineF(self.viewport.point(*person.position), at).length(), person)
@@ -338,7 +342,7 @@ class OverheadView(Canvas):
         ]
         shown = area.adjusted(4, 4, -4, -4)
         placed = list(zip(ordered, names, place_plates(wanted, shown), strict=True))
+        placed = [one for one in placed if area.contains(self.viewport.point(*one[0].position))]
         for person, name, rect in reversed(placed):
-            if area.contains(self.viewport.point(*person.position)):
-                colour = theme.track(person.colour)
-                draw_plate(painter, rect, name, colour, person.selected)
+            draw_plate(painter, rect, name, theme.track(person.colour), person.selected)
+        self._plates = tuple((person.track, rect) for person, _, rect in placed)

@@ -14,7 +14,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.views.look.theme import scaled_font
+from app.presenters.scenes import Colour
+from app.views.look.theme import current_theme, scaled_font
 
 NOTICE_MARGINS = (16, 10, 20, 10)
 """Of what stands above the panels: flush with their words, clear of the window's edge."""
@@ -92,10 +93,16 @@ class Swatch(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._colour = QColor(0, 0, 0, 0)
+        self._track: Colour | None = None
 
     def set_colour(self, colour: QColor) -> None:
         """Show another colour."""
-        self._colour = colour
+        self._colour, self._track = colour, None
+        self.update()
+
+    def set_track_colour(self, colour: Colour) -> None:
+        """Show a track's, as the look there is shows it: also after another was chosen."""
+        self._track = colour
         self.update()
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
@@ -108,7 +115,8 @@ class Swatch(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(self._colour)
+        track = self._track
+        painter.setBrush(self._colour if track is None else current_theme().track(track))
         side = min(self.width(), self.height(), self.fontMetrics().ascent())
         painter.drawEllipse(self.rect().center(), side // 2, side // 2)
 

@@ -39,6 +39,16 @@ def test_a_click_picks_the_nearest_person(view, qtbot):
     assert picked.args == [4]
 
 
+def test_a_click_on_a_number_picks_whose_it_is(view, qtbot):
+    view.show_scene(overhead(floor_person(3, (0, 5)), floor_person(4, (0, 5.02))))
+    view.grab()
+    spots = dict(view._plates)
+    for track in (3, 4):
+        with qtbot.waitSignal(view.track_picked) as picked:
+            qtbot.mouseClick(view, LEFT, pos=spots[track].center().toPoint())
+        assert picked.args == [track]
+
+
 def test_a_click_on_the_empty_floor_tells_where_in_metres(view, qtbot, heard):
     view.show_scene(overhead(floor_person(3, (0, 5))))
     picked, clicked = heard(view.track_picked), heard(view.floor_clicked)
