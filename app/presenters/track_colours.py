@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from heapq import heappop, heappush
 
 import numpy as np
@@ -81,6 +81,22 @@ class TrackColours:
             for track in new:
                 self._give(track, {**self._just_seen(frame), **near[track]})
         self._seen.update(dict.fromkeys(ids, frame))
+
+    def has(self, track: int) -> bool:
+        """Whether a colour was given to a track id."""
+        return track in self._place
+
+    def meet_over(self, track: int, looks: Iterable[Columns]) -> None:
+        """Give a colour to an id that has none, in view of who is there in any of its frames.
+
+        Args:
+            looks: the rows of frames in which it stands, everybody's.
+        """
+        near: dict[int, float] = {}
+        for rows in looks:
+            for other, much in closeness(rows)[track].items():
+                near[other] = max(near.get(other, 0.0), much)
+        self._give(track, near)
 
     def _just_seen(self, frame: int) -> dict[int, float]:
         soon = _SOON_FRAMES

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from app.presenters.correcting import Footing, Ground
 from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
@@ -16,6 +18,8 @@ from tracking.session import Session
 from tracking.trackers import StepResult
 from tracking.tracks import Columns, Labels, TrackLabel, TrackTable
 
+_LOOKS = 40
+"""In so many of a new track's frames, evenly spread, it is looked who else is there."""
 _AT_ONCE_ROWS = 50_000
 """Up to so many rows tracks are given their colours in a few milliseconds."""
 
@@ -25,7 +29,7 @@ class Colours:
     """Colours that are due.
 
     Attributes:
-        make: makes them, on any thread. met: frames that were edited meanwhile.
+        make: makes them, on any thread. met: ids that were edited meanwhile.
     """
 
     make: Callable[[], TrackColours]
@@ -142,18 +146,27 @@ class Showing:
 
     def meet(self, rows: Columns) -> None:
         """Take note of rows that an edit made: who is new among them has a colour from now on."""
-        if len(rows["frame"]):
-            frame = int(rows["frame"][0])
-            self.colours.meet(self.tracks.of_frame(frame))
-            if self.colours_due is not None:
-                self.colours_due.met.add(frame)
+        tracks = np.unique(rows["track"]).tolist()
+        self._meet(self.colours, tracks)
+        if self.colours_due is not None:
+            self.colours_due.met.update(tracks)
+
+    def _meet(self, colours: TrackColours, tracks: Iterable[int]) -> None:
+        """Give colours to tracks of the session in view of all who are there when they are."""
+        if self.session is None:
+            return
+        table = self.session.tracks
+        for track in tracks:
+            if track in table and not colours.has(track):
+                frames = table.frames_of_track(track)
+                looks = np.unique(np.linspace(0, len(frames) - 1, _LOOKS).astype(int))
+                colours.meet_over(track, (table.of_frame(one) for one in frames[looks].tolist()))
 
     def take_colours(self, due: Colours, made: TrackColours) -> bool:
         """Show colours that were due; False where others are by now."""
         if due is not self.colours_due or self.session is None:
             return False
-        for frame in sorted(due.met):
-            made.meet(self.session.tracks.of_frame(frame))
+        self._meet(made, sorted(due.met))
         self._own_colours, self.colours_due = made, None
         return True
 

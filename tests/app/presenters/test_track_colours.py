@@ -112,3 +112,11 @@ def test_an_edit_takes_no_colour_from_anybody_who_had_one():
 def test_people_without_places_on_a_floor_have_colours_too(place):
     colours = colours_of({1: (0, 9), 2: (0, 9), 25: (3, 9)}, place=place)
     assert len({colours.of(one) for one in (1, 2, 25)}) == 3
+
+
+def test_a_new_id_differs_from_everybody_who_is_there_while_it_is():
+    table = TrackTable(rows_of({1: (0, 50), 2: (40, 90), 26: (0, 90)}))
+    old = rows_of({1: (0, 50), 2: (40, 90)})
+    colours = TrackColours.of_session(TrackTable(old), None)
+    colours.meet_over(26, [table.of_frame(frame) for frame in (0, 45, 89)])
+    assert len({colours.of(one) for one in (1, 2, 26)}) == 3
