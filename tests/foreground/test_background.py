@@ -136,6 +136,18 @@ def test_where_somebody_stood_for_most_of_the_time_the_scene_is_put_back() -> No
     assert (model.subtract(with_person(scene)).mask[PERSON] > 0).mean() > 0.9
 
 
+def test_where_the_scene_was_seen_most_and_nobody_stood_nothing_is_put_back() -> None:
+    scene = textured()
+    plain, asked = BackgroundModel(FPS), BackgroundModel(FPS)
+    plain.learn([scene] * 9 + [with_person(scene)] * 6)
+    other = asked.learn_both_looks([scene] * 9 + [with_person(scene)] * 6)
+    assert other.where[PERSON].all()
+    asked.put_back(other, np.zeros(scene.shape[:2], np.uint8))
+    np.testing.assert_array_equal(asked.background, plain.background)
+    np.testing.assert_array_equal(asked.limit, plain.limit)
+    assert not asked.subtract(scene).mask.any()
+
+
 def test_what_stood_where_the_scene_was_put_back_is_absorbed_no_sooner_than_anything() -> None:
     scene, everywhere = textured(), np.full((96, 128), 255, np.uint8)
     plain, mended = (BackgroundModel(FPS, ForegroundSettings(absorb_s=2.0)) for _ in range(2))
