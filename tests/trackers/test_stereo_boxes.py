@@ -9,7 +9,7 @@ from people_on_a_floor import view
 
 from tracking.trackers.births_and_ends import confirmed
 from tracking.trackers.population import nobody
-from tracking.trackers.stereo_boxes import Bodies, overlap, visibility
+from tracking.trackers.stereo_boxes import Bodies, overlap, share_in_view, visibility
 
 FRONT, BEHIND = [100.0, 100.0, 50.0, 150.0], [110.0, 60.0, 50.0, 150.0]
 
@@ -28,6 +28,12 @@ def test_what_lies_outside_the_picture_is_not_seen():
 def test_overlap_is_the_largest_share_in_common_with_another():
     boxes = np.array([[0.0, 0, 10, 10], [5.0, 0, 10, 10], [100.0, 0, 10, 10]])
     np.testing.assert_allclose(overlap(boxes), [0.5, 0.5, 0.0])
+
+
+def test_a_box_without_width_or_height_is_nowhere_and_overlaps_nothing():
+    boxes = np.array([[5.0, 5, 0, 10], [5.0, 5, 10, 0], [0.0, 0, 20, 20]])
+    np.testing.assert_array_equal(share_in_view(boxes, (640, 480)), [0.0, 0.0, 1.0])
+    np.testing.assert_array_equal(overlap(boxes), 0.0)
 
 
 @given(st.floats(-3, 3), st.floats(3, 12), st.floats(5, 80), st.floats(20, 300))

@@ -24,6 +24,8 @@ _OUTLINE_MEMORY_S = 0.3
 _MIXED_MEMORY_S = 2.0
 _TRUST = 0.85
 """Weight of the box seen against the remembered outline."""
+_NO_SIDE = float(np.finfo(np.float64).tiny)
+"""What boxes without width or height are divided by: nothing of them is anywhere."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +112,7 @@ def share_in_view(box: Floats, size: tuple[int, int]) -> Floats:
     """The share of each box (people, 4) that lies inside a picture so large: (people,) 0 to 1."""
     low = np.maximum(box[:, :2], 0.0)
     high = np.minimum(box[:, :2] + box[:, 2:], size)
-    share = np.maximum(high - low, 0.0) / box[:, 2:]
+    share = np.maximum(high - low, 0.0) / np.maximum(box[:, 2:], _NO_SIDE)
     both = share[:, 0] * share[:, 1]
     return np.where(np.isfinite(both), both, 0.0)
 
@@ -176,5 +178,5 @@ def overlap(box: Floats) -> Floats:
     np.maximum(side, 0.0, out=side)
     common = side[..., 0] * side[..., 1]
     np.fill_diagonal(common, 0.0)
-    area = box[:, 2] * box[:, 3]
+    area = np.maximum(box[:, 2] * box[:, 3], _NO_SIDE)
     return np.asarray((common / area[:, None]).max(axis=1, initial=0.0))
