@@ -29,7 +29,8 @@ def share_a_step_off(around: Bodies, size: tuple[int, int]) -> Floats:
 
     Who stands at the picture's edge is a step on the floor from being out of it. That a body is
     cut off does not tell: far from a camera that looks down on them heads are cut off for metres,
-    and who is there does not leave all of a sudden.
+    and who is there does not leave all of a sudden. A body a step off that would be behind the
+    camera is nowhere in the picture, and its share is 0: whoever stands so near is at the edge.
 
     Args:
         around: as `here_and_a_step_off`. size: width and height of the picture.
