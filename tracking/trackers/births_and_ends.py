@@ -14,14 +14,13 @@ from tracking.trackers.population import Population, unknown_looks, unknown_moti
 from tracking.trackers.stereo_boxes import Bodies, expected_visibility, share_in_view
 from tracking.trackers.stereo_settings import StereoFilterSettings
 
+Floats = NDArray[np.float64]
+
 _PATIENCE_S = 0.15
 """How long a newcomer may go unseen before it is taken for noise."""
 _AT_THE_EDGE = 0.75
 _OUT_OF_VIEW = 0.35
 """Share of a body inside the picture below which somebody not seen has left it."""
-
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

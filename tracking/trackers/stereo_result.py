@@ -24,7 +24,7 @@ from tracking.tracks.columns import (
 )
 
 Floats = NDArray[np.float64]
-Particles = NDArray[np.float32]
+Float32s = NDArray[np.float32]
 Ids = NDArray[np.int32]
 Rows = NDArray[np.intp]
 
@@ -94,7 +94,7 @@ def _detections(frame: int, seen: Detections, people: Population, pairs: Associa
     return typed(values, DETECTION_COLUMNS)
 
 
-def _particles(track: Ids, particles: Particles, weight: Particles) -> Columns:
+def _particles(track: Ids, particles: Float32s, weight: Float32s) -> Columns:
     values = {
         "track": np.repeat(track, weight.shape[1]),
         "x": particles[..., 0].ravel(),
@@ -130,7 +130,7 @@ def _seen_alone(people: Population, pairs: Association, alone: NDArray[np.bool_]
 
 
 def _signals(
-    frame: int, track: Ids, seen: Detections, own: Rows, shapes: tuple[Particles, Particles]
+    frame: int, track: Ids, seen: Detections, own: Rows, shapes: tuple[Float32s, Float32s]
 ) -> Columns:
     """What is noticed of people beside where they are.
 
