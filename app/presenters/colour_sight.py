@@ -11,13 +11,13 @@ from app.presenters.scenes import Colour
 
 Floats = NDArray[np.float64]
 
-# What is left of linear red, green, blue for usual, red-blind and green-blind eyes: Machado,
-# Oliveira and Fernandes 2009, severity 1.0.
 _SIGHTS: tuple[Floats, ...] = (
     np.eye(3),
     np.array([[0.152, 1.053, -0.205], [0.115, 0.786, 0.099], [-0.004, -0.048, 1.052]]),
     np.array([[0.367, 0.861, -0.228], [0.280, 0.673, 0.047], [-0.012, 0.043, 0.969]]),
 )
+"""What is left of linear red, green, blue for usual, red-blind and green-blind eyes:
+[Machado2009], severity 1.0."""
 _XYZ_FROM_RGB = np.array(
     [[0.4125, 0.3576, 0.1804], [0.2127, 0.7152, 0.0722], [0.0193, 0.1192, 0.9503]]
 )
