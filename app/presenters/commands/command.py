@@ -21,7 +21,8 @@ class Situation:
             edit would put it right. watched: a stretch was just watched.
         comparing: two versions of the tracks are compared. unkept: what a tracker found is in
             memory alone.
-        parts: body parts were tracked. part_truth: where they really are is known.
+        parts: body parts were tracked. parts_elsewhere: in another run alone. part_truth:
+            where they really are is known.
         trained: a detector was trained here. detector: the name of the one in use; "" for the
             built-in one.
         scored: tracks were compared with a truth.
@@ -51,6 +52,7 @@ class Situation:
     can_undo: bool = False
     can_redo: bool = False
     parts: bool = False
+    parts_elsewhere: bool = False
     part_truth: bool = False
     trained: bool = False
     scored: bool = False

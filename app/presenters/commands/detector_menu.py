@@ -12,6 +12,8 @@ from app.presenters.words import tr
 def _parts(now: Situation) -> str:
     """Body parts must have been tracked."""
     said = tr("no parts were tracked: track with three-part (Ctrl+T) first")
+    if now.parts_elsewhere:
+        said = tr("the run being corrected has no parts: correct one that has (Ctrl+R)")
     return session(now) or ("" if now.parts else said)
 
 

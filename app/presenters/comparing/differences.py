@@ -41,6 +41,7 @@ _KINDS: Final = {
     "added": "Added",
     "removed": "Gone",
 }
+_PARTLY: Final = {"later": "Later", "earlier": "Earlier"}
 _AROUND_S = 3.0
 """Trails are shown this long before and after the frame that is shown."""
 
@@ -288,6 +289,7 @@ class Comparison:
             order=self.order,
             ticked=len(self._ticked),
             takeable=sum(not one.protected for one in found),
+            locked=sum(bool(one.protected) for one in found),
             can_drop=self._can_drop,
             doing=doing,
             share=share,
@@ -325,7 +327,7 @@ class Comparison:
         locked = tr("A person corrected or reviewed this: it stays as it is")
         return DifferenceItem(
             number=number,
-            title=tr(_KINDS.get(one.kind, one.kind)),
+            title=_title(one),
             people=tuple(self._person(track) for track in one.tracks),
             when=span_text(one.start / self._fps, (one.end - 1) / self._fps),
             text=one.text,
@@ -341,6 +343,12 @@ class Comparison:
         if self.order is Sorted.PERSON:
             numbers.sort(key=lambda number: (found[number].track, found[number].start))
         self._shown = tuple(numbers)
+
+
+def _title(one: Difference) -> str:
+    """Its kind in a word; of who is gone for a part of the time alone, which part."""
+    partly = _PARTLY.get(one.text.rpartition(" ")[2]) if one.kind == "removed" else None
+    return tr(partly or _KINDS.get(one.kind, one.kind))
 
 
 def _is_about(one: Difference, tracks: Collection[int]) -> bool:

@@ -57,7 +57,8 @@ class DifferencesScene:
         items: those of the chosen person in the chosen order. current: place of the one that is
             looked at, -1 for none.
         people: who differences are about; person: the one the list is narrowed to, 0 for all.
-        ticked, takeable: how many are ticked, and could be; of all, not of the listed ones alone.
+        ticked, takeable, locked: how many are ticked, could be, and cannot be; of all, not of the
+            listed ones alone.
         can_drop: the dashed version is a run that can be dropped.
         doing: what goes on, "" at rest. share: how much of it is done, None: not known.
         text: said where nothing differs.
@@ -72,6 +73,7 @@ class DifferencesScene:
     order: Sorted = Sorted.TIME
     ticked: int = 0
     takeable: int = 0
+    locked: int = 0
     can_drop: bool = False
     doing: str = ""
     share: float | None = None

@@ -60,6 +60,14 @@ class PartsPresenter:
         run = self.run
         return run is not None and len(run.parts["frame"]) > 0
 
+    @property
+    def tracked_elsewhere(self) -> bool:
+        """Whether not the run that is corrected, but another one holds parts."""
+        session = self._document.session
+        if session is None or self.any_tracked:
+            return False
+        return any(len(run.parts["frame"]) for run in session.runs)
+
     def picture(
         self,
         instant: Instant,

@@ -50,6 +50,7 @@ class Comparing(QObject):
         self._job: Job | None = None
         self._share: float | None = None  # of the search, done by now
         self._taken = False  # something, since the last search
+        self._told = ""  # of what was taken last
         self._connect()
 
     def _connect(self) -> None:
@@ -214,7 +215,9 @@ class Comparing(QObject):
     def _end_taken(self, comparison: Comparison) -> None:
         """Nothing of the run is left to take: the panels come back by themselves."""
         self.close()
-        self.said.emit(tr("Nothing is left to take from run {n}", n=comparison.run))
+        self.said.emit(
+            tr("{done}; nothing is left to take from run {n}", done=self._told, n=comparison.run)
+        )
 
     def _fail(self, error: Exception) -> None:
         self._forget_job()
@@ -298,7 +301,8 @@ class Comparing(QObject):
             change = plan()
             self._document.apply(change)
             self._taken = True
-            self.said.emit(tr("Done: {what}", what=change.text))
+            self._told = tr("Done: {what}", what=change.text)
+            self.said.emit(self._told)
 
     def _show(self) -> None:
         if self._comparison is not None:

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.comparing.differences_scene import DifferencesScene, Sorted
+from app.presenters.words import counted, tr
 from app.views.comparing.difference_list import DifferenceModel, DifferenceView
 from app.views.look.icons import IconButton
 from app.views.look.theme import scaled_font
@@ -171,7 +172,7 @@ class DifferencesPanel(Panel):
         self._text.setText(scene.text)
         self._text.setVisible(bool(scene.text))
         self._working.show_work(scene.doing, scene.share)
-        self._ticks.setText(self.tr("{0} of {1} ticked").format(scene.ticked, scene.takeable))
+        self._ticks.setText(_ticks_of(scene))
         self._show_ends(scene)
 
     def _show_ends(self, scene: DifferencesScene) -> None:
@@ -201,3 +202,11 @@ class DifferencesPanel(Panel):
             for title, track in titles:
                 combo.addItem(title, track)
         combo.setCurrentIndex(max(0, combo.findData(scene.person)))
+
+
+def _ticks_of(scene: DifferencesScene) -> str:
+    """How many of all are ticked, and how many cannot be."""
+    said = tr("{n} of {all} ticked", n=scene.ticked, all=scene.takeable + scene.locked)
+    if not scene.locked:
+        return said
+    return said + ", " + counted(scene.locked, "{n} is locked", "{n} are locked")

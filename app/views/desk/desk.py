@@ -135,6 +135,7 @@ class Desk(QObject):
             saying=self.labelling.tool is Tool.PARTS,
             suggesting=self.labelling.suggests,
             parts=self.parts.presenter.any_tracked,
+            parts_elsewhere=self.parts.presenter.tracked_elsewhere,
             part_truth=self.parts.presenter.truth_known,
             placing=document.flow is not None and document.flow.places,
             live=self.live.running,

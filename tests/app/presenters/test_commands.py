@@ -92,3 +92,10 @@ def test_nobody_is_drawn_over_a_result_that_is_in_memory_alone():
     now = Situation(recording=True, tracks=True)
     assert {"tracks.draw", "file.import"} <= _enabled(now)
     assert not {"tracks.draw", "file.import"} & _enabled(replace(now, unkept=True))
+
+
+def test_who_corrects_a_run_without_parts_is_told_where_there_are_some():
+    now = Situation(recording=True, session=True, tracks=True)
+    says = BY_NAME["detector.next"].check
+    assert "track with three-part" in says(now)
+    assert "correct one that has (Ctrl+R)" in says(replace(now, parts_elsewhere=True))

@@ -63,3 +63,11 @@ def test_rows_of_differences_take_another_line_where_their_words_do_not_fit(qtbo
         qtbot.wait(1)
         heights.append(panel._list.sizeHintForRow(0))
     assert heights[0] > heights[1]
+
+
+def test_the_differences_say_how_many_are_ticked_and_how_many_are_locked(qtbot):
+    side = Side("run 0", "run 0", True)
+    panel = DifferencesPanel()
+    qtbot.addWidget(panel)
+    panel.show_scene(DifferencesScene(side, side, ticked=21, takeable=21, locked=3))
+    assert panel._ticks.text() == "21 of 24 ticked, 3 are locked"

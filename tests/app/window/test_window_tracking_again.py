@@ -75,7 +75,8 @@ def test_once_all_is_taken_the_comparison_closes_and_says_so(compared, window, q
     compared.draw()
     qtbot.waitUntil(lambda: not compared.comparing.shown, timeout=30_000)
     assert window.workspace.differences.isHidden()
-    assert said[-1] == "Nothing is left to take from run 1"
+    assert said[-1].startswith("Done: ")
+    assert said[-1].endswith("; nothing is left to take from run 1")
 
 
 def test_a_stretch_is_told_by_its_first_and_last_frame(compared):
