@@ -94,6 +94,37 @@ def test_a_person_in_front_of_a_ranged_scene_keeps_the_range(lines: SightLines) 
     assert np.isfinite(found).sum() > 500
 
 
+def person_before(
+    scene: Grey, person: Grey, lines: SightLines, lower_px: int = 0, spread_px: float = 0.0
+) -> NDArray[np.float32]:
+    """Disparity in a person 12 px away before a scene 6 px away, seen by an imperfect right eye."""
+
+    def as_right(eye: Grey) -> Grey:
+        lower = np.roll(eye, lower_px, axis=0)
+        blurred = cv2.GaussianBlur(lower, (0, 0), spread_px) if spread_px else lower
+        return np.asarray(blurred, np.uint8)
+
+    stereo = SubtractionStereo(lines)
+    stereo.learn_scene(scene, as_right(seen_from_the_right(scene, 6)))
+    there = np.roll(mask(slice(125, 190)), lower_px, axis=0)
+    found = stereo.match(person, as_right(seen_from_the_right(person, 12)), mask(BODY[1]), there)
+    return found[BODY[0].start // STEP : BODY[0].stop // STEP, BODY[1].start // STEP : 95]
+
+
+@pytest.mark.parametrize("lower_px", [-1, 1, 3])
+def test_a_right_eye_that_sees_lower_or_higher_gives_the_range_of_level_ones(
+    lines: SightLines, lower_px: int
+) -> None:
+    inside = person_before(dots(5), dots(6), lines, lower_px)
+    assert (np.abs(inside - 12) < 0.25).mean() > 0.95
+    assert np.isfinite(inside[[0, -1]]).mean() > 0.9  # the mask is moved, too
+
+
+def test_a_right_eye_out_of_focus_gives_the_range_of_sharp_ones(lines: SightLines) -> None:
+    inside = person_before(dots(5), dots(6), lines, spread_px=2.0)
+    assert (np.abs(inside - 12) < 0.25).mean() > 0.95
+
+
 def test_no_foreground_gives_no_range(lines: SightLines) -> None:
     nobody = np.zeros((HEIGHT, WIDTH), np.uint8)
     assert not np.isfinite(SubtractionStereo(lines).match(dots(5), dots(5), nobody, nobody)).any()

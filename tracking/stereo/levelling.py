@@ -33,8 +33,8 @@ class Levelling:
     is higher on one side is lower on the other, the eye is turned about its axis, and range is
     wrong above and below.
 
-    Marks are [ShiTomasi1994] corners, followed as by [LucasKanade1981] from one eye to the other
-    and back. What is made of them is ours.
+    Marks are [ShiTomasi1994] corners, followed as by [LucasKanade1981], coarsely first
+    [Bouguet2000], from one eye to the other and back. What is made of them is ours.
 
     Attributes:
         off: how much lower the right eye sees than the left one: (3,) px in the picture's middle,
@@ -56,13 +56,21 @@ class Levelling:
 
     def level(self, right: Grey) -> Grey:
         """The right eye with its rows at the height of the left one's."""
+        return self._moved(right, cv2.INTER_LINEAR)
+
+    def level_mask(self, right: Grey) -> Grey:
+        """A mask of the right eye, moved as the eye is."""
+        return self._moved(right, cv2.INTER_NEAREST)
+
+    def _moved(self, right: Grey, between: int) -> Grey:
+        """between: how values between pixels are made, as OpenCV numbers it."""
         if self.off is None:
             return right
         shift, turn, larger = self.off.tolist()
         turned = np.array(((1 + larger, -turn), (turn, 1 + larger)))
         middle = _middle(right)
         moved = np.column_stack((turned, middle - turned @ middle + np.array((0.0, shift))))
-        way = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+        way = between | cv2.WARP_INVERSE_MAP
         size, border = (right.shape[1], right.shape[0]), cv2.BORDER_REPLICATE
         return np.asarray(cv2.warpAffine(right, moved, size, flags=way, borderMode=border))
 

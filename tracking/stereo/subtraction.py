@@ -139,7 +139,7 @@ class SubtractionStereo:
             (rows, columns) float32 px for the pixels [::STEP, ::STEP]; NaN outside the foreground
             and where nothing matched.
         """
-        here, there = left_mask[::STEP], right_mask[::STEP]
+        here, there = left_mask[::STEP], self._levelling.level_mask(right_mask)[::STEP]
         disparity = np.full(self._least.size, np.nan, np.float32)
         if cv2.hasNonZero(there):
             left, right = self._alike(left, right)
