@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from tracking.people import eyes_watch
-from tracking.people.eye_movement import EyeMovement, late_by, thinned
+from tracking.people.eye_movement import EyeMovement, late_by, mean_of_four, thinned
 from tracking.people.eyes_watch import EyesWatch, shows_nothing
 
 Picture = NDArray[np.uint8]
@@ -79,6 +79,21 @@ def test_what_differs_by_chance_between_the_eyes_hides_no_lag_and_makes_none(
         watch.look(k, disturbed(eye(k), 5 * k), right)
     assert watch.lag == late
     assert not watch.failing
+
+
+@pytest.mark.parametrize("width", [159, 240, 640])
+def test_pictures_of_any_width_are_smoothed_against_noise(width: int) -> None:
+    noise = np.random.default_rng(3).normal(110, 12, (90, width, 3)).clip(0, 255)
+    few = thinned(noise.astype(np.uint8))
+    assert few.shape[1] in range(150, 320)
+    assert few.std() < 0.6 * 12
+
+
+def test_where_every_pixel_is_compared_it_is_the_mean_of_itself_and_its_neighbours() -> None:
+    channel = np.array([[0, 40, 80], [80, 120, 160]], np.uint8)
+    np.testing.assert_array_equal(
+        mean_of_four(channel, 1), np.array([[60, 100, 120], [100, 140, 160]], np.uint8)
+    )
 
 
 def movement_of(lefts: Iterable[Picture], rights: Iterable[Picture]) -> EyeMovement:

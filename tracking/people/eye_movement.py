@@ -171,10 +171,14 @@ def thinned(eye: Picture) -> Picture:
 def mean_of_four(channel: Picture, step: int) -> Picture:
     """(height // step, width // step) of (height, width), each the mean of four pixels.
 
-    A sensor's noise, alike in no two eyes, would be movement otherwise.
+    A sensor's noise, alike in no two eyes, would be movement otherwise. Where every pixel is
+    compared, the four overlap those of the next one, and edges are drawn out.
     """
     rows, columns = (side // step * step for side in channel.shape)
-    few = [channel[v:rows:step, u:columns:step] for v in (0, step // 2) for u in (0, step // 2)]
+    if step == 1:
+        channel = np.asarray(cv2.copyMakeBorder(channel, 0, 1, 0, 1, cv2.BORDER_REPLICATE))
+    starts = (0, beside_px(step))
+    few = [channel[v : v + rows : step, u : u + columns : step] for v in starts for u in starts]
     pairs = [cv2.addWeighted(one, 0.5, other, 0.5, 0) for one, other in (few[:2], few[2:])]
     return np.asarray(cv2.addWeighted(pairs[0], 0.5, pairs[1], 0.5, 0), np.uint8)
 
@@ -182,6 +186,11 @@ def mean_of_four(channel: Picture, step: int) -> Picture:
 def thinning_px(width: int) -> int:
     """How far the pixels that are compared are from each other."""
     return max(1, width // _WIDE_PX)
+
+
+def beside_px(step: int) -> int:
+    """How far the pixels of which the mean is taken are from each other."""
+    return max(1, step // 2)
 
 
 def late_by(stretches: Sequence[Stretch], most_lag: int) -> int | None:

@@ -14,6 +14,7 @@ from tracking.people.eye_movement import (
     EyeMovement,
     Picture,
     Stretch,
+    beside_px,
     late_by,
     mean_of_four,
     thinned,
@@ -97,7 +98,7 @@ def thinned_maps(rectification: Rectification | None) -> tuple[Map, Map] | None:
     width, height = rectification.size
     step = thinning_px(width)
     across, down = (
-        (np.arange(side // step)[:, None] * step + (0, step // 2)).ravel()
+        (np.arange(side // step)[:, None] * step + (0, beside_px(step))).ravel().clip(0, side - 1)
         for side in (width, height)
     )
     u, v = np.meshgrid(across, down)
