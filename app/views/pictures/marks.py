@@ -22,11 +22,15 @@ _MOST_POINTS = 31  # of a trail
 
 
 def draw_people(
-    painter: QPainter, people: Sequence[PersonMark], viewport: Viewport, area: QRectF
+    painter: QPainter,
+    people: Sequence[PersonMark],
+    viewport: Viewport,
+    area: QRectF,
+    taken: Sequence[QRectF] = (),
 ) -> list[QRectF]:
     """Draw trails below boxes below plates; the selected person's plate keeps its place.
 
-    Gives where the plates stand.
+    Gives where the plates stand: not on what is `taken`.
     """
     for person in people:
         points = viewport.to_widget(person.trail)
@@ -41,7 +45,8 @@ def draw_people(
         plate_rect(metrics, name, viewport.point(one.box[0], one.box[1]) + QPointF(-1, -4))
         for one, name in zip(ordered, names, strict=True)
     ]
-    placed = list(zip(ordered, names, place_plates(wanted, area), strict=True))
+    places = place_plates([*taken, *wanted], area)[len(taken) :]
+    placed = list(zip(ordered, names, places, strict=True))
     for person, name, rect in reversed(placed):
         draw_plate(painter, rect, name, QColor(*person.colour), person.selected)
     return [rect for _, _, rect in placed]
