@@ -41,7 +41,6 @@ _KINDS: Final = {
     "added": "Added",
     "removed": "Gone",
 }
-_PARTLY: Final = {"later": "Later", "earlier": "Earlier"}
 _AROUND_S = 3.0
 """Trails are shown this long before and after the frame that is shown."""
 
@@ -327,13 +326,26 @@ class Comparison:
         locked = tr("A person corrected or reviewed this: it stays as it is")
         return DifferenceItem(
             number=number,
-            title=_title(one),
+            title=self._title(one),
             people=tuple(self._person(track) for track in one.tracks),
             when=span_text(one.start / self._fps, (one.end - 1) / self._fps),
             text=one.text,
             ticked=number in self._ticked,
             locked=locked if one.protected else "",
         )
+
+    def _title(self, one: Difference) -> str:
+        """Its kind in a word; of who is gone at one end of their track alone, at which."""
+        base = self._found.base if self._found is not None else None
+        if one.kind != "removed" or base is None or one.track not in base:
+            return tr(_KINDS.get(one.kind, one.kind))
+        asked = self._frames or base.frame_range(one.track)
+        ranges = (base.frame_range(one.track), self._session.runs[self.run].frames, asked)
+        at_start = one.start <= max(start for start, _ in ranges)
+        at_end = one.end >= min(stop for _, stop in ranges)
+        if at_start == at_end:
+            return tr("Gone")
+        return tr("Later") if at_start else tr("Earlier")
 
     def _list(self) -> None:
         found: Sequence[Difference] = self._found.differences if self._found is not None else ()
@@ -343,12 +355,6 @@ class Comparison:
         if self.order is Sorted.PERSON:
             numbers.sort(key=lambda number: (found[number].track, found[number].start))
         self._shown = tuple(numbers)
-
-
-def _title(one: Difference) -> str:
-    """Its kind in a word; of who is gone for a part of the time alone, which part."""
-    partly = _PARTLY.get(one.text.rpartition(" ")[2]) if one.kind == "removed" else None
-    return tr(partly or _KINDS.get(one.kind, one.kind))
 
 
 def _is_about(one: Difference, tracks: Collection[int]) -> bool:
