@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 
-from app.presenters.words import tr
+from app.presenters.words import tr, unstopped
 from tracking.errors import TrackwrightError
 from tracking.session import RecordingMissing
 
@@ -30,5 +30,5 @@ def explain(error: BaseException) -> str:
         "A bug in trackwright: {kind}: {error}. Your edits are safe on disk; save, and start the "
         "program again if it misbehaves.",
         kind=type(error).__name__,
-        error=error,
+        error=unstopped(str(error)),
     )

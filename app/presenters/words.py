@@ -27,6 +27,11 @@ def counted(count: int, one: str, many: str, **values: object) -> str:
     return tr(one if count == 1 else many, n=count, **values)
 
 
+def unstopped(text: str) -> str:
+    """The text without a full stop at its end: to stand inside a sentence that has its own."""
+    return text.rstrip().rstrip(".")
+
+
 def time_text(seconds: float) -> str:
     """Minutes, seconds and hundredths, e.g. "00:41.70"; with hours where there are any."""
     hundredths = round(max(0.0, seconds) * 100)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from app.presenters.parts.detector_choice import DETECTOR
-from app.presenters.words import tr
+from app.presenters.words import tr, unstopped
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
 from tracking.session import Session
@@ -59,7 +59,7 @@ class TrackerWords:
             name = session.corrected_run.tracker
             return TrackerState(name, tr("tracked"), tr("Nobody was tracked."))
         if not self.best:
-            said = tr("No tracks: {why}.", why=self.why_not)
+            said = tr("No tracks: {why}.", why=unstopped(self.why_not))
             return TrackerState("", tr("no tracker"), said)
         said = tr(
             "No tracks yet. Press Space: it plays, is tracked, and everybody gets a lane here."

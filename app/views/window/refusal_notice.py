@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from app.presenters.scenes import CommandItem
-from app.presenters.words import tr
+from app.presenters.words import tr, unstopped
 from app.views.window.menus import TypingGuard
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ class RefusalNotice:
             self._window.say(said)
             return
         self._guard.hold()
-        said = tr("{said}. What is typed now is not taken.", said=said)
+        said = tr("{said}. What is typed now is not taken.", said=unstopped(said))
         self._notice.say(said, is_error=True, passing=True)
         self._refused = said
 

@@ -25,3 +25,8 @@ def test_options_of_the_command_line_are_left_out():
     error = FormatError("the truth has no boxes", "match by floor distance (--match floor)")
     assert explain(error) == "the truth has no boxes; match by floor distance"
     assert explain(FormatError("a.txt is unknown")) == "a.txt is unknown"
+
+
+def test_a_bug_whose_words_end_in_a_full_stop_has_one_alone():
+    said = explain(RuntimeError("Internal object already deleted."))
+    assert "already deleted. Your edits" in said

@@ -53,3 +53,9 @@ def test_once_a_detector_is_chosen_a_tracker_that_uses_it_is_proposed(
     words = TrackerWords(recording)
     assert words.proposed(session, in_parts=False) == "stereo-direction"
     assert words.proposed(session, in_parts=True) == "three-part"
+
+
+def test_why_nothing_can_track_ends_in_one_full_stop(recording: Recording):
+    words = TrackerWords(recording)
+    words.best, words.why_not = "", "give the recording a calibration."
+    assert words.resting(None).no_lanes == "No tracks: give the recording a calibration."
