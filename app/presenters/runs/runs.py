@@ -58,6 +58,8 @@ class RunsScene:
     """All runs of a session.
 
     Attributes:
+        proposed: the number of the newest run that is not the one being corrected; of this one
+            where there is no other, `CORRECTED` where there is none at all.
         scored: there is a truth. can_drop: the last run can go.
         share_text: what offers to score all rows over the frames they share; "" where all have the
             same frames, or none are in all of them. over: which frames the figures are about.
@@ -68,6 +70,7 @@ class RunsScene:
     can_drop: bool
     share_text: str
     over: str
+    proposed: int = CORRECTED
 
 
 class RunList:
@@ -96,7 +99,13 @@ class RunList:
         if scored and common is not None:
             share_text = tr("Score all rows over frames {frames}", frames=_range_text(common))
         over = self._over_text(common) if scored else ""
-        return RunsScene(tuple(rows), scored, can_drop, share_text, over)
+        return RunsScene(tuple(rows), scored, can_drop, share_text, over, self._proposed)
+
+    @property
+    def _proposed(self) -> int:
+        numbers = range(len(self._session.runs))
+        others = [number for number in numbers if number != self._session.adopted_run]
+        return max(others or numbers, default=CORRECTED)
 
     def _over_text(self, common: Range | None) -> str:
         """Which frames the figures are about, where rows differ in theirs."""

@@ -66,6 +66,7 @@ class RunsDialog(QDialog):
         self._show(self._scene)
         line = self.fontMetrics().height()
         self.resize(62 * line, 22 * line)
+        self._table.setFocus()  # arrow keys choose, Enter compares
         if self._scene.scored:
             self._score()
 
@@ -148,12 +149,15 @@ class RunsDialog(QDialog):
     def choose(self, *numbers: int) -> None:
         """Select some rows by number."""
         self._table.clearSelection()
+        no_change = QItemSelectionModel.SelectionFlag.NoUpdate
         for row, shown in enumerate(self._scene.rows):
             if shown.number in numbers:
                 model = self._table.model()
                 whole = QItemSelectionModel.SelectionFlag.Select
                 whole |= QItemSelectionModel.SelectionFlag.Rows
-                self._table.selectionModel().select(model.index(row, 0), whole)
+                selection = self._table.selectionModel()
+                selection.setCurrentIndex(model.index(row, 0), no_change)
+                selection.select(model.index(row, 0), whole)
 
     def _show(self, scene: RunsScene) -> None:
         chosen = self.chosen if self._table.rowCount() else []
@@ -172,8 +176,7 @@ class RunsDialog(QDialog):
         for widget, text in ((self._share, scene.share_text), (self._over, scene.over)):
             widget.setText(text)
             widget.setVisible(bool(text))
-        newest = scene.rows[-1].number
-        self.choose(*(chosen or ([newest] if newest != CORRECTED else [])))
+        self.choose(*(chosen or ([scene.proposed] if scene.proposed != CORRECTED else [])))
         self._enable()
 
     def _enable(self) -> None:

@@ -162,3 +162,16 @@ def test_the_last_run_is_dropped_from_the_list_but_not_the_one_that_was_correcte
     assert len(desk.document.session.runs) == 1
     assert dialog._drop.isHidden()
     dialog.reject()
+
+
+def test_runs_open_with_the_table_in_use_and_a_run_chosen_that_is_not_corrected(
+    window, desk, qtbot, tiny_run
+):
+    desk.document.session.add_run(replace(tiny_run, seed=7), adopt=True)
+    assert desk.document.session.adopted_run == 1
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    assert dialog.chosen == [0]
+    assert dialog.focusWidget() is dialog._table
+    assert dialog._table.currentRow() == 1
+    dialog.reject()
