@@ -265,7 +265,7 @@ class Desk(QObject):
                 time_s=document.recording.time_s(clock.frame),
                 tracker=tracker.name,
                 status=tracker.status,
-                live=self.live.running and self.live.done > 0,
+                live=self.live.running and document.is_live and self.live.done > 0,
                 following=self.tracking.following.on if self.live.running else None,
             )
         )

@@ -78,8 +78,11 @@ class TrackerAtWork(QObject):
 
     @property
     def state(self) -> TrackerState:
-        """What is told of it beside the transport."""
-        if self.live.running:
+        """What made the tracks that are shown, told beside the transport.
+
+        That is not the tracker at work while somebody looks at the session's tracks.
+        """
+        if self.live.running and (self._document.is_live or self._document.session is None):
             return self._words.working(self.live.tracker, self.live.status)
         return self._words.resting(self._document.session)
 

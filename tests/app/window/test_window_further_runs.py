@@ -127,3 +127,16 @@ def test_a_long_session_has_its_colours_from_another_thread(desk, tiny_run, qtbo
     assert threading.main_thread() not in made_in
     assert document._showing.colours is not before
     assert [document.colour_of(one) for one in ids] == wanted
+
+
+def test_whoever_looks_away_from_a_further_run_reads_what_made_the_tracks_in_view(
+    looked_away, monkeypatch
+):
+    desk = looked_away
+    monkeypatch.setattr(type(desk.live), "running", property(lambda _: True))
+    monkeypatch.setattr(desk.live, "tracker", "three-part")
+    monkeypatch.setattr(type(desk.live), "status", property(lambda _: "live"))
+    made_by = desk.document.session.corrected_run.tracker
+    assert (desk.tracking.state.name, desk.tracking.state.status) == (made_by, "tracked")
+    assert desk.document.watch(on=True)
+    assert (desk.tracking.state.name, desk.tracking.state.status) == ("three-part", "live")
