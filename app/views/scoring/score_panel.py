@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QDoubleSpinBox,
     QHBoxLayout,
     QLabel,
-    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -20,6 +19,7 @@ from app.presenters.scoring.score_scene import ERROR_COLOURS, ErrorChoice, Score
 from app.views.look.icons import IconButton
 from app.views.scoring.error_signs import sign_icon
 from app.views.scoring.figures_table import FiguresTable
+from app.views.widgets.eliding_list import ElidingList
 from app.views.widgets.parts import Panel, quiet
 from tracking.scoring import ErrorKind
 
@@ -102,9 +102,9 @@ class ScorePanel(Panel):
         """Which truth, and whose tracks."""
         line = QHBoxLayout()
         line.setSpacing(6)
-        self._truth = self._list(self.tr("The truth"))
+        self._truth = ElidingList(self.tr("The truth"), self)
         self._truth.activated.connect(self.truth_chosen)
-        self._result = self._list(self.tr("Whose tracks are scored"))
+        self._result = ElidingList(self.tr("Whose tracks are scored"), self)
         self._result.activated.connect(self.result_chosen)
         line.addWidget(quiet(self.tr("Truth"), self))
         line.addWidget(self._truth, 6)
@@ -116,7 +116,7 @@ class ScorePanel(Panel):
         """How a row of the truth and one of the result are one person."""
         line = QHBoxLayout()
         line.setSpacing(6)
-        self._way = self._list(self.tr("How truth and result are paired"))
+        self._way = ElidingList(self.tr("How truth and result are paired"), self)
         self._way.addItems([self.tr("Boxes that overlap"), self.tr("Places on the floor")])
         self._way.activated.connect(lambda at: self.floor_chosen.emit(at == 1))
         self._threshold = QDoubleSpinBox(self)
@@ -145,14 +145,6 @@ class ScorePanel(Panel):
             line.addWidget(button)
         line.addStretch(1)
         return line
-
-    def _list(self, name: str) -> QComboBox:
-        chooser = QComboBox(self)
-        chooser.setAccessibleName(name)
-        chooser.setToolTip(name)
-        chooser.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        chooser.setMinimumWidth(10 * self.fontMetrics().averageCharWidth())
-        return chooser
 
     # showing
 

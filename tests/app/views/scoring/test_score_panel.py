@@ -82,3 +82,11 @@ def test_without_a_truth_it_is_said_what_to_do(panel):
 def test_without_a_scene_it_is_hidden(panel):
     panel.show_scene(None)
     assert panel.isHidden()
+
+
+def test_what_has_no_room_in_a_list_ends_in_an_ellipsis_and_the_tooltip_says_it_all(panel):
+    panel._truth.setFixedWidth(120)
+    shown = panel._truth.shown_text()
+    assert shown.startswith("truth")
+    assert shown.endswith("\u2026")
+    assert panel._truth.toolTip() == "The truth\ntruth.txt beside the recording"
