@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from PySide6.QtGui import QAction
+
 from app.presenters.reviewing.review_scene import ReviewItem, ReviewScene
 from app.views.reviewing.queue_list import row_height
 from app.views.reviewing.review_panel import ReviewPanel
@@ -87,3 +89,15 @@ def test_without_a_list_the_panel_is_as_high_as_all_its_words(qtbot, dark):
     qtbot.wait(1)
     assert panel._text.height() >= panel._text.heightForWidth(panel._text.width())
     assert panel.maximumHeight() < 400
+
+
+def test_however_long_the_words_below_are_rows_keep_clear_of_the_buttons(qtbot, dark):
+    panel = shown(qtbot, ReviewScene(items=ITEMS, current=0, left=40, also=WORDS))
+    panel.set_actions([(QAction("Fix", panel), "Fix")])
+    panel.show_scene(replace(panel._scene, meter=3 * WORDS))
+    panel.resize(300, panel.minimumSizeHint().height())
+    panel.resize(300, panel.minimumSizeHint().height())  # of the width it has by now
+    panel.layout().activate()
+    assert panel._meter.height() >= panel._meter.heightForWidth(panel._meter.width())
+    assert panel._list.geometry().bottom() < panel._also.geometry().top()
+    assert panel._also.geometry().bottom() < panel._tools[0].geometry().top()
