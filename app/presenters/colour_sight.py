@@ -24,6 +24,8 @@ _XYZ_FROM_RGB = np.array(
 _WHITE = np.array([0.9505, 1.0, 1.0888])
 _ALIKE = 12.0
 """CIELAB distance at which two colours of small marks are told apart only side by side."""
+_NEIGHBOURING = 30.0
+"""Distance of neighbouring hues in CIELAB's plane of green to red and blue to yellow."""
 
 
 def alike(colours: Sequence[Colour]) -> Floats:
@@ -31,11 +33,26 @@ def alike(colours: Sequence[Colour]) -> Floats:
 
     1: the same colour; 0.4 where only a careful look tells; next to 0 where a glance does.
     """
-    values = np.array(colours) / 255.0
-    linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    linear = _linear(colours)
     seen = [_lab(linear @ sight.T) for sight in _SIGHTS]
     apart = np.min([np.linalg.norm(one[:, None] - one[None], axis=2) for one in seen], axis=0)
     return np.asarray(np.exp(-np.square(apart / _ALIKE)))
+
+
+def of_one_hue(colours: Sequence[Colour]) -> Floats:
+    """(n, n) how far every two colours go by one name, such as lilac and violet, for usual eyes.
+
+    1: the same hue, however light or dark; 0.4 for neighbours on the circle of hues.
+    """
+    hue = _lab(_linear(colours))[:, 1:]
+    apart = np.linalg.norm(hue[:, None] - hue[None], axis=2)
+    return np.asarray(np.exp(-np.square(apart / _NEIGHBOURING)))
+
+
+def _linear(colours: Sequence[Colour]) -> Floats:
+    """(n, 3) linear red, green, blue, 0 to 1."""
+    values = np.array(colours) / 255.0
+    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
 
 def _lab(linear: Floats) -> Floats:

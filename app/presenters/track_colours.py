@@ -8,7 +8,7 @@ from heapq import heappop, heappush
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.colour_sight import alike
+from app.presenters.colour_sight import alike, of_one_hue
 from app.presenters.meetings import FAR, Meetings, closeness, meetings_of
 from app.presenters.palette import NOBODY, TRACK_COLOURS, usual_place
 from app.presenters.scenes import Colour
@@ -24,8 +24,9 @@ _ALIKE = np.max(
     axis=0,
 )
 """How much alike every two look where they look most alike: on pictures, or in either theme."""
-_NEXT_TO_SAME = _ALIKE**4
-"""The same, but what is very much alike outweighs all that is only a little."""
+_LIKE = _ALIKE**4 + 0.02 * of_one_hue(TRACK_COLOURS)
+"""How little two go together: what is very much alike outweighs all that is only a little; among
+those that differ, another hue is better than another shade of one."""
 _TABLE = np.array((*TRACK_COLOURS, NOBODY), np.uint8)
 _GREY = len(TRACK_COLOURS)
 _TOO_ALIKE = 0.1
@@ -132,5 +133,5 @@ class TrackColours:
         """The usual colour, or the one least like others; taken: (colours,) how much each is."""
         place = usual_place(track)
         if (_ALIKE[place] * taken).max() > _TOO_ALIKE:
-            place = int((_NEXT_TO_SAME @ taken).argmin())
+            place = int((_LIKE @ taken).argmin())
         self._place[track] = place

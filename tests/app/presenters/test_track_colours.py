@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.presenters.colour_sight import alike
+from app.presenters.colour_sight import alike, of_one_hue
 from app.presenters.palette import NOBODY, TRACK_COLOURS
 from app.presenters.shown_colours import THEMES, standing_out
 from app.presenters.track_colours import TrackColours
@@ -38,6 +38,15 @@ def test_an_id_has_the_same_colour_alone_and_among_others():
     colours = colours_of({1: (0, 9), 25: (0, 9)})
     many = colours.of_all(ids)
     assert [tuple(row) for row in many.tolist()] == [colours.of(int(one)) for one in ids]
+
+
+def test_who_cannot_have_the_usual_colour_gets_another_hue_rather_than_another_shade():
+    colours = colours_of(dict.fromkeys(range(1, 8), (0, 9)), place=lambda one: (one / 5, 4.0))
+    given = [colours.of(one) for one in range(1, 8)]
+    hues = of_one_hue(given) - np.eye(len(given))
+    moved = [place for place, one in enumerate(given) if one != TRACK_COLOURS[place]]
+    assert moved
+    assert hues[moved].max() < 0.5
 
 
 def test_nobody_is_grey():
