@@ -239,6 +239,13 @@ class PictureView(Canvas):
             draw_handles(painter, rect, QColor(*movable.colour))
         if self._scene.drawing and self._hover is not None:
             draw_cross(painter, self._hover, shown)
+        self._draw_words(painter, area, (eye, names), theme)
+
+    def _draw_words(
+        self, painter: QPainter, area: QRectF, taken: tuple[QRectF, list[QRectF]], theme: Theme
+    ) -> None:
+        """Cards, the eye's name, legend, message; taken: the plates of the eye's and people's names."""
+        eye, names = taken
         painter.setFont(scaled_font(self.font(), 0.92))
         metrics = QFontMetricsF(painter.font())
         self._draw_cards(painter, area, [*names, eye], theme)
