@@ -244,7 +244,7 @@ class PictureView(Canvas):
     def _draw_words(
         self, painter: QPainter, area: QRectF, taken: tuple[QRectF, list[QRectF]], theme: Theme
     ) -> None:
-        """Cards, the eye's name, legend, message; taken: the plates of the eye's and people's names."""
+        """Cards, the eye's name, legend, message; taken: plates of the eye's and people's names."""
         eye, names = taken
         painter.setFont(scaled_font(self.font(), 0.92))
         metrics = QFontMetricsF(painter.font())
