@@ -4,19 +4,15 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-Picture = NDArray[np.uint8]
-Points = NDArray[np.float32]
+from tracking.foreground.marks import Marks, Picture, Points
 
 _EVERY_S = 1.0
 _WIDE_PX = 320
 """Width of the pictures compared; narrower ones stay as they are."""
 _EVENED_PX, _FAINT = 9, 2.0
 """Side of the squares in which contrast is evened out, and what is noise there, grey levels."""
-_MARKS, _APART_PX = 80, 12
-_WINDOW = (21, 21)
-_LEVELS = 2
+_MARKS = Marks(most=80, faintest=0.02, apart_px=12, window_px=21, levels=2)
 _RETURN_PX = 0.7
 """A mark followed there and back must end so near to where it began."""
 _LEFT = 0.4
@@ -51,7 +47,7 @@ class CameraWatch:
         self._count = 0
         self._seen_moved: list[int] = []
         self._before: Picture | None = None
-        self._marks: Points = np.zeros((0, 1, 2), np.float32)
+        self._marks: Points = np.zeros((0, 2), np.float32)
 
     def look(self, frame: int, picture: Picture) -> None:
         """Take notice of the next frame; only one in some is looked at closely.
@@ -70,7 +66,7 @@ class CameraWatch:
             return
         now = _evened(picture)
         found, stayed, moved = self._counts(self._before, now)
-        if moved >= _SHARE * _MARKS and moved > _OUTWEIGH * stayed:
+        if moved >= _SHARE * _MARKS.most and moved > _OUTWEIGH * stayed:
             self._seen_moved.append(frame)
             if len(self._seen_moved) == _LOOKS:
                 self.moved_at = self._seen_moved[0]
@@ -93,9 +89,7 @@ class CameraWatch:
     def _take(self, now: Picture) -> None:
         """Take new marks."""
         self._before = now
-        marks = cv2.goodFeaturesToTrack(now, _MARKS, 0.02, _APART_PX)
-        none = np.zeros((0, 1, 2), np.float32)
-        self._marks = none if marks is None else np.asarray(marks, np.float32)
+        self._marks = _MARKS.of(now)
 
     def _counts(self, before: Picture, now: Picture) -> tuple[int, int, int]:
         """How many marks are found near by, are where they were, and moved as one picture does.
@@ -142,26 +136,10 @@ def _found_again(
     Args:
         shift: (2,) px by which they are thought to have moved.
     """
-    there, found = _followed(before, now, marks, marks + shift)
-    back, again = _followed(now, before, there, there - shift)
-    near = np.hypot(*(back - marks)[:, 0].T) < _RETURN_PX
-    good = found & again & near
-    return marks[good, 0], there[good, 0]
-
-
-def _followed(
-    before: Picture, now: Picture, points: Points, guess: Points
-) -> tuple[Points, NDArray[np.bool_]]:
-    there, state, _ = cv2.calcOpticalFlowPyrLK(
-        before,
-        now,
-        points,
-        guess.copy(),
-        winSize=_WINDOW,
-        maxLevel=_LEVELS,
-        flags=cv2.OPTFLOW_USE_INITIAL_FLOW,
-    )
-    return np.asarray(there, np.float32), state[:, 0] > 0
+    there, found = _MARKS.followed(before, now, marks, marks + shift)
+    back, again = _MARKS.followed(now, before, there, there - shift)
+    good = found & again & (np.hypot(*(back - marks).T) < _RETURN_PX)
+    return marks[good], there[good]
 
 
 def _moved_as_one(start: Points, end: Points) -> int:

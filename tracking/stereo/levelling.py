@@ -6,11 +6,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.foreground.marks import Marks
+
 Grey = NDArray[np.uint8]
 Floats = NDArray[np.float32]
 
-_MARKS, _FAINTEST, _APART_PX, _FEWEST = 200, 0.002, 12, 40
-_WINDOW = (15, 15)
+_MARKS = Marks(most=200, faintest=0.002, apart_px=12, window_px=15, levels=1)
+_FEWEST = 40
 _RETURN_PX = 0.4
 """A mark followed to the right eye and back must end so near to where it began."""
 _ASIDE_PX = 2.5
@@ -33,8 +35,7 @@ class Levelling:
     is higher on one side is lower on the other, the eye is turned about its axis, and range is
     wrong above and below.
 
-    Marks are [ShiTomasi1994] corners, followed as by [LucasKanade1981], coarsely first
-    [Bouguet2000], from one eye to the other and back. What is made of them is ours.
+    `Marks` are followed from one eye to the other and back. What is made of them is ours.
 
     Attributes:
         off: how much lower the right eye sees than the left one: (3,) px in the picture's middle,
@@ -82,36 +83,17 @@ def _middle(eye: Grey) -> NDArray[np.float64]:
 
 def _found_right(left: Grey, right: Grey, scene: Floats, step: int) -> tuple[Floats, Floats]:
     """(n, 2) px of marks in the left eye, and where they are in the right one."""
-    found = cv2.goodFeaturesToTrack(left, _MARKS, _FAINTEST, _APART_PX)
-    marks = np.zeros((0, 2), np.float32) if found is None else np.asarray(found)[:, 0]
+    marks = _MARKS.of(left)
     u, v = (marks // step).astype(np.intp).T
     range_px = scene[v.clip(0, scene.shape[0] - 1), u.clip(0, scene.shape[1] - 1)]
     known = np.isfinite(range_px)
     marks, range_px = marks[known], range_px[known]
-    if not len(marks):
-        return marks, marks
     guess = marks - np.column_stack((range_px, np.zeros_like(range_px)))
-    there, seen = _followed(left, right, marks, guess)
-    back, again = _followed(right, left, there, marks)
+    there, seen = _MARKS.followed(left, right, marks, guess)
+    back, again = _MARKS.followed(right, left, there, marks)
     good = seen & again & (np.hypot(*(back - marks).T) < _RETURN_PX)
     good &= np.abs(there[:, 0] - guess[:, 0]) < _ASIDE_PX
     return marks[good], there[good]
-
-
-def _followed(
-    one: Grey, other: Grey, points: Floats, guess: Floats
-) -> tuple[Floats, NDArray[np.bool_]]:
-    """(n, 2) where points of one picture are in another, and (n,) whether they were found."""
-    there, state, _ = cv2.calcOpticalFlowPyrLK(
-        one,
-        other,
-        points[:, None],
-        guess[:, None].astype(np.float32),
-        winSize=_WINDOW,
-        maxLevel=1,
-        flags=cv2.OPTFLOW_USE_INITIAL_FLOW,
-    )
-    return np.asarray(there, np.float32)[:, 0], np.asarray(state)[:, 0] > 0
 
 
 def _plane(
