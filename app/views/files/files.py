@@ -113,7 +113,7 @@ class Files(QObject):
         play: bool = False,
         save_at: Path | None = None,
     ) -> None:
-        """Open a recording or a session.
+        """Open a recording or a session; what is open stays where the other one does not open.
 
         Args:
             path: what to open.
@@ -122,21 +122,26 @@ class Files(QObject):
             play: play at once, and track what has no tracks yet.
             save_at: the place that is proposed for the session; beside the recording if None.
         """
-        again = partial(self.open_path, path, recording, options, play=play, save_at=save_at)
-        if not self.may_leave(again):
-            return
+        self._window.workspace.take_typed()
+        asks = self._leaving.asks()
         self.mishaps.begin_opening(path)
-        self._remembered.note_closed()  # what crashes while it opens is not opened again unasked
-        title = tr("Opening {name}", name=path.name)
+        if not asks:
+            self._remembered.note_closed()  # what crashes as it opens is not opened again unasked
 
         def show(opened: Opened) -> None:
+            if asks:  # it does open: only now is it worth asking what becomes of the other one
+                opened.close()
+                if self.may_leave(again):
+                    again()
+                return
             self._show(opened, from_start=play)
             self.saving.proposed = save_at
             if play and self.desk is not None:
                 self.desk.toggle()
 
+        again = partial(self.open_path, path, recording, options, play=play, save_at=save_at)
         work = partial(opening.open_cancellable, path, recording, options)
-        self._work.run(title, work, show)
+        self._work.run(tr("Opening {name}", name=path.name), work, show)
 
     def open_demo(self) -> None:
         """Make the built-in recording where it is not there yet, and play it."""

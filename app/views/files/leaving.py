@@ -27,10 +27,14 @@ class Leaving:
         """Ask nothing the next time."""
         self._agreed = True
 
+    def asks(self) -> bool:
+        """Whether something would be lost that nobody agreed to lose; counts an agreement once."""
+        agreed, self._agreed = self._agreed, False
+        return not agreed and self._files.saving.unsaved
+
     def may_leave(self, again: Then) -> bool:
         """Whether the document can be let go; if not, ask, and do `again` afterwards."""
-        if self._agreed or not self._files.saving.unsaved:
-            self._agreed = False
+        if not self.asks():
             return True
         if self._files.tracker_found_some:
             ask_about_unsaved(self._window, None, lambda: self._drop_tracked(again))

@@ -61,14 +61,39 @@ def test_letting_a_tracker_go_does_not_let_edits_go(window, desk, qtbot):
     assert desk.document.session.history.next_undo is not None
 
 
-def test_what_was_discarded_is_no_longer_shown_where_the_next_one_cannot_be_opened(
+def test_a_file_that_does_not_open_leaves_the_open_session_as_it_is_and_asks_nothing(
     window, desk, qtbot, tmp_path
 ):
+    wrong = tmp_path / "wrong.h5"
+    wrong.write_text("no session")
     _rename(desk, "first")
-    window.files.open_path(tmp_path / "nothing.mp4")
+    window.files.open_path(wrong)
+    qtbot.waitUntil(lambda: "wrong.h5" in window.notice.text and not window.work.busy)
+    assert window.findChild(QMessageBox, "unsaved") is None
+    assert window.desk is desk
+    assert window.files.saving.unsaved
+
+
+@pytest.mark.parametrize("button", [_BUTTON.Save, _BUTTON.Discard], ids=["save", "discard"])
+def test_a_file_that_opens_takes_the_place_of_the_session_once_that_is_answered(
+    window, desk, qtbot, tiny_recording, button
+):
+    _rename(desk, "first")
+    window.files.open_path(tiny_recording)
+    assert "Save" in _answer(window, qtbot, button)
+    qtbot.waitUntil(lambda: window.desk not in (None, desk), timeout=30_000)
+    assert window.files.session is None
+
+
+def test_a_session_opened_once_more_is_as_it_was_saved_where_its_changes_are_discarded(
+    window, desk, qtbot, tiny_session
+):
+    _rename(desk, "first")
+    window.files.open_path(tiny_session)
     _answer(window, qtbot, _BUTTON.Discard)
-    qtbot.waitUntil(lambda: not window.work.busy)
-    assert window.desk is None
+    qtbot.waitUntil(lambda: window.desk not in (None, desk), timeout=30_000)
+    assert window.files.session.history.next_undo is None
+    assert not window.files.session.read_only
 
 
 def test_what_a_tracker_found_while_other_work_ran_is_kept(window, fresh, qtbot):
