@@ -33,9 +33,13 @@ def eyes(
 def learnt(left: Grey, right: Grey) -> Levelling:
     """Of eyes that range the whole scene where it is."""
     levelling = Levelling()
-    scene = np.full((ROWS // STEP, COLUMNS // STEP), DISPARITY_PX, np.float32)
-    levelling.learn(left, right, scene, STEP)
+    levelling.learn(left, right, scene_at(DISPARITY_PX), STEP)
     return levelling
+
+
+def scene_at(disparity_px: float) -> NDArray[np.float32]:
+    """All of the scene as far away; NaN: nothing of it is ranged."""
+    return np.full((ROWS // STEP, COLUMNS // STEP), disparity_px, np.float32)
 
 
 def apart(left: Grey, right: Grey) -> float:
@@ -103,5 +107,71 @@ def test_a_plain_scene_says_nothing() -> None:
 def test_where_nothing_is_ranged_nothing_is_said() -> None:
     left, right = eyes(1.0)
     levelling = Levelling()
-    levelling.learn(left, right, np.full((ROWS // STEP, COLUMNS // STEP), np.nan, np.float32), STEP)
+    assert not levelling.learn(left, right, scene_at(np.nan), STEP)
     assert levelling.off is None
+
+
+def test_what_is_known_stays_while_a_scene_tells_nothing() -> None:
+    left, right = eyes(1.0, 0.004)
+    levelling = learnt(left, right)
+    off = levelling.off
+    assert off is not None
+    plain = np.full_like(left, 120)
+    assert not levelling.learn(left, right, scene_at(np.nan), STEP)
+    assert not levelling.learn(plain, plain, scene_at(DISPARITY_PX), STEP)
+    assert levelling.off is off
+
+
+def test_what_is_known_stays_while_marks_say_nearly_the_same() -> None:
+    levelling = learnt(*eyes(1.0))
+    off = levelling.off
+    assert levelling.learn(*eyes(1.2, noise=3.0, seed=5), scene_at(DISPARITY_PX), STEP)
+    assert levelling.off is off
+
+
+@pytest.mark.parametrize("lower_px", [-1.0, 2.0])
+def test_an_eye_that_is_knocked_again_is_put_back_from_there(lower_px: float) -> None:
+    levelling = learnt(*eyes(1.0))
+    assert levelling.learn(*eyes(lower_px), scene_at(DISPARITY_PX), STEP)
+    assert levelling.off is not None
+    assert levelling.off[0] == pytest.approx(lower_px, abs=0.1)
+
+
+def test_eyes_that_are_level_again_are_left_as_they_are() -> None:
+    levelling = learnt(*eyes(1.0, 0.004))
+    assert levelling.learn(*eyes(), scene_at(DISPARITY_PX), STEP)
+    assert levelling.off is None
+
+
+def test_marks_in_a_corner_leave_the_known_turn_as_it_is() -> None:
+    levelling = learnt(*eyes(0.0, 0.006))
+    known = levelling.off
+    assert known is not None
+    left, right = eyes(1.0, 0.006)
+    scene = scene_at(np.nan)
+    scene[: ROWS // 4, : COLUMNS // 4] = DISPARITY_PX
+    assert levelling.learn(left, right, scene, STEP)
+    assert levelling.off is not None
+    np.testing.assert_allclose(levelling.off[1:], known[1:])
+    assert levelling.off[0] == pytest.approx(1.0, abs=0.2)
+
+
+def eyes_over_a_floor(lower_px: float) -> tuple[Grey, Grey, NDArray[np.float32]]:
+    """Eyes that see a floor, ranged row by row, of which the right one sees lower."""
+    left, _ = eyes(noise=0.0)
+    rows, columns = np.indices(left.shape, np.float32)
+    nearer_px = 2 + 16 * rows / ROWS
+    right = cv2.remap(left, columns + nearer_px, rows - lower_px, cv2.INTER_LINEAR)
+    return left, np.asarray(right, np.uint8), nearer_px[::STEP, ::STEP]
+
+
+@pytest.mark.parametrize("lower_px", [0.0, 1.0, -1.5])
+def test_a_floor_that_comes_nearer_row_by_row_is_no_eye_out_of_level(lower_px: float) -> None:
+    left, right, scene = eyes_over_a_floor(lower_px)
+    levelling = Levelling()
+    assert levelling.learn(left, right, scene, STEP)
+    if lower_px == 0.0:
+        assert levelling.off is None
+    else:
+        assert levelling.off is not None
+        np.testing.assert_allclose(levelling.off, (lower_px, 0, 0), atol=0.1)

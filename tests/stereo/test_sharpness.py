@@ -52,3 +52,33 @@ def test_an_eye_that_comes_into_focus_again_is_no_longer_evened() -> None:
     eyes.learn(scene(1.0, 0), scene(1.0, 1, 1.2))
     eyes.learn(scene(1.0, 0), scene(1.0, 1))
     assert eyes.spread_px == (0.0, 0.0)
+
+
+def test_an_eye_that_seems_nearly_as_sharp_once_is_evened_still() -> None:
+    eyes = EvenSharpness()
+    eyes.learn(scene(1.0, 0), scene(1.0, 1, 1.2))
+    eyes.learn(scene(1.0, 0), scene(1.0, 1, 0.55))
+    assert eyes.spread_px[0] > 0
+    fresh = EvenSharpness()
+    fresh.learn(scene(1.0, 0), scene(1.0, 1, 0.55))
+    assert fresh.spread_px == (0.0, 0.0)
+
+
+def plain(light: float, seed: int) -> Grey:
+    """A wall without anything on it, in some light."""
+    grain = np.random.default_rng(seed).normal(light, 1.0, (240, 320))
+    return np.asarray(grain.clip(0, 255), np.uint8)
+
+
+def test_noise_says_nothing_of_how_sharp_eyes_are() -> None:
+    eyes = EvenSharpness()
+    eyes.learn(plain(110, 0), plain(118.3, 1))
+    assert eyes.spread_px == (0.0, 0.0)
+
+
+def test_what_is_known_stays_while_there_is_nothing_to_see() -> None:
+    eyes = EvenSharpness()
+    eyes.learn(scene(1.0, 0), scene(1.0, 1, 1.2))
+    known = eyes.spread_px
+    eyes.learn(plain(110, 0), plain(110, 1))
+    assert eyes.spread_px == known != (0.0, 0.0)

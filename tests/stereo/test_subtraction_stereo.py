@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 import pytest
@@ -95,9 +97,18 @@ def test_a_person_in_front_of_a_ranged_scene_keeps_the_range(lines: SightLines) 
 
 
 def person_before(
-    scene: Grey, person: Grey, lines: SightLines, lower_px: int = 0, spread_px: float = 0.0
+    scene: Grey,
+    person: Grey,
+    lines: SightLines,
+    lower_px: int = 0,
+    spread_px: float = 0.0,
+    dark: int = 0,
 ) -> NDArray[np.float32]:
-    """Disparity in a person 12 px away before a scene 6 px away, seen by an imperfect right eye."""
+    """Disparity in a person 12 px away before a scene 6 px away, seen by an imperfect right eye.
+
+    Args:
+        dark: so many times the scene is looked at again, and lies in the dark.
+    """
 
     def as_right(eye: Grey) -> Grey:
         lower = np.roll(eye, lower_px, axis=0)
@@ -106,6 +117,8 @@ def person_before(
 
     stereo = SubtractionStereo(lines)
     stereo.learn_scene(scene, as_right(seen_from_the_right(scene, 6)))
+    for _ in range(dark):
+        stereo.learn_scene(np.zeros_like(scene), np.zeros_like(scene))
     there = np.roll(mask(slice(125, 190)), lower_px, axis=0)
     found = stereo.match(person, as_right(seen_from_the_right(person, 12)), mask(BODY[1]), there)
     return found[BODY[0].start // STEP : BODY[0].stop // STEP, BODY[1].start // STEP : 95]
@@ -118,6 +131,27 @@ def test_a_right_eye_that_sees_lower_or_higher_gives_the_range_of_level_ones(
     inside = person_before(dots(5), dots(6), lines, lower_px)
     assert (np.abs(inside - 12) < 0.25).mean() > 0.95
     assert np.isfinite(inside[[0, -1]]).mean() > 0.9  # the mask is moved, too
+
+
+@pytest.mark.parametrize("imperfect", [{"lower_px": 3}, {"spread_px": 2.0}])
+def test_what_is_known_of_the_eyes_outlasts_a_time_in_the_dark(
+    lines: SightLines, imperfect: dict[str, Any]
+) -> None:
+    inside = person_before(dots(5), dots(6), lines, **imperfect, dark=16)
+    assert (np.abs(inside - 12) < 0.25).mean() > 0.95
+
+
+def test_a_first_scene_that_told_nothing_is_followed_by_another_look(lines: SightLines) -> None:
+    scene, person = dots(5), dots(6)
+    there = [
+        np.roll(seen_from_the_right(eye, px), 3, axis=0) for eye, px in ((scene, 6), (person, 12))
+    ]
+    stereo = SubtractionStereo(lines)
+    stereo.learn_scene(np.zeros_like(scene), np.zeros_like(scene))
+    stereo.learn_scene(scene, there[0])
+    right_mask = np.roll(mask(slice(125, 190)), 3, axis=0)
+    found = stereo.match(person, there[1], mask(BODY[1]), right_mask)
+    assert np.isfinite(found).sum() > 500
 
 
 def test_a_right_eye_out_of_focus_gives_the_range_of_sharp_ones(lines: SightLines) -> None:

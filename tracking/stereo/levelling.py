@@ -39,21 +39,38 @@ class Levelling:
 
     Attributes:
         off: how much lower the right eye sees than the left one: (3,) px in the picture's middle,
-            and more for each px to the right, and downwards. None: the eyes are level.
+            and more for each px to the right, and downwards. None: the eyes are level, or nothing
+            is known of them.
     """
 
     def __init__(self) -> None:
         self.off: Floats | None = None
 
-    def learn(self, left: Grey, right: Grey, scene: Floats, step: int) -> None:
+    def learn(self, left: Grey, right: Grey, scene: Floats, step: int) -> bool:
         """Compare where both eyes see marks of the empty scene.
+
+        What is known stays as it is unless marks tell that it is wrong: a scene that lies in the
+        dark, or in hard light, has few of them.
 
         Args:
             left, right: (height, width) rectified pictures of it.
             scene: disparity of the pixels [::step, ::step], NaN where unknown.
+
+        Returns:
+            Whether its marks told anything.
         """
         start, end = _found_right(left, right, scene, step)
-        self.off = _plane(end - _middle(right), end[:, 1] - start[:, 1], _middle(right))
+        middle = _middle(right)
+        points, lower_px = end - middle, end[:, 1] - start[:, 1]
+        if self.off is not None:
+            lower_px = lower_px - _sides(points).astype(np.float32) @ self.off
+        more = _plane(points, lower_px, middle)
+        if more is None:
+            return False
+        if more.any():
+            off = more if self.off is None else self.off + more
+            self.off = off if _LEVEL_PX < _most(off, middle) < _MOST_PX else None
+        return True
 
     def level(self, right: Grey) -> Grey:
         """The right eye with its rows at the height of the left one's."""
@@ -99,22 +116,35 @@ def _found_right(left: Grey, right: Grey, scene: Floats, step: int) -> tuple[Flo
 def _plane(
     points: NDArray[np.floating], lower_px: Floats, middle: NDArray[np.float64]
 ) -> Floats | None:
-    """What most marks say of how much lower the right eye sees; None: nothing worth undoing.
+    """What most marks say of how much lower the right eye sees; None: they cannot tell.
 
     Marks that lie together tell how much lower it sees there, but not how it is turned.
 
     Args:
-        points: (n, 2) px from the picture's middle. lower_px: (n,). middle: (2,) px.
+        points: (n, 2) px from the picture's middle. lower_px: (n,), beyond what is known.
+        middle: (2,) px.
+
+    Returns:
+        (3,) as `Levelling.off`; zeros where it is too little to be worth undoing.
     """
-    sides = np.column_stack((np.ones(len(points)), points))
-    if not _spread_out(points):
-        sides = sides[:, :1]
+    sides = _sides(points) if _spread_out(points) else _sides(points)[:, :1]
     off = _fitted(sides, lower_px)
-    if off is None or not _foretold(sides, lower_px):
+    if off is None or len(sides) < _FEWEST:
         return None
     off = np.append(off, np.zeros(3 - len(off)))
-    most = abs(off[0]) + np.abs(off[1:]) @ middle
-    return off.astype(np.float32) if _LEVEL_PX < most < _MOST_PX else None
+    if _most(off, middle) <= _LEVEL_PX:
+        return np.zeros(3, np.float32)
+    return off.astype(np.float32) if _foretold(sides, lower_px) else None
+
+
+def _sides(points: NDArray[np.floating]) -> NDArray[np.floating]:
+    """(n, 3) by what each number of `Levelling.off` counts at points, px from the middle."""
+    return np.column_stack((np.ones(len(points)), points))
+
+
+def _most(off: NDArray[np.floating], middle: NDArray[np.float64]) -> float:
+    """By how many px rows are off where they are so most, in a corner."""
+    return float(abs(off[0]) + np.abs(off[1:]) @ middle)
 
 
 def _spread_out(points: NDArray[np.floating]) -> bool:
@@ -154,15 +184,13 @@ def _least_squares(sides: NDArray[np.floating], lower_px: Floats) -> NDArray[np.
 
 
 def _foretold(sides: NDArray[np.floating], lower_px: Floats) -> bool:
-    """Whether what every other mark says fits those left out better than that eyes are level."""
-    if len(sides) < _FEWEST:
-        return False
+    """Whether what every other mark says fits those left out better than what is known."""
     off = _fitted(sides[::2], lower_px[::2])
     if off is None:
         return False
     left_out = lower_px[1::2]
-    wrong, level = (
+    wrong, known = (
         np.minimum(np.abs(px), 2 * _LIKE_PX).mean()
         for px in (left_out - sides[1::2] @ off, left_out)
     )
-    return bool(wrong < level)
+    return bool(wrong < known)

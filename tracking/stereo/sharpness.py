@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +13,11 @@ Grey = NDArray[np.uint8]
 _FINE, _COARSE = (3, 5), (7, 15)
 """Squares between which what is averaged away is fine detail, and coarser detail that every lens
 shows. Noise is finer than either."""
-_SAME = 1.1
-"""Ratio of fine detail up to which two eyes are equally sharp: they never see quite the same."""
+_SAME, _SAME_AGAIN = 1.1, 1.05
+"""Ratios of fine detail up to which two eyes are equally sharp, as they never see quite the same:
+before one was found out of focus, and afterwards."""
+_FAINTEST = 1.5
+"""Coarser detail, grey levels, of which something can be told: noise alone makes 1.3."""
 _SPREADS_PX = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75, 2.0)
 """Standard deviations of the smoothing that may be needed; what is out of focus by more is lost."""
 
@@ -31,9 +36,15 @@ class EvenSharpness:
         self.spread_px = (0.0, 0.0)
 
     def learn(self, left: Grey, right: Grey) -> None:
-        """Compare how sharply both eyes see the empty scene: (height, width) each."""
+        """Compare how sharply both eyes see the empty scene: (height, width) each.
+
+        What is known stays as it is where there is little to see.
+        """
+        if min(_detail(eye, _COARSE) for eye in (left, right)) < _FAINTEST:
+            return
         left_detail, right_detail = _fine_detail(left), _fine_detail(right)
-        if max(left_detail, right_detail) <= _SAME * min(left_detail, right_detail):
+        same = _SAME_AGAIN if any(self.spread_px) else _SAME
+        if max(left_detail, right_detail) <= same * min(left_detail, right_detail):
             self.spread_px = (0.0, 0.0)
         elif left_detail > right_detail:
             self.spread_px = (_spread_to(right_detail, left), 0.0)
@@ -54,10 +65,11 @@ def _fine_detail(eye: Grey) -> float:
 def _detail(eye: Grey, sides: tuple[int, int]) -> float:
     """What averaging over the larger one of two squares takes away of what the smaller leaves.
 
-    In squares, so that edges count, which matching goes by.
+    Grey levels, the root of the mean of squares, so that edges count, which matching goes by.
     """
     near = cv2.blur(eye, (sides[0], sides[0]))
-    return cv2.norm(near, cv2.blur(near, (sides[1], sides[1])), cv2.NORM_L2)
+    away = cv2.norm(near, cv2.blur(near, (sides[1], sides[1])), cv2.NORM_L2)
+    return away / math.sqrt(eye.size)
 
 
 def _spread_to(detail: float, eye: Grey) -> float:

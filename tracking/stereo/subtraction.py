@@ -26,7 +26,7 @@ _SLACK_PX = 1.0
 _FILTER_PX = 2
 """How far beyond a window what the matcher does before matching reaches."""
 _SCENES_PER_LEVELLING = 8
-"""Times that the scene is ranged between two looks at whether the eyes are level."""
+"""Times that the scene is ranged from one look at whether the eyes are alike to the next."""
 _SAME_PLACE_M, _SAME_PLACE_PX = 0.15, 0.75
 """How far in range, and at most in disparity, a change may be from the background it is on."""
 
@@ -62,7 +62,7 @@ class SubtractionStereo:
         self._scene_slack = np.zeros_like(self._least)
         self._sharpness = EvenSharpness()
         self._levelling = Levelling()
-        self._scenes = 0
+        self._till_look = 0
         self._matcher = cv2.StereoBM.create(16, self._settings.window_px | 1)
         self._matcher.setTextureThreshold(5)
         self._matcher.setUniquenessRatio(10)
@@ -85,14 +85,18 @@ class SubtractionStereo:
         Args:
             left, right: (height, width) rectified grey pictures of the backgrounds.
         """
-        self._sharpness.learn(left, right)
+        look = self._till_look == 0
+        if look:
+            self._sharpness.learn(left, right)
         scene = self._ranged_scene(left, right)
-        if self._scenes % _SCENES_PER_LEVELLING == 0:
+        if look:
             before = self._levelling.off
-            self._levelling.learn(left, right, scene, STEP)
-            if before is not None or self._levelling.off is not None:
+            # A scene that tells nothing is no reason to wait for long: the next one may.
+            told = self._levelling.learn(left, right, scene, STEP)
+            self._till_look = _SCENES_PER_LEVELLING if told else 1
+            if self._levelling.off is not before:
                 scene = self._ranged_scene(left, right)
-        self._scenes += 1
+        self._till_look -= 1
         self._take_scene(scene)
 
     def suppose_scene(self, left: Grey, right: Grey) -> None:
