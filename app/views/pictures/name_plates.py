@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.views.look.theme import Theme, faded, ink_on
@@ -56,10 +56,14 @@ def plate_text(metrics: QFontMetricsF, name: str) -> str:
     return metrics.elidedText(name, Qt.TextElideMode.ElideRight, room)
 
 
+def plate_sizes(metrics: QFontMetricsF, texts: Sequence[str]) -> list[tuple[float, float]]:
+    """Width and height of the plate for each text."""
+    return [(metrics.horizontalAdvance(text) + 10, metrics.height() + 4) for text in texts]
+
+
 def plate_rect(metrics: QFontMetricsF, text: str, corner: QPointF) -> QRectF:
     """The plate for a text, its lower left corner given."""
-    width = metrics.horizontalAdvance(text) + 10
-    height = metrics.height() + 4
+    ((width, height),) = plate_sizes(metrics, [text])
     return QRectF(corner.x(), corner.y() - height, width, height)
 
 
@@ -75,6 +79,16 @@ def draw_plate(
     painter.drawRoundedRect(rect, 4, 4)
     painter.setPen(ink_on(colour))
     painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def draw_leader(
+    painter: QPainter, at: QPointF, plate: QRectF, radius: float, colour: QColor
+) -> None:
+    """A thin line from somebody's ring to their plate, where that stands some way off."""
+    line = QLineF(at, plate.center())
+    if line.length() > radius:
+        painter.setPen(QPen(colour, 1.2))
+        painter.drawLine(QLineF(line.pointAt(radius / line.length()), plate.center()))
 
 
 def draw_name(

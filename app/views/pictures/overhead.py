@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF, QRadialGradient
@@ -19,18 +21,20 @@ from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_places
 from app.views.pictures.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
 from app.views.pictures.floor_legend import draw_floor_legend
+from app.views.pictures.floor_names import NEAR, Wanted, place_names
 from app.views.pictures.flow_map import FlowDrawing
 from app.views.pictures.legend import draw_legend
 from app.views.pictures.marks import draw_fading_trail, draw_preview
 from app.views.pictures.measured import draw_measured
 from app.views.pictures.name_plates import (
+    draw_leader,
     draw_message,
     draw_plate,
-    place_plates,
-    plate_rect,
+    plate_sizes,
     plate_text,
 )
 from app.views.pictures.particles import darkened, draw_particles
+from app.views.pictures.viewport import Points
 from app.views.scoring.truth_marks import draw_truth_places
 
 _PICK_REACH_PX = 22.0
@@ -73,6 +77,7 @@ class OverheadView(Canvas):
         self._held_off = QPointF()
         self._dragged = False
         self._plates: tuple[tuple[int, QRectF], ...] = ()
+        self._sides: dict[int, int] = {}
         self._floor_key: tuple[object, ...] = ()
         self._floor_drawn = QPixmap()
         self._explained = True
@@ -331,18 +336,40 @@ class OverheadView(Canvas):
     def _draw_plates(
         self, painter: QPainter, scene: OverheadScene, theme: Theme, area: QRectF
     ) -> None:
+        """Names of those in view, the selected first; all but that one may have to be left out."""
         painter.setFont(scaled_font(self.font(), 0.92, bold=True))
-        metrics, radius = QFontMetricsF(painter.font()), self._radius()
-        ordered = sorted(scene.people, key=lambda person: not person.selected)
-        names = [plate_text(metrics, one.label) for one in ordered]
-        beside = QPointF(radius + 3, -radius)
-        wanted = [
-            plate_rect(metrics, name, self.viewport.point(*one.position) + beside)
-            for one, name in zip(ordered, names, strict=True)
+        metrics = QFontMetricsF(painter.font())
+        rings = self.viewport.to_widget(_places(scene.people))
+        people = [
+            (person, (float(x), float(y)))
+            for person, (x, y) in zip(scene.people, rings, strict=True)
+            if area.contains(QPointF(x, y))
         ]
-        shown = area.adjusted(4, 4, -4, -4)
-        placed = list(zip(ordered, names, place_plates(wanted, shown), strict=True))
-        placed = [one for one in placed if area.contains(self.viewport.point(*one[0].position))]
-        for person, name, rect in reversed(placed):
-            draw_plate(painter, rect, name, theme.track(person.colour), person.selected)
-        self._plates = tuple((person.track, rect) for person, _, rect in placed)
+        people.sort(key=lambda one: not one[0].selected)
+        texts = {one.track: _texts(metrics, one) for one, _ in people}
+        wanted = [
+            Wanted(one.track, at, plate_sizes(metrics, texts[one.track]), one.selected)
+            for one, at in people
+        ]
+        shown, dots = area.adjusted(4, 4, -4, -4), self.viewport.to_widget(scene.measured)
+        placed = place_names(wanted, rings, self._radius(), dots, shown, self._sides)
+        who = {one.track: (one, at) for one, at in people}
+        for name in reversed(placed):
+            person, at = who[name.track]
+            colour = theme.track(person.colour)
+            if name.side >= NEAR:
+                draw_leader(painter, QPointF(*at), name.rect, self._radius(), colour)
+            text = texts[name.track][name.size]
+            draw_plate(painter, name.rect, text, colour, person.selected)
+        self._sides = {one.track: one.side for one in placed}
+        self._plates = tuple((one.track, one.rect) for one in placed)
+
+
+def _places(people: Sequence[FloorPerson]) -> Points:
+    return np.array([one.position for one in people], np.float64).reshape(-1, 2)
+
+
+def _texts(metrics: QFontMetricsF, person: FloorPerson) -> tuple[str, ...]:
+    """What a plate says, and what it says where that has no room."""
+    whole, number = plate_text(metrics, person.label), str(person.track)
+    return (whole,) if whole == number else (whole, number)
