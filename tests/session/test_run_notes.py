@@ -50,6 +50,28 @@ def test_only_so_many_and_so_long_ones_are_kept(tmp_path: Path) -> None:
     assert "\n" not in kept[0]
 
 
+@pytest.mark.parametrize(
+    ("text", "note"),
+    [
+        (r'["\ud800 bad"]', "? bad"),
+        (r'["\u001b]0;title\u0007"]', "?]0;title?"),
+        (r'["left\u202eright"]', "left?right"),
+    ],
+)
+def test_signs_that_steer_terminals_or_are_none_are_not_told(
+    tmp_path: Path, text: str, note: str
+) -> None:
+    path = made(tmp_path, ("a",))
+    with h5py.File(path, "r+") as file:
+        file["runs/0"].attrs["notes"] = text
+    assert describe(path)["runs"][0]["notes"] == [note]
+    assert notes_in(path) == (note,)
+
+
+def test_signs_that_are_none_are_saved_as_question_marks(tmp_path: Path) -> None:
+    assert notes_in(made(tmp_path, ("a \ud800 b",))) == ("a ? b",)
+
+
 @pytest.mark.parametrize("text", ["{", '"line"', "[1]", "[" * 5000, "[]" + " " * (1 << 20)])
 def test_notes_of_a_file_that_are_none_are_damage(tmp_path: Path, text: str) -> None:
     path = made(tmp_path, ("a",))

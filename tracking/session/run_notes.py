@@ -17,12 +17,11 @@ _LONGEST_TEXT = 1 << 20
 def write_notes(group: h5py.Group, notes: Sequence[str]) -> None:
     """Keep a run's notes in its group; where there are none, nothing is written."""
     if notes:
-        text = json.dumps(_within(notes), ensure_ascii=False)
-        group.attrs[_NAME] = text.encode("utf-8", "replace").decode("utf-8")
+        group.attrs[_NAME] = json.dumps(_within(notes), ensure_ascii=False)
 
 
 def read_notes(group: h5py.Group) -> tuple[str, ...]:
-    """The notes of a run, a line each; none where the file has none.
+    """The notes of a run, a printable line each; none where the file has none.
 
     Of more or longer ones than are ever written the rest is left out. Raises ValueError where the
     file has something else there.
@@ -37,5 +36,10 @@ def read_notes(group: h5py.Group) -> tuple[str, ...]:
 
 
 def _within(notes: Sequence[str]) -> list[str]:
-    """Lines in the bounds of what is kept."""
-    return [" ".join(note.split())[:LONGEST_NOTE] for note in notes[:MOST_NOTES]]
+    """Printable lines in the bounds of what is kept: they are put on terminals as they are."""
+    return [_printable(" ".join(note.split())[:LONGEST_NOTE]) for note in notes[:MOST_NOTES]]
+
+
+def _printable(line: str) -> str:
+    """A line with "?" for what steers terminals, or is no sign at all."""
+    return "".join(sign if sign.isprintable() else "?" for sign in line)
