@@ -20,7 +20,7 @@ def cards_of(
     colour_of: ColourOf,
     suggested: Suggested | None = None,
 ) -> tuple[PartCard, ...]:
-    """All that is said of the selected person's parts, and of others what people said.
+    """All that is said of the selected person's parts, and of others, by id, what people said.
 
     Args:
         boxes: as the tracker had them. marks: as people said, or the guesses that are labelled.
@@ -43,7 +43,9 @@ def cards_of(
 
 def _others(track: int, colour: Colour, marks: Iterable[PartMark]) -> PartCard:
     given = sorted((one for one in marks if one.given), key=lambda one: one.part)
-    lines = tuple(CardLine(one.part, _text(None, one), Verdict.NONE, one.box) for one in given)
+    lines = tuple(
+        CardLine(one.part, f"{track} {_text(None, one)}", Verdict.NONE, one.box) for one in given
+    )
     return PartCard(track, colour, lines)
 
 

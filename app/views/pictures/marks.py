@@ -21,24 +21,29 @@ _AGES = 6  # steps in which a trail fades
 _MOST_POINTS = 31  # of a trail
 
 
-def draw_people(
-    painter: QPainter,
-    people: Sequence[PersonMark],
-    viewport: Viewport,
-    area: QRectF,
-    taken: Sequence[QRectF] = (),
-) -> list[QRectF]:
-    """Draw trails below boxes below plates; the selected person's plate keeps its place.
-
-    Gives where the plates stand: not on what is `taken`.
-    """
+def draw_people(painter: QPainter, people: Sequence[PersonMark], viewport: Viewport) -> None:
+    """Draw trails below boxes."""
     for person in people:
         points = viewport.to_widget(person.trail)
         width = 3.0 if person.selected else 2.2
         draw_fading_trail(painter, points, QColor(*person.colour), width, casing=True)
     for person in people:
         _draw_box(painter, person, viewport.rect(QRectF(*person.box)))
-    ordered = sorted(people, key=lambda person: not person.selected)
+
+
+def name_people(
+    painter: QPainter,
+    people: Sequence[PersonMark],
+    viewport: Viewport,
+    area: QRectF,
+    taken: Sequence[QRectF] = (),
+) -> list[QRectF]:
+    """Draw the plates of those in sight; the selected person's keeps its place.
+
+    Gives where the plates stand: not on what is `taken`.
+    """
+    seen = [one for one in people if viewport.rect(QRectF(*one.box)).intersects(area)]
+    ordered = sorted(seen, key=lambda person: not person.selected)
     metrics = QFontMetricsF(painter.font())
     names = [plate_text(metrics, one.label) for one in ordered]
     wanted = [

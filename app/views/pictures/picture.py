@@ -21,14 +21,20 @@ from app.views.pictures.box_handles import Grip, cursor_of, draw_handles, handle
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_boxes
 from app.views.pictures.legend import draw_legend
-from app.views.pictures.marks import draw_cross, draw_ghosts, draw_people, draw_preview
+from app.views.pictures.marks import (
+    draw_cross,
+    draw_ghosts,
+    draw_people,
+    draw_preview,
+    name_people,
+)
 from app.views.pictures.name_plates import draw_message, draw_note, plate_rect
 from app.views.scoring.truth_marks import draw_truth_boxes
 from tracking.recording.frame import Image
 
 _PICK_REACH_PX = 10.0
 _LOW_LINES = 18
-"""In a picture lower than so many lines of text a legend hides people."""
+"""In a picture lower than so many lines of text legends and cards hide people."""
 
 
 class PictureView(Canvas):
@@ -225,14 +231,11 @@ class PictureView(Canvas):
         draw_other_boxes(painter, self._others, self.viewport, theme, shown)
         small = QFontMetricsF(scaled_font(self.font(), 0.92))
         eye = plate_rect(small, self._eye_name, QPointF(8, 12 + small.height()))
-        names = draw_people(
-            painter, self._scene.people, self.viewport, shown, (eye.intersected(shown),)
-        )
+        draw_people(painter, self._scene.people, self.viewport)
+        self._draw_parts(painter, shown)
+        taken = (eye.intersected(shown),)
+        names = name_people(painter, self._scene.people, self.viewport, shown, taken)
         draw_truth_boxes(painter, self._truth, self.viewport, theme, shown)
-        draw_part_boxes(painter, self._parts.boxes, self.viewport, shown)
-        draw_parts(painter, self._labels.parts, self.viewport)
-        size = (self.width(), self.height())
-        draw_part_particles(painter, self._parts, self.viewport, size)
         movable = self._movable()
         if movable is not None and not self._labels.labelling:
             rect = self.viewport.rect(QRectF(*movable.box))
@@ -240,6 +243,13 @@ class PictureView(Canvas):
         if self._scene.drawing and self._hover is not None:
             draw_cross(painter, self._hover, shown)
         self._draw_words(painter, area, (eye, names), theme)
+
+    def _draw_parts(self, painter: QPainter, shown: QRectF) -> None:
+        """Rectangles and particles, below everybody's names: a crowd has many."""
+        draw_part_boxes(painter, self._parts.boxes, self.viewport, shown)
+        draw_parts(painter, self._labels.parts, self.viewport)
+        size = (self.width(), self.height())
+        draw_part_particles(painter, self._parts, self.viewport, size)
 
     def _draw_words(
         self, painter: QPainter, area: QRectF, taken: tuple[QRectF, list[QRectF]], theme: Theme
@@ -250,8 +260,7 @@ class PictureView(Canvas):
         metrics = QFontMetricsF(painter.font())
         self._draw_cards(painter, area, [*names, eye], theme)
         draw_note(painter, eye, self._eye_name, theme)
-        low = self.height() < _LOW_LINES * self.fontMetrics().lineSpacing()
-        told = () if low and self._truth.floor_tells else self._truth.legend
+        told = () if self._low and self._truth.floor_tells else self._truth.legend
         legend = (*told, *self._scene.legend)
         draw_legend(painter, legend, QPointF(8, area.bottom() - 8), theme)
         if self._scene.message:
@@ -259,13 +268,21 @@ class PictureView(Canvas):
             said.moveLeft(area.center().x() - said.width() / 2)
             draw_note(painter, said, self._scene.message, theme)
 
+    @property
+    def _low(self) -> bool:
+        return self.height() < _LOW_LINES * self.fontMetrics().lineSpacing()
+
     def _draw_cards(
         self, painter: QPainter, area: QRectF, taken: list[QRectF], theme: Theme
     ) -> None:
-        """What is said of parts: also beside the picture, where there is room."""
+        """What is said of parts: also beside the picture, where there is room.
+
+        A low picture has room for the selected person's alone.
+        """
         people = {one.track: self.viewport.rect(QRectF(*one.box)) for one in self._scene.people}
         inside = area.adjusted(2, 2, -2, -2)
-        draw_cards(painter, self._parts.cards, self.viewport, inside, people, taken, theme)
+        cards = [one for one in self._parts.cards if one.selected or not self._low]
+        draw_cards(painter, cards, self.viewport, inside, people, taken, theme)
 
     def _draw_image(self, painter: QPainter) -> None:
         target = self.viewport.rect(self.content())

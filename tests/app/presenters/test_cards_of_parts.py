@@ -44,7 +44,7 @@ def test_of_others_only_what_people_said_is_told_and_the_selected_one_comes_firs
     cards = cards_of(boxes, [mark(1, TORSO, False)], 2, COLOUR_OF)
     assert [card.track for card in cards] == [2, 1]
     assert [card.selected for card in cards] == [True, False]
-    assert texts(cards[1]) == ["torso: labelled off"]
+    assert texts(cards[1]) == ["1 torso: labelled off"]
 
 
 def test_a_card_says_whose_its_scores_are():

@@ -6,16 +6,18 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from drawn_scenes import picture
+from drawn_scenes import person, picture
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QRectF
+from PySide6.QtCore import QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
 from app.presenters.parts.part_curve import LaneScore, PartCurve
-from app.presenters.parts.parts_scene import PicturedParts
+from app.presenters.parts.parts_scene import CardLine, PartBox, PartCard, PicturedParts, Verdict
 from app.presenters.scenes import Eye
 from app.views.look.theme import current_theme
+from app.views.pictures import marks
+from app.views.pictures import picture as picture_view
 from app.views.pictures.picture import PictureView
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.curves import whole_span
@@ -54,6 +56,41 @@ def test_even_light_particles_are_seen_on_any_clothes_from_far_and_near(
     view.show_parts(replace(parts, weights=np.ones(1, np.float32)))
     heavy = np.abs(pixels(drawn(view)) - without).max(axis=2)
     assert heavy.max() >= change.max()
+
+
+def test_in_a_crowd_parts_of_one_hide_no_number_of_another(qtbot, dark, drawn, monkeypatch):
+    plates = []
+    draw = marks.draw_plate
+    monkeypatch.setattr(marks, "draw_plate", lambda *it: (plates.append(it[1]), draw(*it)))
+    view = PictureView(Eye.LEFT)
+    qtbot.addWidget(view)
+    view.resize(640, 480)
+    view.show_scene(picture(person(8, (100, 80, 60, 100), colour=PURPLE)))
+    without = pixels(drawn(view))
+    over = QRectF(view.viewport.to_content(plates[-1].center()), QSizeF(40, 40))
+    parts = [PartBox(5, 0, over.getRect(), (255, 0, 0), True, False, "", chosen=True)]
+    view.show_parts(PicturedParts(boxes=tuple(parts)))
+    left, top, right, bottom = (
+        round(side) for side in plates[-1].adjusted(2, 2, -2, -2).getCoords()
+    )
+    change = np.abs(pixels(drawn(view)) - without).max(axis=2)
+    assert change.max() > 100
+    assert change[top:bottom, left:right].max() < 40  # a plate is a little translucent
+
+
+def test_cards_of_others_are_left_out_of_a_low_picture(qtbot, dark, monkeypatch):
+    shown = []
+    monkeypatch.setattr(picture_view, "draw_cards", lambda _, cards, *__: shown.append(cards))
+    view = PictureView(Eye.LEFT)
+    qtbot.addWidget(view)
+    view.show_scene(picture())
+    line = CardLine(0, "head: on", Verdict.ON, (10.0, 10.0, 8.0, 8.0))
+    own = PartCard(1, PURPLE, (line,), selected=True)
+    view.show_parts(PicturedParts(cards=(own, replace(own, track=2, selected=False))))
+    for height in (700, 150):
+        view.resize(400, height)
+        view.grab()
+    assert [[one.track for one in cards] for cards in (shown[0], shown[-1])] == [[1, 2], [1]]
 
 
 @given(st.lists(st.floats(-50, 50), min_size=1))

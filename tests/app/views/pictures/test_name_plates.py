@@ -90,3 +90,15 @@ def test_a_persons_number_stands_clear_of_the_name_of_the_eye(qtbot, monkeypatch
     view.show_scene(picture(person(1, (2.0, 12.0, 20.0, 60.0))))
     view.grab()
     assert not drawn[0].intersects(notes[0])
+
+
+def test_who_is_out_of_sight_has_no_plate_at_the_edge(qtbot, monkeypatch):
+    drawn = []
+    monkeypatch.setattr(marks, "draw_plate", lambda *it: drawn.append(it[2]))
+    view = PictureView(Eye.LEFT)
+    qtbot.addWidget(view)
+    view.resize(640, 480)
+    view.show_scene(picture(person(1, (10, 10, 20, 60)), person(2, (250, 150, 20, 60))))
+    view.show_close(QRectF(250, 150, 20, 60))
+    view.grab()
+    assert drawn == ["2"]
