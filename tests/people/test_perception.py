@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from tracking.errors import RecordingError
+from tracking.geometry import Camera, Ground, Rectification, StereoCalibration
 from tracking.people import Observation, StereoPerception
 from tracking.recording import Recording, open_recording
 from tracking.recording.frame import StereoFrame
@@ -151,6 +152,31 @@ def test_a_frame_without_a_right_eye_is_refused(shared_data: Path) -> None:
         left = recording.read(0).left
     with pytest.raises(RecordingError, match="no right eye"):
         perception.observe(StereoFrame(0, 0.0, left, None))
+
+
+def rig(width: int, height: int) -> Rectification:
+    """Two eyes that are alike, 20 cm from each other."""
+    matrix = np.array([[float(width), 0, width / 2], [0, float(width), height / 2], [0, 0, 1]])
+    camera = Camera(matrix, np.zeros(5), width, height)
+    calibration = StereoCalibration(camera, camera, np.eye(3), np.array([-0.2, 0, 0]))
+    return Rectification(calibration, Ground(2.4, 30.0))
+
+
+@pytest.mark.parametrize(
+    ("size", "least"),
+    [((24, 16), 19), ((18, 24), 19), ((640, 3), 19), ((1, 1), 19), ((1000, 36), 38)],
+)
+def test_pictures_too_small_to_be_matched_are_refused(size: tuple[int, int], least: int) -> None:
+    with pytest.raises(RecordingError, match=f"{size[0]} x {size[1]} px .* {least} x {least}: ch"):
+        StereoPerception(rig(*size), Ground(2.4, 30.0), 20.0)
+
+
+def test_the_smallest_pictures_that_can_be_matched_are_observed() -> None:
+    perception = StereoPerception(rig(24, 19), Ground(2.4, 30.0), 20.0)
+    random = np.random.default_rng(0)
+    for n in range(4):
+        left, right = random.integers(0, 255, (2, 19, 24, 3)).astype(np.uint8)
+        assert len(perception.observe(StereoFrame(n, n / 20, left, right)).people) == 0
 
 
 def test_while_the_right_eye_is_black_the_left_one_places_people(shared_data: Path) -> None:

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from tracking.geometry import Camera, Ground, Rectification, StereoCalibration
-from tracking.stereo import STEP, SightLines, SubtractionStereo
+from tracking.stereo import STEP, SightLines, StereoSettings, SubtractionStereo
 
 WIDTH, HEIGHT = 320, 240
 BODY = (slice(30, 100), slice(140, 190))
@@ -162,6 +162,27 @@ def test_a_right_eye_out_of_focus_gives_the_range_of_sharp_ones(lines: SightLine
 def test_no_foreground_gives_no_range(lines: SightLines) -> None:
     nobody = np.zeros((HEIGHT, WIDTH), np.uint8)
     assert not np.isfinite(SubtractionStereo(lines).match(dots(5), dots(5), nobody, nobody)).any()
+
+
+@pytest.mark.parametrize(
+    ("height", "window_px"), [(242, 9), (246, 9), (240, 11), (240, 31), (64, 31), (19, 9)]
+)
+@pytest.mark.parametrize("row", [0, 2, -2, -1])
+def test_foreground_at_the_upper_and_lower_edge_alone_is_matched_with_any_window(
+    height: int, window_px: int, row: int
+) -> None:
+    matrix = np.array([[255.0, 0, 161], [0, 255, height / 2], [0, 0, 1]])
+    camera = Camera(matrix, np.zeros(5), WIDTH, height)
+    rig = StereoCalibration(camera, camera, np.eye(3), np.array([-0.12, 0, 0]))
+    lines = SightLines(Rectification(rig, Ground(2.4, 30.0)))
+    stereo = SubtractionStereo(lines, StereoSettings(window_px=window_px))
+    eye, everywhere = dots(5)[np.arange(height) % HEIGHT], np.full((height, WIDTH), 255, np.uint8)
+    low = np.zeros_like(everywhere)
+    low[row, 100:200] = 255
+    stereo.learn_scene(eye, eye)
+    found = stereo.match(eye, eye, low, everywhere)
+    assert found.shape == (-(-height // STEP), WIDTH // STEP)
+    assert not np.isfinite(found[low[::STEP, ::STEP] == 0]).any()
 
 
 @settings(max_examples=40, deadline=None)

@@ -26,7 +26,13 @@ from tracking.people.observation import Observation, Overlays
 from tracking.people.one_eye import OneEye
 from tracking.people.settings import PeopleSettings
 from tracking.recording.frame import Image, StereoFrame
-from tracking.stereo import STEP, SightLines, StereoSettings, SubtractionStereo
+from tracking.stereo import (
+    STEP,
+    SightLines,
+    StereoSettings,
+    SubtractionStereo,
+    least_side_px,
+)
 
 Mask = NDArray[np.uint8]
 
@@ -56,6 +62,9 @@ class StereoPerception:
 
     Attributes:
         eyes: whether the right eye fails, and whether either is late.
+
+    Raises:
+        RecordingError: its pictures are too small to be matched.
     """
 
     def __init__(
@@ -69,6 +78,7 @@ class StereoPerception:
     ) -> None:
         self._rectification = rectification
         self._shrink = -(-rectification.size[0] // _WIDEST_PX)
+        _require_size(rectification.size, self._shrink, stereo or StereoSettings())
         lines = SightLines(rectification, self._shrink)
         self._backgrounds = (BackgroundModel(fps, foreground), BackgroundModel(fps, foreground))
         self._shadows = ShadowRemover(foreground)
@@ -242,6 +252,16 @@ class StereoPerception:
         self, mask: Mask, shadow: Mask, disparity: NDArray[np.float32] | None
     ) -> Overlays:
         return Overlays(mask, disparity, shadow, self._rectification.size, self._shrink)
+
+
+def _require_size(size: tuple[int, int], shrink: int, stereo: StereoSettings) -> None:
+    """Refuse pictures that are smaller than what both eyes are compared in."""
+    least = shrink * least_side_px(stereo.window_px)
+    if min(size) < least:
+        raise RecordingError(
+            f"pictures of {size[0]} x {size[1]} px are too small to match two eyes, which needs "
+            f"{least} x {least}: choose a tracker for one camera"
+        )
 
 
 def _wider(side: slice) -> slice:

@@ -2,6 +2,6 @@
 
 from tracking.stereo.settings import StereoSettings
 from tracking.stereo.sight_lines import SightLines
-from tracking.stereo.subtraction import STEP, SubtractionStereo
+from tracking.stereo.subtraction import STEP, SubtractionStereo, least_side_px
 
-__all__ = ["STEP", "SightLines", "StereoSettings", "SubtractionStereo"]
+__all__ = ["STEP", "SightLines", "StereoSettings", "SubtractionStereo", "least_side_px"]

@@ -201,7 +201,7 @@ class SubtractionStereo:
         rows, columns = box[0], slice(box[1].start * STEP, box[1].stop * STEP)
         margin = self._reach_px
         before = max(0, count + lowest) + margin
-        top, bottom = max(0, rows.start - margin), min(left.shape[0], rows.stop + margin)
+        top, bottom = self._rows_matched(rows, left.shape[0])
         first, last = columns.start - before, columns.stop + margin
         cut = np.s_[top:bottom, max(0, first) : last]
         eyes = [eye[cut] for eye in (left, right)]
@@ -211,6 +211,20 @@ class SubtractionStereo:
         found = self._matcher.compute(*eyes)
         inner = found[rows.start - top :, before:]
         return np.asarray(inner[: rows.stop - rows.start, : columns.stop - columns.start], np.int16)
+
+    def _rows_matched(self, rows: slice, height: int) -> tuple[int, int]:
+        """The first, and past the last, row that is matched for the sake of a box's.
+
+        At the picture's upper or lower edge a low box and its margin are fewer than a window has.
+        """
+        fewest = self._matcher.getBlockSize() + 1
+        top = max(0, min(rows.start - self._reach_px, height - fewest))
+        return top, min(height, max(rows.stop + self._reach_px, fewest))
+
+
+def least_side_px(window_px: int) -> int:
+    """The side of the smallest pictures, at the working scale, in which a window is matched."""
+    return STEP * (window_px | 1) + 1
 
 
 def _rows_halved(eye: Grey) -> Grey:
