@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from itertools import pairwise
 
@@ -97,14 +97,20 @@ def _lines(points: Points) -> list[QLineF]:
     return [QLineF(*ends) for ends in np.hstack((kept[:-1], kept[1:])).tolist()]
 
 
-def draw_preview(painter: QPainter, trails: Sequence[PreviewTrail], viewport: Viewport) -> None:
+def draw_preview(
+    painter: QPainter,
+    trails: Sequence[PreviewTrail],
+    viewport: Viewport,
+    shade: Callable[[Colour], QColor] = lambda colour: QColor(*colour),
+) -> None:
     """Trails before an edit, wide and dashed, below those after it, thin and solid.
 
-    Both often run over the same points, as in a swap, so the lower ones are wider.
+    Both often run over the same points, as in a swap, so the lower ones are wider. `shade` gives
+    how a person's colour is shown on what is drawn upon.
     """
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for trail in sorted(trails, key=lambda one: one.after):
-        painter.setPen(preview_pen(QColor(*trail.colour), trail.after))
+        painter.setPen(preview_pen(shade(trail.colour), trail.after))
         painter.drawPolyline(polygon(viewport.to_widget(trail.points)))
 
 

@@ -235,7 +235,7 @@ class OverheadView(Canvas):
             self._draw_person(painter, person, theme)
         draw_measured(painter, self.viewport.to_widget(scene.measured), theme)
         draw_truth_places(painter, self._truth, self.viewport, theme, area)
-        draw_preview(painter, scene.preview, self.viewport)
+        draw_preview(painter, scene.preview, self.viewport, theme.track)
         self._draw_plates(painter, scene, theme, area)
         painter.setFont(scaled_font(self.font(), 0.85))
         draw_legend(painter, self._truth.legend, foot, theme)

@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
 from app.presenters.counting.counting_scene import FlowScene
-from app.presenters.scenes import LegendEntry
+from app.presenters.scenes import LegendEntry, PreviewTrail
 from app.presenters.scoring.score_scene import FlooredTruth
 from app.views.pictures.floor import nice_step
 from app.views.pictures.overhead import OverheadView
@@ -124,6 +124,15 @@ def test_an_arrow_points_where_the_person_walks(view, drawn, theme, inked):
 def test_somebody_whose_velocity_is_unknown_is_drawn_without_an_arrow(view, drawn):
     view.show_scene(overhead(floor_person(1, (0, 5), velocity=(float("nan"), 0.0))))
     assert not drawn(view).isNull()
+
+
+def test_trails_of_an_edit_have_the_colour_that_their_person_has_on_the_floor(
+    view, drawn, theme, near
+):
+    pale, points = (250, 240, 120), np.array([[-3.0, 5.1], [3.0, 5.1]])
+    view.show_scene(overhead(preview=(PreviewTrail(points, pale, after=True),)))
+    at = view.viewport.point(0.13, 5.1).toPoint()
+    assert near(drawn(view).pixelColor(at), theme.track(pale))
 
 
 def test_the_field_of_view_is_softly_shaded(view, drawn):
