@@ -62,7 +62,7 @@ def verdict_text(part: int, failed: bool, occluded: bool, score: float) -> str:
         return tr("{part}: off, by rule", part=name)
     if not math.isfinite(score):
         return tr("{part}: not judged", part=name)
-    said = tr("{part}: off, {score:+.2f}") if failed else tr("{part}: on, {score:+.2f}")
+    said = tr("{part}: off, {score:+z.2f}") if failed else tr("{part}: on, {score:+z.2f}")
     return said.format(part=name, score=score)
 
 
@@ -127,7 +127,7 @@ def _said(name: str, curve: PartCurve, frame: int) -> str:
         return tr("{part}: not tracked here", part=name)
     figures, score, failed = [], float(curve.score[at]), bool(curve.failed[at])
     if math.isfinite(score):
-        figures.append(tr("score {score:+.2f} in the run", score=score))
+        figures.append(tr("score {score:+z.2f} in the run", score=score))
     if by_rule(failed, score):
         figures.append(tr("off by rule"))
     if math.isfinite(curve.entropy[at]):

@@ -35,7 +35,7 @@ def suggestions_for(
 def _suggested(one: Suggestion, labels: Labels, fps: float, scored_by: str) -> Suggested:
     return Suggested(
         key=one.key,
-        reason=f"unsure: score {one.score:+.2f} of {scored_by}",
+        reason=f"unsure: score {one.score:+z.2f} of {scored_by}",
         title=part_name(one.part),
         label=labels.title(one.track),
         colour=NOBODY,

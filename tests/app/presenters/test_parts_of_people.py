@@ -34,6 +34,7 @@ def _same(ids):
 @pytest.mark.parametrize(
     ("failed", "occluded", "score", "said"),
     [
+        (False, False, -0.001, "torso: on, +0.00"),
         (False, False, -0.5, "torso: on, -0.50"),
         (True, False, 1.25, "torso: off, +1.25"),
         (True, False, -3.43, "torso: off, by rule"),

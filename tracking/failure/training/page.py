@@ -142,7 +142,7 @@ def _mistake(mistake: Mistake, pictures: Mapping[int, bytes]) -> Element:
             name(mistake.recording),
             where,
             element("br"),
-            f"{said}, {mistake.score:+.2f}",
+            f"{said}, {mistake.score:+z.2f}",
         ),
     )
 
