@@ -51,8 +51,20 @@ class TrackColours:
     def of_session(cls, table: TrackTable, run: Run | None) -> TrackColours:
         """Colours of a session: of the run's tracks first, which are the same at each opening."""
         colours = cls()
-        colours._settle(meetings_of(run.tracks if run is not None else table.columns()))
-        if run is not None and any(one not in colours._place for one in table.track_ids):
+        if run is not None:
+            colours._settle(meetings_of(run.tracks))
+        return colours.and_of(table)
+
+    def copy(self) -> TrackColours:
+        """The same colours; what is given to either from now on the other has not."""
+        colours = TrackColours()
+        colours._place, colours._seen = dict(self._place), dict(self._seen)
+        return colours
+
+    def and_of(self, table: TrackTable) -> TrackColours:
+        """These, with colours for all of a table who have none yet."""
+        colours = self.copy()
+        if not all(map(colours.has, table.track_ids)):
             colours._settle(meetings_of(table.columns()))
         return colours
 
@@ -78,24 +90,24 @@ class TrackColours:
         frame = int(rows["frame"][0])
         new = [track for track in ids if track not in self._place]
         if new:
-            near = closeness(rows)
             for track in new:
-                self._give(track, {**self._just_seen(frame), **near[track]})
+                self._give(track, {**self._just_seen(frame), **closeness(rows, track)})
         self._seen.update(dict.fromkeys(ids, frame))
 
     def has(self, track: int) -> bool:
         """Whether a colour was given to a track id."""
         return track in self._place
 
-    def meet_over(self, track: int, looks: Iterable[Columns]) -> None:
+    def meet_over(self, track: int, looks: Iterable[Columns], beside: Iterable[int] = ()) -> None:
         """Give a colour to an id that has none, in view of who is there in any of its frames.
 
         Args:
             looks: the rows of frames in which it stands, everybody's.
+            beside: others it is to differ from: who goes on before or behind it.
         """
-        near: dict[int, float] = {}
+        near = dict.fromkeys(beside, 1.0)
         for rows in looks:
-            for other, much in closeness(rows)[track].items():
+            for other, much in closeness(rows, track).items():
                 near[other] = max(near.get(other, 0.0), much)
         self._give(track, near)
 
@@ -105,21 +117,26 @@ class TrackColours:
 
     def _settle(self, meetings: Meetings) -> None:
         """Give colours to all who have none, in the order they come up."""
-        around: dict[int, int] = {}  # of those who may be there still, the place of their colour
-        leaving: list[tuple[int, int]] = []  # last frame and id of the same, a heap
+        leaving: list[tuple[int, int]] = []  # last frame and place in ids of those there, a heap
+        ids = np.sort([track for _, _, track in meetings.stays])
+        places = np.array([self._place.get(one, _GREY) for one in ids.tolist()], np.intp)
+        there = np.zeros(len(ids), bool)
         worn = np.zeros(len(TRACK_COLOURS))  # by how many of them
         for first, last, track in meetings.stays:
             while leaving and leaving[0][0] + _SOON_FRAMES < first:
-                worn[around.pop(heappop(leaving)[1])] -= 1
+                gone = heappop(leaving)[1]
+                worn[places[gone]] -= 1
+                there[gone] = False
+            at = int(np.searchsorted(ids, track))
             if track not in self._place:
-                taken = FAR * worn
-                for other, much in meetings.near_of(track).items():
-                    if other in around:
-                        taken[around[other]] += much - FAR
-                self._choose(track, taken)
-            heappush(leaving, (last, track))
-            around[track] = self._place[track]
-            worn[around[track]] += 1
+                others, much = meetings.near_of(track)
+                near = np.searchsorted(ids, others)
+                more = np.where(there[near], much - FAR, much)
+                taken = np.bincount(places[near], more, len(TRACK_COLOURS) + 1)[:_GREY]
+                self._choose(track, taken + FAR * worn)
+            heappush(leaving, (last, at))
+            places[at], there[at] = self._place[track], True
+            worn[places[at]] += 1
 
     def _give(self, track: int, near: Mapping[int, float]) -> None:
         """Choose a colour; near: those around, and how near they come."""

@@ -10,8 +10,9 @@ from app.presenters.correcting.correcting import Correcting
 from app.presenters.correcting.planning import refuse_too_large
 from app.presenters.document.instant import Instant
 from app.presenters.document.instants import Instants
+from app.presenters.document.own_colours import ColoursDue
 from app.presenters.document.selection import Selection
-from app.presenters.document.showing import Colours, Showing
+from app.presenters.document.showing import Showing
 from app.presenters.document.shown import WholeTracks
 from app.presenters.panels import EditMarks, HistoryList, track_card
 from app.presenters.parts.detector_choice import DetectorChoice, PartsAsked
@@ -309,13 +310,20 @@ class Document:
         return self._showing.colours.of(track)
 
     @property
-    def colours_due(self) -> Colours | None:
+    def colours_due(self) -> ColoursDue | None:
         """Colours of tracks that are to be made still; None: all are there."""
-        return self._showing.colours_due
+        return self._showing.own.due
 
-    def take_colours(self, due: Colours, made: TrackColours) -> bool:
+    def forget_colours(self, due: ColoursDue) -> None:
+        """They could not be made, and are due no more."""
+        self._showing.own.forget(due)
+
+    def take_colours(self, due: ColoursDue, made: TrackColours) -> bool:
         """Show colours that were due; False where others are by now."""
-        return self._showing.take_colours(due, made)
+        taken = self._showing.take_colours(due, made)
+        if taken:
+            self._timeline.colour_anew()
+        return taken
 
     @property
     def in_the_way(self) -> str:
@@ -344,7 +352,7 @@ class Document:
         frames = change.before.rows["frame"], change.after.rows["frame"]
         marks = self._marks.of(self.session.history)
         self.overhead.take_more(change.after.rows)
-        self._showing.meet(change.after.rows)
+        self._showing.meet(change)
         self._timeline.take_changed(change.tracks, self.tracks, frames, marks)
         self._timeline.take_reviewed(self.session.labels.reviewed)
         self.selection.keep(track for track in self.selection.all if track in table)

@@ -35,10 +35,10 @@ class Instants:
         change = planned.change if planned is not None else None
         shown = planned is not None and change is not None
         tracks: ShownTracks = self._showing.tracks
+        in_picture, colours = self._pictures.left_foot_points, self._showing.colours
         if change:
             tracks = PreviewedTracks(self._showing.tracks, change)
-            self._showing.colours.meet(tracks.of_frame(frame))
-        in_picture, colours = self._pictures.left_foot_points, self._showing.colours
+            colours = self._showing.colours_after(change, tracks)
         return Instant(
             frame=frame,
             tracks=tracks,

@@ -2,38 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
-
-import numpy as np
+from collections.abc import Iterable
 
 from app.presenters.correcting import Footing, Ground
 from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
+from app.presenters.document.own_colours import ColoursDue, OwnColours
 from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.document.shown import WholeTracks
+from app.presenters.document.shown import ShownTracks, WholeTracks
 from app.presenters.pictures.of_run import AtWork, MadeBy
 from app.presenters.track_colours import TrackColours
+from tracking.editing import Change
 from tracking.pipeline import KeptSteps
 from tracking.session import Session
 from tracking.trackers import StepResult
-from tracking.tracks import Columns, Labels, TrackLabel, TrackTable
-
-_LOOKS = 40
-"""In so many of a new track's frames, evenly spread, it is looked who else is there."""
-_AT_ONCE_ROWS = 50_000
-"""Up to so many rows tracks are given their colours in a few milliseconds."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Colours:
-    """Colours that are due.
-
-    Attributes:
-        make: makes them, on any thread. met: ids that were edited meanwhile.
-    """
-
-    make: Callable[[], TrackColours]
-    met: set[int] = field(default_factory=set)
+from tracking.tracks import Labels, TrackLabel, TrackTable
 
 
 class Showing:
@@ -44,7 +26,7 @@ class Showing:
         is_live: whether the tracks of a tracker at work are shown, not those of the session.
         at_work: whether there is one.
         tracks: the tracks that are shown.
-        colours_due: the session's colours, where they are to be made still (see `take_colours`).
+        own: the colours of the session's tracks.
     """
 
     def __init__(self, session: Session | None) -> None:
@@ -54,15 +36,14 @@ class Showing:
         self._continues_at: int | None = None
         self._at_work: AtWork | None = None
         self.tracks: WholeTracks = self._chosen()
-        self._coloured_with: tuple[Session | None, int | None] = None, None
-        self.colours_due: Colours | None = None
-        self._own_colours, self._live_colours = TrackColours(), TrackColours()
-        self._colour()
+        self.own, self._live_colours = OwnColours(), TrackColours()
+        if session is not None:
+            self.own.take(session)
 
     @property
     def colours(self) -> TrackColours:
         """Of the tracks that are shown."""
-        return self._live_colours if self._renumbered else self._own_colours
+        return self._live_colours if self._renumbered else self.own.now
 
     @property
     def can_look_away(self) -> bool:
@@ -129,7 +110,7 @@ class Showing:
         """Take further results of the tracker at work, in order."""
         found = tuple(results)
         self._live.extend(found)
-        colours = self._live_colours if self._continues_at is None else self._own_colours
+        colours = self._live_colours if self._continues_at is None else self.own.now
         for result in found:
             colours.meet(result.tracks)
 
@@ -142,46 +123,21 @@ class Showing:
         self.session = session
         self._live, self.is_live, self.at_work = LiveTracks(), False, False
         self.tracks = self._chosen()
-        self._colour()
+        self.own.take(session)
 
-    def meet(self, rows: Columns) -> None:
-        """Take note of rows that an edit made: who is new among them has a colour from now on."""
-        tracks = np.unique(rows["track"]).tolist()
-        self._meet(self.colours, tracks)
-        if self.colours_due is not None:
-            self.colours_due.met.update(tracks)
+    def meet(self, change: Change) -> None:
+        """Take note of an edit: who is new by it has a colour from now on."""
+        if self.session is not None:
+            self.own.meet(self.session.tracks, change.tracks)
 
-    def _meet(self, colours: TrackColours, tracks: Iterable[int]) -> None:
-        """Give colours to tracks of the session in view of all who are there when they are."""
-        if self.session is None:
-            return
-        table = self.session.tracks
-        for track in tracks:
-            if track in table and not colours.has(track):
-                frames = table.frames_of_track(track)
-                looks = np.unique(np.linspace(0, len(frames) - 1, _LOOKS).astype(int))
-                colours.meet_over(track, (table.of_frame(one) for one in frames[looks].tolist()))
+    def colours_after(self, change: Change, tracks: ShownTracks) -> TrackColours:
+        """The colours as an edit that waits would leave them; `tracks`, as they would be."""
+        table = self.session.tracks if self.session is not None else TrackTable()
+        return self.own.previewed(table, tracks, change)
 
-    def take_colours(self, due: Colours, made: TrackColours) -> bool:
+    def take_colours(self, due: ColoursDue, made: TrackColours) -> bool:
         """Show colours that were due; False where others are by now."""
-        if due is not self.colours_due or self.session is None:
-            return False
-        self._meet(made, sorted(due.met))
-        self._own_colours, self.colours_due = made, None
-        return True
-
-    def _colour(self) -> None:
-        """Give the session's tracks colours, unless they have them; many have theirs later."""
-        session = self.session
-        if session is None or (session, session.adopted_run) == self._coloured_with:
-            return
-        self._coloured_with = session, session.adopted_run
-        table, run = session.tracks.snapshot(), session.corrected_run
-        due = Colours(lambda: TrackColours.of_session(table, run))
-        self.colours_due = due
-        rows = max(len(table), len(run.tracks["frame"]) if run is not None else 0)
-        if rows <= _AT_ONCE_ROWS:
-            self.take_colours(due, due.make())
+        return self.session is not None and self.own.take_made(due, made, self.session.tracks)
 
     def _chosen(self) -> WholeTracks:
         if self.session is None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from app.presenters.labelling.labelling_scene import Suggested
 from tracking.tracks import PartKey, PartLabels
@@ -40,6 +40,13 @@ class SuggestionQueue:
         self._all, self._labels = tuple(suggestions), labels
         self._current, self._place = None, -1
         self._sift()
+
+    def replace_each(self, anew: Callable[[Sequence[Suggested]], Sequence[Suggested]]) -> None:
+        """The same suggestions, told otherwise; who is looked at stays."""
+        place = self.place
+        self._all = tuple(anew(self._all))
+        self._sift()
+        self._current = self._open[place] if place >= 0 else None
 
     def take_labels(self, labels: PartLabels) -> None:
         """Leave out what is labelled by now; what was taken back is there again."""

@@ -102,6 +102,10 @@ class TimelinePresenter:
         self._reviewed_of = {track: tuple(ranges) for track, ranges in by_track.items()}
         self._stale |= _differing(before, self._reviewed_of)
 
+    def colour_anew(self) -> None:
+        """Tracks have other colours by now."""
+        self._stale |= self._spans.keys()
+
     def take_score(self, score: LaneScore | None) -> None:
         """Draw over a selected lane how a part of its person went."""
         if score is not self._score:

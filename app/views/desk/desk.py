@@ -92,6 +92,7 @@ class Desk(QObject):
         self.parts.said.connect(self.said)
         self.tracking.changed.connect(self.draw)
         self.colouring.changed.connect(self._draw_coloured)
+        self.colouring.failed.connect(self.failed)
         self.tracking.following.changed.connect(self.changed)
         self.tracking.found.connect(self._draw_found)
         self.tracking.people_found.connect(self.changed)
@@ -207,6 +208,7 @@ class Desk(QObject):
     def _draw_coloured(self) -> None:
         """Tracks have other colours by now."""
         self.reviewing.queue.colour_anew()
+        self.labelling.colour_anew()
         self.draw()
 
     def _draw_scored(self) -> None:

@@ -171,6 +171,10 @@ class Labelling(QObject):
         """Whether parts are walked where the detector is least sure."""
         return self._keys.suggesting.asked
 
+    def colour_anew(self) -> None:
+        """Tracks have other colours by now."""
+        self._keys.suggesting.colour_anew()
+
     @property
     def suggested(self) -> Suggested | None:
         """What is looked at because the detector is unsure of it; None where it is not shown."""

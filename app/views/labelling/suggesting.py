@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
@@ -86,10 +87,16 @@ class Suggesting(QObject):
         self._drop()
         session = self._document.session
         if session is not None:
-            colour_of = self._document.colour_of
-            shown = [replace(one, colour=colour_of(one.key[1])) for one in found]
-            self.queue.take(shown, session.labels.parts)
+            self.queue.take(self._coloured(found), session.labels.parts)
         self.changed.emit()
+
+    def colour_anew(self) -> None:
+        """Tracks have other colours by now."""
+        self.queue.replace_each(self._coloured)
+
+    def _coloured(self, found: Iterable[Suggested]) -> list[Suggested]:
+        colour_of = self._document.colour_of
+        return [replace(one, colour=colour_of(one.key[1])) for one in found]
 
     def _tell(self, error: Exception) -> None:
         self._drop()

@@ -108,24 +108,7 @@ def test_colours_given_while_a_tracker_works_stay_as_others_come_and_go():
         assert len({colours.of(one) for one in here}) == len(here)
 
 
-def test_an_edit_takes_no_colour_from_anybody_who_had_one():
-    stays = dict.fromkeys(range(1, 30), (0, 50))
-    table = TrackTable(rows_of(stays))
-    colours = TrackColours.of_session(table, None)
-    before = [colours.of(one) for one in stays]
-    colours.meet(rows_of({**stays, 99: (0, 1)}))
-    assert [colours.of(one) for one in stays] == before
-
-
 @pytest.mark.parametrize("place", [lambda _: (np.nan, np.nan), lambda one: (one, one)])
 def test_people_without_places_on_a_floor_have_colours_too(place):
     colours = colours_of({1: (0, 9), 2: (0, 9), 25: (3, 9)}, place=place)
     assert len({colours.of(one) for one in (1, 2, 25)}) == 3
-
-
-def test_a_new_id_differs_from_everybody_who_is_there_while_it_is():
-    table = TrackTable(rows_of({1: (0, 50), 2: (40, 90), 26: (0, 90)}))
-    old = rows_of({1: (0, 50), 2: (40, 90)})
-    colours = TrackColours.of_session(TrackTable(old), None)
-    colours.meet_over(26, [table.of_frame(frame) for frame in (0, 45, 89)])
-    assert len({colours.of(one) for one in (1, 2, 26)}) == 3

@@ -1,13 +1,14 @@
 """What becomes of the window, and of an edit that waits, when a tracker ends."""
 
 import threading
+import time
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
 from app.presenters.correcting import EditKind
-from app.presenters.document import showing
+from app.presenters.document import own_colours
 from app.presenters.track_colours import TrackColours
 from app.views.desk.desk import Desk
 from tracking.errors import EditError, RecordingError
@@ -107,26 +108,77 @@ def test_a_colour_stays_as_runs_end_and_are_dropped(desk, tiny_run):
     assert document._showing.colours is colours
 
 
-def test_a_long_session_has_its_colours_from_another_thread(desk, tiny_run, qtbot, monkeypatch):
-    document, ids = desk.document, desk.document.session.tracks.track_ids
-    wanted = [document.colour_of(one) for one in ids]
-    monkeypatch.setattr(showing, "_AT_ONCE_ROWS", 0)
-    made_in, of_session = [], TrackColours.of_session
+@pytest.fixture
+def long(desk, monkeypatch) -> Desk:
+    """The desk where every session counts as long, and everybody wears another colour then."""
+    monkeypatch.setattr(own_colours, "_QUICK_ROWS", 0)
+    of_session = TrackColours.of_session
+    desk.made_in = []
 
-    def noted(table, run):
-        made_in.append(threading.current_thread())
-        return of_session(table, run)
+    def shifted(table, run):
+        desk.made_in.append(threading.current_thread())
+        colours = of_session(table, run)
+        colours._place = {one: (place + 5) % 20 for one, place in colours._place.items()}
+        return colours
 
-    monkeypatch.setattr(TrackColours, "of_session", noted)
-    before = document._showing.colours
+    monkeypatch.setattr(TrackColours, "of_session", shifted)
+    return desk
+
+
+def test_colours_of_a_long_session_come_from_another_thread_into_all_views(long, tiny_run, qtbot):
+    desk, document = long, long.document
+    qtbot.waitUntil(lambda: len(desk.reviewing.queue.kinds()) > 0)
+    track = document.session.tracks.track_ids[0]
+    before = document.colour_of(track)
     document.begin_live()
     desk.live.finished.emit(tiny_run)
+    document.selection.choose(track)
+    desk.draw()
     assert document.session.adopted_run == 1
-    assert document._showing.colours is before  # the old ones till then
+    assert document.colour_of(track) == before  # the old ones till then
     qtbot.waitUntil(lambda: document.colours_due is None)
-    assert threading.main_thread() not in made_in
-    assert document._showing.colours is not before
-    assert [document.colour_of(one) for one in ids] == wanted
+    now, frame = document.colour_of(track), desk.playback.number
+    assert threading.main_thread() not in desk.made_in
+    assert now != before
+    lanes = {lane.track: lane.colour for lane in document.timeline(frame, frame).lanes}
+    assert lanes == {one: document.colour_of(one) for one in lanes}
+    assert document.card().colour == now
+    people = [one for item in desk.reviewing.queue.items for one in item.people]
+    assert all(one.colour == document.colour_of(one.track) for one in people)
+
+
+def test_colours_that_cannot_be_made_are_told_and_not_due_for_ever(
+    long, tiny_run, qtbot, monkeypatch
+):
+    def fail(*_):
+        raise MemoryError
+
+    monkeypatch.setattr(TrackColours, "of_session", fail)
+    long.document.begin_live()
+    with qtbot.waitSignal(long.failed):
+        long.live.finished.emit(tiny_run)
+    assert long.document.colours_due is None
+
+
+def test_closing_a_recording_does_not_wait_for_its_colours(
+    long, window, tiny_run, qtbot, monkeypatch
+):
+    begun, go_on = threading.Event(), threading.Event()
+
+    def slow(*_):
+        begun.set()
+        go_on.wait(10.0)
+        return TrackColours()
+
+    monkeypatch.setattr(TrackColours, "of_session", slow)
+    long.document.begin_live()
+    long.live.finished.emit(tiny_run)
+    qtbot.waitUntil(begun.is_set)
+    started = time.monotonic()
+    long.colouring.close()
+    waited = time.monotonic() - started
+    go_on.set()
+    assert waited < 1.0
 
 
 def test_whoever_looks_away_from_a_further_run_reads_what_made_the_tracks_in_view(

@@ -1,0 +1,122 @@
+"""Whoever comes up by an edit has a colour of their own, and looking at an edit gives none."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.presenters.correcting import EditKind
+from app.presenters.document.document import Document
+from app.presenters.palette import TRACK_COLOURS, usual_place
+from tracking.editing import plan_reassign, plan_split
+from tracking.recording import open_recording
+from tracking.session import Session
+from tracking.tracks import SIGNAL_COLUMNS, TRACK_COLUMNS, empty
+
+USUAL_OF = {number: TRACK_COLOURS[usual_place(number)] for number in range(1, 60)}
+STAYS = {1: (0, 60), 2: (50, 70), 25: (0, 70)}
+"""Frames in which each stands; 26, who comes next, would look like 2."""
+
+
+def _document(recording, run, stays, path):
+    frames = np.concatenate([np.arange(*stay) for stay in stays.values()])
+    tracks = np.concatenate([np.full(b - a, one) for one, (a, b) in stays.items()])
+    order = np.lexsort((tracks, frames))
+    rows = {name: np.zeros(len(order), kind) for name, kind in TRACK_COLUMNS.items()}
+    rows["frame"], rows["track"] = frames[order].astype("i4"), tracks[order].astype("i4")
+    rows["x"], rows["y"] = rows["track"] * np.float32(0.1), np.full(len(order), 4, "f4")
+    rows["width"], rows["height"] = np.full((2, len(order)), 20, "f4")
+    of_these = replace(run, tracks=rows, signals=empty(SIGNAL_COLUMNS))
+    return Document(recording, Session.create(recording, [of_these], path))
+
+
+@pytest.fixture
+def recording(tiny_recording):
+    with open_recording(tiny_recording) as recording:
+        yield recording
+
+
+@pytest.fixture
+def document(recording, tiny_run, tmp_path):
+    document = _document(recording, tiny_run, STAYS, tmp_path / "three.h5")
+    yield document
+    document.session.close()
+
+
+def test_a_crowd_has_its_colours_later_however_short_it_is_there(recording, tiny_run, tmp_path):
+    crowd = dict.fromkeys(range(1, 31), (0, 80))
+    document = _document(recording, tiny_run, crowd, tmp_path / "crowd.h5")
+    due = document.colours_due
+    document.session.close()
+    assert due is not None
+    assert due.make().of(25) != due.make().of(1)
+
+
+def _colours(document, *tracks):
+    return [document.colour_of(track) for track in tracks]
+
+
+def test_who_is_split_off_differs_from_who_it_was_cut_from_and_from_who_is_there(document):
+    assert USUAL_OF[26] == USUAL_OF[2]
+    document.apply(plan_split(document.session.tracks, 1, 30))
+    assert len(set(_colours(document, 1, 2, 25, 26))) == 4
+
+
+def test_an_edit_takes_no_colour_from_anybody_who_had_one(document):
+    before = _colours(document, 1, 2, 25)
+    document.apply(plan_split(document.session.tracks, 1, 30))
+    document.apply(plan_split(document.session.tracks, 25, 55))
+    assert _colours(document, 1, 2, 25) == before
+
+
+def test_who_is_given_a_new_id_differs_as_well(document):
+    document.apply(plan_reassign(document.session.tracks, 1, 26, 20, 60))
+    assert len(set(_colours(document, 1, 2, 25, 26))) == 4
+
+
+def test_a_new_colour_stays_when_its_edit_is_undone_and_done_again(document):
+    document.apply(plan_split(document.session.tracks, 1, 30))
+    before = _colours(document, 1, 2, 25, 26)
+    document.undo()
+    document.redo()
+    assert _colours(document, 1, 2, 25, 26) == before
+
+
+def _look_at_a_split(document, at):
+    document.selection.choose(1)
+    document.correcting.begin(EditKind.SPLIT, at)
+    return document.instant(at).colours
+
+
+def test_an_edit_that_waits_shows_the_colour_its_new_id_will_have(document):
+    shown = _look_at_a_split(document, 30).of(26)
+    document.confirm_edit()
+    assert document.colour_of(26) == shown != USUAL_OF[26]
+
+
+def test_an_edit_that_was_left_has_given_no_colour(document):
+    _look_at_a_split(document, 30)
+    document.correcting.leave()
+    assert not document.instant(30).colours.has(26)
+
+
+def test_an_edit_that_waits_leaves_the_colours_of_the_lanes_as_they_are(document):
+    lanes = document.timeline(30, 30).lanes
+    _look_at_a_split(document, 30)
+    shown = document.timeline(30, 30).lanes
+    assert [one.track for one in shown] == [one.track for one in lanes]
+    assert all(a is b for a, b in zip(lanes, shown, strict=True) if a.track != 1)
+
+
+def test_when_many_come_up_at_once_their_colours_are_made_later(document):
+    table = document.session.tracks
+    document.session.apply(plan_split(table, 25, 30))
+    for frame in range(2, 12):
+        document.session.apply(plan_split(table, 26 if frame == 2 else 24 + frame, 30 + frame))
+    document._showing.own.meet(table, table.track_ids)
+    due = document.colours_due
+    assert due is not None
+    assert document.take_colours(due, due.make())
+    assert document.colours_due is None
+    last = table.track_ids[-1]
+    assert len(set(_colours(document, 1, 2, last))) == 3
