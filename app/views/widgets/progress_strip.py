@@ -1,8 +1,8 @@
-"""Long work: what, how far, how long still, Cancel."""
+"""Long work: what, how far, how long still, Stop where that leaves a result, Cancel."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QProgressBar, QPushButton, QWidget
 
 _STEPS = 1000
@@ -12,10 +12,12 @@ class ProgressStrip(QFrame):
     """A line at the window's lower edge, hidden while nothing runs.
 
     Signals:
-        cancelled(): Cancel was pressed.
+        cancelled(): Cancel was pressed: nothing of it is kept.
+        stopped(): it is to end, and what there is by now to be kept.
     """
 
     cancelled = Signal()
+    stopped = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -29,12 +31,18 @@ class ProgressStrip(QFrame):
         self._bar.setAccessibleName(self.tr("Progress"))
         self._left = QLabel(self)
         self._left.setProperty("role", "muted")
+        self._stop = QPushButton(self.tr("Stop, keep the result"), self)
+        self._stop.setAccessibleName(self.tr("Stop the running work and keep what there is"))
+        self._stop.clicked.connect(lambda: self._end(self.stopped))
         self._cancel = QPushButton(self.tr("Cancel"), self)
-        self._cancel.setAccessibleName(self.tr("Cancel the running work"))
-        self._cancel.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._cancel.clicked.connect(self._stop)
-        for widget, share in ((self._text, 0), (self._bar, 1), (self._left, 0), (self._cancel, 0)):
+        self._cancel.setAccessibleName(self.tr("Cancel the running work, keep nothing of it"))
+        self._cancel.clicked.connect(lambda: self._end(self.cancelled))
+        for button in (self._stop, self._cancel):
+            button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        for widget, share in ((self._text, 0), (self._bar, 1), (self._left, 0)):
             row.addWidget(widget, share)
+        row.addWidget(self._stop)
+        row.addWidget(self._cancel)
         self.hide()
 
     def show_scene(
@@ -43,11 +51,16 @@ class ProgressStrip(QFrame):
         share: float | None,
         seconds_left: float | None = None,
         cancellable: bool = True,
+        stoppable: bool = False,
     ) -> None:
-        """Show work; `share` done is 0..1, None where the end is not known."""
+        """Show work; `share` done is 0..1, None where the end is not known.
+
+        What is `stoppable` can end early with a result, what is `cancellable` without.
+        """
         if self.isHidden():
-            self._cancel.setEnabled(True)
+            self._let_end(True)
         self._cancel.setVisible(cancellable)
+        self._stop.setVisible(stoppable)
         self._text.setText(text)
         self._bar.setRange(0, 0 if share is None else _STEPS)
         if share is not None:
@@ -59,10 +72,14 @@ class ProgressStrip(QFrame):
         """Nothing runs any more."""
         self.hide()
 
-    def _stop(self) -> None:
-        self._cancel.setEnabled(False)
+    def _let_end(self, may: bool) -> None:
+        for button in (self._stop, self._cancel):
+            button.setEnabled(may)
+
+    def _end(self, how: SignalInstance) -> None:
+        self._let_end(False)
         self._left.setText(self.tr("stopping"))
-        self.cancelled.emit()
+        how.emit()
 
     def _said(self, seconds: float) -> str:
         minutes, rest = divmod(max(0, round(seconds)), 60)

@@ -123,6 +123,7 @@ class MainWindow(QMainWindow):
         self.work.failed.connect(self.files.mishaps.tell)
         self.work.said.connect(self.say)
         self.progress.cancelled.connect(self._cancel)
+        self.progress.stopped.connect(lambda: self.run_command("tracks.stop"))
         self.files.progressed.connect(self._progress_soon)
         self.statusBar().messageChanged.connect(self._make_room)
         self._refreshing.timeout.connect(self._refresh_now)
@@ -183,7 +184,8 @@ class MainWindow(QMainWindow):
             return
         if live is not None and live.running:
             text = tr("Tracking with {tracker}: {status}", tracker=live.tracker, status=live.status)
-            self.progress.show_scene(text, live.share, live.seconds_left)
+            left, found = live.seconds_left, self.files.tracker_found_some
+            self.progress.show_scene(text, live.share, left, stoppable=found)
         else:
             self.progress.finish()
 
@@ -250,10 +252,13 @@ class MainWindow(QMainWindow):
             super().keyPressEvent(event)
 
     def _cancel(self) -> None:
+        """End what is under way and keep nothing of it."""
         if self.work.busy:
             self.work.cancel()
-        elif self.desk is not None:
-            self.desk.live.stop()
+        elif self.desk is not None and self.desk.live.running:
+            self.desk.tracking.drop()
+            self.say(tr("Tracking was cancelled; nothing of it is kept"))
+            self.refresh()
 
     # coming and going
 

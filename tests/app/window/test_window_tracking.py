@@ -71,6 +71,24 @@ def test_stopping_keeps_what_was_tracked(opened, qtbot):
     assert 3 < run.frames[1] <= 80
 
 
+def test_cancel_keeps_nothing_of_a_tracking_and_the_button_beside_it_keeps_it(opened, qtbot):
+    strip, desk = opened.progress, opened.desk
+    desk.tracking.track("stereo-colour")
+    qtbot.waitUntil(lambda: desk.live.done > 3 and not strip._stop.isHidden(), timeout=30_000)
+    strip._cancel.click()
+    assert not desk.live.running
+    assert not desk.document.tracks.ids
+    qtbot.waitUntil(strip.isHidden)
+    assert "nothing of it is kept" in opened.statusBar().currentMessage()
+    assert opened.files.session is None
+    desk.tracking.track("stereo-colour")
+    qtbot.waitUntil(lambda: desk.live.done > 3 and not strip._stop.isHidden(), timeout=30_000)
+    assert strip._stop.text() == "Stop, keep the result"
+    strip._stop.click()
+    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    assert "Stopped early" in opened.notice.text
+
+
 def test_closing_while_a_tracker_works_waits_for_its_thread(opened, qtbot):
     opened.desk.toggle()
     qtbot.wait(50)
