@@ -6,17 +6,19 @@ import time
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QStatusBar, QWidget
 
 _PASSES_MS = 60_000
+_MOVES = (QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.Hide)
 _READ_S = 4.0
 """After this time a passing word has been read by whoever goes on working."""
 
 
 class NoticeBar(QFrame):
-    """One message across a page, hidden while there is none.
+    """One message across a window, hidden while there is none.
 
-    It lies over the page: what is being looked at, or aimed at with the mouse, does not move.
+    It lies over the line at the window's lower edge while that is free, else over the page above
+    it: what is being looked at, or aimed at with the mouse, does not move.
 
     Signals: `spoken()`, another message is shown.
     """
@@ -28,12 +30,15 @@ class NoticeBar(QFrame):
         self._do: Callable[[], object] | None = None
         self._settles = False
         self._said_s = 0.0
+        self._page: QWidget | None = None
+        self._line: QStatusBar | None = None
+        self._progress: QWidget | None = None
         self._passing = QTimer(self, singleShot=True, interval=_PASSES_MS)
         self._passing.timeout.connect(self.hide)
         self.setProperty("notice", "true")
         self.setAccessibleName(self.tr("Message"))
         row = QHBoxLayout(self)
-        row.setContentsMargins(16, 8, 16, 8)
+        row.setContentsMargins(16, 1, 16, 1)
         row.setSpacing(12)
         self._text = QLabel(self)
         self._text.setWordWrap(True)
@@ -49,15 +54,21 @@ class NoticeBar(QFrame):
             row.addWidget(button)
         self.hide()
 
-    def stand_over(self, page: QWidget) -> None:
-        """Lie over the lower edge of a page from now on, as wide as it is: people are above it."""
-        self.setParent(page)
-        page.installEventFilter(self)
+    def stand_over(self, page: QWidget, line: QStatusBar, progress: QWidget) -> None:
+        """Lie over the lower edge of a window from now on, as wide as its page: people are above.
+
+        Words on the line below the page, and progress there, stay to be seen.
+        """
+        self.setParent(page.window())
+        self._page, self._line, self._progress = page, line, progress
+        for widget in (page, progress):
+            widget.installEventFilter(self)
+        line.messageChanged.connect(lambda _: self._place())
         self._place()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
-        """Stay as wide as the page."""
-        if watched is self.parent() and event.type() is QEvent.Type.Resize:
+        """Stay as wide as the page, and beside what the line tells."""
+        if event.type() in _MOVES:
             self._place()
         return super().eventFilter(watched, event)
 
@@ -68,11 +79,18 @@ class NoticeBar(QFrame):
             self._place()
 
     def _place(self) -> None:
-        page = self.parentWidget()
-        if page is not None:
-            height = self.heightForWidth(page.width())
-            self.setGeometry(0, page.height() - height, page.width(), height)
+        if self._page is None or self._line is None:
+            return
+        page = self._page.geometry()
+        free = not (self._line.currentMessage() or self._is_under_way)
+        line = self._line.height() if free else 0
+        least = max(self.heightForWidth(page.width()), line)
+        self.setGeometry(page.left(), page.bottom() + 1 + line - least, page.width(), least)
         self.raise_()
+
+    @property
+    def _is_under_way(self) -> bool:
+        return self._progress is not None and not self._progress.isHidden()
 
     @property
     def text(self) -> str:

@@ -82,11 +82,11 @@ class MainWindow(QMainWindow):
         column.setSpacing(0)
         column.addWidget(self._pages, 1)
         self.setCentralWidget(centre)
-        self.notice.stand_over(centre)
         # The line keeps its height, so that nothing above moves when work begins or ends.
         self.statusBar().setSizeGripEnabled(False)
         self.statusBar().setMinimumHeight(self.progress.sizeHint().height())
         self.statusBar().addPermanentWidget(self.progress, 3)
+        self.notice.stand_over(centre, self.statusBar(), self.progress)
         search = QPushButton(tr("Search commands   Ctrl+K"), self)
         search.setProperty("search", True)
         search.setAccessibleName(tr("Search commands"))

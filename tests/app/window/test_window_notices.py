@@ -88,7 +88,7 @@ def test_the_page_does_not_move_when_something_is_told(window, hands, qtbot):
         after = window.workspace.mapToGlobal(QPoint(0, 0)), window.workspace.size()
         assert after == before
         assert window.notice.width() == window.centralWidget().width()
-        shown = window.centralWidget().childAt(window.notice.geometry().center() - QPoint(0, 3))
+        shown = window.childAt(window.notice.geometry().center() - QPoint(0, 3))
         assert shown is window.notice or window.notice.isAncestorOf(shown)
 
 
@@ -100,6 +100,28 @@ def test_what_is_told_hides_nobody(window, hands):
         over = window.notice.rect().translated(window.notice.mapTo(window, QPoint(0, 0)))
         for view in (window.workspace.left, window.workspace.right, window.workspace.overhead):
             assert not view.rect().translated(view.mapTo(window, QPoint(0, 0))).intersects(over)
+
+
+@pytest.mark.parametrize("size", [(1280, 688), (1920, 1040)])
+def test_a_line_that_is_told_hides_neither_lanes_nor_the_overview(window, hands, size):
+    window.resize(*size)
+    window.notice.say("Tracked 600 frames with stereo-joint. Kept as run 1.")
+    over = window.notice.geometry()
+    timeline = window.workspace.timeline
+    assert not timeline.rect().translated(timeline.mapTo(window, QPoint(0, 0))).intersects(over)
+    assert window.rect().contains(over)
+
+
+def test_what_is_told_hides_neither_a_passing_word_nor_the_progress(window, hands, qtbot):
+    window.notice.say("Tracked 600 frames with stereo-joint.")
+    line = window.statusBar().geometry()
+    assert window.notice.geometry().intersects(line)
+    window.say("saved")
+    assert not window.notice.geometry().intersects(line)
+    window.statusBar().clearMessage()
+    assert window.notice.geometry().intersects(line)
+    window.progress.show_scene("Scoring", 0.5)
+    assert not window.notice.geometry().intersects(line)
 
 
 def test_all_of_a_long_text_is_seen_in_a_window_that_becomes_narrow(window, hands, qtbot):
