@@ -174,6 +174,7 @@ class Workspace(QWidget):
         if both != self.right.isVisibleTo(self):
             self._eyes_room.end()
         self.right.setVisible(both)
+        self.left.set_alone(not stereo)
         if both:
             self._eyes_room.begin(aspect)
         self.eye_switch.show_scene(mode, stereo)

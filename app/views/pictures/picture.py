@@ -68,6 +68,7 @@ class PictureView(Canvas):
         self._image = QImage()
         self._overlay = QImage()
         self._eye_name = ""
+        self._alone = False
         self._grip: Grip | None = None
         self._dragged = False
         self._hover: QPointF | None = None
@@ -109,6 +110,13 @@ class PictureView(Canvas):
             self._truth = truth
             self.update()
 
+    def set_alone(self, alone: bool) -> None:
+        """Be called an eye, or where there is one camera only, the picture."""
+        if alone is not self._alone:
+            self._alone = alone
+            self._rename()
+            self.update()
+
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Follow the language."""
         super().changeEvent(event)
@@ -117,7 +125,7 @@ class PictureView(Canvas):
 
     def _rename(self) -> None:
         names = {
-            Eye.LEFT: self.tr("Left eye"),
+            Eye.LEFT: self.tr("Picture") if self._alone else self.tr("Left eye"),
             Eye.RIGHT: self.tr("Right eye"),
             Eye.BOTH: self.tr("Both eyes, for red and cyan glasses"),
         }
@@ -299,8 +307,11 @@ class PictureView(Canvas):
             return
         ends = self.viewport.to_widget(segments.reshape(-1, 2)).reshape(-1, 4)
         ends = ends[np.isfinite(ends).all(axis=1)]
+        painter.save()
+        painter.setClipRect(self.viewport.rect(self.content()))  # the floor goes on beside it
         painter.setPen(QPen(QColor(255, 255, 255, 90), 1.0))
         painter.drawLines([QLineF(*row) for row in ends.tolist()])
+        painter.restore()
 
 
 def _from_bgr(image: Image | None) -> QImage:

@@ -93,6 +93,24 @@ def test_the_floor_grid_is_drawn_and_points_behind_the_camera_are_not(view, draw
     assert np.median(rows) == 0
 
 
+def test_the_floor_grid_ends_where_the_picture_does(view, drawn):
+    view.resize(640, 800)
+    before = drawn(view)
+    grid = np.array([[[160.0, -200.0], [160.0, 500.0]]])
+    view.show_scene(PictureScene(Eye.LEFT, 7, picture().image, grid=grid))
+    after, x = drawn(view), on_widget(view, 160, 120).x()
+    changed = {
+        y
+        for y in range(800)
+        for dx in (-1, 0, 1)
+        if before.pixel(x + dx, y) != after.pixel(x + dx, y)
+    }
+    assert changed
+    top, bottom = (on_widget(view, 160, y).y() for y in (-0.5, 239.5))
+    assert top - 1 <= min(changed)
+    assert max(changed) <= bottom + 1
+
+
 def test_an_edit_preview_shows_the_trail_before_wider_than_after(view, drawn, near):
     points = np.array([[50.0, 120.0], [270.0, 120.0]])
     trails = (PreviewTrail(points, RED, after=False), PreviewTrail(points, BLUE, after=True))
@@ -183,6 +201,13 @@ def test_people_are_named_under_the_cursor(view):
 def test_the_eye_is_told_to_screen_readers(view):
     view.show_scene(PictureScene(Eye.RIGHT, 7, None))
     assert view.accessibleName() == "Right eye"
+
+
+def test_the_one_camera_of_a_recording_is_not_called_an_eye(view):
+    view.set_alone(True)
+    assert view.accessibleName() == "Picture"
+    view.set_alone(False)
+    assert view.accessibleName() == "Left eye"
 
 
 def test_a_low_picture_explains_the_truth_where_no_floor_does(view, drawn):
