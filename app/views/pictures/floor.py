@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from app.views.look.theme import Theme, faded
 from app.views.pictures.viewport import Points, Viewport, polygon
@@ -40,6 +40,13 @@ def draw_grid(painter: QPainter, area: QRectF, viewport: Viewport, theme: Theme)
         )
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
     _draw_numbers(painter, area, viewport, theme, step)
+
+
+def inner_corner(font: QFont, area: QRectF) -> QPointF:
+    """The lower left corner inside the numbers of the grid, for what must not hide them."""
+    metrics = QFontMetricsF(font)
+    right = area.left() + _EDGE + metrics.horizontalAdvance("-00.0")
+    return QPointF(right + _EDGE, area.bottom() - metrics.height() - 2 * _EDGE)
 
 
 def _multiples(low: float, high: float, step: float) -> list[float]:

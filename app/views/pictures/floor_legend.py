@@ -15,7 +15,7 @@ from app.views.pictures.measured import draw_measured
 
 _PAD, _GAP, _SIGN_PX = 7.0, 8.0, 16.0
 _MOST_OF_AREA = 0.3
-"""Higher than this share of the view, or wider than half of it, it would hide people."""
+"""Reaching higher than this share of the view, or wider than half of it, it would hide people."""
 _CLOUD = ((-4, 2), (0, -4), (3, 3), (-1, 1), (5, -2), (2, -1), (-5, -3), (-2, -1), (1, 5))
 
 Sign = Callable[[QPainter, QPointF, Theme], None]
@@ -30,7 +30,8 @@ def draw_floor_legend(
     line = metrics.height() + 3
     width = max((metrics.horizontalAdvance(text) for _, text in lines), default=0.0)
     width, height = width + _SIGN_PX + _GAP + 2 * _PAD, len(lines) * line + 2 * _PAD
-    if not lines or height > _MOST_OF_AREA * area.height() or width > area.width() / 2:
+    up = height + area.bottom() - corner.y()
+    if not lines or up > _MOST_OF_AREA * area.height() or width > area.width() / 2:
         return
     plate = QRectF(corner.x(), corner.y() - height, width, height)
     painter.setPen(Qt.PenStyle.NoPen)

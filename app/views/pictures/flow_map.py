@@ -8,13 +8,13 @@ from PySide6.QtWidgets import QWidget
 
 from app.presenters.counting.counting_scene import FlowScene
 from app.views.look.theme import Theme, faded, scaled_font
+from app.views.pictures.floor import inner_corner
 from app.views.pictures.legend import draw_legend
 from app.views.pictures.viewport import Points, Viewport
 
 _TIP_PX, _TIP_SHARE, _TIP_DEG = 5.0, 0.4, 152.0
 _LEAST_PX = 7.0
 """Shorter arrows could not be read."""
-_MARGIN_PX = 12.0
 
 
 class FlowDrawing:
@@ -41,7 +41,7 @@ class FlowDrawing:
             still.end()
         painter.drawPixmap(0, 0, self._drawn)
         painter.setFont(scaled_font(widget.font(), 0.85))
-        foot = QPointF(_MARGIN_PX, widget.height() - _MARGIN_PX)
+        foot = inner_corner(painter.font(), QRectF(widget.rect()))
         return foot.y() - draw_legend(painter, scene.legend, foot, theme)
 
 

@@ -19,7 +19,13 @@ from app.views.labelling.marks import draw_outlines
 from app.views.look.theme import Theme, faded, scaled_font
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_places
-from app.views.pictures.floor import draw_camera, draw_field_of_view, draw_grid, draw_scale_bar
+from app.views.pictures.floor import (
+    draw_camera,
+    draw_field_of_view,
+    draw_grid,
+    draw_scale_bar,
+    inner_corner,
+)
 from app.views.pictures.floor_legend import draw_floor_legend
 from app.views.pictures.floor_names import NEAR, Wanted, place_names
 from app.views.pictures.flow_map import FlowDrawing
@@ -43,7 +49,7 @@ _PARTICLE_RADIUS_M = 0.014
 _ARROW_S = 0.8  # an arrow shows where somebody is after this time
 _LONGEST_ARROW_PX = 70.0
 _STANDING_M_S = 0.05
-_LEGEND_PX = 12.0  # from the edge, and between two of them
+_LEGEND_PX = 12.0  # between two of them
 _GRIP_PX = 3.0  # around a person's ring
 
 
@@ -220,7 +226,7 @@ class OverheadView(Canvas):
             draw_message(painter, area, text, theme)
             return
         painter.drawPixmap(0, 0, self._floor(scene, theme))
-        foot = QPointF(_LEGEND_PX, area.bottom() - _LEGEND_PX)
+        foot = inner_corner(scaled_font(self.font(), 0.85), area)
         if self._flow is not None:  # which has a legend of its own: the other stands upon it
             top = self._flow_drawing.paint(painter, self._flow, self.viewport, theme)
             foot.setY(top - _LEGEND_PX)
@@ -238,9 +244,10 @@ class OverheadView(Canvas):
         draw_preview(painter, scene.preview, self.viewport, theme.track)
         self._draw_plates(painter, scene, theme, area)
         painter.setFont(scaled_font(self.font(), 0.85))
-        draw_legend(painter, self._truth.legend, foot, theme)
-        if self._explained and self._flow is None and not self._truth.legend:
-            draw_floor_legend(painter, scene, foot, area, theme)  # one more would hide the floor
+        told = draw_legend(painter, self._truth.legend, foot, theme)
+        if self._explained and self._flow is None:
+            above = foot - QPointF(0, told + _LEGEND_PX) if told else foot
+            draw_floor_legend(painter, scene, above, area, theme)
         draw_scale_bar(painter, area, self.viewport, theme, self.tr("m"))
 
     def _floor(self, scene: OverheadScene, theme: Theme) -> QPixmap:

@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 from drawn_scenes import RED, floor_person, overhead
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
 
 from app.presenters.counting.counting_scene import FlowScene
 from app.presenters.scenes import LegendEntry, PreviewTrail
 from app.presenters.scoring.score_scene import FlooredTruth
+from app.views.look.theme import scaled_font
 from app.views.pictures.floor import nice_step
 from app.views.pictures.overhead import OverheadView
 from app.views.pictures.particles import draw_particles, soft_dot
@@ -198,7 +199,7 @@ def lowest_red(shot):
     """The lowest line with the legend's red at the left; -1 where there is none."""
     red = QColor(*RED).rgb()
     lines = range(shot.height())
-    return max((y for y in lines for x in range(40) if shot.pixel(x, y) == red), default=-1)
+    return max((y for y in lines for x in range(120) if shot.pixel(x, y) == red), default=-1)
 
 
 def test_signs_on_the_floor_are_explained_where_they_are_seen(view, drawn):
@@ -210,6 +211,27 @@ def test_signs_on_the_floor_are_explained_where_they_are_seen(view, drawn):
     empty = drawn(view)
     view.show_legend(True)
     assert drawn(view) == empty
+
+
+def test_what_is_explained_hides_no_number_of_the_grid(view, drawn):
+    view.show_scene(overhead(floor_person(3, (0, 5))))
+    explained = drawn(view)
+    view.show_legend(False)
+    bare = drawn(view)
+    metrics = QFontMetricsF(scaled_font(view.font(), 0.85))
+    right, bottom = round(6 + metrics.horizontalAdvance("-10")), round(600 - 6 - metrics.height())
+    where = [(x, y) for x in range(600) for y in range(600)]
+    changed = [(x, y) for x, y in where if explained.pixel(x, y) != bare.pixel(x, y)]
+    assert min(x for x, _ in changed) >= right
+    assert max(y for _, y in changed) <= bottom
+
+
+def test_beside_a_truth_people_are_explained_too_where_there_is_room(view, drawn):
+    view.show_truth(FlooredTruth(legend=(LegendEntry(RED, "truth"),)))
+    view.show_scene(overhead(floor_person(3, (0, 5))))
+    both = drawn(view)
+    view.show_legend(False)
+    assert drawn(view) != both
 
 
 def test_a_view_without_room_explains_nothing(view, drawn):
