@@ -19,7 +19,8 @@ def line_of(text: str, *, in_picture: bool) -> CountingLine:
     option = "--picture-line" if in_picture else "--line"
     name, corners = _parted(text, option)
     if len(corners) != 2:
-        raise _misuse(f"{text!r} has {len(corners)} ends; type NAME:x1,y1:x2,y2", option)
+        ends = "1 end" if len(corners) == 1 else f"{len(corners)} ends"
+        raise _misuse(f"{text!r} has {ends}; type NAME:x1,y1:x2,y2", option)
     line = CountingLine(name, corners[0], corners[1], in_picture)
     return _checked(line, check_line, option)
 

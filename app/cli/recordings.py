@@ -7,6 +7,8 @@ from pathlib import Path
 import typer
 
 from app.cli.option_groups import Bare
+from tracking.errors import RecordingError
+from tracking.formats import begins_as_hdf5
 from tracking.recording import OpenOptions, Recording, open_recording
 
 
@@ -14,13 +16,23 @@ def opened(path: Path | None, bare: Bare) -> Recording:
     """The recording at a path, or of the eyes the options name.
 
     Raises:
-        RecordingError, CalibrationError: it cannot be opened.
+        RecordingError, CalibrationError: it cannot be opened, or is a session.
         typer.BadParameter: no recording is named, or a right eye alone.
     """
     place = path or bare.left
     if place is None:
         raise typer.BadParameter("name a recording, or its eyes with --left and --right")
+    if _is_hdf5(place):
+        to_do = f"name the recording it is of, or go on from it with track --again {place}"
+        raise RecordingError(f"{place} is a session, not a recording", to_do)
     return open_recording(place, options_of(bare))
+
+
+def _is_hdf5(place: Path) -> bool:
+    try:
+        return place.is_file() and begins_as_hdf5(place)
+    except OSError:  # opening it tells why not
+        return False
 
 
 def options_of(bare: Bare) -> OpenOptions:

@@ -170,8 +170,8 @@ def _tracked_again(
     """The new run: by default the same tracker with the settings of the run that was corrected."""
     if not 0 <= request.start < recording.frame_count:
         raise SettingsError(
-            f"frame {request.start}: tracking again goes on from a frame within "
-            f"0:{recording.frame_count}; choose --from there"
+            f"frame {request.start}: tracking again goes on from one of the frames 0 to "
+            f"{recording.frame_count - 1}; choose --from there"
         )
     name, settings = _tracker(session, recording, order)
     stop = recording.frame_count if request.until is None else request.until

@@ -79,7 +79,7 @@ def test_an_empty_text_has_no_rows(tmp_path: Path, text: str) -> None:
         ("1,1,1,1,-5,5\n", 1, "negative size"),
         ("1,1,1,1,5,5\n2,1,1,1,5,5\n\n1,1,2,2,5,5\n", 4, "twice"),
         ("frame,id,left,top,width,height\n", 1, "'frame' is not a number"),
-        ("format = 1\n", 1, "1 values"),
+        ("format = 1\n", 1, "1 value;"),
     ],
 )
 def test_a_bad_row_is_told_by_its_line(tmp_path: Path, text: str, line: int, reason: str) -> None:

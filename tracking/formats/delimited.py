@@ -192,9 +192,9 @@ class NumberRows:
         count = line.count(self._shape.separator) + 1
         if not least <= count <= most:
             span = f"{least}" if least == most else f"{least} to {most}"
-            reason = f"{count} values; {self._shape.what} has {span} in a row"
+            reason = f"{_values(count)}; {self._shape.what} has {span} in a row"
         elif self._width and count != self._width:
-            reason = f"{count} values where the rows before have {self._width}"
+            reason = f"{_values(count)} where the rows before have {self._width}"
         elif reason := self._not_numbers(line):
             pass
         else:
@@ -229,3 +229,7 @@ def _is_number(field: str) -> bool:
     except ValueError:
         return False
     return "_" not in field
+
+
+def _values(count: int) -> str:
+    return "1 value" if count == 1 else f"{count} values"

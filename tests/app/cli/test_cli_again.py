@@ -133,7 +133,7 @@ def test_a_run_made_again_knows_the_tracks_after_reopening(
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
-        (["--from", "80"], "frame 80: tracking again goes on from a frame within 0:80"),
+        (["--from", "80"], "frame 80: tracking again goes on from one of the frames 0 to 79"),
         (["--from", "50", "--until", "40"], "within 0:80"),
         (["--from", "50", "--tracker", "psychic"], "available are stereo-joint"),
     ],

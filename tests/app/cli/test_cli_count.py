@@ -155,7 +155,7 @@ def test_lines_in_the_picture_need_no_calibration(
     ("words", "told"),
     [
         (["--line", "gate"], "has no corners"),
-        (["--line", "gate:0,4"], "has 1 ends"),
+        (["--line", "gate:0,4"], "has 1 end;"),
         (["--line", "gate:0,4:0,x"], "has no corners"),
         (["--line", "gate:0,x:0,4"], "is no corner"),
         (["--line", "gate:0,4:0,4"], "has no length"),

@@ -90,6 +90,15 @@ def test_a_wrong_order_is_told_before_any_work(
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_session_in_the_place_of_a_recording_is_told_with_what_to_name(
+    trackwright: Trackwright, session: Path, tmp_path: Path
+) -> None:
+    status, out, err = trackwright("track", session, "-o", tmp_path / "again.h5")
+    assert (status, out, err.count("\n")) == (1, "", 1)
+    assert f"{session} is a session, not a recording" in err
+    assert f"--again {session}" in err
+
+
 def test_a_session_of_bare_videos_opens_whole(
     trackwright: Trackwright, recording: Path, tmp_path: Path, own_folder: Path
 ) -> None:
