@@ -39,7 +39,7 @@ def editable(now: Situation) -> str:
 
 def replaceable(now: Situation) -> str:
     """The session must be open for changes, and no tracker at work that would end in it."""
-    return tr("a tracker is at work") if now.live else editable(now)
+    return tr("stop tracking first (Ctrl+Shift+T)") if now.live else editable(now)
 
 
 def selected(now: Situation) -> str:
@@ -65,6 +65,18 @@ def drawable(now: Situation) -> str:
     return recording(now)
 
 
+def edit_waits() -> str:
+    """What is said where an edit that waits is in the way."""
+    return tr("an edit waits: do it (Enter) or leave it (Esc) first")
+
+
+def live(now: Situation) -> str:
+    """A tracker must be at work, with no edit of the tracks in view on its way."""
+    if not now.live:
+        return tr("no tracker is at work")
+    return edit_waits() if now.editing else ""
+
+
 def waiting(now: Situation) -> str:
     """An edit must wait for Enter."""
     return "" if now.editing else tr("no edit is waiting")
@@ -83,7 +95,7 @@ def placing(now: Situation) -> str:
 def trackable(now: Situation) -> str:
     """A tracker must exist for the recording, and nothing else be going on."""
     if now.live:
-        return tr("a tracker is at work")
+        return tr("a tracker is at work: stop it first (Ctrl+Shift+T)")
     if now.busy:
         return tr("wait until the work in progress is done")
     if now.read_only:
@@ -98,8 +110,10 @@ def scored(now: Situation) -> str:
 
 def reportable(now: Situation) -> str:
     """Tracks must have been compared with a truth, or one stand beside the recording."""
-    if now.live or now.busy:
+    if now.busy:
         return tr("wait until the work in progress is done")
+    if now.live:
+        return tr("stop tracking first (Ctrl+Shift+T)")
     return "" if now.truth and now.tracks else scored(now)
 
 

@@ -14,7 +14,8 @@ class Situation:
         recording, session: open. tracks: there is something to select. selected: somebody is.
         editing: a preview waits for Enter. placing: it is one of a box.
         live: a tracker is at work. in_the_way: what is to be done before tracks can be corrected,
-            as its people are shown; "" for nothing. busy: other long work is going on.
+            as its people are shown; "" for nothing. further: they are shown until the playhead is
+            moved. busy: other long work is going on.
         labelling: something is being labelled. saying: it is body parts. suggesting: those of
             which the detector is least sure are walked.
         suspicions: the review queue lists some. suspicion: one of them is looked at; fixable: an
@@ -48,6 +49,7 @@ class Situation:
     placing: bool = False
     live: bool = False
     in_the_way: str = ""
+    further: bool = False
     busy: bool = False
     can_undo: bool = False
     can_redo: bool = False

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import recording
+from app.presenters.commands.checks import live, recording
 from app.presenters.commands.command import Command
-from app.presenters.words import tr
 
 COMMANDS: Final = (
     Command("play.toggle", "Playback", "Play or pause", ("Space",), recording, icon="play"),
@@ -29,7 +28,7 @@ COMMANDS: Final = (
         "Playback",
         "Follow the tracker at work",
         ("Shift+L",),
-        lambda now: "" if now.live else tr("no tracker is at work"),
+        live,
         checkable=True,
         separated=True,
     ),

@@ -19,6 +19,12 @@ def _chosen(now: Situation) -> str:
     return "" if now.selected else tr("select a person first")
 
 
+def _reachable(now: Situation) -> str:
+    """They must be in view still when the playhead is moved."""
+    shown_again = tr("moving the playhead shows your own tracks again: select one of those")
+    return _chosen(now) or (shown_again if now.further else "")
+
+
 def _to_leave(now: Situation) -> str:
     """There must be a selection, an edit or a label to leave."""
     return "" if now.selected or now.editing or now.labelling else tr("nobody is selected")
@@ -41,10 +47,10 @@ COMMANDS: Final = (
         "Tracks",
         "Go to where the track begins",
         ("Shift+Home",),
-        _chosen,
+        _reachable,
         separated=True,
     ),
-    Command("tracks.to_end", "Tracks", "Go to where the track ends", ("Shift+End",), _chosen),
+    Command("tracks.to_end", "Tracks", "Go to where the track ends", ("Shift+End",), _reachable),
     Command("tracks.range_start", "Tracks", "Range begins here", ("[",), session, separated=True),
     Command("tracks.range_end", "Tracks", "Range ends here", ("]",), session),
     Command("tracks.no_range", "Tracks", "No range", ("\\",), session),

@@ -128,12 +128,17 @@ class Document:
                 self.overhead.take_more(result.tracks)
             self._timeline.take(self.tracks, {})
 
-    def watch(self, on: bool) -> bool:
+    @property
+    def shows_further_run(self) -> bool:
+        """Whether people of a run beside the session are shown, until somebody looks away."""
+        return self.is_live and self._showing.can_look_away
+
+    def show_live(self, on: bool) -> bool:
         """Show what a further run finds, or the session's tracks meanwhile; whether that changes.
 
-        The session's can be corrected while they are shown.
+        The session's can be corrected while they are shown, and stay so while an edit waits.
         """
-        changed = self._showing.watch(on)
+        changed = (self.flow is None or not on) and self._showing.show_live(on)
         if changed:
             self.correcting.leave()
             self.selection.choose(0)

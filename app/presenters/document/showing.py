@@ -98,7 +98,7 @@ class Showing:
         self._live_colours = TrackColours()
         self.tracks = self._chosen()
 
-    def watch(self, on: bool) -> bool:
+    def show_live(self, on: bool) -> bool:
         """Show what the tracker at work finds, or the session's tracks; whether that changes."""
         if not self.can_look_away or on is self.is_live:
             return False

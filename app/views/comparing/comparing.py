@@ -257,11 +257,11 @@ class Comparing(QObject):
         """Go to just before it; all views show both versions."""
         if one is not None and self._comparison is not None:
             before = round(_BEFORE_S * self._document.recording.fps)
+            self._playback.pause()
+            self._playback.go(self._comparison.first_shown(one, before))
             self._document.selection.choose(
                 one.track if one.track in self._document.tracks.ids else 0
             )
-            self._playback.pause()
-            self._playback.go(self._comparison.first_shown(one, before))
         self._editing.changed.emit()
 
     def _tick(self, number: int, on: bool) -> None:

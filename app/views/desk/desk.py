@@ -94,6 +94,7 @@ class Desk(QObject):
         self.colouring.changed.connect(self._draw_coloured)
         self.colouring.failed.connect(self.failed)
         self.tracking.following.changed.connect(self.changed)
+        self.tracking.following.said.connect(self.said)
         self.tracking.found.connect(self._draw_found)
         self.tracking.people_found.connect(self.changed)
         self.tracking.failed.connect(self.failed)
@@ -141,6 +142,7 @@ class Desk(QObject):
             placing=document.flow is not None and document.flow.places,
             live=self.live.running,
             in_the_way=document.in_the_way,
+            further=document.shows_further_run,
             can_undo=session is not None and session.history.next_undo is not None,
             can_redo=session is not None and session.history.next_redo is not None,
             stereo=recording.is_stereo,

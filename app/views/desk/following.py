@@ -6,6 +6,7 @@ import time
 
 from PySide6.QtCore import QObject, Signal
 
+from app.presenters.commands.checks import edit_waits
 from app.presenters.document.document import Document
 from app.views.playing.playback import Playback
 from app.views.runs.live import LiveTracking
@@ -20,10 +21,11 @@ class Following(QObject):
     Whoever moves the playhead or plays looks at something else: the playhead stays with them
     then, and following is begun again by hand.
 
-    Signals: `changed()`, it is on or off by now.
+    Signals: `changed()`, it is on or off by now; `said(text)`, why it is not begun.
     """
 
     changed = Signal()
+    said = Signal(str)
 
     def __init__(
         self, document: Document, playback: Playback, live: LiveTracking, parent: QObject
@@ -45,9 +47,11 @@ class Following(QObject):
             self._go()
 
     def toggle(self) -> None:
-        """Follow, or stay here."""
+        """Follow, or stay here: with an edit that waits, which is of the tracks in view."""
         if self.on:
             self._playback.stay()
+        elif self._document.flow is not None:
+            self.said.emit(edit_waits())
         else:
             self.begin()
 

@@ -57,7 +57,7 @@ class TrackerAtWork(QObject):
         self.live.finished.connect(self._end)
         self.live.failed.connect(self._fail)
         self.following = Following(document, playback, self.live, self)
-        self.following.changed.connect(self._watch)
+        self.following.changed.connect(self._look_away)
         playback.wait_at = self._last_tracked
 
     @property
@@ -140,7 +140,8 @@ class TrackerAtWork(QObject):
         """End the tracker at work; what it found is forgotten."""
         self.live.close()
         self.following.end()
-        self._document.begin_live()
+        if self._document.is_live:
+            self._document.begin_live()
         self._document.end_live()
         self.changed.emit()
 
@@ -171,10 +172,11 @@ class TrackerAtWork(QObject):
             document.end_live()
         if session.adopted_run == number:
             document.selection.choose(0)  # the same number is somebody else by now
-        if self._again:
+        if self._again and document.flow is None:
             self._comparing.open(number)
         if session.adopted_run != number:
-            self._tell(kept_to_compare(number) if self._again else kept_beside(number))
+            compared = self._again and document.flow is None
+            self._tell(kept_to_compare(number) if compared else kept_beside(number))
         else:
             self._tell(kept_as_first(number) if before is None else kept_instead(number, before))
         self.changed.emit()
@@ -185,9 +187,9 @@ class TrackerAtWork(QObject):
         if ended is not None:
             self.noted.emit((ended.words(kept), *self.live.notes), not self.live.notes)
 
-    def _watch(self) -> None:
+    def _look_away(self) -> None:
         """Whoever looks elsewhere while a further run is made sees, and corrects, what there is."""
-        if self.live.running and self._document.watch(self.following.on):
+        if self.live.running and self._document.show_live(self.following.on):
             self.changed.emit()
 
     def _last_tracked(self) -> int | None:

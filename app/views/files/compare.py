@@ -104,7 +104,7 @@ class SessionsBeside(QObject):
         if desk is None:
             return
         desk.playback.pause()
+        desk.playback.go(frame)  # first: it may show the session's tracks again
         if track and desk.document.flow is None:
             desk.document.selection.choose(track)
-        desk.playback.go(frame)
         desk.draw()

@@ -48,14 +48,14 @@ class HistoryWalk(QObject):
         if session is None:
             return
         entry = session.history.entry(edit)
+        self._playback.pause()
+        self._playback.go(entry.frame)  # first: it may show the session's tracks again
         selection = self._document.selection
         there = [track for track in entry.change.tracks if track in session.tracks]
         if there and self._document.flow is None:
             selection.choose(there[0])
             for track in there[1:]:
                 selection.add(track)
-        self._playback.pause()
-        self._playback.go(entry.frame)
         self.changed.emit()
 
     def undo_alone(self, edit: int = 0) -> None:

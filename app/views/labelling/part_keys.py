@@ -176,7 +176,7 @@ class PartKeys(QObject):
             frame, track, choice.part = suggested.key
             choice.scope = Reach.FRAME
             self._playback.pause()
+            self._playback.go(frame)  # first: it may show the session's tracks again
             self._document.selection.choose(track)
-            self._playback.go(frame)
             self.close_asked.emit(self._presenter.person_box(frame))
         self.changed.emit()

@@ -145,9 +145,9 @@ class Detectors(QObject):
             self._tell(tr("That is in {where}: open it first", where=where))
             return
         desk.playback.pause()
+        desk.playback.go(item.frame)  # first: it may show the session's tracks again
         desk.document.selection.choose(item.track)
         desk.labelling.choose_part(item.part)
-        desk.playback.go(item.frame)
         desk.draw()
 
     # which one is used

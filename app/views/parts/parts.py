@@ -60,6 +60,8 @@ class Parts(QObject):
 
         Whether there was one to go to.
         """
+        if self._document.shows_further_run:
+            self._playback.stay()  # moving shows the session's tracks: look among those
         frame, track = self._playback.clock.frame, self._document.selection.track
         failure = self.presenter.next_failure(frame, step)
         if failure is None:

@@ -165,7 +165,7 @@ class TransportBar(QFrame):
         self._follow.setCheckable(True)
         self._follow.setText(self.tr("Follow"))
         self._follow.setAccessibleName(self.tr("Follow the tracker"))
-        self._follow.clicked.connect(self.follow_toggled)
+        self._follow.clicked.connect(self._ask_to_follow)
         row.addWidget(self._follow)
 
     def show_scene(self, scene: TransportScene) -> None:
@@ -221,6 +221,11 @@ class TransportBar(QFrame):
         off = self.tr("Go to where the tracker is, and on with it  (Shift+L)")
         self._follow.setToolTip(on if following else off)
         self._rest.fit()
+
+    def _ask_to_follow(self) -> None:
+        """The button is down only once it is done: an edit may be in the way."""
+        self._follow.setChecked(bool(self._scene and self._scene.following))
+        self.follow_toggled.emit()
 
     def _last_frame(self) -> int:
         return self._scene.frame_count - 1 if self._scene is not None else 0

@@ -134,16 +134,20 @@ class Scoring(QObject):
             self.said.emit(tr("No error {where} this frame", where=word))
             return
         beginning = events.beginning_at(there)
-        self._go(there, beginning.tracks)
         self.said.emit("; ".join(beginning.words()))
+        self._go(there, beginning.tracks)
 
     def _go(self, frame: int, tracks: Sequence[int]) -> None:
         """Show a frame, and select whom of the result it is about."""
+        live = self._document.is_live
         self._playback.pause()
+        self._playback.go(frame)
+        if self._document.is_live is not live:  # the session's are shown again, others than scored
+            self.said.emit(tr("Your own tracks are in view again: Shift+L shows the new ones"))
+            tracks = ()
         there = [track for track in tracks if track in self._document.tracks.ids]
         if there and self._document.flow is None and self.presenter.whose == SHOWN:
             self._document.selection.choose_all(there)
-        self._playback.go(frame)
         self.changed.emit()
 
     # choices

@@ -13,6 +13,9 @@ from app.presenters.track_colours import TrackColours
 from app.views.desk.desk import Desk
 from tracking.errors import EditError, RecordingError
 from tracking.session import Session
+from tracking.trackers import StepResult
+from tracking.tracks import ASSOCIATION_COLUMNS, DETECTION_COLUMNS, PARTICLE_COLUMNS, empty
+from tracking.tracks.run import Particles
 
 Key = Qt.Key
 
@@ -28,8 +31,103 @@ def untracked(window, qtbot, tiny_recording) -> Desk:
 def looked_away(desk) -> Desk:
     """The desk with a further tracker at work, while the session's tracks are looked at."""
     desk.document.begin_live()
-    assert desk.document.watch(on=False)
+    assert desk.document.show_live(on=False)
     return desk
+
+
+def _steps(run, until):
+    none = empty(DETECTION_COLUMNS), Particles.none(PARTICLE_COLUMNS).of_frame(0)
+    for frame in range(until):
+        here = run.tracks["frame"] == frame
+        rows = {name: column[here] for name, column in run.tracks.items()}
+        yield StepResult(frame, rows, *none, empty(ASSOCIATION_COLUMNS))
+
+
+@pytest.fixture
+def followed(desk, tiny_run, monkeypatch) -> Desk:
+    """The desk that follows a further tracker at work, whose people it shows."""
+    monkeypatch.setattr(type(desk.live), "running", property(lambda _: True))
+    desk.document.begin_live()
+    desk.document.take_live(_steps(tiny_run, 30))
+    desk.tracking.following.begin()
+    assert desk.document.is_live
+    return desk
+
+
+@pytest.fixture
+def swapping(followed) -> Desk:
+    """The same desk once somebody has looked away from it and begun to correct."""
+    desk, document = followed, followed.document
+    desk.playback.go(40)
+    assert not document.is_live
+    first, second = document.tracks.of_frame(40)["track"].tolist()[:2]
+    document.correcting.pick(first)
+    desk.editing.begin(EditKind.SWAP)
+    document.correcting.pick(second)
+    return desk
+
+
+def _waiting(desk):
+    flow = desk.document.flow
+    return None if flow is None else (flow.kind, flow.track, flow.other)
+
+
+def test_an_edit_waits_on_when_the_further_tracker_fails(swapping):
+    before = _waiting(swapping)
+    swapping.live.failed.emit(RecordingError("out of memory"))
+    assert _waiting(swapping) == before
+    assert swapping.document.selection.track == before[1]
+    assert not swapping.document.at_work
+    swapping.editing.confirm()
+    assert swapping.document.session.history.next_undo is not None
+
+
+def test_an_edit_waits_on_when_tracks_were_tracked_again_meanwhile(swapping, tiny_run):
+    before = _waiting(swapping)
+    swapping.tracking._again = True
+    swapping.live.finished.emit(tiny_run)
+    assert _waiting(swapping) == before
+    assert not swapping.comparing.shown
+
+
+def test_following_a_further_run_is_refused_while_an_edit_waits(swapping, window, press):
+    before, said = _waiting(swapping), []
+    swapping.said.connect(said.append)
+    press(Key.Key_L, Qt.KeyboardModifier.ShiftModifier)
+    window.workspace.transport.follow_toggled.emit()
+    assert _waiting(swapping) == before
+    assert not swapping.document.is_live
+    assert "an edit waits" in said[-1]
+
+
+def test_an_edit_of_the_history_is_gone_to_from_a_further_run(followed):
+    document = followed.document
+    followed.playback.go(40)
+    track = document.tracks.of_frame(40)["track"].tolist()[0]
+    document.correcting.pick(track)
+    followed.editing.begin(EditKind.SPLIT)
+    followed.editing.confirm()
+    followed.tracking.following.begin()
+    assert document.is_live
+    followed.walk.go_to(1)
+    assert not document.is_live
+    assert track in document.selection.all
+
+
+def test_the_begin_of_a_track_is_refused_where_going_there_would_show_others(followed, window):
+    track = followed.document.tracks.ids[0]
+    followed.document.selection.choose(track)
+    before = followed.playback.clock.frame
+    window.run_command("tracks.to_start")
+    assert followed.document.is_live
+    assert followed.document.selection.track == track
+    assert followed.playback.clock.frame == before
+
+
+def test_errors_of_a_further_run_select_nobody_of_the_sessions_tracks(followed):
+    followed.scoring._go(40, followed.document.session.tracks.track_ids)
+    assert not followed.document.is_live
+    assert not followed.document.selection
 
 
 def test_after_a_first_tracker_failed_somebody_can_be_drawn(untracked, window):
@@ -190,5 +288,5 @@ def test_whoever_looks_away_from_a_further_run_reads_what_made_the_tracks_in_vie
     monkeypatch.setattr(type(desk.live), "status", property(lambda _: "live"))
     made_by = desk.document.session.corrected_run.tracker
     assert (desk.tracking.state.name, desk.tracking.state.status) == (made_by, "tracked")
-    assert desk.document.watch(on=True)
+    assert desk.document.show_live(on=True)
     assert (desk.tracking.state.name, desk.tracking.state.status) == ("three-part", "live")
