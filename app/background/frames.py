@@ -126,7 +126,10 @@ class FrameReader(QObject):
 def _ending(
     closing: threading.Event, changed: threading.Condition, search: LagSearch
 ) -> Callable[[], None]:
-    """Has the threads of a reader end; holds nothing of the reader, which may be gone."""
+    """Has the threads of a reader end.
+
+    Asks nothing of Qt: the reader may be gone as a `QObject`, while the search still holds it.
+    """
 
     def end() -> None:
         search.cancel()

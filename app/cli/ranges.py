@@ -7,13 +7,17 @@ import re
 from tracking.errors import SettingsError
 
 _MOST_DIGITS = 9  # of a frame number: what is longer lies beyond every recording
+ANY_END = 10**_MOST_DIGITS
+"""Behind every frame there can be."""
 
 
-def typed_range(text: str | None, count: int, option: str = "--frames") -> tuple[int, int] | None:
+def typed_range(
+    text: str | None, count: int | None, option: str = "--frames"
+) -> tuple[int, int] | None:
     """A:B as numbers; either may be left out. None where nothing was typed.
 
     Args:
-        count: of the frames there are; stands for B where that is left out.
+        count: of the frames there are; stands for B where that is left out. None: nobody knows.
         option: which it was typed for.
 
     Raises:
@@ -26,6 +30,11 @@ def typed_range(text: str | None, count: int, option: str = "--frames") -> tuple
         raise SettingsError(f"frames {text!r} are not A:B, e.g. {option} 100:400")
     start, stop = found.groups()
     if "-" in start + stop or max(len(start), len(stop)) > _MOST_DIGITS:
+        if count is None:
+            raise SettingsError(
+                f"{option} {text.strip()}: frames count from 0 and have at most "
+                f"{_MOST_DIGITS} digits"
+            )
         raise SettingsError(
             f"frames {text.strip()} are not all there: choose a range within 0:{count}"
         )
@@ -33,4 +42,4 @@ def typed_range(text: str | None, count: int, option: str = "--frames") -> tuple
         raise SettingsError(
             f"{option} {text.strip()} holds no frames; name them as A:B with A below B"
         )
-    return int(start or 0), int(stop or count)
+    return int(start or 0), int(stop or (ANY_END if count is None else count))

@@ -10,7 +10,7 @@ from pathlib import Path
 import typer
 
 from app.cli.output import progress
-from app.cli.ranges import typed_range
+from app.cli.ranges import ANY_END, typed_range
 from app.cli.score_passages import with_passages
 from app.cli.scored import Loaded, loaded, part_rates, tell_oddities
 from app.cli.sequences import Pairing
@@ -29,7 +29,6 @@ from tracking.tracks import CountingLine
 
 _RADIUS_M = 0.5
 _LONG_BYTES = 16 << 20
-_END = 10**9
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +101,7 @@ def yardstick_of(asked: Asked) -> Yardstick:
     Raises SettingsError where a range, a radius or distances are none.
     """
     match = FloorMatch(asked.radius_m) if asked.match == "floor" else BoxMatch()
-    ranges = tuple(typed_range(text, _END, "--range") or (0, _END) for text in asked.ranges)
+    ranges = tuple(typed_range(text, None, "--range") or (0, ANY_END) for text in asked.ranges)
     distances_m = () if asked.distances is None else _distances(asked.distances)
     return Yardstick(match, Conventions(asked.conventions), ranges, distances_m)
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import reduce
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracking.review import Suspicion
-from tracking.tracks import TrackTable
+from tracking.tracks import TrackTable, between
 
 _AROUND_S = 1.0
 """So near to the stretch of a suspicion an edit of its people is about it."""
@@ -22,17 +24,24 @@ def is_near(suspicion: Suspicion, frame: int, fps: float) -> bool:
 def first_shown(suspicion: Suspicion, table: TrackTable) -> int:
     """The first frame of a suspicion's stretch in which its people are there to be seen.
 
-    All of them, up to where it happened; else somebody, in the stretch or nearest to it.
+    All of them, up to where it happened; else somebody, in the stretch or nearest to it. Of tracks
+    of any length only the stretch is read: this is asked whenever the queue is drawn.
     """
     there = [table.frames_of_track(one) for one in suspicion.tracks if one in table]
     if not there:
         return suspicion.start
-    together = reduce(np.intersect1d, there)
-    for frames, stop in (
-        (together, suspicion.frame + 1),
-        (np.unique(np.concatenate(there)), suspicion.end),
-    ):
-        low, high = np.searchsorted(frames, (suspicion.start, stop))
-        if low < high:
-            return int(frames[low])
-    return int(frames[np.argmin(np.abs(frames - suspicion.frame))])
+    here = [frames[between(frames, suspicion.start, suspicion.end)] for frames in there]
+    together = reduce(np.intersect1d, here)
+    if len(together) and together[0] <= suspicion.frame:
+        return int(together[0])
+    first = [int(frames[0]) for frames in here if len(frames)]
+    return min(first) if first else _nearest(there, suspicion.frame)
+
+
+def _nearest(there: Sequence[NDArray[np.int32]], frame: int) -> int:
+    """The frame nearest to one in which any of them stands; the earlier of two."""
+    found: list[int] = []
+    for frames in there:
+        at = int(np.searchsorted(frames, frame))
+        found += frames[max(at - 1, 0) : at + 1].tolist()
+    return min(found, key=lambda one: (abs(one - frame), one))

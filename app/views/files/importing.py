@@ -86,7 +86,8 @@ class Importing(QObject):
     def take(self, desk: Desk, read: ReadFile, fitted: Fitted) -> None:
         """Take the tracks: as an edit, or where there is no session as a new one.
 
-        Nothing is taken where a tracker has begun or ended since the file was looked over.
+        Nothing is taken where another session came since the file was looked over, or a tracker's
+        people are in view.
         """
         came = (fitted.into is None) != (desk.document.session is None)
         if why_not := tr("another session came meanwhile") if came else self._why_not(desk):

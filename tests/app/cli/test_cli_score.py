@@ -66,6 +66,7 @@ def test_a_recordings_folder_stands_for_its_truth(
     [
         (["--match", "sound"], 2, "'sound' is not one of"),
         (["--range", "9:3"], 1, "range 9:3 holds no frames"),
+        (["--range", "-1:5"], 1, "--range -1:5: frames count from 0"),
         (["--range", "30:40"], 1, "choose one within 0:20"),
         (["--range", "foo"], 1, "'foo' are not A:B, e.g. --range 100:400"),
         (["--distances", "near"], 1, "e.g. --distances 0,5,10"),

@@ -113,3 +113,19 @@ def test_of_two_both_must_be_there_unless_one_only_follows_the_other():
 
 def test_a_suspicion_of_somebody_who_is_not_there_by_now_is_looked_at_nearest_to_it():
     assert _shown_at((4,), {4: (70, 100)}, 50) == 70
+
+
+def test_of_long_tracks_only_the_stretch_of_a_suspicion_is_read(monkeypatch):
+    rows = {name: np.zeros(40_000, kind) for name, kind in CORRECTED_COLUMNS.items()}
+    rows["frame"] = np.repeat(np.arange(20_000, dtype=np.int32), 2)
+    rows["track"] = np.tile(np.array([4, 7], np.int32), 20_000)
+    read, both = [], np.intersect1d
+
+    def noted(first, second):
+        read.append(len(first) + len(second))
+        return both(first, second)
+
+    monkeypatch.setattr(np, "intersect1d", noted)
+    one = Suspicion("height", (4, 7), 500, 490, 510, 0.5, 9.0, "why", "split")
+    assert first_shown(one, TrackTable(rows)) == 490
+    assert max(read) <= 40
