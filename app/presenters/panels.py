@@ -9,7 +9,7 @@ import numpy as np
 from app.presenters.document.shown import ShownTracks
 from app.presenters.scenes import Colour, HistoryItem, MarkKind, TimelineMark, TrackCard
 from tracking.editing import Change, Entry, History
-from tracking.tracks import TrackLabel
+from tracking.tracks import Source, TrackLabel
 
 
 def track_card(
@@ -23,7 +23,11 @@ def track_card(
     rows = tracks.of_track(track)
     if not len(rows["frame"]):
         return None
-    predicted = int(np.count_nonzero(rows["predicted"]))
+    predicted = rows["predicted"].astype(np.bool_)
+    occluded = (rows["visibility"] == 0.0) & ~predicted
+    interpolated = rows.get("source", np.zeros(len(predicted))) == Source.INTERPOLATED
+    interpolated &= ~(predicted | occluded)
+    unseen = predicted | occluded | interpolated
     confidence = rows["confidence"][np.isfinite(rows["confidence"])]
     return TrackCard(
         track=track,
@@ -31,12 +35,14 @@ def track_card(
         colour=colour,
         first_frame=int(rows["frame"][0]),
         last_frame=int(rows["frame"][-1]),
-        frames_seen=len(rows["frame"]) - predicted,
-        frames_predicted=predicted,
+        frames_seen=int(np.count_nonzero(~unseen)),
+        frames_predicted=int(np.count_nonzero(predicted)),
         mean_confidence=float(confidence.mean()) if len(confidence) else float("nan"),
         attributes=tuple(label.attributes.items()),
         notes=label.notes,
         others=others,
+        frames_interpolated=int(np.count_nonzero(interpolated)),
+        frames_occluded=int(np.count_nonzero(occluded)),
     )
 
 

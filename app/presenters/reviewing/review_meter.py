@@ -16,7 +16,10 @@ from tracking.tracks import Labels, TrackTable
 _EARLY: Final = 0.05
 """Share of the footage that a review should take."""
 _NOT_CORRECTED: Final = frozenset(
-    {"verdict", "reviewed", "unreviewed", "rename", "notes", "attribute"}
+    {
+        *("verdict", "reviewed", "unreviewed", "rename", "notes", "attribute"),
+        *("label", "unlabel", "occluders", "lines", "regions"),
+    }
 )
 """Kinds of edits that say something of the tracks and leave them as they are."""
 
@@ -44,7 +47,7 @@ class MeterWords:
             counted(corrected, "{n} corrected", "{n} corrected"),
         ]
         if minutes >= 0.1:
-            words.append(tr("{n:.1f} found a minute", n=sitting.fixed_per_minute))
+            words.append(tr("{n:.1f} corrected a minute", n=sitting.fixed_per_minute))
         return "  \u00b7  ".join(words)
 
     def _corrections_now(self, history: History) -> int:

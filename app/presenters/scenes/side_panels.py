@@ -9,7 +9,12 @@ from app.presenters.scenes.instants import Colour
 
 @dataclass(frozen=True, slots=True)
 class TrackCard:
-    """The selected track in words; with `others` who are selected too."""
+    """The selected track in words; with `others` who are selected too.
+
+    Attributes:
+        frames_seen: in which it was seen, or drawn by hand; the other frames are counted apart: a
+            tracker `predicted` it there, somebody had it `interpolated`, or said it is `occluded`.
+    """
 
     track: int
     name: str
@@ -22,6 +27,8 @@ class TrackCard:
     attributes: tuple[tuple[str, str], ...]
     notes: str
     others: tuple[int, ...] = ()
+    frames_interpolated: int = 0
+    frames_occluded: int = 0
 
 
 @dataclass(frozen=True, slots=True)

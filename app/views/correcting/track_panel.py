@@ -216,7 +216,12 @@ class TrackPanel(Panel):
         self._first.setText(str(card.first_frame))
         self._last.setText(str(card.last_frame))
         seen = counted(card.frames_seen, "{n} frame", "{n} frames")
-        self._seen.setText(self.tr("{0}, {1} predicted").format(seen, card.frames_predicted))
+        others = [self.tr("{0} predicted").format(card.frames_predicted)]
+        if card.frames_interpolated:
+            others.append(self.tr("{0} interpolated").format(card.frames_interpolated))
+        if card.frames_occluded:
+            others.append(self.tr("{0} occluded").format(card.frames_occluded))
+        self._seen.setText(", ".join((seen, *others)))
         known = card.mean_confidence == card.mean_confidence
         self._confidence.setText(f"{card.mean_confidence:.2f}" if known else self.tr("not known"))
         if other or not self._name.hasFocus():

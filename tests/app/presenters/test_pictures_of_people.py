@@ -6,11 +6,12 @@ from app.presenters.correcting import EditKind
 from app.presenters.document.document import Document
 from app.presenters.document.instant import Instant, Pictured
 from app.presenters.document.session_tracks import SessionTracks
+from app.presenters.panels import track_card
 from app.presenters.pictures.overhead import relative_weights
 from app.presenters.scenes import Eye
 from tracking.recording import open_recording
 from tracking.session import Session
-from tracking.tracks import TrackTable
+from tracking.tracks import Source, TrackLabel, TrackTable
 
 CROWDED = 60
 
@@ -124,6 +125,18 @@ def test_people_without_metres_are_left_out_of_the_floor_but_not_of_the_picture(
     frame = document.recording.read(50)
     marks = document.pictures.scene(Eye.LEFT, frame, instant, Pictured()).people
     assert [mark.track for mark in marks] == [4, 7]
+
+
+def test_frames_filled_by_interpolation_or_said_to_be_hidden_are_not_counted_as_seen(document):
+    track = document.tracks.ids[0]
+    rows = {name: column.copy() for name, column in document.tracks.of_track(track).items()}
+    rows["predicted"][:] = False
+    rows["visibility"][:] = 1.0
+    rows["visibility"][0] = 0.0
+    rows["source"][1:4] = Source.INTERPOLATED
+    card = track_card(SessionTracks(TrackTable(rows), None), track, TrackLabel(), (1, 2, 3))
+    assert (card.frames_occluded, card.frames_interpolated) == (1, 3)
+    assert card.frames_seen == len(rows["frame"]) - 4
 
 
 def test_the_card_tells_of_the_selected_track(document):

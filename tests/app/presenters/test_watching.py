@@ -1,7 +1,10 @@
+from types import SimpleNamespace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.presenters.reviewing.review_meter import _corrections
 from app.presenters.reviewing.watching import Watching
 
 FPS = 10.0
@@ -50,3 +53,9 @@ def test_the_stretch_holds_the_frame_that_is_shown(frames):
     _see(watching, *frames)
     start, end = watching.stretch
     assert (start, end) == (0, 0) or start <= frames[-1] < end
+
+
+@pytest.mark.parametrize("kind", ["label", "unlabel", "occluders", "lines", "regions", "rename"])
+def test_labels_are_no_corrections_of_tracks(kind):
+    entries = [SimpleNamespace(undone=False, kind=one) for one in (kind, "swap")]
+    assert _corrections(entries) == 1

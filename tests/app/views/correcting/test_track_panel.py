@@ -106,6 +106,12 @@ def test_a_single_frame_is_not_said_in_the_plural(track_panel):
     assert "1 frame, 0 predicted" in words(track_panel)
 
 
+def test_frames_in_which_nobody_was_seen_are_counted_apart(track_panel):
+    apart = replace(CARD, frames_seen=9, frames_predicted=2, frames_interpolated=21)
+    track_panel.show_scene(replace(apart, frames_occluded=1))
+    assert "9 frames, 2 predicted, 21 interpolated, 1 occluded" in words(track_panel)
+
+
 def test_of_a_long_name_the_beginning_is_seen(track_panel):
     track_panel.show_scene(replace(CARD, name="Bob Mueller with a very long name indeed " * 3))
     assert track_panel._name.cursorPosition() == 0
