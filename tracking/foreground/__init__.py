@@ -4,6 +4,7 @@ from tracking.foreground.background import BackgroundModel, Subtraction
 from tracking.foreground.camera_watch import CameraWatch
 from tracking.foreground.first_look import OtherLook
 from tracking.foreground.look import in_size
+from tracking.foreground.plain_look import without_spots
 from tracking.foreground.ramp import RampSettings, ramp
 from tracking.foreground.settings import ForegroundSettings
 from tracking.foreground.shade import ShadeColour
@@ -23,4 +24,5 @@ __all__ = [
     "Subtraction",
     "in_size",
     "ramp",
+    "without_spots",
 ]
