@@ -19,10 +19,11 @@ COUNT, ROWS, AROUND = 300, 120, 60
 class Footage:
     """Rows in which by chance much or little moves, seen by two eyes of which one is late."""
 
-    fps, frame_count, rectification = 20.0, COUNT, None
+    fps, rectification = 20.0, None
     right_lag: int | None = None
 
-    def __init__(self, late: int, still_until: int = 0) -> None:
+    def __init__(self, late: int, still_until: int = 0, count: int = COUNT) -> None:
+        self.frame_count = count
         random = np.random.default_rng(4)
         self._noise = random.integers(0, 255, (COUNT + 2 * AROUND, ROWS, 160), np.uint8)
         self._moving = random.integers(0, 100, (COUNT + 2 * AROUND, ROWS, 1))
@@ -81,6 +82,28 @@ def test_a_lag_that_is_told_is_held_against_the_footage(late: int, told: int) ->
     lag, read = found(footage, 60)
     assert lag == (late if abs(late) <= max(abs(told), 15) else told)
     assert read[:9] == list(range(60, 69))
+
+
+@pytest.mark.parametrize("late", [-9, 0, 4])
+@pytest.mark.parametrize("told", [-60, -30, 30, 60])
+@pytest.mark.parametrize("count", [36, 48])
+def test_a_lag_that_is_told_is_held_against_short_footage_too(
+    late: int, told: int, count: int
+) -> None:
+    footage = Footage(late, count=count)
+    footage.right_lag = told
+    lag, read = found(footage)
+    assert lag == late
+    assert max(read) < count
+
+
+@pytest.mark.parametrize(("told", "lag"), [(60, None), (-48, None), (47, 47), (-5, -5)])
+def test_a_lag_that_leaves_no_two_pictures_of_an_instant_is_not_believed(
+    told: int, lag: int | None
+) -> None:
+    footage = Footage(0, still_until=COUNT, count=48)
+    footage.right_lag = told
+    assert found(footage)[0] == lag
 
 
 @pytest.mark.parametrize(("still_until", "lag"), [(100, 4), (COUNT + AROUND, -2)])

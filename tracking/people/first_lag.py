@@ -57,13 +57,13 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
 
     Looked at is a stretch of a second or two from a frame on, and where it tells nothing, others
     that are spread over the recording, each of them and all together. Where the recording tells a
-    lag, that one is it unless a stretch tells another.
+    lag, that one is it unless a stretch tells another, or it leaves no two pictures of an instant.
 
     Args:
         recording: of two eyes; rectified where it can be. start: the frame that matters most.
     """
     told_lag = recording.right_lag
-    movement = EyeMovement(recording.fps, told_lag or 0)
+    movement = _movement(recording)
     maps = thinned_maps(recording.rectification)
     stretches: list[Stretch] = []
     frames = movement.span + 1 + MOST_HELD
@@ -84,7 +84,14 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
                 lag = late_by(told, movement.most_lag)
                 if lag is not None:
                     return lag
-    return told_lag
+    return told_lag if abs(told_lag or 0) < recording.frame_count else None
+
+
+def _movement(recording: Recording) -> EyeMovement:
+    """Looks for the lag that the recording tells, too, unless it is too short for that."""
+    movement = EyeMovement(recording.fps, recording.right_lag or 0)
+    fits = movement.span < recording.frame_count
+    return movement if fits else EyeMovement(recording.fps)
 
 
 def thinned_maps(rectification: Rectification | None) -> tuple[Map, Map] | None:
