@@ -13,7 +13,10 @@ class EyesRoom(QObject):
     """Gives the floor what the pictures of both eyes leave empty at their sides.
 
     The pictures have the usual room again once only one is shown. Where the user moves the border,
-    it stays there until the eyes that are shown change.
+    it stays there, whatever is opened, until the eyes that are shown change.
+
+    Attributes:
+        moved: the user moved the border while both eyes were shown.
     """
 
     def __init__(self, top: QSplitter, eyes: QSplitter) -> None:
@@ -22,6 +25,7 @@ class EyesRoom(QObject):
         self._top, self._eyes = top, eyes
         self._aspect = 0.0  # 0: the room is as the user left it
         self._usual: list[int] = []
+        self.moved = False
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._fit)
         top.installEventFilter(self)
@@ -31,6 +35,8 @@ class EyesRoom(QObject):
         """Both pictures are shown, so much wider than high."""
         if not self._usual:
             self._usual = self._top.sizes()
+        if self.moved:
+            return
         self._aspect = aspect
         self._fit()
 
@@ -39,7 +45,7 @@ class EyesRoom(QObject):
         if self._usual and self._aspect:
             share = self._usual[0] / max(1, sum(self._usual[:2]))
             self._give(round(share * sum(self._top.sizes()[:2])))
-        self._usual, self._aspect = [], 0.0
+        self._usual, self._aspect, self.moved = [], 0.0, False
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Follow the height of the pictures."""
@@ -60,4 +66,4 @@ class EyesRoom(QObject):
 
     def _leave_it(self) -> None:
         """The user moved a border."""
-        self._aspect = 0.0
+        self._aspect, self.moved = 0.0, bool(self._usual)

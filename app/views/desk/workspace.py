@@ -210,6 +210,7 @@ class Workspace(QWidget):
 
     def remember(self, remembered: Remembered) -> None:
         """Keep how the parts are laid out."""
+        remembered.set_text("workspace/eyes moved", "yes" if self._eyes_room.moved else "")
         self._eyes_room.end()
         for name, splitter in self._splitters.items():
             remembered.set_state(f"workspace/{name}", splitter.saveState())
@@ -221,6 +222,7 @@ class Workspace(QWidget):
             state = remembered.state(f"workspace/{name}")
             if state is not None:
                 splitter.restoreState(state)
+        self._eyes_room.moved = bool(remembered.text("workspace/eyes moved"))
         self.timeline.area.controls.restore(remembered)
 
 

@@ -22,6 +22,7 @@ from app.views.reviewing.review_search import ReviewSearch
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
 from tracking.review import Suspicion, SuspicionKey
+from tracking.session import Session
 from tracking.tracks import Labels, Run, TrackTable
 
 
@@ -52,7 +53,7 @@ class Reviewing(QObject):
         self._panel = panel
         document.correcting.suspected = lambda: self.queue.current
         self._search = ReviewSearch(self._subject, recording, self)
-        self._looked_at: tuple[object, ...] = ()
+        self._looked_at: tuple[Session | None, int, int | None] = None, 0, None
         self._labels: Labels | None = None
         self._meter: MeterWords | None = None
         self._marked: tuple[Suspicion, ...] | None = None
@@ -84,19 +85,22 @@ class Reviewing(QObject):
         """Follow the document: look again where its tracks are others, list what is left."""
         self._follow_fix()
         session = self._document.session
-        if session is None or self._document.is_live:
+        if session is None:
             self._search.stop()
             self._play_until = None
-            self._looked_at, self._labels = (), None
+            self._looked_at, self._labels = (None, 0, None), None
             self.queue.take((), Labels())
-        else:
+        elif not self._document.is_live:
             now = (session, session.tracks.revision, session.adopted_run)
-            first = not self._looked_at or self._looked_at[0] is not session
+            first = self._looked_at[0] is not session
+            anew = first or self._looked_at[2] != session.adopted_run
             if now != self._looked_at:
                 self._looked_at, self._problem = now, ""
                 if first:
                     self._meter = MeterWords(session.labels, session.history)
-                self._search.look(at_once=first)
+                if anew:
+                    self.queue.take((), session.labels)  # the same ids are other people
+                self._search.look(at_once=anew)
             if session.labels is not self._labels:
                 before, self._labels = self._labels, session.labels
                 self.queue.take_labels(session.labels)
@@ -288,25 +292,33 @@ class Reviewing(QObject):
     # what is shown
 
     @property
+    def _is_hidden(self) -> bool:
+        """What is left is of the session's tracks, and those of a tracker at work are shown."""
+        return self._document.is_live
+
+    @property
     def situation(self) -> dict[str, Any]:
         """What the commands of reviewing depend on."""
-        current = self.queue.current
+        current = None if self._is_hidden else self.queue.current
         return {
-            "suspicions": bool(self.queue.items),
+            "suspicions": bool(self.queue.items) and not self._is_hidden,
             "suspicion": current is not None,
             "fixable": current is not None and is_fixable(current),
             "watched": self.watching.stretch[1] > 0,
         }
 
     def _show(self) -> None:
-        if self._marked is not self.queue.open:
-            self._marked = self.queue.open
-            self._document.take_suspicions(self.queue.marks())
+        left = () if self._is_hidden else self.queue.open
+        if self._marked is not left:
+            self._marked = left
+            self._document.take_suspicions(self.queue.marks() if left else ())
         self._panel.show_scene(self._scene())
 
     def _scene(self) -> ReviewScene:
         current = self.queue.current
         title, text = self._empty_words()
+        if self._is_hidden:
+            return ReviewScene(order=self.queue.order, plays=self.plays, title=title, text=text)
         return ReviewScene(
             items=self.queue.items,
             current=self.queue.place,
@@ -330,7 +342,7 @@ class Reviewing(QObject):
 
     def _meter_text(self) -> str:
         session = self._document.session
-        if session is None or self._meter is None or self._document.is_live:
+        if session is None or self._meter is None:
             return ""
         done = self._meter.text(session.labels, session.history, self.watching.minutes)
         return "\n".join(line for line in (done, self._search.measures) if line)

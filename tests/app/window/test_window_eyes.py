@@ -2,6 +2,9 @@
 
 import pytest
 from correcting_desk import opened_desk
+from PySide6.QtCore import QSettings
+
+from app.views.widgets.remembered import Remembered
 
 
 @pytest.fixture
@@ -29,6 +32,33 @@ def test_one_eye_has_the_usual_room_again(space, window, qtbot):
     qtbot.waitUntil(lambda: space.left.width() > fitted + 50)
     window.run_command("view.both")
     qtbot.waitUntil(lambda: abs(space.left.width() - fitted) < 2)
+
+
+def _moved(window, qtbot, path):
+    opened_desk(window, qtbot, path)
+    window.workspace._splitters["top"].moveSplitter(500, 1)
+    return window.workspace._splitters["top"].sizes()
+
+
+def test_a_border_the_user_moved_stays_as_another_recording_is_opened(
+    space, window, qtbot, tiny_session
+):
+    sizes = _moved(window, qtbot, tiny_session)
+    window.files.close_recording()
+    opened_desk(window, qtbot, tiny_session)
+    assert space._splitters["top"].sizes() == sizes
+
+
+def test_a_border_the_user_moved_is_there_at_the_next_start(
+    space, window, qtbot, tiny_session, tmp_path
+):
+    sizes = _moved(window, qtbot, tiny_session)
+    remembered = Remembered(QSettings(str(tmp_path / "kept.ini"), QSettings.Format.IniFormat))
+    space.remember(remembered)
+    space._splitters["top"].setSizes([900, 100, 200])
+    space.restore(remembered)
+    space.show_eyes("both", 4 / 3, stereo=True)
+    assert space._splitters["top"].sizes() == sizes
 
 
 def test_a_border_the_user_moved_stays_where_it_is(space, window, qtbot):

@@ -290,3 +290,19 @@ def test_whoever_looks_away_from_a_further_run_reads_what_made_the_tracks_in_vie
     assert (desk.tracking.state.name, desk.tracking.state.status) == (made_by, "tracked")
     assert desk.document.show_live(on=True)
     assert (desk.tracking.state.name, desk.tracking.state.status) == ("three-part", "live")
+
+
+def test_the_review_goes_on_where_it_was_once_the_new_run_was_looked_at(followed, qtbot):
+    desk, queue = followed, followed.reviewing.queue
+    desk.playback.go(40)
+    qtbot.waitUntil(lambda: bool(queue.items))
+    assert desk.reviewing.situation["suspicions"]
+    desk.reviewing.narrow(queue.kinds()[0].kind)
+    kind, items, meter = queue.kind, queue.items, desk.reviewing._meter
+    desk.tracking.following.begin()
+    assert not desk.reviewing.situation["suspicions"]
+    assert desk.reviewing._scene().items == ()
+    desk.playback.go(40)
+    assert (queue.kind, queue.items) == (kind, items)
+    assert desk.reviewing._meter is meter
+    assert not desk.reviewing._search.busy
