@@ -21,6 +21,8 @@ _FEW = 8
 """Up to so many new tracks have their colours at once."""
 _QUICK_ROWS, _QUICK_TRACKS, _QUICK_PAIRS = 50_000, 100, 20_000
 """Up to here a session's colours are made within the time of one picture on the screen."""
+_WHILE_OPENING = 40
+"""So many times as much is no wait while a session is being opened, which another thread does."""
 
 Frames = NDArray[np.int32]
 
@@ -50,13 +52,13 @@ class OwnColours:
         self._of: tuple[Session | None, int | None] = None, None
         self._previewed: tuple[Change | None, TrackColours] = None, self.now
 
-    def take(self, session: Session) -> None:
+    def take(self, session: Session, opening: bool = False) -> None:
         """Give a session's tracks colours, unless they have them; many have theirs later."""
         if (session, session.adopted_run) == self._of:
             return
         self._of = session, session.adopted_run
         table, run = session.tracks.snapshot(), session.corrected_run
-        if _is_quick(table, run):
+        if _is_quick(table, run, _WHILE_OPENING if opening else 1):
             self.now, self.due = TrackColours.of_session(table, run), None
         else:
             self.due = ColoursDue(lambda: TrackColours.of_session(table, run))
@@ -106,13 +108,13 @@ class OwnColours:
             self.due = None
 
 
-def _is_quick(table: TrackTable, run: Run | None) -> bool:
+def _is_quick(table: TrackTable, run: Run | None, patience: int) -> bool:
     rows = [table.columns() if run is None else run.tracks]
-    if run is not None and len(table) <= _QUICK_ROWS:
+    if run is not None and len(table) <= patience * _QUICK_ROWS:
         rows.append(table.columns())
-    few = max(len(table), len(rows[0]["frame"])) <= _QUICK_ROWS
-    few = few and len(np.unique(rows[0]["track"])) <= _QUICK_TRACKS
-    return few and max(map(pairs_in, rows)) <= _QUICK_PAIRS
+    few = max(len(table), len(rows[0]["frame"])) <= patience * _QUICK_ROWS
+    few = few and len(np.unique(rows[0]["track"])) <= patience * _QUICK_TRACKS
+    return few and max(map(pairs_in, rows)) <= patience * _QUICK_PAIRS
 
 
 def _give(

@@ -38,7 +38,7 @@ class Showing:
         self.tracks: WholeTracks = self._chosen()
         self.own, self._live_colours = OwnColours(), TrackColours()
         if session is not None:
-            self.own.take(session)
+            self.own.take(session, opening=True)
 
     @property
     def colours(self) -> TrackColours:

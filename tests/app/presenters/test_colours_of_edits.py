@@ -45,7 +45,10 @@ def document(recording, tiny_run, tmp_path):
 
 def test_a_crowd_has_its_colours_later_however_short_it_is_there(recording, tiny_run, tmp_path):
     crowd = dict.fromkeys(range(1, 31), (0, 80))
-    document = _document(recording, tiny_run, crowd, tmp_path / "crowd.h5")
+    opened = _document(recording, tiny_run, crowd, tmp_path / "crowd.h5")
+    assert opened.colours_due is None  # another thread opens it
+    document = Document(recording)
+    document.take_session(opened.session)
     due = document.colours_due
     document.session.close()
     assert due is not None
