@@ -98,7 +98,7 @@ class RunList:
         common, share_text = self._common, ""
         if scored and common is not None:
             share_text = tr("Score all rows over frames {frames}", frames=_range_text(common))
-        over = self._over_text(common) if scored else ""
+        over = self._over_text(common)
         return RunsScene(tuple(rows), scored, can_drop, share_text, over, self._proposed)
 
     @property
@@ -108,7 +108,14 @@ class RunList:
         return max(others or numbers, default=CORRECTED)
 
     def _over_text(self, common: Range | None) -> str:
-        """Which frames the figures are about, where rows differ in theirs."""
+        """Of which truth the figures are, and which frames, where rows differ in theirs."""
+        truth = self._recording.truth_path
+        if truth is None:
+            return ""
+        against = tr("Scored against {name} beside the recording.", name=truth.name)
+        return f"{against} {self._frames_text(common)}".rstrip()
+
+    def _frames_text(self, common: Range | None) -> str:
         if not self._frames_differ:
             return ""
         if common is not None and self.shared:

@@ -196,7 +196,6 @@ class RangesList(QWidget):
 def _short_list(parent: QWidget) -> QListWidget:
     """A list of a few lines, that scrolls."""
     made = QListWidget(parent)
-    made.setProperty("rows", True)
     made.setUniformItemSizes(True)
     made.setMaximumHeight(_ROWS * (made.fontMetrics().height() + 10))
     made.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

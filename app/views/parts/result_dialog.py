@@ -72,7 +72,7 @@ class ResultDialog(QDialog):
         rows.setSpacing(10)
         across = QHBoxLayout()
         across.setSpacing(24)
-        across.addWidget(self.plot, 1)
+        across.addWidget(self.plot, 2)
         across.addLayout(self._figures_column())
         rows.addLayout(across, 3)
         title = heading(self.tr("Most informative mistakes: click one to go there"), self)
@@ -111,7 +111,7 @@ class ResultDialog(QDialog):
     def _steps(self) -> QHBoxLayout:
         """Buttons for what dragging and the arrow keys do, too."""
         line = QHBoxLayout()
-        for text, way in ((self.tr("fewer false alarms"), -1), (self.tr("find more"), 1)):
+        for text, way in ((self.tr("Fewer false alarms"), -1), (self.tr("Find more failures"), 1)):
             button = QPushButton(text, self)
             button.setAutoDefault(False)
             button.clicked.connect(
@@ -132,7 +132,7 @@ class ResultDialog(QDialog):
             self.tr("failures found"),
             self.tr("missed"),
             self.tr("false alarms"),
-            self.tr("rightly passed"),
+            self.tr("rightly left alone"),
             self.tr("area under curve"),
         )
         for column, title in enumerate(titles):

@@ -62,7 +62,7 @@ class RocPlot(QWidget):
     def _area(self) -> QRectF:
         line = QFontMetricsF(scaled_font(self.font(), _SMALL)).height()
         letters = QFontMetricsF(self.font()).averageCharWidth()
-        return QRectF(self.rect()).adjusted(7 * letters, 1.5 * line, -3 * letters, -2.6 * line)
+        return QRectF(self.rect()).adjusted(9 * letters, 1.7 * line, -4 * letters, -3.2 * line)
 
     def _at(self, alarms: float, found: float) -> QPointF:
         area = self._area()
@@ -101,11 +101,11 @@ class RocPlot(QWidget):
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
             painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
             painter.setPen(theme.text_muted)
-            below = QRectF(x - 40, area.bottom() + 2, 80, line)
+            below = QRectF(x - 40, area.bottom() + 0.6 * line, 80, line)
             painter.drawText(below, flags.AlignHCenter, f"{100 * share * self._most:.3g} %")
             beside = QRectF(0, y - line / 2, area.left() - 6, line)
             painter.drawText(beside, flags.AlignRight | flags.AlignVCenter, f"{100 * share:.0f} %")
-        title = QRectF(area.left(), area.bottom() + 1.2 * line, area.width(), 1.3 * line)
+        title = QRectF(area.left(), area.bottom() + 1.7 * line, area.width(), 1.3 * line)
         painter.setPen(theme.text)
         painter.drawText(title, flags.AlignCenter, self.tr("false alarms"))
         above = QRectF(area.left(), area.top() - 1.4 * line, area.width(), 1.2 * line)

@@ -27,6 +27,7 @@ from app.views.widgets.parts import quiet
 
 _FIGURES = 3
 """Columns that only a truth fills, the last ones."""
+_MOST_ROWS = 10  # that are seen without scrolling
 _NUMBERS = _FIGURES + 1
 """Columns that hold numbers, the last ones."""
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -170,6 +171,7 @@ class RunsDialog(QDialog):
                 if column >= self._table.columnCount() - _NUMBERS:
                     item.setTextAlignment(_RIGHT)
                 self._table.setItem(row, column, item)
+        self._table.setMinimumHeight(self._height_of(min(len(scene.rows), _MOST_ROWS)))
         for column in range(self._table.columnCount() - _FIGURES, self._table.columnCount()):
             self._table.setColumnHidden(column, not scene.scored)
         self._drop.setVisible(scene.can_drop)
@@ -178,6 +180,15 @@ class RunsDialog(QDialog):
             widget.setVisible(bool(text))
         self.choose(*(chosen or ([scene.proposed] if scene.proposed != CORRECTED else [])))
         self._enable()
+
+    def _height_of(self, rows: int) -> int:
+        """So many rows, and the headings above, without a scroll bar."""
+        head, frame = self._table.horizontalHeader(), 2 * self._table.frameWidth()
+        return (
+            head.sizeHint().height()
+            + rows * self._table.verticalHeader().defaultSectionSize()
+            + frame
+        )
 
     def _enable(self) -> None:
         """What can be compared: one run with the corrected tracks, or two of the rows."""

@@ -35,6 +35,19 @@ def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tin
     assert (desk.document.comparison.base, desk.document.comparison.run) == (0, 1)
 
 
+def test_no_run_is_cut_off_and_the_truth_of_the_scores_is_named(window, desk, qtbot, tiny_run):
+    for seed in range(7, 11):
+        desk.document.session.add_run(replace(tiny_run, seed=seed), adopt=False)
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    qtbot.waitExposed(dialog)
+    assert dialog._table.rowCount() == 6
+    assert not dialog._table.verticalScrollBar().isVisible()
+    last = dialog._table.visualItemRect(dialog._table.item(5, 0))
+    assert dialog._table.viewport().rect().contains(last)
+    assert "truth.txt beside the recording" in dialog._over.text()
+
+
 def _late_part(run):
     late = run.tracks["frame"] >= 40
     rows = {name: column[late] for name, column in run.tracks.items()}

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from PySide6.QtGui import QFontMetricsF
 
 from app.presenters.parts.part_curve import PartCurve
 from app.presenters.parts.parts_scene import CurvesScene
 from app.presenters.parts.taught import Source
 from app.presenters.parts.training_result import MistakeItem
+from app.views.look.theme import scaled_font
 from app.views.parts.curves_plot import CurvesPlot
 from app.views.parts.mistakes import MistakesList
+from app.views.parts.roc import RocPlot
 from app.views.timeline.axis import TimeAxis
 from tracking.failure import Mistake
 from tracking.failure.samples import samples_from_rows
@@ -90,3 +93,12 @@ def test_why_pictures_are_missing_is_told(qtbot, cutting):
         mistakes.show_items([_mistake(1)])
     assert str(told.args[0]) == "no picture"
     qtbot.waitUntil(lambda: mistakes._job is None)
+
+
+def test_figures_beside_the_plot_of_a_training_touch_neither_its_frame_nor_each_other(qtbot, dark):
+    plot = RocPlot()
+    qtbot.addWidget(plot)
+    plot.resize(360, 560)
+    metrics = QFontMetricsF(scaled_font(plot.font(), 0.88))
+    area = plot._area()
+    assert area.left() - 6 - metrics.horizontalAdvance("100 %") > 4
