@@ -12,7 +12,7 @@ import io
 import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import cv2
 import numpy as np
@@ -27,6 +27,25 @@ RENDERING = ("geometry/**/*.py", "synthesis/**/*.py")
 """Rooms that clips are rendered with."""
 
 Tables = Mapping[str, Columns]
+
+
+class Named(Protocol):
+    """What is done to a clip; its `repr` says all of it."""
+
+    @property
+    def name(self) -> str:
+        """In tables, and of folders."""
+
+
+def beside(folder: Path, done: Named, source: Path) -> Path:
+    """Where a clip is kept that is made of another one, by what is done to it and by which code.
+
+    Args:
+        folder: of the other one. source: the module that does it.
+    """
+    said = hashlib.sha256(repr(done).encode() + source.read_bytes()).hexdigest()[:8]
+    name = done.name.replace(" ", "-").replace(",", "")
+    return folder.with_name(f"{folder.name}-{name}-{said}")
 
 
 def path_of(folder: Path, *said: str) -> Path:

@@ -10,6 +10,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from tests.benchmarks.kept import beside
 from tracking.recording import open_recording
 from tracking.recording.frame import Image
 from tracking.synthesis.video import VideoWriter
@@ -72,8 +73,7 @@ DISTURBANCES = (
 
 def disturbed(folder: Path, disturbance: Disturbance) -> Path:
     """A rendered recording as it is seen with a disturbance, made once, beside it."""
-    said = disturbance.name.replace(" ", "-").replace(",", "")
-    made = folder.with_name(f"{folder.name}-{said}")
+    made = beside(folder, disturbance, Path(__file__))
     if made.is_dir():
         return made
     with tempfile.TemporaryDirectory(dir=folder.parent) as part:

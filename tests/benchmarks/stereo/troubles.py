@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from tests.benchmarks.kept import beside
 from tracking.recording import Recording, open_recording
 from tracking.recording.frame import Image
 from tracking.synthesis.video import VideoWriter
@@ -64,7 +65,7 @@ TROUBLES = (
 
 def troubled(folder: Path, trouble: Trouble) -> Path:
     """A copy of a rendered recording whose right eye is troubled, made once, beside it."""
-    made = folder.with_name(f"{folder.name}-{trouble.name.replace(' ', '-')}")
+    made = beside(folder, trouble, Path(__file__))
     if made.is_dir():
         return made
     with tempfile.TemporaryDirectory(dir=folder.parent) as part:
