@@ -26,11 +26,6 @@ from tracking.tracks import Run
 BYTES_A_FRAME = 64 << 10
 """Of a session and what is put aside while it is made, with ten people all the time."""
 
-_NOBODY = (
-    "note: nobody was found; what stands still for half of the footage is taken for background: "
-    "track more of it, or look at the foreground in the window"
-)
-
 
 def run_track(
     path: Path | None, bare: Bare, out: Path, order: Order, *, force: bool, as_json: bool
@@ -53,8 +48,17 @@ def run_track(
         tracks = "1 track" if people == 1 else f"{people} tracks"
         say(f"{run.tracker}: {tracks}, {rate:.1f} frames a second")
         if not people:
-            say(_NOBODY)
+            say(_nobody(run.tracker))
         print(out)
+
+
+def _nobody(tracker: str) -> str:
+    """Why a tracker may have found nobody; two eyes tell which of two lasting looks is farther."""
+    much = "nearly all" if tracker_named(tracker).needs_stereo else "half"
+    return (
+        f"note: nobody was found; what stands still for {much} of the footage is taken for "
+        "background: track more of it, or look at the foreground in the window"
+    )
 
 
 def tracked(recording: Recording, order: Order, spool: Path) -> Run:

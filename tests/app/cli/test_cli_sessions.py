@@ -50,6 +50,18 @@ def test_track_notes_where_the_recording_is_outside_the_sessions_folder(
     assert notes[1] == []
 
 
+@pytest.mark.parametrize(
+    ("tracker", "much"), [("stereo-direction", "nearly all"), ("spheroid", "half")]
+)
+def test_who_finds_nobody_is_told_what_is_taken_for_background(
+    trackwright: Trackwright, recording: Path, tmp_path: Path, tracker: str, much: str
+) -> None:
+    words = ("-o", tmp_path / "s.h5", "--tracker", tracker, "--frames", "0:1")
+    status, _, err = trackwright("track", recording, *words)
+    assert status == 0
+    assert f"nobody was found; what stands still for {much} of the footage is taken" in err
+
+
 def test_the_same_seed_tracks_the_same(
     trackwright: Trackwright, footage: Path, made: Path, tmp_path: Path
 ) -> None:
