@@ -14,8 +14,11 @@ from tracking.foreground.one_light import in_one_light
 
 _SAME_WITHIN = 20
 _MOST_PICTURES = 25
-_LASTING, _LASTING_SPREAD = 3, 0.75
-"""Pictures that must share another look, and by how much they may differ, of `_SAME_WITHIN`."""
+_LASTING = 3
+"""Pictures that must share another look: two people who pass may look alike by chance."""
+_LASTING_SPREAD = 0.75
+"""How far two of them may be from the third, together, in times of `_SAME_WITHIN`: as noise, and
+light that was not quite taken out, make it. Clothes that are not the same mostly differ by more."""
 
 Picture = NDArray[np.uint8]
 
@@ -47,16 +50,16 @@ def commonest_look(pictures: Sequence[Picture]) -> tuple[Picture, NDArray[np.flo
         picture: (height, width, 3) uint8.
         deviation: (height, width) float32, mean difference of the values close to it.
     """
-    _, _, best, unlike = _compared(pictures)
-    return best, _deviation(unlike)
+    _, _, best, distances = _compared(pictures)
+    return best, _deviation(distances)
 
 
 def commonest_looks(
     pictures: Sequence[Picture],
 ) -> tuple[Picture, NDArray[np.float32], OtherLook]:
     """As `commonest_look`, and what is commonest among the pictures that look otherwise."""
-    smooth, costs, best, unlike = _compared(pictures)
-    return best, _deviation(unlike), _other_look(best, smooth, costs, unlike)
+    smooth, costs, best, distances = _compared(pictures)
+    return best, _deviation(distances), _other_look(best, smooth, costs, distances)
 
 
 def _compared(
