@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-import ast
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from tests.benchmarks import pages, results
-from tests.benchmarks.__main__ import GROUPS, MODULES
 from tests.benchmarks.results import Contents
 from tests.benchmarks.telling import table, unit_of
-
-GIVEN = ("dict[str, float]", "dict[str, float | None]")
-"""What functions give that measure."""
 
 
 @pytest.fixture
@@ -84,55 +78,9 @@ def test_the_name_of_a_figure_tells_its_unit(name: str, unit: str) -> None:
     assert unit_of(name) == unit
 
 
-def _figures_of(group: str) -> set[str]:
-    """Names of a group's figures as its module spells them, without parts that are filled in."""
-    module = MODULES.get(group, group).replace(".", "/")
-    text = (Path(__file__).parent / f"{module}.py").read_text()
-    functions = [
-        node
-        for node in ast.walk(ast.parse(text))
-        if isinstance(node, ast.FunctionDef)
-        and ast.unparse(node.returns or ast.Constant(0)) in GIVEN
-    ]
-    names: set[str] = set()
-    for node in (node for function in functions for node in ast.walk(function)):
-        if isinstance(node, ast.Return) or _sets_figures(node):
-            names |= {_spelt(key) for key in _keys(node)}
-    return {name for name in names if name.strip("_")}
-
-
-def _sets_figures(node: ast.AST) -> bool:
-    if not isinstance(node, ast.Assign | ast.AnnAssign | ast.AugAssign):
-        return False
-    target = node.targets[0] if isinstance(node, ast.Assign) else node.target
-    return ast.unparse(target).startswith("figures")
-
-
-def _keys(node: ast.AST) -> Iterator[ast.expr | None]:
-    for part in ast.walk(node):
-        if isinstance(part, ast.Dict):
-            yield from part.keys
-        elif isinstance(part, ast.DictComp):
-            yield part.key
-        elif isinstance(part, ast.Subscript) and isinstance(part.ctx, ast.Store):
-            yield part.slice
-
-
-def _spelt(key: ast.expr | None) -> str:
-    parts = key.values if isinstance(key, ast.JoinedStr) else [key]
-    return "".join(str(p.value) if isinstance(p, ast.Constant) else "" for p in parts if p)
-
-
-@pytest.mark.parametrize("group", GROUPS)
-def test_every_figure_of_a_group_has_a_unit(group: str) -> None:
-    names = _figures_of(group)
-    assert names
-    assert all(unit_of(name) for name in names)
-
-
 def test_a_figure_whose_name_tells_no_unit_is_refused() -> None:
     with pytest.raises(ValueError, match="tells no unit"):
-        unit_of("gap_max")
+        table("gaps", "How long they are.", {"gap_ms": 2.0, "gap_max": 3.0})
 
 
 def test_a_table_tells_what_is_measured_and_in_which_units() -> None:
