@@ -8,11 +8,12 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from app.presenters.labelling.labelling_scene import PART_COLOURS
 from app.presenters.parts.part_curve import THRESHOLD, LaneScore
 from app.presenters.parts.picturing import part_name
-from app.views.look.theme import Theme, faded, scaled_font
+from app.views.look.theme import Theme, contrast, faded, scaled_font
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.curves import curve_path, score_span, stretches
 from app.views.timeline.strips import covered, draw_strip, opacity
 
+_READABLE = 4.0
 _SMALL, _LEAST_NAME, _GAP_PX = 0.84, 0.7, 4.0
 
 
@@ -36,7 +37,7 @@ def draw_score(
     painter.drawLine(QLineF(left, y, max(left, right), y))
     path = curve_path(curve.frames, curve.score, axis, place, span)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    for colour, width in ((_casing(theme), 3.4), (theme.track(PART_COLOURS[score.part]), 1.6)):
+    for colour, width in ((_casing(theme), 3.4), (_ink(theme, score.part), 1.6)):
         painter.setPen(QPen(colour, width))
         painter.drawPath(path)
     _draw_name(painter, score.part, left, place, theme)
@@ -53,9 +54,17 @@ def _draw_name(painter: QPainter, part: int, left: float, place: QRectF, theme: 
         at = before if before >= place.left() else max(left, place.left()) + 2
         plate = QRectF(at, place.top(), width, place.height())
         painter.fillRect(plate, _casing(theme))
-        painter.setPen(theme.track(PART_COLOURS[part]))
+        painter.setPen(_ink(theme, part))
         painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, part_name(part))
     painter.setFont(font)
+
+
+def _ink(theme: Theme, part: int) -> QColor:
+    """The part's colour, so dark (on a light ground) that thin lines and letters are read."""
+    colour = theme.track(PART_COLOURS[part])
+    while not theme.is_dark and contrast(colour, theme.sunken) < _READABLE:
+        colour = colour.darker(110)
+    return colour
 
 
 def _casing(theme: Theme) -> QColor:

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 _BEGIN_TYPING = frozenset({"tracks.rename", "tracks.attributes", "tracks.notes"})
 """Commands after which text is typed."""
+_LEAVE = "tracks.none"
 
 
 class RefusalNotice:
@@ -21,14 +22,21 @@ class RefusalNotice:
     def __init__(self, window: MainWindow, guard: TypingGuard) -> None:
         self._window, self._notice, self._guard = window, window.notice, guard
         self._refused = ""
+        self._passing = "", ""
         self._told_after: tuple[object, ...] = ()
         self._notice.spoken.connect(self._note_edits)
 
     def refuse(self, item: CommandItem) -> None:
-        """Say why a command cannot be done; text typed after it must run no other ones."""
+        """Say why a command cannot be done; text typed after it must run no other ones.
+
+        Esc where there is nothing to leave is what many press to be sure: nothing is said of it.
+        """
+        if item.command == _LEAVE:
+            return
         said = tr("{title}: {why}", title=item.title.rstrip("."), why=item.why_not)
         if item.command not in _BEGIN_TYPING:
             self._window.say(said)
+            self._passing = item.command, said
             return
         self._guard.hold()
         said = tr("{said}. What is typed now is not taken.", said=unstopped(said))
@@ -37,8 +45,21 @@ class RefusalNotice:
 
     def settle(self) -> None:
         """Take back what was told where something was edited since, or may be typed by now."""
+        self._settle_passing()
         if self._edits() != self._told_after or self._may_type_now:
             self._notice.settle()
+
+    def _settle_passing(self) -> None:
+        """Take the passing word back once its command can be done."""
+        command, said = self._passing
+        if not said:
+            return
+        line = self._window.statusBar()
+        if line.currentMessage() != said:
+            self._passing = "", ""
+        elif any(one.enabled for one in self._window.command_items() if one.command == command):
+            self._passing = "", ""
+            line.clearMessage()
 
     def _note_edits(self) -> None:
         self._told_after = self._edits()

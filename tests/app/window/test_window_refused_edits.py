@@ -80,3 +80,18 @@ def test_an_entry_of_a_menu_that_cannot_be_chosen_says_why_beside_it(window, des
     menu.close()
     assert told == [entries["play.follow"].statusTip(), ""]
     assert "no tracker is at work" in told[0]
+
+
+def test_why_not_is_no_longer_said_once_it_can_be_done(window, desk):
+    window.run_command("tracks.split")
+    line = window.statusBar()
+    assert "Split" in line.currentMessage()
+    desk.editing.pick(_track(desk))
+    window.bring_up_to_date()
+    assert line.currentMessage() == ""
+
+
+def test_nothing_is_said_of_leaving_where_there_is_nothing_to_leave(window, desk):
+    assert not desk.document.selection
+    window.run_command("tracks.none")
+    assert window.statusBar().currentMessage() == ""

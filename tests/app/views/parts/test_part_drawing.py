@@ -15,13 +15,13 @@ from PySide6.QtGui import QImage, QPainter
 from app.presenters.parts.part_curve import LaneScore, PartCurve
 from app.presenters.parts.parts_scene import CardLine, PartBox, PartCard, PicturedParts, Verdict
 from app.presenters.scenes import Eye
-from app.views.look.theme import current_theme
+from app.views.look.theme import contrast, current_theme
 from app.views.pictures import marks
 from app.views.pictures import picture as picture_view
 from app.views.pictures.picture import PictureView
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.curves import whole_span
-from app.views.timeline.lane_score import draw_score
+from app.views.timeline.lane_score import _ink, draw_score
 
 FIRST, LAST = 40, 59
 PURPLE = (110, 70, 180)
@@ -117,3 +117,8 @@ def test_the_threshold_of_a_lane_runs_only_where_the_person_was_tracked(dark):
     assert dashes.max() <= axis.x_of(LAST + 1) + 1
     words = pixels(image)[:, : int(axis.x_of(FIRST)) - 2].any()
     assert words  # which part it is, before its curve
+
+
+@pytest.mark.parametrize("part", [0, 1, 2])
+def test_a_score_over_a_lane_is_read_in_both_looks(theme, part):
+    assert contrast(_ink(theme, part), theme.sunken) >= 3.9
