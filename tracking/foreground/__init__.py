@@ -4,6 +4,7 @@ from tracking.foreground.background import BackgroundModel, Subtraction
 from tracking.foreground.camera_watch import CameraWatch
 from tracking.foreground.first_look import OtherLook
 from tracking.foreground.look import in_size
+from tracking.foreground.marks import Marks
 from tracking.foreground.plain_look import without_spots
 from tracking.foreground.ramp import RampSettings, ramp
 from tracking.foreground.settings import ForegroundSettings
@@ -16,6 +17,7 @@ __all__ = [
     "BackgroundModel",
     "CameraWatch",
     "ForegroundSettings",
+    "Marks",
     "OtherLook",
     "RampSettings",
     "ShadeColour",

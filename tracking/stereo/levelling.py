@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.foreground.marks import Marks
+from tracking.foreground import Marks
 
 Grey = NDArray[np.uint8]
 Floats = NDArray[np.float32]
