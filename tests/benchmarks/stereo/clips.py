@@ -70,7 +70,7 @@ def _clips_needed(scene: str) -> int:
 
 
 REPORTED = _clips(6101, {scene: _clips_needed(scene) for scene in SCENES_MEASURED})
-"""Nothing was chosen on these."""
+"""No setting is chosen on these, but each change is measured on them: fresh ones tell more."""
 
 TUNED = _clips(6001, dict.fromkeys(SCENES_MEASURED, 1))
 """For choosing settings; never reported."""
