@@ -111,7 +111,7 @@ class Workspace(QWidget):
     def _scrolled_panels(self) -> QScrollArea:
         """On a low screen the panels scroll, so that they never make the window too high for it."""
         side = self._split(
-            "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (12, 4, 3)
+            "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (11, 6, 3)
         )
         panels = QScrollArea(self)
         panels.setWidget(side)

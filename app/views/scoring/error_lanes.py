@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFontMetricsF, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QFont, QFontMetricsF, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from app.presenters.scoring.score_scene import ErrorLane, ErrorLanes
@@ -18,6 +18,7 @@ from app.views.widgets.still_picture import StillPicture
 from tracking.scoring import ErrorKind
 
 _SMALL, _PAD_PX = 0.86, 3
+_LEAST_SIZE = 0.7  # of the usual one, for a name that has little room
 _REACH_PX = 5.0  # of the mouse
 _APART_PX = 5.0
 _FAINTEST = 0.45
@@ -137,11 +138,12 @@ class ErrorLanesView(QWidget):
         number = str(lane.count)
         painter.drawText(room, side.AlignRight | side.AlignVCenter, number)
         room.setRight(room.right() - painter.fontMetrics().horizontalAdvance(number) - 4)
-        name = painter.fontMetrics().elidedText(
-            lane.name, Qt.TextElideMode.ElideRight, round(room.width())
-        )
+        font, name = painter.font(), lane.name
+        painter.setFont(_fitting(font, name, room.width()))
+        name = painter.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, room.width())
         painter.setPen(theme.text)
         painter.drawText(room, side.AlignLeft | side.AlignVCenter, name)
+        painter.setFont(font)
 
     # what is where
 
@@ -230,3 +232,9 @@ def _places(frames: NDArray[np.int64], axis: TimeAxis) -> list[float]:
     _, first = np.unique(xs // _APART_PX, return_index=True)
     places: list[float] = xs[first].tolist()
     return places
+
+
+def _fitting(font: QFont, text: str, room: float) -> QFont:
+    """The font, smaller where that lets a text have room."""
+    share = room / max(QFontMetricsF(font).horizontalAdvance(text), 1)
+    return font if share >= 1 else scaled_font(font, max(0.93 * share, _LEAST_SIZE))

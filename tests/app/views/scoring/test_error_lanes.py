@@ -5,11 +5,12 @@ from time import perf_counter
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QFont, QFontMetricsF
 from PySide6.QtTest import QTest
 
 from app.presenters.scoring.events import ErrorEvents
 from app.presenters.scoring.score_scene import ErrorLane, ErrorLanes
-from app.views.scoring.error_lanes import ErrorLanesView
+from app.views.scoring.error_lanes import ErrorLanesView, _fitting
 from app.views.scoring.error_signs import error_colour
 from app.views.timeline.axis import TimeAxis
 from tracking.scoring import ErrorKind
@@ -112,3 +113,12 @@ def test_ten_thousand_stretches_are_drawn_in_a_moment(qtbot, dark):
     widget.show_axis(TimeAxis(100.0, 800.0, 5.0, 1.9 * FRAMES, 2 * FRAMES))
     widget.grab()
     assert perf_counter() - began_s < 0.1
+
+
+@pytest.mark.usefixtures("qtbot")
+def test_a_long_name_of_a_lane_is_written_smaller_before_it_is_cut():
+    font = QFont()
+    room = 0.8 * QFontMetricsF(font).horizontalAdvance("Fragmentations")
+    small = QFontMetricsF(_fitting(font, "Fragmentations", room))
+    assert small.horizontalAdvance("Fragmentations") <= room
+    assert _fitting(font, "Misses", room) == font
