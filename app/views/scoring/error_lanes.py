@@ -140,7 +140,9 @@ class ErrorLanesView(QWidget):
         room.setRight(room.right() - painter.fontMetrics().horizontalAdvance(number) - 4)
         font, name = painter.font(), lane.name
         painter.setFont(_fitting(font, name, room.width()))
-        name = painter.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, room.width())
+        name = painter.fontMetrics().elidedText(
+            name, Qt.TextElideMode.ElideRight, int(room.width())
+        )
         painter.setPen(theme.text)
         painter.drawText(room, side.AlignLeft | side.AlignVCenter, name)
         painter.setFont(font)
