@@ -79,6 +79,17 @@ def test_somebody_nearer_hides_a_side_and_somebody_farther_does_not() -> None:
     assert not truncated.any()
 
 
+def test_somebody_nearer_who_stands_beside_with_a_gap_between_hides_nothing() -> None:
+    labels = np.zeros((40, 60), np.uint8)
+    leaning = np.arange(10, 30)
+    for row in leaning:
+        labels[row, row : row + 10] = 1
+        labels[row, row + 13 : row + 22] = 2
+    sight = np.array([[0, 6], [0, 4]], np.float32)
+    sides, _ = hidden_sides(labels, region_boxes(labels, 2), sight)
+    assert not sides.any()
+
+
 def test_the_pictures_edge_hides_a_side() -> None:
     labels = np.zeros((40, 60), np.uint8)
     labels[0:20, 50:60] = 1

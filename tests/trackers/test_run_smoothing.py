@@ -106,6 +106,40 @@ def test_a_clean_track_stays_as_it_is():
     assert boxes(found) == pytest.approx(boxes(run), abs=1.5)
 
 
+def swinging(rows: Mapping[str, NDArray], px: float) -> dict[str, NDArray]:
+    """The same person, whose arm reaches out to the right twice a second."""
+    rows = {name: column.copy() for name, column in rows.items()}
+    rows["width"] += (px * np.sin(2 * np.pi * 2 * np.arange(FRAMES) / FPS) ** 2).astype(np.float32)
+    return rows
+
+
+def detections_of(*people: Mapping[str, NDArray]) -> dict[str, NDArray]:
+    rows = {
+        name: np.concatenate([one.get(name, np.zeros(FRAMES)) for one in people]).astype(dtype)
+        for name, dtype in DETECTION_COLUMNS.items()
+    }
+    order = np.argsort(rows["frame"], kind="stable")
+    return {name: column[order] for name, column in rows.items()}
+
+
+def test_limbs_are_followed_where_nobody_else_is_near():
+    person = swinging(walk(), 12.0)
+    found = smoothed(run_of(person, detections=detections_of(person)), VIEW, FPS)
+    assert boxes(found)[10:-10] == pytest.approx(boxes(run_of(person))[10:-10], abs=2.0)
+
+
+def test_sides_beside_somebody_else_are_drawn_to_the_outline():
+    person, other = swinging(walk(), 12.0), walk((-0.7, 6.0), track=2)
+    run = run_of(person, other, detections=detections_of(person, other))
+    found = smoothed(run, VIEW, FPS)
+    own = found.tracks["track"] == 1
+    before, after = (
+        (each.tracks["left"] + each.tracks["width"] - 80 * each.tracks["x"])[own]
+        for each in (run, found)
+    )
+    assert np.diff(after)[10:-10].std() < 0.8 * np.diff(before)[10:-10].std()
+
+
 def test_a_body_that_leans_ever_differently_under_a_ceiling_camera_keeps_its_boxes():
     run = run_of(walk((-1.5, 1.0), seen_by=CEILING))
     found = smoothed(run, CEILING, FPS)

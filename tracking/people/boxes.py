@@ -10,12 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Rectification, View
+from tracking.people.runs import Runs
 
 Boxes = NDArray[np.float64]
 GridBox = tuple[int, int, int, int]
 
 _COVERED = 0.3
 """Share of a side along which somebody nearer must stand to hide what is behind."""
+_TOUCHING = 1
+"""Regions so close in a row of the grid touch there."""
 _BESIDE_PLACES = 4
 """How far beside a region things that hide the rest of it are looked for: edges range badly."""
 _EDGE_PLACES = 1
@@ -79,16 +82,47 @@ def hidden_sides(
             bottom >= rows - _EDGE_PLACES,
         )
     )
-    # With nobody all round the picture, no side lies outside.
-    padded = np.asarray(cv2.copyMakeBorder(labels, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=(0.0,)))
-    row = columns + 2
-    corner = (top + 1) * row + left + 1
-    first = np.concatenate((corner - 1, corner - row, corner + width, corner + height * row))
-    count = np.concatenate((height, width, height, width))
-    side, place = _along(first, np.repeat((row, 1, row, 1), len(boxes)), count)
-    nearer = _who_is_nearer(sight)[side % max(len(boxes), 1), padded.ravel().take(place)]
-    covered = np.bincount(side, nearer, len(count)) > _COVERED * count
-    return (at_edge | covered.reshape(4, -1)).T, np.asarray(at_edge.any(axis=0), np.bool_)
+    # With nobody above and below the picture, no side lies outside.
+    padded = np.asarray(cv2.copyMakeBorder(labels, 1, 1, 0, 0, cv2.BORDER_CONSTANT, value=(0.0,)))
+    above = top * columns + left
+    first = np.concatenate((above, above + (height + 1) * columns))
+    count = np.concatenate((width, width))
+    side, place = _along(first, np.ones(len(count), np.intp), count)
+    who_is_nearer = _who_is_nearer(sight)
+    nearer = who_is_nearer[side % max(len(boxes), 1), padded.ravel().take(place)]
+    across = (np.bincount(side, nearer, len(count)) > _COVERED * count).reshape(2, -1)
+    down = _touched(labels, who_is_nearer) > _COVERED
+    covered = np.array((down[0], across[0], down[1], across[1]))
+    return (at_edge | covered).T, np.asarray(at_edge.any(axis=0), np.bool_)
+
+
+def _touched(labels: NDArray[np.uint8], nearer: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """(2, k) the share of each region's rows that end, left and right, at somebody nearer.
+
+    Who merely stands beside somebody nearer, with the background between them, is not hidden.
+
+    Args:
+        nearer: (k, k + 1) of `_who_is_nearer`.
+    """
+    runs = Runs.along(labels)
+    runs = runs.chosen(runs.label > 0)
+    left, right = runs.beside()
+    count, rows = len(nearer), labels.shape[0]
+    who = runs.label.astype(np.intp) - 1
+    line = who * rows + runs.row
+    number = np.arange(len(line))
+    # Of several runs in a row the one written last counts: the first one, and the last.
+    first, last = np.full((2, count * rows), -1)
+    first[line[::-1]], last[line] = number[::-1], number
+    there = np.flatnonzero(first >= 0)
+    first, last, owner = first[there], last[there], there // rows
+    gap = runs.start[first] - runs.stop[left[first]], runs.start[right[last]] - runs.stop[last]
+    beside = runs.label[left[first]], runs.label[right[last]]
+    ends = [
+        nearer[owner, label] & (far <= _TOUCHING) for label, far in zip(beside, gap, strict=True)
+    ]
+    whole = np.maximum(np.bincount(owner, minlength=count), 1)
+    return np.stack([np.bincount(owner, end, count) / whole for end in ends])
 
 
 def _who_is_nearer(sight: NDArray[np.float32]) -> NDArray[np.bool_]:

@@ -14,6 +14,7 @@ from tracking.people.detections import Detections
 from tracking.people.heads_above import told_by_heads
 from tracking.people.plan_view import SurfacePoints, find_people, surface_points
 from tracking.people.regions import Extent, assign_points, measure, paint
+from tracking.people.seams import without_seams
 from tracking.people.settings import PeopleSettings
 from tracking.stereo import STEP, SightLines
 
@@ -91,6 +92,7 @@ class PeopleFinder:
             places, owner = told, assign_points(told, points, self._eye, settings)
         # What lies on the floor and looks like shadow is nobody's foot.
         owner[~high & (certain.ravel().take(points.pixel) == 0)] = -1
+        owner = without_seams(owner, points, certain.shape)
         extent = measure(len(places), owner, points, self._eye, certain.shape[1])
         real = self._are_people(extent)
         owner = _renumbered(owner, real)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.filtering import Chains, robust_levels, robust_paths, slopes, trust
 from tracking.geometry import View
+from tracking.trackers.clear_sides import SIDES, clear_sides
 from tracking.tracks.columns import Columns
 from tracking.tracks.run import Run
 
@@ -18,7 +19,6 @@ Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Rows = NDArray[np.intp]
 
-_SIDES = ("left", "top", "width", "height")
 _PATH_MEMORY_S = 0.14
 """Constant velocity disturbed by 0.5 m²/s³, measured 20 times a second."""
 _OUTLINE_MEMORY_S = 0.45
@@ -33,8 +33,10 @@ _BODY = ((0.1, 0.2), (1.35, 0.25), (1.7, 0.08))
 """Feet, shoulders and head as level discs: height over the floor and radius, in metres."""
 _OWN_BOX = 0.85
 """Weight of the box seen, where it suits the outline."""
+_CLEAR_OUTLIER_M = 0.2
+"""So far off its outline a side is still believed where nobody else is near it."""
 _LEAST_SHOWN = 0.05
-_MATCHED = ("frame", "track", "x", "y")
+_MATCHED = ("frame", "track", "x", "y", "left", "width")
 _BATCH_ROWS = 100_000
 """Smoothed at a time; longer tracks are batches by themselves."""
 _INSIDE = 0.75
@@ -50,6 +52,7 @@ class _Paths:
         columns: of these rows. measured: (n,) a detection was matched.
         enclosed: (n,) between a track's first and last measured row, these included.
         late: (n,) after the last one.
+        clear: (n, 2) nobody else is near the left, the right side of the box.
     """
 
     rows: Rows
@@ -58,6 +61,7 @@ class _Paths:
     measured: Flags
     enclosed: Flags
     late: Flags
+    clear: Flags
 
     @property
     def position(self) -> Floats:
@@ -67,7 +71,7 @@ class _Paths:
     @property
     def box(self) -> Floats:
         """(n, 4) px."""
-        return np.stack([self.columns[name] for name in _SIDES], axis=1)
+        return np.stack([self.columns[name] for name in SIDES], axis=1)
 
     @property
     def weight(self) -> Floats:
@@ -106,9 +110,9 @@ def smoothed(
         memory_s: how long a path on the floor is led by what was seen.
     """
     tracks, first = _joined(given, run.tracks)
-    kept = np.ones(len(tracks["frame"]), bool)
+    kept, clear = np.ones(len(tracks["frame"]), bool), clear_sides(tracks)
     for rows, detections in _batches(tracks, run.detections):
-        paths = _paths(tracks, rows)
+        paths = _paths(tracks, rows, clear)
         if paths.measured.any():
             _smooth(tracks, paths, detections, view, fps, memory_s)
             kept[paths.rows[_vanished(paths, run.frames[1], view)]] = False
@@ -120,11 +124,12 @@ def _smooth(
     tracks: Columns, paths: _Paths, detections: Columns, view: View, fps: float, memory_s: float
 ) -> None:
     """Put paths and boxes as they were, from each track's first to its last measured row."""
-    position, velocity = _walked(paths, detections, fps, memory_s)
-    box = _drawn(paths, position, view, fps)
+    seen = _matches(paths, detections)
+    position, velocity = _walked(paths, _measured_places(paths, detections, seen), fps, memory_s)
+    box = _drawn(paths, _sides(paths, detections, seen), position, view, fps)
     new = np.concatenate((position, velocity, box), axis=1)
     changed = paths.enclosed
-    for name, column in zip(("x", "y", "vx", "vy", *_SIDES), new.T, strict=True):
+    for name, column in zip(("x", "y", "vx", "vy", *SIDES), new.T, strict=True):
         tracks[name][paths.rows[changed]] = column[changed]
 
 
@@ -134,7 +139,7 @@ def _batches(tracks: Columns, detections: Columns) -> Iterator[tuple[Rows, Colum
     Tracks are smoothed each by itself; all at once would take many times the memory of the run.
     """
     order = np.lexsort((tracks["frame"], tracks["track"]))
-    known = [np.isfinite(tracks[name]) for name in ("x", "y", *_SIDES)]
+    known = [np.isfinite(tracks[name]) for name in ("x", "y", *SIDES)]
     order = order[np.logical_and.reduce(known)[order]]
     track = tracks["track"][order]
     seen = np.argsort(detections["track"], kind="stable")
@@ -177,7 +182,7 @@ def _rows(columns: Columns, kept: Flags) -> Columns:
     }
 
 
-def _paths(tracks: Columns, rows: Rows) -> _Paths:
+def _paths(tracks: Columns, rows: Rows, clear: Flags) -> _Paths:
     """Rows with a place and a box, ordered by track and frame."""
     columns = {name: column[rows] for name, column in tracks.items()}
     measured = ~columns["predicted"]
@@ -186,7 +191,7 @@ def _paths(tracks: Columns, rows: Rows) -> _Paths:
     enclosed = (place >= first) & (place <= last)
     late = (place > last) & (last >= 0)
     chains = Chains(columns["frame"], columns["track"])
-    return _Paths(rows, chains, columns, measured, enclosed, late)
+    return _Paths(rows, chains, columns, measured, enclosed, late, clear[rows])
 
 
 def _ends_of_measured(track: NDArray[np.int32], measured: Flags) -> tuple[Rows, Rows]:
@@ -200,11 +205,8 @@ def _ends_of_measured(track: NDArray[np.int32], measured: Flags) -> tuple[Rows, 
     return first[number], last[number]
 
 
-def _walked(
-    paths: _Paths, detections: Columns, fps: float, memory_s: float
-) -> tuple[Floats, Floats]:
+def _walked(paths: _Paths, measured: Floats, fps: float, memory_s: float) -> tuple[Floats, Floats]:
     """Where people were, (n, 2) m, and their velocity, (n, 2) m/s."""
-    measured = _measured_places(paths, detections)
     error_m = _NEAR_M + _FAR_M * (measured**2).sum(axis=1)
     weight = paths.weight * (_NEAR_M / error_m) ** 2
     path = robust_paths(measured, weight, paths.chains, memory_s * fps, _PATH_OUTLIER * error_m)
@@ -213,12 +215,8 @@ def _walked(
     return path, np.where(np.isfinite(velocity), velocity, before)
 
 
-def _measured_places(paths: _Paths, detections: Columns) -> Floats:
-    """(n, 2) m: the place of the detection matched, else the row's own.
-
-    The detections' places are taken because the filter's are smoothed forwards already.
-    """
-    places = paths.position
+def _matches(paths: _Paths, detections: Columns) -> tuple[Rows, Rows]:
+    """Measured rows and the detections, with a place on the floor, that they were matched with."""
     frames = 1 + int(max(paths.chains.frame.max(), detections["frame"].max(initial=0)))
     found = np.isfinite(detections["x"]) & np.isfinite(detections["y"]) & (detections["track"] > 0)
     matched = np.flatnonzero(found)
@@ -226,19 +224,40 @@ def _measured_places(paths: _Paths, detections: Columns) -> Floats:
     theirs = detections["track"][matched].astype(np.int64) * frames + detections["frame"][matched]
     row = np.minimum(np.searchsorted(own, theirs), len(own) - 1)
     hit = (own[row] == theirs) & paths.measured[row]
-    row, matched = row[hit], matched[hit]
+    return row[hit], matched[hit]
+
+
+def _measured_places(paths: _Paths, detections: Columns, seen: tuple[Rows, Rows]) -> Floats:
+    """(n, 2) m: the place of the detection matched, else the row's own.
+
+    The detections' places are taken because the filter's are smoothed forwards already.
+    """
+    places, (row, matched) = paths.position, seen
     places[row] = np.stack((detections["x"][matched], detections["y"][matched]), axis=1)
     return places
 
 
-def _drawn(paths: _Paths, position: Floats, view: View, fps: float) -> Floats:
-    """The boxes (n, 4) px of people at these positions; the old one where none can be drawn."""
+def _sides(paths: _Paths, detections: Columns, seen: tuple[Rows, Rows]) -> Floats:
+    """Left, top, right, bottom (n, 4) px of the boxes; where nobody else is near, as seen."""
+    (low, size), (row, matched) = np.split(paths.box, 2, axis=1), seen
+    sides = np.concatenate((low, low + size), axis=1)
+    left, width = (detections[name][matched] for name in ("left", "width"))
+    for side, (place, clear) in enumerate(zip((left, left + width), paths.clear.T, strict=True)):
+        sides[row, 2 * side] = np.where(clear[row], place, sides[row, 2 * side])
+    return sides
+
+
+def _drawn(paths: _Paths, sides: Floats, position: Floats, view: View, fps: float) -> Floats:
+    """The boxes (n, 4) px of people at these positions; the old one where none can be drawn.
+
+    Args:
+        sides: (n, 4) px of `_sides`.
+    """
     usual, px_per_m = _usual_sides(position, view)
-    low, size = np.split(paths.box, 2, axis=1)
-    own = (np.concatenate((low, low + size), axis=1) - usual) / px_per_m
+    own = (sides - usual) / px_per_m
     drawable = np.asarray(np.isfinite(own).all(axis=1))
     own = np.where(drawable[:, None], own, 0.0)
-    outline = _outlines(own, paths.weight * drawable, paths.chains, _OUTLINE_MEMORY_S * fps)
+    outline = _outlines(own, paths.weight * drawable, paths, _OUTLINE_MEMORY_S * fps)
     low, high = np.split(usual + outline * px_per_m, 2, axis=1)
     good = drawable & (high > low).all(axis=1)
     return np.where(good[:, None], np.concatenate((low, high - low), axis=1), paths.box)
@@ -261,13 +280,19 @@ def _usual_sides(position: Floats, view: View) -> tuple[Floats, Floats]:
     return np.concatenate((low, high), axis=1), px_per_m[1]
 
 
-def _outlines(own: Floats, weight: Floats, chains: Chains, memory: float) -> Floats:
-    """Each person's outline over time, (n, 4) m; the own one counts where it suits the others."""
+def _outlines(own: Floats, weight: Floats, paths: _Paths, memory: float) -> Floats:
+    """Each person's outline over time, (n, 4) m; the own one counts where it suits the others.
+
+    The left and the right side, where nobody else is near, count all of it: limbs are followed.
+    """
     outline = np.empty_like(own)
     for side, scale in enumerate(_OUTLINE_OUTLIER_M):
-        usual = robust_levels(own[:, side], weight, chains, memory, scale)
+        usual = robust_levels(own[:, side], weight, paths.chains, memory, scale)
         off = own[:, side] - usual
-        outline[:, side] = usual + _OWN_BOX * (weight > 0) * trust(off, scale) * off
+        share = _OWN_BOX * trust(off, scale)
+        if side in (0, 2):
+            share = np.where(paths.clear[:, side // 2], trust(off, _CLEAR_OUTLIER_M), share)
+        outline[:, side] = usual + share * (weight > 0) * off
     return outline
 
 

@@ -1,0 +1,53 @@
+"""Sides of people's boxes that nobody else is near."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.tracks.columns import Columns
+
+Floats = NDArray[np.float32]
+Flags = NDArray[np.bool_]
+
+SIDES = ("left", "top", "width", "height")
+_NEAR_PX = 1.0
+_CHUNK_ROWS = 50_000
+
+
+def clear_sides(tracks: Columns) -> Flags:
+    """(n, 2) whether the left and the right side of each row's box lies in no other box.
+
+    What is seen there is the person's own: arms and legs, and nobody else's.
+
+    Args:
+        tracks: (n,) rows of a run, in any order.
+    """
+    order = np.argsort(tracks["frame"], kind="stable")
+    clear = np.ones((len(order), 2), np.bool_)
+    frame = tracks["frame"][order]
+    start = 0
+    while start < len(order):
+        wanted = min(start + _CHUNK_ROWS, len(order))
+        stop = int(np.searchsorted(frame, frame[wanted - 1], side="right"))
+        rows = order[start:stop]
+        box = np.stack([tracks[name][rows] for name in SIDES], axis=1)
+        clear[rows] = _clear(box, frame[start:stop])
+        start = stop
+    return clear
+
+
+def _clear(box: Floats, frame: NDArray[np.int32]) -> Flags:
+    """The same of boxes (n, 4) px sorted by frame."""
+    clear = np.ones((len(frame), 2), np.bool_)
+    edges = np.stack((box[:, 0], box[:, 0] + box[:, 2]))
+    bottom = box[:, 1] + box[:, 3]
+    apart = 1
+    while (rows := np.flatnonzero(frame[apart:] == frame[:-apart])).size:
+        for own, other in ((rows, rows + apart), (rows + apart, rows)):
+            beside = (box[own, 1] < bottom[other]) & (bottom[own] > box[other, 1])
+            low, high = edges[:, other]
+            inside = (edges[:, own] > low - _NEAR_PX) & (edges[:, own] < high + _NEAR_PX) & beside
+            clear[own] &= ~inside.T
+        apart += 1
+    return clear
