@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-import cv2
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -16,11 +15,9 @@ from tracking.geometry import Camera, Ground, Rectification, StereoCalibration
 from tracking.people import Observation, StereoPerception
 from tracking.recording import Recording, open_recording
 from tracking.recording.frame import StereoFrame
-from tracking.stereo import SightLines
 
 Floats = NDArray[np.float64]
 LEARNT_FROM = 12
-GROUND = Ground(2.3, 20.0)
 
 
 def prepared(recording: Recording) -> StereoPerception:
@@ -149,69 +146,6 @@ def test_people_who_stand_for_most_of_the_time_are_not_learnt(shared_data: Path)
     assert (apart_m.min(axis=0) < 0.4).all()
 
 
-def rig(width: int, height: int) -> Rectification:
-    """Two eyes that are alike, 20 cm from each other."""
-    matrix = np.array([[float(width), 0, width / 2], [0, float(width), height / 2], [0, 0, 1]])
-    camera = Camera(matrix, np.zeros(5), width, height)
-    calibration = StereoCalibration(camera, camera, np.eye(3), np.array([-0.2, 0, 0]))
-    return Rectification(calibration, GROUND)
-
-
-WIDTH, HEIGHT = 640, 480
-STANDING = (slice(134, 380), slice(290, 362))
-"""Rows and columns of somebody four metres from eyes as `rig` has them."""
-
-
-def floor_at(row: int, column: int) -> Floats:
-    """(2,) m on the floor where a pixel sees it."""
-    lines = SightLines(rig(WIDTH, HEIGHT))
-    ray = lines.rays[row, column].astype(float)
-    return np.asarray(lines.centre - ray * lines.centre[2] / ray[2])[:2]
-
-
-def drawn(seed: int, light: float, contrast: float) -> NDArray[np.float32]:
-    """Something with spots on it, wider than a picture."""
-    rough = np.random.default_rng(seed).uniform(0, 255, (HEIGHT, 2 * WIDTH)).astype(np.float32)
-    spots = cv2.GaussianBlur(rough, (0, 0), 1.2)
-    return np.asarray(light + contrast * (spots - spots.mean()), np.float32)
-
-
-def standing_before(contrast: float, clothes: float, number: int, *, somebody: bool) -> StereoFrame:
-    """Somebody, or nobody, before a floor, seen by both eyes; contrasts of floor and clothes."""
-    floor = SightLines(rig(WIDTH, HEIGHT)).disparity_at_height(0.0, 0.8, 25.0)
-    rows, columns = STANDING
-    nearer = round(float(floor[rows.stop, columns.start]))
-    scene, person = drawn(0, 110, contrast), drawn(1, 50, clothes)
-    v, u = np.indices((HEIGHT, WIDTH), np.float32)
-    eyes = [scene[:, :WIDTH].copy(), cv2.remap(scene, u + floor, v, cv2.INTER_LINEAR)]
-    if somebody:
-        for eye, shift in zip(eyes, (0, nearer), strict=True):
-            eye[rows, columns.start - shift : columns.stop - shift] = person[rows, columns]
-    random = np.random.default_rng(number)
-    left, right = (
-        (eye + random.normal(0, 1, eye.shape)).clip(0, 255).astype(np.uint8)[..., None].repeat(3, 2)
-        for eye in eyes
-    )
-    return StereoFrame(number, number / 20, left, right)
-
-
-@pytest.mark.parametrize("contrast", [0.0, 3.0])
-@pytest.mark.parametrize("clothes", [1.0, 3.0])
-@pytest.mark.parametrize("share", [(9, 6), (20, 5)])
-def test_who_stands_for_most_of_the_time_before_a_plain_scene_is_not_learnt_either(
-    contrast: float, clothes: float, share: tuple[int, int]
-) -> None:
-    perception = StereoPerception(rig(WIDTH, HEIGHT), GROUND, 20.0)
-    there, gone = share
-    perception.learn(
-        [standing_before(contrast, clothes, n, somebody=n < there) for n in range(there + gone)]
-    )
-    seen = perception.observe(standing_before(contrast, clothes, 50, somebody=True)).people
-    feet = floor_at(STANDING[0].stop, (STANDING[1].start + STANDING[1].stop) // 2)
-    assert len(seen) == 1
-    assert np.linalg.norm(seen.position[0, :2] - feet) < 0.6  # drawn flat: the head leans back
-
-
 def test_a_frame_without_a_right_eye_is_refused(shared_data: Path) -> None:
     with open_recording(shared_data / "rendered-lobby") as recording:
         perception = prepared(recording)
@@ -220,17 +154,25 @@ def test_a_frame_without_a_right_eye_is_refused(shared_data: Path) -> None:
         perception.observe(StereoFrame(0, 0.0, left, None))
 
 
+def rig(width: int, height: int) -> Rectification:
+    """Two eyes that are alike, 20 cm from each other."""
+    matrix = np.array([[float(width), 0, width / 2], [0, float(width), height / 2], [0, 0, 1]])
+    camera = Camera(matrix, np.zeros(5), width, height)
+    calibration = StereoCalibration(camera, camera, np.eye(3), np.array([-0.2, 0, 0]))
+    return Rectification(calibration, Ground(2.4, 30.0))
+
+
 @pytest.mark.parametrize(
     ("size", "least"),
     [((24, 16), 19), ((18, 24), 19), ((640, 3), 19), ((1, 1), 19), ((1000, 36), 38)],
 )
 def test_pictures_too_small_to_be_matched_are_refused(size: tuple[int, int], least: int) -> None:
     with pytest.raises(RecordingError, match=f"{size[0]} x {size[1]} px .* {least} x {least}: ch"):
-        StereoPerception(rig(*size), GROUND, 20.0)
+        StereoPerception(rig(*size), Ground(2.4, 30.0), 20.0)
 
 
 def test_the_smallest_pictures_that_can_be_matched_are_observed() -> None:
-    perception = StereoPerception(rig(24, 19), GROUND, 20.0)
+    perception = StereoPerception(rig(24, 19), Ground(2.4, 30.0), 20.0)
     random = np.random.default_rng(0)
     for n in range(4):
         left, right = random.integers(0, 255, (2, 19, 24, 3)).astype(np.uint8)

@@ -5,7 +5,6 @@ from tracking.foreground.camera_watch import CameraWatch
 from tracking.foreground.first_look import OtherLook
 from tracking.foreground.look import in_size
 from tracking.foreground.marks import Marks
-from tracking.foreground.plain_look import without_spots
 from tracking.foreground.ramp import RampSettings, ramp
 from tracking.foreground.settings import ForegroundSettings
 from tracking.foreground.shade import ShadeColour
@@ -26,5 +25,4 @@ __all__ = [
     "Subtraction",
     "in_size",
     "ramp",
-    "without_spots",
 ]

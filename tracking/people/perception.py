@@ -17,7 +17,6 @@ from tracking.foreground import (
     ShadowRemover,
     Subtraction,
     in_size,
-    without_spots,
 )
 from tracking.geometry import Ground, Rectification
 from tracking.people.detections import Detections
@@ -115,17 +114,15 @@ class StereoPerception:
         """Give the scene back where somebody stood so long as to be learnt as background.
 
         Of two lasting looks of a place the farther one is the scene: people stand before it. So
-        the learnt looks are taken for a picture of people before the other ones. A plain scene,
-        of which nobody knows how far it is, is no nearer than the floor.
+        the learnt looks are taken for a picture of people before the other ones.
         """
         if not cv2.hasNonZero(left.where):
             return
-        left, right = without_spots(left), without_spots(right)
         learnt = [eye.background for eye in self._backgrounds]
         grey = [_grey(eye) for eye in learnt]
         self._stereo.suppose_scene(_grey(left.picture), _grey(right.picture))
         disparity = self._stereo.match(grey[0], grey[1], left.where, right.where)
-        nearer = disparity > self._stereo.behind + _NEARER_PX
+        nearer = disparity > self._stereo.scene + _NEARER_PX
         points = self._finder.points(np.where(nearer, disparity, np.float32(np.nan)))
         body = np.ascontiguousarray(left.where[::STEP, ::STEP])
         masks = self._protected(self._finder.find(points, body, learnt[0]), left.where.shape)

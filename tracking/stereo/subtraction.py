@@ -74,11 +74,6 @@ class SubtractionStereo:
         """(rows, columns) px of the empty scene on the pixels [::STEP, ::STEP]; NaN: unknown."""
         return self._scene
 
-    @property
-    def behind(self) -> Disparity:
-        """As `scene`; of the floor that would be seen there where the scene's is unknown."""
-        return np.where(np.isnan(self._scene), self._least + np.float32(_SLACK_PX), self._scene)
-
     def learn_scene(self, left: Grey, right: Grey) -> None:
         """Range the empty scene, so that light that changes on it is not taken for people.
 

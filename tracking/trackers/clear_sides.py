@@ -18,7 +18,8 @@ _CHUNK_ROWS = 50_000
 def clear_sides(tracks: Columns) -> Flags:
     """(n, 2) whether the left and the right side of each row's box lies in no other box.
 
-    What is seen there is the person's own: arms and legs, and nobody else's.
+    What is seen there is the person's own: arms and legs, and nobody else's. Takes time with the
+    square of the people in a frame.
 
     Args:
         tracks: (n,) rows of a run, in any order.

@@ -240,7 +240,7 @@ def _measured_places(paths: _Paths, detections: Columns, seen: tuple[Rows, Rows]
 def _sides(paths: _Paths, detections: Columns, seen: tuple[Rows, Rows]) -> Floats:
     """Left, top, right, bottom (n, 4) px of the boxes; where nobody else is near, as seen."""
     (low, size), (row, matched) = np.split(paths.box, 2, axis=1), seen
-    sides = np.concatenate((low, low + size), axis=1)
+    sides = np.concatenate((low, low + size), axis=1).astype(np.float64)
     left, width = (detections[name][matched] for name in ("left", "width"))
     for side, (place, clear) in enumerate(zip((left, left + width), paths.clear.T, strict=True)):
         sides[row, 2 * side] = np.where(clear[row], place, sides[row, 2 * side])
