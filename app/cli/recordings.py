@@ -12,8 +12,11 @@ from tracking.formats import begins_as_hdf5
 from tracking.recording import OpenOptions, Recording, open_recording
 
 
-def opened(path: Path | None, bare: Bare) -> Recording:
+def opened(path: Path | None, bare: Bare, instead: str = "") -> Recording:
     """The recording at a path, or of the eyes the options name.
+
+    Args:
+        instead: what else can be done with a session, after the place of its path.
 
     Raises:
         RecordingError, CalibrationError: it cannot be opened, or is a session.
@@ -23,7 +26,7 @@ def opened(path: Path | None, bare: Bare) -> Recording:
     if place is None:
         raise typer.BadParameter("name a recording, or its eyes with --left and --right")
     if _is_hdf5(place):
-        to_do = f"name the recording it is of, or go on from it with track --again {place}"
+        to_do = "name the recording it is of" + (f", or {instead} {place}" if instead else "")
         raise RecordingError(f"{place} is a session, not a recording", to_do)
     return open_recording(place, options_of(bare))
 

@@ -31,7 +31,7 @@ def run_track(
     path: Path | None, bare: Bare, out: Path, order: Order, *, force: bool, as_json: bool
 ) -> None:
     """Track and print where the session is."""
-    with opened(path, bare) as recording:
+    with opened(path, bare, "go on from it with track --again") as recording:
         check_file(out, recording.frame_count * BYTES_A_FRAME)
         refuse_to_lose(out, force=force)
         for note in recording.notes:

@@ -65,9 +65,15 @@ def pairs_in(rows: Columns) -> int:
 
 
 def closeness(rows: Columns, track: int) -> dict[int, float]:
-    """How near all others of one frame's rows are to one of them, from `FAR` to 1."""
+    """How near all others of one frame's rows are to one of them, from `FAR` to 1.
+
+    Nobody is near to one who is not there.
+    """
     ids, places = rows["track"], _places(rows)
-    apart = np.linalg.norm(places - places[ids == track], axis=1)
+    own = places[ids == track][:1]
+    if not len(own):
+        return {}
+    apart = np.linalg.norm(places - own, axis=1)
     near = np.where(apart < _NEAR_M, _much(apart), FAR)
     return {one: how for one, how in zip(ids.tolist(), near.tolist(), strict=True) if one != track}
 
@@ -97,7 +103,8 @@ def _pairs(rows: Columns, starts: Ids, sizes: Ids) -> tuple[Ids, Ids, Floats]:
     apart = np.hypot(*(places[first] - places[second]).T)
     near = apart < _NEAR_M
     ids = part["track"].astype(np.int64)
-    return _nearest(ids[first[near]], ids[second[near]], _much(apart[near]))
+    one, other = ids[first[near]], ids[second[near]]
+    return _nearest(np.minimum(one, other), np.maximum(one, other), _much(apart[near]))
 
 
 def _of_one_frame(sizes: Ids) -> tuple[Ids, Ids]:

@@ -40,7 +40,10 @@ class ColoursDue:
 
 
 class OwnColours:
-    """Which colours the tracks of a session have; each is kept from the moment it was given.
+    """Which colours the tracks of a session have.
+
+    Each is kept from the moment it was given, but those given while others are due are chosen
+    again with these.
 
     Attributes:
         now: the colours there are. due: those to come, see `take_made`; None: none.
@@ -50,7 +53,7 @@ class OwnColours:
         self.now = TrackColours()
         self.due: ColoursDue | None = None
         self._of: tuple[Session | None, int | None] = None, None
-        self._previewed: tuple[Change | None, TrackColours] = None, self.now
+        self._previewed: tuple[Change | None, TrackColours, TrackColours] = None, self.now, self.now
 
     def take(self, session: Session, opening: bool = False) -> None:
         """Give a session's tracks colours, unless they have them; many have theirs later."""
@@ -82,8 +85,8 @@ class OwnColours:
         Args:
             table: as it is. after: the tracks as they would be.
         """
-        known, colours = self._previewed
-        if known is change:
+        known, before, colours = self._previewed
+        if known is change and before is self.now:
             return colours
         new = [one for one in change.tracks if one not in table and not self.now.has(one)]
         colours = self.now
@@ -91,7 +94,7 @@ class OwnColours:
             colours = colours.copy()
             frames = {one: _frames_after(table, change, one) for one in new}
             _give(colours, frames, change.tracks, after.of_frame)
-        self._previewed = change, colours
+        self._previewed = change, self.now, colours
         return colours
 
     def take_made(self, due: ColoursDue, made: TrackColours, table: TrackTable) -> bool:

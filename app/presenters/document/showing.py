@@ -43,7 +43,7 @@ class Showing:
     @property
     def colours(self) -> TrackColours:
         """Of the tracks that are shown."""
-        return self._live_colours if self._renumbered else self.own.now
+        return self._live_colours if self.is_live else self.own.now
 
     @property
     def can_look_away(self) -> bool:
@@ -95,7 +95,8 @@ class Showing:
         self._live, self.is_live, self.at_work = LiveTracks(kept), True, True
         self._at_work = at_work
         self._continues_at = continues_at
-        self._live_colours = TrackColours()
+        # What is kept of a run that goes on from tracks is decided later: its ids leave no trace.
+        self._live_colours = TrackColours() if continues_at is None else self.own.now.copy()
         self.tracks = self._chosen()
 
     def show_live(self, on: bool) -> bool:
@@ -110,9 +111,8 @@ class Showing:
         """Take further results of the tracker at work, in order."""
         found = tuple(results)
         self._live.extend(found)
-        colours = self._live_colours if self._continues_at is None else self.own.now
         for result in found:
-            colours.meet(result.tracks)
+            self._live_colours.meet(result.tracks)
 
     def end_live(self) -> None:
         """No tracker is at work any more; what it found stays shown until a session is."""

@@ -7,6 +7,8 @@ from PySide6.QtWidgets import QSplitter
 
 _LEAST_FLOOR = 0.4
 """Of what eyes and floor have together the floor keeps so much, however wide the pictures are."""
+_EYES_END = 1
+"""Number of the border between eyes and floor."""
 
 
 class EyesRoom(QObject):
@@ -64,6 +66,8 @@ class EyesRoom(QObject):
         if width > 0 and eyes + floor > width:
             self._top.setSizes([width, eyes + floor - width, side])
 
-    def _leave_it(self) -> None:
-        """The user moved a border."""
+    def _leave_it(self, _: int, border: int) -> None:
+        """The user moved a border; the one between eyes and floor is where they want it."""
+        if border != _EYES_END:
+            return
         self._aspect, self.moved = 0.0, bool(self._usual)

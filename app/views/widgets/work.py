@@ -31,6 +31,7 @@ class Work(QObject):
         super().__init__(parent)
         self._strip = strip
         self._job: Job | None = None
+        self._cancellable = True
 
     @property
     def busy(self) -> bool:
@@ -64,7 +65,9 @@ class Work(QObject):
         job.failed.connect(lambda error: self._end(undone, lambda: self.failed.emit(error)))
         stopped = tr("Stopped: {title}", title=title)
         job.cancelled.connect(lambda: self._end(undone, lambda: self.said.emit(stopped)))
-        self._job = job
+        self._job, self._cancellable = job, cancellable
+        # Other work that is stopping may still stand there, with buttons that cannot be pressed.
+        self._strip.finish()
         self._strip.show_scene(title, None, cancellable=cancellable)
         job.start()
         self.changed.emit()
@@ -88,7 +91,7 @@ class Work(QObject):
             return
         passed_s = time.monotonic() - self._job.started_s
         left = passed_s * (total - done) / done if done and passed_s > _TELL_LEFT_AFTER_S else None
-        self._strip.show_scene(self._job.title, done / total, left)
+        self._strip.show_scene(self._job.title, done / total, left, self._cancellable)
 
     def _end(self, *then: Callable[[], object] | None) -> None:
         """Let the job go first: what comes then may begin another one."""

@@ -123,3 +123,21 @@ def test_when_many_come_up_at_once_their_colours_are_made_later(document):
     assert document.colours_due is None
     last = table.track_ids[-1]
     assert len(set(_colours(document, 1, 2, last))) == 3
+
+
+def test_an_edit_that_waits_has_the_colours_that_came_meanwhile(document):
+    _look_at_a_split(document, 30)
+    own = document._showing.own
+    before = document.instant(30).colours
+    own.now = own.now.copy()
+    assert document.instant(30).colours is not before
+
+
+def test_a_run_that_goes_on_and_is_not_kept_gives_no_colour(document):
+    rows = document.session.tracks.of_frame(55)
+    new = {**rows, "track": np.where(rows["track"] == 1, 26, rows["track"]).astype("i4")}
+    document._showing.begin_live(50)
+    document._showing._live_colours.meet(new)
+    assert document._showing.colours.has(26)
+    document._showing.take_session(document.session)
+    assert not document._showing.colours.has(26)

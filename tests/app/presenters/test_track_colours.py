@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.presenters.colour_sight import alike, of_one_hue
+from app.presenters.meetings import closeness, meetings_of
 from app.presenters.palette import NOBODY, TRACK_COLOURS
 from app.presenters.shown_colours import THEMES, standing_out
 from app.presenters.track_colours import TrackColours
@@ -112,3 +113,22 @@ def test_colours_given_while_a_tracker_works_stay_as_others_come_and_go():
 def test_people_without_places_on_a_floor_have_colours_too(place):
     colours = colours_of({1: (0, 9), 2: (0, 9), 25: (3, 9)}, place=place)
     assert len({colours.of(one) for one in (1, 2, 25)}) == 3
+
+
+def test_colours_do_not_depend_on_the_order_of_rows_within_a_frame():
+    random = np.random.default_rng(4)
+    for crowd in range(8):
+        places = {one: random.uniform(0, 3, 2) for one in range(1, 13)}
+        rows = rows_of(dict.fromkeys(places, (0, 5)), place=places.__getitem__)
+        mixed = np.lexsort((random.random(len(rows["frame"])), rows["frame"]))
+        given = meetings_of(rows).nearness
+        again = meetings_of({name: column[mixed] for name, column in rows.items()}).nearness
+        assert {one: near[0].tolist() for one, near in given.items()} == {
+            one: near[0].tolist() for one, near in again.items()
+        }, crowd
+
+
+def test_nobody_is_near_to_one_who_is_not_in_the_frame():
+    rows = rows_of({1: (0, 1), 2: (0, 1)})
+    assert closeness(rows, 7) == {}
+    assert list(closeness(rows, 1)) == [2]

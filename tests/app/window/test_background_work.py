@@ -257,3 +257,27 @@ def test_a_job_may_go_after_its_work_ended_and_before_that_is_told(qtbot, no_thr
     shiboken6.delete(parent)
     qtbot.wait(20)
     assert told == []
+
+
+def test_work_that_begins_while_other_work_is_stopping_can_be_cancelled(work, strip, qtbot):
+    strip.show_scene("Tracking", None, stoppable=True)
+    strip._cancel.click()
+    go = threading.Event()
+    work.run("Counting", lambda _: go.wait(5), lambda _: None)
+    assert strip._cancel.isEnabled()
+    go.set()
+    qtbot.waitUntil(lambda: not work.busy)
+
+
+def test_work_that_cannot_be_cancelled_never_offers_it(work, strip, qtbot):
+    go = threading.Event()
+
+    def counted(progress):
+        progress(1, 2)
+        go.wait(5)
+
+    work.run("Counting", counted, lambda _: None, cancellable=False)
+    qtbot.waitUntil(lambda: strip._bar.maximum() > 0)
+    assert strip._cancel.isHidden()
+    go.set()
+    qtbot.waitUntil(lambda: not work.busy)

@@ -67,3 +67,9 @@ def test_a_border_the_user_moved_stays_where_it_is(space, window, qtbot):
     window.resize(1280, 720)
     qtbot.wait(20)
     assert space.left.width() > 450
+
+
+def test_the_border_of_the_panels_at_the_side_is_none_of_the_eyes(space, window, qtbot):
+    top = space._splitters["top"]
+    top.moveSplitter(top.width() - 400, 2)
+    assert not space._eyes_room.moved
