@@ -10,11 +10,18 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
 
 Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+DOT_PX = 3.0
 _GAP_PX, _FAR_PX = 3.0, 18.0
 _SIDES = ((1, -1), (1, 1), (-1, -1), (-1, 1), (1, 0), (-1, 0), (0, -1), (0, 1))
 """Right or left and below or above; the first that is free is taken, first near, then farther."""
+_WAYS = np.array(_SIDES, np.float64)
 NEAR = len(_SIDES)
 """Sides from this number on are so far away that a line must tell whose name it is."""
+
+
+Whose = int | str
+"""A track, or the label of somebody of a truth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,11 +29,11 @@ class Wanted:
     """A name that is to stand beside a ring.
 
     Attributes:
-        at: the ring's middle on the widget. sizes: width and height of the whole name, then of
-            shorter ones. must: it stands somewhere in any case.
+        whose: see `Whose`. at: the ring's middle on the widget. sizes: width and height of the
+            whole name, then of shorter ones. must: it stands somewhere in any case.
     """
 
-    track: int
+    whose: Whose
     at: tuple[float, float]
     sizes: Sequence[tuple[float, float]]
     must: bool = False
@@ -36,87 +43,112 @@ class Wanted:
 class Stands:
     """Where a name stands: which of its sizes, on which side of its ring."""
 
-    track: int
+    whose: Whose
     rect: QRectF
     size: int
     side: int
 
 
+def discs(middles: Floats, reach: float = DOT_PX) -> Floats:
+    """(n, 3) middles (n, 2) and their reach: what `place_names` leaves to be seen."""
+    return np.column_stack((middles, np.full(len(middles), reach)))
+
+
 def place_names(
     names: Sequence[Wanted],
-    rings: Floats,
+    seen: Floats,
     radius: float,
-    dots: Floats,
     area: QRectF,
-    before: Mapping[int, int],
+    before: Mapping[Whose, int],
 ) -> list[Stands]:
-    """Names where they hide no ring, no dot and no other name; left out where there is no place.
+    """Names where they hide nothing that is `seen` and no other name; else they are left out.
 
     Args:
-        names: earlier ones have the right of way. rings, dots: (n, 2) what must stay visible.
-        before: the side on which a track's name stood last; it stays there while that is free.
+        names: earlier ones have the right of way. seen: see `discs`. radius: of all rings.
+        before: the side on which a name stood last; it stays there while that is free.
     """
-    hidden = np.concatenate((rings, dots)) if len(dots) else rings
-    reach = np.concatenate((np.full(len(rings), radius), np.full(len(dots), _GAP_PX)))
+    if not names:
+        return []
+    sides = np.stack([_sides(names, number, radius) for number in range(_most_sizes(names))], 1)
+    barred = _beyond(sides, area) | _touches(sides, seen)
     placed: list[Stands] = []
-    for name in names:
-        one = _free(name, placed, (hidden, reach), radius, area, before.get(name.track, 0))
+    plates = np.zeros((len(names), 4))
+    for name, own, shut in zip(names, sides, barred, strict=True):
+        one = _free(name, own, shut, plates[: len(placed)], before.get(name.whose, 0))
+        if one is None and name.must:
+            one = _anywhere(name, own, area)
         if one is not None:
+            plates[len(placed)] = np.array(one.rect.getCoords())
             placed.append(one)
     return placed
 
 
-def _free(
-    name: Wanted,
-    placed: Sequence[Stands],
-    seen: tuple[Floats, Floats],
-    radius: float,
-    area: QRectF,
-    usual: int,
-) -> Stands | None:
+def _most_sizes(names: Sequence[Wanted]) -> int:
+    return max(len(one.sizes) for one in names)
+
+
+def _free(name: Wanted, sides: Floats, barred: Bools, plates: Floats, usual: int) -> Stands | None:
     """The first free side, of the longest name that has one."""
-    inside = np.array((area.left(), area.top(), area.right(), area.bottom()))
-    plates = np.array([one.rect.getCoords() for one in placed]).reshape(-1, 4)
-    for number, size in enumerate(name.sizes):
-        sides = _sides(np.array(name.at), size, radius)
-        out = ((sides[:, :2] < inside[:2]) | (sides[:, 2:] > inside[2:])).any(axis=1)
-        hides = out | _covers(sides, plates) | _touches(sides, *seen)
-        order = [usual, *range(len(sides))]
-        side = next((one for one in order if not hides[one]), None)
-        if side is not None:
-            return Stands(name.track, _rect(sides[side]), number, side)
-    if not name.must:
-        return None
-    width, height = name.sizes[-1]
-    left, top = sides[0, :2]
-    left = min(max(left, area.left()), area.right() - width)
-    top = min(max(top, area.top()), area.bottom() - height)
-    return Stands(name.track, QRectF(left, top, width, height), len(name.sizes) - 1, 0)
+    for number in range(len(name.sizes)):
+        hides = barred[number] | _covers(sides[number], plates)
+        if not hides.all():
+            side = usual if not hides[usual] else int(np.argmin(hides))
+            return Stands(name.whose, _rect(sides[number, side]), number, side)
+    return None
 
 
-def _sides(at: Floats, size: tuple[float, float], radius: float) -> Floats:
-    """(n, 4) left, top, right, bottom of a plate on each side of a ring, near ones first."""
-    half = np.array(size) / 2
-    ways = np.array(_SIDES, np.float64)
-    near = ways * (radius + _GAP_PX + half)
-    near[:4, 1] -= ways[:4, 1] * _GAP_PX  # at a corner the ring itself leaves room
-    far = near + ways * _FAR_PX
-    middles = at + np.concatenate((near, far))
-    return np.column_stack((middles - half, middles + half))
+def _anywhere(name: Wanted, sides: Floats, area: QRectF) -> Stands:
+    """The shortest name where it would stand if it were alone."""
+    number = len(name.sizes) - 1
+    rect = _rect(sides[number, 0])
+    rect.moveLeft(min(max(rect.left(), area.left()), area.right() - rect.width()))
+    rect.moveTop(min(max(rect.top(), area.top()), area.bottom() - rect.height()))
+    return Stands(name.whose, rect, number, 0)
 
 
-def _covers(rects: Floats, others: Floats) -> NDArray[np.bool_]:
+def _sides(names: Sequence[Wanted], number: int, radius: float) -> Floats:
+    """(n, k, 4) left, top, right, bottom of plates on each side of their rings, near ones first."""
+    sizes = [one.sizes[min(number, len(one.sizes) - 1)] for one in names]
+    half = np.array(sizes)[:, None] / 2
+    near = _WAYS * (radius + _GAP_PX + half)
+    near[:, :4, 1] -= _WAYS[:4, 1] * _GAP_PX  # at a corner the ring itself leaves room
+    off = np.concatenate((near, near + _WAYS * _FAR_PX), axis=1)
+    middles = np.array([one.at for one in names])[:, None] + off
+    return np.concatenate((middles - half, middles + half), axis=2)
+
+
+def _beyond(sides: Floats, area: QRectF) -> Bools:
+    """(...) whether rectangles (..., 4) reach out of the area."""
+    low, high = (area.left(), area.top()), (area.right(), area.bottom())
+    out = (sides[..., :2] < np.array(low)) | (sides[..., 2:] > np.array(high))
+    return np.asarray(out.any(axis=-1))
+
+
+def _covers(rects: Floats, others: Floats) -> Bools:
     """(n,) whether each rectangle (n, 4) lies over any of the others (m, 4)."""
-    apart = np.any(rects[:, None, :2] >= others[None, :, 2:], axis=2)
-    apart |= np.any(rects[:, None, 2:] <= others[None, :, :2], axis=2)
-    return np.asarray(np.any(~apart, axis=1))
+    left, top, right, bottom = rects.T[:, :, None]  # one by one: a third of the time of pairs
+    apart = (left >= others[:, 2]) | (right <= others[:, 0])
+    apart |= (top >= others[:, 3]) | (bottom <= others[:, 1])
+    return np.asarray(~apart.all(axis=1))
 
 
-def _touches(rects: Floats, middles: Floats, reach: Floats) -> NDArray[np.bool_]:
-    """(n,) whether each rectangle (n, 4) lies over any disc: middles (m, 2), reach (m,)."""
-    nearest = np.clip(middles[None], rects[:, None, :2], rects[:, None, 2:])
-    apart = np.hypot(*np.moveaxis(nearest - middles[None], 2, 0))
-    return np.asarray(np.any(apart < reach[None], axis=1))
+def _touches(sides: Floats, seen: Floats) -> Bools:
+    """(n, sizes, k) whether rectangles (n, sizes, k, 4) lie over any disc (m, 3).
+
+    Only discs that any place of a name could reach are looked at: of a crowd few.
+    """
+    found = np.zeros(sides.shape[:3], bool)
+    if not len(seen):
+        return found
+    low, high = sides[..., :2].min(axis=(1, 2)), sides[..., 2:].max(axis=(1, 2))
+    middles, reach = seen[:, :2], seen[:, 2:]
+    near = (middles + reach >= low[:, None]) & (middles - reach <= high[:, None])
+    name, disc = np.nonzero(near.all(axis=2))
+    there = middles[disc][:, None, None]
+    off = np.clip(there, sides[name][..., :2], sides[name][..., 2:]) - there
+    hit = (off * off).sum(axis=3) < reach[disc][:, None] ** 2
+    np.logical_or.at(found, name, hit)
+    return found
 
 
 def _rect(sides: Floats) -> QRectF:

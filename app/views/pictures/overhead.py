@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF, QRadialGradient
+from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF, QRadialGradient
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.comparing.agreement_scene import OtherPlace
@@ -27,20 +25,13 @@ from app.views.pictures.floor import (
     inner_corner,
 )
 from app.views.pictures.floor_legend import draw_floor_legend
-from app.views.pictures.floor_names import NEAR, Wanted, place_names
+from app.views.pictures.floor_naming import Floored, FloorNaming
 from app.views.pictures.flow_map import FlowDrawing
 from app.views.pictures.legend import draw_legend
 from app.views.pictures.marks import draw_fading_trail, draw_preview
 from app.views.pictures.measured import draw_measured
-from app.views.pictures.name_plates import (
-    draw_leader,
-    draw_message,
-    draw_plate,
-    plate_sizes,
-    plate_text,
-)
+from app.views.pictures.name_plates import draw_message
 from app.views.pictures.particles import darkened, draw_particles
-from app.views.pictures.viewport import Points
 from app.views.scoring.truth_marks import draw_truth_places
 
 _PICK_REACH_PX = 22.0
@@ -82,8 +73,7 @@ class OverheadView(Canvas):
         self._held: FloorPerson | None = None
         self._held_off = QPointF()
         self._dragged = False
-        self._plates: tuple[tuple[int, QRectF], ...] = ()
-        self._sides: dict[int, int] = {}
+        self._naming = FloorNaming()
         self._floor_key: tuple[object, ...] = ()
         self._floor_drawn = QPixmap()
         self._explained = True
@@ -204,7 +194,7 @@ class OverheadView(Canvas):
     def _person_at(self, at: QPointF) -> FloorPerson | None:
         if self._scene is None or self._scene.message:
             return None
-        named = next((track for track, plate in self._plates if plate.contains(at)), 0)
+        named = next((track for track, plate in self._naming.plates if plate.contains(at)), 0)
         if named:  # what lies on top of people
             return next((one for one in self._scene.people if one.track == named), None)
         reach = max(_PICK_REACH_PX, self._radius() + 4)
@@ -240,9 +230,9 @@ class OverheadView(Canvas):
         for person in scene.people:
             self._draw_person(painter, person, theme)
         draw_measured(painter, self.viewport.to_widget(scene.measured), theme)
-        draw_truth_places(painter, self._truth, self.viewport, theme, area)
+        draw_truth_places(painter, self._truth, self.viewport, theme)
         draw_preview(painter, scene.preview, self.viewport, theme.track)
-        self._draw_plates(painter, scene, theme, area)
+        self._naming.draw(painter, self._floored(scene), theme)
         painter.setFont(scaled_font(self.font(), 0.85))
         told = draw_legend(painter, self._truth.legend, foot, theme)
         if self._explained and self._flow is None:
@@ -268,6 +258,10 @@ class OverheadView(Canvas):
             draw_camera(painter, scene.camera, self.viewport, theme, scene.looks_down)
             painter.end()
         return self._floor_drawn
+
+    def _floored(self, scene: OverheadScene) -> Floored:
+        area, font = QRectF(self.rect()), self.font()
+        return Floored(scene, self._truth, self.viewport, self._radius(), area, font)
 
     def _draw_trails(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
         for person in scene.people:
@@ -339,44 +333,3 @@ class OverheadView(Canvas):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour)
         painter.drawPolygon(QPolygonF([tip, neck + across * 4.0, neck - across * 4.0]))
-
-    def _draw_plates(
-        self, painter: QPainter, scene: OverheadScene, theme: Theme, area: QRectF
-    ) -> None:
-        """Names of those in view, the selected first; all but that one may have to be left out."""
-        painter.setFont(scaled_font(self.font(), 0.92, bold=True))
-        metrics = QFontMetricsF(painter.font())
-        rings = self.viewport.to_widget(_places(scene.people))
-        people = [
-            (person, (float(x), float(y)))
-            for person, (x, y) in zip(scene.people, rings, strict=True)
-            if area.contains(QPointF(x, y))
-        ]
-        people.sort(key=lambda one: not one[0].selected)
-        texts = {one.track: _texts(metrics, one) for one, _ in people}
-        wanted = [
-            Wanted(one.track, at, plate_sizes(metrics, texts[one.track]), one.selected)
-            for one, at in people
-        ]
-        shown, dots = area.adjusted(4, 4, -4, -4), self.viewport.to_widget(scene.measured)
-        placed = place_names(wanted, rings, self._radius(), dots, shown, self._sides)
-        who = {one.track: (one, at) for one, at in people}
-        for name in reversed(placed):
-            person, at = who[name.track]
-            colour = theme.track(person.colour)
-            if name.side >= NEAR:
-                draw_leader(painter, QPointF(*at), name.rect, self._radius(), colour)
-            text = texts[name.track][name.size]
-            draw_plate(painter, name.rect, text, colour, person.selected)
-        self._sides = {one.track: one.side for one in placed}
-        self._plates = tuple((one.track, one.rect) for one in placed)
-
-
-def _places(people: Sequence[FloorPerson]) -> Points:
-    return np.array([one.position for one in people], np.float64).reshape(-1, 2)
-
-
-def _texts(metrics: QFontMetricsF, person: FloorPerson) -> tuple[str, ...]:
-    """What a plate says, and what it says where that has no room."""
-    whole, number = plate_text(metrics, person.label), str(person.track)
-    return (whole,) if whole == number else (whole, number)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from app.presenters.scoring.score_scene import FlooredTruth, PicturedTruth, TruthMark, TruthPlace
+from app.presenters.scoring.score_scene import FlooredTruth, PicturedTruth, TruthMark
 from app.views.look.theme import Theme, faded
 from app.views.pictures.name_plates import draw_note, place_plates, plate_rect
 from app.views.pictures.viewport import Viewport, polygon
@@ -17,7 +17,10 @@ from tracking.scoring import ErrorKind
 
 _HALO = QColor(0, 0, 0, 130)
 _ON_PICTURE = QColor(255, 255, 255)
-_CORNER, _SIGN_PX, _CROSS_PX = 0.24, 6.0, 7.0
+_CORNER, _SIGN_PX = 0.24, 6.0
+CROSS_PX = 7.0
+MISS_PX = 1.9 * CROSS_PX
+"""How far the cross of somebody on the floor reaches, and the sign around who is missed."""
 _LOW_PX = 64.0
 """Of boxes lower than this the signs stand outside, and are smaller: people are to be seen."""
 _LEAST_SIGN_PX = 3.5
@@ -42,10 +45,9 @@ def draw_truth_boxes(
 
 
 def draw_truth_places(
-    painter: QPainter, truth: FlooredTruth, viewport: Viewport, theme: Theme, area: QRectF
+    painter: QPainter, truth: FlooredTruth, viewport: Viewport, theme: Theme
 ) -> None:
-    """A thin dotted trail that ends in a cross for everybody of the truth."""
-    ends, spots = [], []
+    """A thin dotted trail that ends in a cross for everybody of the truth; unnamed."""
     for person in truth.people:
         points = viewport.to_widget(person.trail)
         colour = _colour(person.wrong, theme.text, theme)
@@ -57,20 +59,17 @@ def draw_truth_places(
         end = QPointF(*points[-1])
         _draw_cross(painter, end, colour, theme)
         if person.wrong is not None:
-            draw_signs(painter, person.wrong, [end], 1.9 * _CROSS_PX, theme)
-        ends.append(end + QPointF(10, 24))
-        spots.append(QRectF(end.x() - _CROSS_PX, end.y() - _CROSS_PX, 2 * _CROSS_PX, 2 * _CROSS_PX))
+            draw_signs(painter, person.wrong, [end], MISS_PX, theme)
     for alarm in truth.alarms:
         at = viewport.point(float(alarm.trail[-1, 0]), float(alarm.trail[-1, 1]))
-        draw_signs(painter, ErrorKind.FALSE_ALARM, [at], 1.6 * _CROSS_PX, theme)
-    _draw_ids(painter, truth.people, ends, spots, theme, area)
+        draw_signs(painter, ErrorKind.FALSE_ALARM, [at], 1.6 * CROSS_PX, theme)
 
 
 def _colour(wrong: ErrorKind | None, usual: QColor, theme: Theme) -> QColor:
     return usual if wrong is None else error_colour(wrong, theme)
 
 
-def _on_top(rect: QRectF, mark: TruthMark | TruthPlace) -> QPointF:
+def _on_top(rect: QRectF, mark: TruthMark) -> QPointF:
     """Where a sign stands: misses at the left of the upper edge, false alarms at the right."""
     low = rect.height() < _LOW_PX
     aside = -2.0 if low else 9.0
@@ -91,7 +90,7 @@ def _draw_corners(painter: QPainter, rect: QRectF, colour: QColor) -> None:
 
 
 def _draw_cross(painter: QPainter, at: QPointF, colour: QColor, theme: Theme) -> None:
-    across, down = QPointF(_CROSS_PX, 0), QPointF(0, _CROSS_PX)
+    across, down = QPointF(CROSS_PX, 0), QPointF(0, CROSS_PX)
     lines = [QLineF(at - across, at + across), QLineF(at - down, at + down)]
     for shade, width in ((theme.sunken, 4.0), (colour, 1.8)):
         painter.setPen(QPen(shade, width))
@@ -100,7 +99,7 @@ def _draw_cross(painter: QPainter, at: QPointF, colour: QColor, theme: Theme) ->
 
 def _draw_ids(
     painter: QPainter,
-    people: Sequence[TruthMark | TruthPlace],
+    people: Sequence[TruthMark],
     corners: Sequence[QPointF],
     bodies: Sequence[QRectF],
     theme: Theme,

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF
 
-from app.views.pictures.floor_names import Wanted, place_names
+from app.views.pictures.floor_names import Wanted, discs, place_names
 from app.views.pictures.overhead import OverheadView
 
 AREA = QRectF(0, 0, 400, 300)
@@ -25,7 +25,8 @@ def named(*places, sizes=((30.0, 18.0),)):
 
 def placed(names, dots=NONE, before=None):
     rings = np.array([one.at for one in names]).reshape(-1, 2)
-    return place_names(names, rings, RADIUS, dots, AREA, before or {})
+    seen = np.concatenate((discs(rings, RADIUS), discs(dots)))
+    return place_names(names, seen, RADIUS, AREA, before or {})
 
 
 def apart(rect: QRectF, x: float, y: float) -> float:
@@ -56,7 +57,7 @@ def test_a_name_without_room_is_shortened_before_it_is_left_out():
     wall = [(float(x), float(y)) for x in range(20, 400, 30) for y in (120, 180)]
     wall += [(140.0, 150.0), (260.0, 150.0)]
     names = named((200, 150), *wall, sizes=((120.0, 18.0), (16.0, 18.0)))
-    found = {one.track: one for one in placed(names)}
+    found = {one.whose: one for one in placed(names)}
     assert found[1].size == 1
 
 
@@ -71,7 +72,7 @@ def test_in_a_crowd_names_are_left_out_but_that_of_who_is_selected():
     names = named((203, 147), *crowd)
     assert not placed(names)
     names[0] = Wanted(1, names[0].at, names[0].sizes, must=True)
-    assert [one.track for one in placed(names)] == [1]
+    assert [one.whose for one in placed(names)] == [1]
 
 
 def test_a_name_overhead_hides_no_other_ring(qtbot, dark):
@@ -81,7 +82,7 @@ def test_a_name_overhead_hides_no_other_ring(qtbot, dark):
     view.show_scene(overhead(floor_person(12, (0, 5)), floor_person(2, (0.5, 5.45))))
     view.grab()
     ring = view.viewport.point(0.5, 5.45)
-    assert len(view._plates) == 2
-    for _, plate in view._plates:
+    assert len(view._naming.plates) == 2
+    for _, plate in view._naming.plates:
         assert apart(plate, ring.x(), ring.y()) >= view._radius()
         assert view.rect().contains(QPointF(plate.center()).toPoint())

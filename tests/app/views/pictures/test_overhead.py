@@ -43,7 +43,7 @@ def test_a_click_picks_the_nearest_person(view, qtbot):
 def test_a_click_on_a_number_picks_whose_it_is(view, qtbot):
     view.show_scene(overhead(floor_person(3, (0, 5)), floor_person(4, (0, 5.02))))
     view.grab()
-    spots = dict(view._plates)
+    spots = dict(view._naming.plates)
     for track in (3, 4):
         with qtbot.waitSignal(view.track_picked) as picked:
             qtbot.mouseClick(view, LEFT, pos=spots[track].center().toPoint())
