@@ -1,4 +1,4 @@
-"""A line that tells what went wrong, or well, without standing in the way."""
+"""A line or two that tell what went wrong, or well, without standing in the way."""
 
 from __future__ import annotations
 
@@ -8,7 +8,12 @@ from collections.abc import Callable
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QStatusBar, QWidget
 
+from app.views.widgets.few_lines import cut_to_lines
+
 _PASSES_MS = 60_000
+_LINES = 2
+"""More of a text is shown once it is asked for: it would lie over the overview and lanes."""
+_EDGE_PX, _APART_PX = 16, 12
 _MOVES = (QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.Hide)
 _READ_S = 4.0
 """After this time a passing word has been read by whoever goes on working."""
@@ -18,7 +23,8 @@ class NoticeBar(QFrame):
     """One message across a window, hidden while there is none.
 
     It lies over the line at the window's lower edge while that is free, else over the page above
-    it: what is being looked at, or aimed at with the mouse, does not move.
+    it: what is being looked at, or aimed at with the mouse, does not move. Of a long text it shows
+    two lines, and a button that shows all.
 
     Signals: `spoken()`, another message is shown.
     """
@@ -27,6 +33,7 @@ class NoticeBar(QFrame):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._said = ""
         self._do: Callable[[], object] | None = None
         self._settles = False
         self._said_s = 0.0
@@ -38,18 +45,21 @@ class NoticeBar(QFrame):
         self.setProperty("notice", "true")
         self.setAccessibleName(self.tr("Message"))
         row = QHBoxLayout(self)
-        row.setContentsMargins(16, 1, 16, 1)
-        row.setSpacing(12)
+        row.setContentsMargins(_EDGE_PX, 1, _EDGE_PX, 1)
+        row.setSpacing(_APART_PX)
         self._text = QLabel(self)
         self._text.setWordWrap(True)
         self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._action = QPushButton(self)
         self._action.clicked.connect(self._act)
+        self._more = QPushButton(self)
+        self._more.setCheckable(True)
+        self._more.toggled.connect(self._place)
         self._close = QPushButton(self.tr("Dismiss"), self)
         self._close.clicked.connect(self.hide)
         row.addWidget(self._text, 1)
-        for button in (self._action, self._close):
+        for button in (self._more, self._action, self._close):
             button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
             row.addWidget(button)
         self.hide()
@@ -82,11 +92,31 @@ class NoticeBar(QFrame):
         if self._page is None or self._line is None:
             return
         page = self._page.geometry()
+        self._fold(page.width())
         free = not (self._line.currentMessage() or self._is_under_way)
         line = self._line.height() if free else 0
         least = max(self.heightForWidth(page.width()), line)
         self.setGeometry(page.left(), page.bottom() + 1 + line - least, page.width(), least)
         self.raise_()
+
+    def _fold(self, width: int) -> None:
+        """Leave out what has no room on two lines, unless all of it was asked for."""
+        buttons = [one for one in (self._action, self._close) if not one.isHidden()]
+        cut = self._cut(width, buttons)
+        self._more.setVisible(cut != self._said)
+        self._more.setText(self.tr("Less") if self._more.isChecked() else self.tr("More"))
+        if cut != self._said:
+            cut = self._cut(width, [self._more, *buttons])
+        self._text.setText(self._said if self._more.isChecked() else cut)
+
+    def _cut(self, width: int, buttons: list[QPushButton]) -> str:
+        room = width - 2 * _EDGE_PX - sum(_APART_PX + one.sizeHint().width() for one in buttons)
+        return cut_to_lines(self._said, self._text.fontMetrics(), room, _LINES)
+
+    @property
+    def least_height(self) -> int:
+        """What as many lines take as a text is cut to."""
+        return _LINES * self._text.fontMetrics().lineSpacing() + 3
 
     @property
     def _is_under_way(self) -> bool:
@@ -95,7 +125,7 @@ class NoticeBar(QFrame):
     @property
     def text(self) -> str:
         """What is said; "" while hidden."""
-        return "" if self.isHidden() else self._text.text()
+        return "" if self.isHidden() else self._said
 
     @property
     def action_text(self) -> str:
@@ -123,6 +153,8 @@ class NoticeBar(QFrame):
             self._passing.stop()
         self._tint("error" if is_error else "true")
         self.setAccessibleName(self.tr("Error") if is_error else self.tr("Message"))
+        self._said = text
+        self._more.setChecked(False)
         self._text.setText(text)
         self._text.setAccessibleName(text)
         self._action.setText(action)

@@ -23,7 +23,7 @@ class ProgressStrip(QFrame):
         super().__init__(parent)
         self.setProperty("bar", True)
         row = QHBoxLayout(self)
-        row.setContentsMargins(12, 2, 12, 2)
+        row.setContentsMargins(12, 0, 12, 0)  # the window's line has margins of its own
         row.setSpacing(12)
         self._text = QLabel(self)
         self._bar = QProgressBar(self)

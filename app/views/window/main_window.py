@@ -84,8 +84,9 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(centre)
         # The line keeps its height, so that nothing above moves when work begins or ends.
         self.statusBar().setSizeGripEnabled(False)
-        self.statusBar().setMinimumHeight(self.progress.sizeHint().height())
         self.statusBar().addPermanentWidget(self.progress, 3)
+        least = max(self.statusBar().sizeHint().height(), self.notice.least_height)
+        self.statusBar().setMinimumHeight(least)
         self.notice.stand_over(centre, self.statusBar(), self.progress)
         search = QPushButton(tr("Search commands   Ctrl+K"), self)
         search.setProperty("search", True)

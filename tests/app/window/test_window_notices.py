@@ -124,14 +124,57 @@ def test_what_is_told_hides_neither_a_passing_word_nor_the_progress(window, hand
     assert not window.notice.geometry().intersects(line)
 
 
+@pytest.mark.parametrize("size", [(1280, 688), (1920, 1040)])
+def test_a_long_text_hides_neither_lanes_nor_the_overview_until_more_is_asked_for(
+    window, hands, size
+):
+    window.resize(*size)
+    told = "not kept, for a reason that takes many words " * 20
+    window.notice.say(told, "Try again", lambda: None, is_error=True)
+    assert window.notice.text == told
+    assert window.notice._text.text().endswith("\u2026")
+    assert all_of_it_is_seen(window.notice)
+    timeline = window.workspace.timeline
+    place = timeline.rect().translated(timeline.mapTo(window, QPoint(0, 0)))
+    assert not place.intersects(window.notice.geometry())
+    window.notice._more.click()
+    assert window.notice._text.text() == told
+    assert all_of_it_is_seen(window.notice)
+    window.notice._more.click()
+    assert not place.intersects(window.notice.geometry())
+
+
+def test_a_short_text_offers_no_more_of_it_also_after_a_long_one(window, hands):
+    window.notice.say("not kept, for a reason that takes many words " * 20)
+    window.notice._more.click()
+    window.notice.say("saved")
+    assert window.notice._text.text() == "saved"
+    assert window.notice._more.isHidden()
+
+
+def all_of_it_is_seen(notice) -> bool:
+    notice.grab()
+    label = notice._text
+    return label.height() >= label.heightForWidth(label.width())
+
+
 def test_all_of_a_long_text_is_seen_in_a_window_that_becomes_narrow(window, hands, qtbot):
     window.notice.say("not kept, for a reason that takes many words " * 20, is_error=True)
+    window.notice._more.click()
     wide = window.notice.height()
     window.resize(window.minimumSizeHint())
     qtbot.waitUntil(lambda: window.notice.width() == window.centralWidget().width())
-    label = window.notice._text
     assert window.notice.height() > wide
-    assert label.height() >= label.heightForWidth(label.width())
+    assert all_of_it_is_seen(window.notice)
+
+
+def test_the_buttons_that_end_long_work_are_seen_whole(window, hands, qtbot):
+    window.progress.show_scene("Tracking", 0.4, 12, stoppable=True)
+    qtbot.wait(5)
+    for button in (window.progress._stop, window.progress._cancel):
+        assert button.height() >= button.sizeHint().height()
+        seen = button.visibleRegion().boundingRect()
+        assert seen == button.rect()
 
 
 def test_a_passing_word_that_was_read_gives_way_to_the_next_command(window, hands, monkeypatch):
