@@ -1,4 +1,4 @@
-"""Sides of boxes that nobody else is near."""
+"""Sides of boxes that show their own person and nobody else."""
 
 from __future__ import annotations
 
@@ -10,15 +10,29 @@ from tracking.trackers import clear_sides as module
 from tracking.trackers.clear_sides import SIDES, clear_sides
 
 
-def rows(*boxes: tuple[int, float, float, float, float]) -> dict[str, NDArray]:
-    """Rows of tracks: frame, left, top, width, height."""
+def rows(
+    *boxes: tuple[int, float, float, float, float], predicted: tuple[int, ...] = ()
+) -> dict[str, NDArray]:
+    """Rows of tracks: frame, left, top, width, height; numbers of those only predicted."""
     values = np.array(boxes, float).T
-    return {"frame": values[0].astype(np.int32), **dict(zip(SIDES, values[1:], strict=True))}
+    found = {"frame": values[0].astype(np.int32), **dict(zip(SIDES, values[1:], strict=True))}
+    return {**found, "predicted": np.isin(np.arange(len(boxes)), predicted)}
 
 
-def test_a_side_inside_somebody_elses_box_is_not_clear() -> None:
+def test_a_side_in_the_box_of_somebody_nearer_is_not_clear() -> None:
     found = clear_sides(rows((0, 10, 0, 20, 50), (0, 25, 5, 20, 50), (0, 80, 0, 20, 50)))
-    assert found.tolist() == [[True, False], [False, True], [True, True]]
+    assert found.tolist() == [[True, False], [True, True], [True, True]]
+
+
+def test_a_side_in_the_box_of_somebody_farther_who_is_not_told_apart_is_not_clear() -> None:
+    nearer, farther = (0, 25, 5, 20, 50), (0, 10, 0, 20, 50)
+    assert clear_sides(rows(nearer, farther))[0].all()
+    assert clear_sides(rows(nearer, farther, predicted=(1,)))[0].tolist() == [False, True]
+
+
+def test_of_two_who_stand_as_near_neither_is_clear_towards_the_other() -> None:
+    found = clear_sides(rows((0, 10, 0, 20, 50), (0, 25, 0, 20, 50)))
+    assert found.tolist() == [[True, False], [False, True]]
 
 
 def test_boxes_of_other_frames_and_above_each_other_leave_sides_clear() -> None:
@@ -43,5 +57,6 @@ def test_rows_may_come_in_any_order_and_in_pieces(monkeypatch: pytest.MonkeyPatc
 
 
 def test_a_run_without_rows_has_no_sides() -> None:
-    none = {name: np.zeros(0, np.int32 if name == "frame" else float) for name in ("frame", *SIDES)}
+    kinds = {"frame": np.int32, "predicted": np.bool_, **dict.fromkeys(SIDES, np.float64)}
+    none = {name: np.zeros(0, kind) for name, kind in kinds.items()}
     assert clear_sides(none).shape == (0, 2)

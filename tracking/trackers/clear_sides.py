@@ -1,4 +1,4 @@
-"""Sides of people's boxes that nobody else is near."""
+"""Sides of people's boxes that show themselves and nobody else."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ _CHUNK_ROWS = 50_000
 
 
 def clear_sides(tracks: Columns) -> Flags:
-    """(n, 2) whether the left and the right side of each row's box lies in no other box.
+    """(n, 2) whether what is seen at the left and the right side of each row's box is their own.
 
-    What is seen there is the person's own: arms and legs, and nobody else's. Takes time with the
-    square of the people in a frame.
+    It is, arms and legs, where no other box lies, and where somebody farther stands who is told
+    apart: a nearer one may hide it, and one who is only predicted may be seen as part of it.
+    Takes time with the square of the people in a frame.
 
     Args:
         tracks: (n,) rows of a run, in any order.
@@ -33,13 +34,13 @@ def clear_sides(tracks: Columns) -> Flags:
         stop = int(np.searchsorted(frame, frame[wanted - 1], side="right"))
         rows = order[start:stop]
         box = np.stack([tracks[name][rows] for name in SIDES], axis=1)
-        clear[rows] = _clear(box, frame[start:stop])
+        clear[rows] = _clear(box, tracks["predicted"][rows], frame[start:stop])
         start = stop
     return clear
 
 
-def _clear(box: Floats, frame: NDArray[np.int32]) -> Flags:
-    """The same of boxes (n, 4) px sorted by frame."""
+def _clear(box: Floats, predicted: Flags, frame: NDArray[np.int32]) -> Flags:
+    """The same of boxes (n, 4) px sorted by frame; feet lower in the picture are nearer."""
     clear = np.ones((len(frame), 2), np.bool_)
     edges = np.stack((box[:, 0], box[:, 0] + box[:, 2]))
     bottom = box[:, 1] + box[:, 3]
@@ -49,6 +50,7 @@ def _clear(box: Floats, frame: NDArray[np.int32]) -> Flags:
             beside = (box[own, 1] < bottom[other]) & (bottom[own] > box[other, 1])
             low, high = edges[:, other]
             inside = (edges[:, own] > low - _NEAR_PX) & (edges[:, own] < high + _NEAR_PX) & beside
-            clear[own] &= ~inside.T
+            harmless = ~predicted[other] & (bottom[other] < bottom[own])
+            clear[own] &= (~inside | harmless).T
         apart += 1
     return clear

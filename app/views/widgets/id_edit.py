@@ -56,6 +56,14 @@ class IdEdit(QLineEdit):
             return event.isAccepted()
         return super().event(event)
 
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+        """Pass on letters, which no field of digits takes: the window may say something of them."""
+        text = event.text()
+        if text.isprintable() and text and not text.isdigit():
+            event.ignore()
+        else:
+            super().keyPressEvent(event)
+
     def focusInEvent(self, event: QFocusEvent) -> None:  # noqa: N802 - Qt's name
         """What is typed replaces what is there."""
         super().focusInEvent(event)

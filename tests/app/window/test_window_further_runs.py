@@ -100,6 +100,19 @@ def test_following_a_further_run_is_refused_while_an_edit_waits(swapping, window
     assert "an edit waits" in said[-1]
 
 
+def test_why_not_is_said_also_where_the_other_ones_id_is_asked_for(followed, window, press):
+    followed.playback.go(40)
+    followed.document.correcting.pick(followed.document.tracks.of_frame(40)["track"].tolist()[0])
+    followed.editing.begin(EditKind.SWAP)
+    field = window.workspace.preview._other
+    assert window.focusWidget() is field
+    press(Key.Key_L, Qt.KeyboardModifier.ShiftModifier)
+    assert "an edit waits" in window.statusBar().currentMessage()
+    assert followed.document.flow is not None
+    press(Key.Key_2)
+    assert field.text() == "2"
+
+
 def test_an_edit_of_the_history_is_gone_to_from_a_further_run(followed):
     document = followed.document
     followed.playback.go(40)
