@@ -48,9 +48,14 @@ class TrackColours:
         self._seen: dict[int, int] = {}
 
     @classmethod
-    def of_session(cls, table: TrackTable, run: Run | None) -> TrackColours:
-        """Colours of a session: of the run's tracks first, which are the same at each opening."""
-        colours = cls()
+    def of_session(
+        cls, table: TrackTable, run: Run | None, seen: TrackColours | None = None
+    ) -> TrackColours:
+        """Colours of a session: of the run's tracks first, which are the same at each opening.
+
+        `seen`: those its ids had while the tracker worked, which they keep.
+        """
+        colours = cls() if seen is None else seen.copy()
         if run is not None:
             colours._settle(meetings_of(run.tracks))
         return colours.and_of(table)

@@ -55,16 +55,22 @@ class OwnColours:
         self._of: tuple[Session | None, int | None] = None, None
         self._previewed: tuple[Change | None, TrackColours, TrackColours] = None, self.now, self.now
 
-    def take(self, session: Session, opening: bool = False) -> None:
-        """Give a session's tracks colours, unless they have them; many have theirs later."""
+    def take(
+        self, session: Session, opening: bool = False, seen: TrackColours | None = None
+    ) -> None:
+        """Give a session's tracks colours, unless they have them; many have theirs later.
+
+        seen: those in which the same ids were watched while the tracker worked: they stay.
+        """
         if (session, session.adopted_run) == self._of:
             return
         self._of = session, session.adopted_run
         table, run = session.tracks.snapshot(), session.corrected_run
         if _is_quick(table, run, _WHILE_OPENING if opening else 1):
-            self.now, self.due = TrackColours.of_session(table, run), None
+            self.now, self.due = TrackColours.of_session(table, run, seen), None
         else:
-            self.due = ColoursDue(lambda: TrackColours.of_session(table, run))
+            self.now = self.now if seen is None else seen.copy()
+            self.due = ColoursDue(lambda: TrackColours.of_session(table, run, seen))
 
     def meet(self, table: TrackTable, tracks: Iterable[int]) -> None:
         """An edit has touched these: those new among them have colours, many a moment later."""

@@ -37,6 +37,7 @@ class Showing:
         self._at_work: AtWork | None = None
         self.tracks: WholeTracks = self._chosen()
         self.own, self._live_colours = OwnColours(), TrackColours()
+        self._watched: TrackColours | None = None  # a tracker's ids, until its run is kept
         if session is not None:
             self.own.take(session, opening=True)
 
@@ -97,6 +98,7 @@ class Showing:
         self._continues_at = continues_at
         # What is kept of a run that goes on from tracks is decided later: its ids leave no trace.
         self._live_colours = TrackColours() if continues_at is None else self.own.now.copy()
+        self._watched = self._live_colours if continues_at is None else None
         self.tracks = self._chosen()
 
     def show_live(self, on: bool) -> bool:
@@ -123,7 +125,8 @@ class Showing:
         self.session = session
         self._live, self.is_live, self.at_work = LiveTracks(), False, False
         self.tracks = self._chosen()
-        self.own.take(session)
+        seen, self._watched = self._watched, None
+        self.own.take(session, seen=seen)
 
     def meet(self, change: Change) -> None:
         """Take note of an edit: who is new by it has a colour from now on."""

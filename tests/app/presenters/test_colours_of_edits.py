@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from app.presenters.correcting import EditKind
+from app.presenters.document import own_colours
 from app.presenters.document.document import Document
 from app.presenters.palette import TRACK_COLOURS, usual_place
 from tracking.editing import plan_reassign, plan_split
@@ -141,3 +142,34 @@ def test_a_run_that_goes_on_and_is_not_kept_gives_no_colour(document):
     assert document._showing.colours.has(26)
     document._showing.take_session(document.session)
     assert not document._showing.colours.has(26)
+
+
+@pytest.mark.parametrize("quick", [True, False])
+def test_who_was_watched_while_a_tracker_worked_keeps_the_colour_when_its_run_is_kept(
+    recording, document, monkeypatch, quick
+):
+    if not quick:
+        monkeypatch.setattr(own_colours, "_QUICK_ROWS", 0)
+    live, session = Document(recording), document.session
+    live.begin_live()
+    for frame in (0, 55):  # 2 comes up where 1 and 25 have theirs already
+        live._showing._live_colours.meet(session.tracks.of_frame(frame))
+    watched = live._showing._live_colours
+    watched._place = {one: (place + 5) % 20 for one, place in watched._place.items()}
+    before = _colours(live, 1, 2, 25)
+    live.take_session(session)
+    assert _colours(live, 1, 2, 25) == before
+    due = live.colours_due
+    assert (due is None) is quick
+    if due is not None:
+        assert live.take_colours(due, due.make())
+    assert _colours(live, 1, 2, 25) == before
+
+
+def test_colours_of_one_tracker_are_not_those_of_another_session(recording, document):
+    live = Document(recording, document.session)
+    own = _colours(live, 1, 2, 25)
+    live.begin_live()
+    live._showing._live_colours._place = dict.fromkeys((1, 2, 25), 7)
+    live.end_live()  # stopped, or kept beside
+    assert _colours(live, 1, 2, 25) == own

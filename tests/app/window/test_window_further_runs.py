@@ -226,9 +226,9 @@ def long(desk, monkeypatch) -> Desk:
     of_session = TrackColours.of_session
     desk.made_in = []
 
-    def shifted(table, run):
+    def shifted(table, run, seen=None):
         desk.made_in.append(threading.current_thread())
-        colours = of_session(table, run)
+        colours = of_session(table, run, seen)
         colours._place = {one: (place + 5) % 20 for one, place in colours._place.items()}
         return colours
 
