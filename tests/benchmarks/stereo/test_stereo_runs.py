@@ -61,6 +61,13 @@ def test_a_run_is_tracked_once_until_sources_change(
     assert len(tracked) == 2
 
 
+def test_a_kept_run_tells_what_seeing_and_following_took(clip: Path, tmp_path: Path) -> None:
+    for _ in range(2):
+        times = runs_over(clip, [FEWER, OURS], tmp_path)[FEWER].times
+        assert times["frames"].tolist() == [20]
+        assert 0 < times["following_s"][0] < times["seeing_s"][0] < 60
+
+
 def test_somebody_not_kept_is_told_on_one_line_and_counted() -> None:
     around = Circumstance("behind somebody", 4, 0.02)
     one = NotKept(7, "new id", 413, 396, 0, (6, 14), around)

@@ -10,6 +10,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from tests.benchmarks.kept import LIBRARIES, keep, path_of, sources_of, tables_in
 from tracking.pipeline import KeptSteps, background_samples, begin_pairing
 from tracking.recording import Instants, Recording, open_recording
@@ -22,6 +24,8 @@ from tracking.tracks.run import Run
 SEED = 0
 _SEEN_BY = ("foreground", "stereo", "people")
 """The rooms whose settings decide what is seen."""
+
+_TABLES = ("tracks", "detections", "times")
 
 _ROOMS = (
     *("errors.py", "filtering/**/*.py", "foreground/**/*.py", "geometry/**/*.py"),
@@ -50,10 +54,29 @@ class Variant:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Seen:
-    """Of a run: what was followed, and what was seen in each frame alone."""
+    """Of a run: what was followed, and what was seen in each frame alone.
+
+    Attributes:
+        times: processor time in one row: `frames`, `seeing_s` (people found in all of them; shared
+            by trackers that perceive alike) and `following_s` (steps, and finishing the run).
+    """
 
     tracks: Columns
     detections: Columns
+    times: Columns
+
+
+class _Stopwatch:
+    """Processor time of a with statement, summed over all times it is entered."""
+
+    def __init__(self) -> None:
+        self.total_s = 0.0
+
+    def __enter__(self) -> None:
+        self._began_s = time.process_time()
+
+    def __exit__(self, *_: object) -> None:
+        self.total_s += time.process_time() - self._began_s
 
 
 def runs_over(
@@ -67,17 +90,16 @@ def runs_over(
     if kept is not None:
         places = {variant: kept / place.name for variant, place in places.items()}
     missing = [variant for variant, place in places.items() if not place.is_file()]
-    for variant, run in _fresh_runs(folder, missing):
-        keep(places[variant], {"tracks": run.tracks, "detections": run.detections})
-    return {
-        variant: Seen(**tables_in(place, ("tracks", "detections")))
-        for variant, place in places.items()
-    }
+    for variant, run, times in _fresh_runs(folder, missing):
+        tables = (run.tracks, run.detections, times)
+        keep(places[variant], dict(zip(_TABLES, tables, strict=True)))
+    return {variant: Seen(**tables_in(place, _TABLES)) for variant, place in places.items()}
 
 
 def _place(folder: Path, variant: Variant) -> Path:
     values = settings_values(variant.chosen())
-    return path_of(folder, _sources(), LIBRARIES, repr((variant.tracker, values, SEED)))
+    said = repr((variant.tracker, values, SEED, _TABLES))
+    return path_of(folder, _sources(), LIBRARIES, said)
 
 
 @cache
@@ -85,7 +107,9 @@ def _sources() -> str:
     return sources_of(_ROOMS)
 
 
-def _fresh_runs(folder: Path, variants: Sequence[Variant]) -> Iterator[tuple[Variant, Run]]:
+def _fresh_runs(
+    folder: Path, variants: Sequence[Variant]
+) -> Iterator[tuple[Variant, Run, Columns]]:
     for together in _seeing_alike(variants):
         began = time.perf_counter()
         with open_recording(folder) as recording:
@@ -105,23 +129,37 @@ def _seeing_alike(variants: Sequence[Variant]) -> Iterator[list[Variant]]:
     yield from groups.values()
 
 
-def _tracked(recording: Recording, variants: list[Variant]) -> Iterator[tuple[Variant, Run]]:
+def _tracked(
+    recording: Recording, variants: list[Variant]
+) -> Iterator[tuple[Variant, Run, Columns]]:
     built = [_build(recording, variant) for variant in variants]
     perception = built[0][0]
     perception.learn(background_samples(recording))
     steps = [KeptSteps() for _ in variants]
+    seeing, following = _Stopwatch(), [_Stopwatch() for _ in variants]
     eyes, instants = perception.eyes, Instants(recording)
     if eyes is not None:
         begin_pairing(eyes, instants, 0)
     for frame in instants.frames(0, recording.frame_count):
-        seen = perception.observe(frame)
+        with seeing:
+            seen = perception.observe(frame)
         if eyes is not None:
             instants.lag = eyes.pairing
-        for (_, tracker), own in zip(built, steps, strict=True):
-            own.add([tracker.step(seen)])
-    for variant, own in zip(variants, steps, strict=True):
+        for (_, tracker), own, watch in zip(built, steps, following, strict=True):
+            with watch:
+                step = tracker.step(seen)
+            own.add([step])
+    for variant, own, watch in zip(variants, steps, following, strict=True):
         values = settings_values(variant.chosen())
-        yield variant, own.run(variant.tracker, values, SEED, recording)
+        with watch:
+            run = own.run(variant.tracker, values, SEED, recording)
+        yield variant, run, _times(recording, seeing, watch)
+
+
+def _times(recording: Recording, seeing: _Stopwatch, following: _Stopwatch) -> Columns:
+    values = (recording.frame_count, seeing.total_s, following.total_s)
+    names = ("frames", "seeing_s", "following_s")
+    return {name: np.array([value], float) for name, value in zip(names, values, strict=True)}
 
 
 def _build(recording: Recording, variant: Variant) -> tuple[Perception, Tracker]:
