@@ -1,9 +1,10 @@
 """Stereo trackers: `python -m tests.benchmarks.stereo [--report] [--only SECTION ...]`.
 
 Without --report: the figures on the clips for choosing settings, printed as the page would have
-them. With it: on the clips reported, kept one by one in docs/results/stereo.json, and the page made
-of them. --rewrite only makes the page anew. Clips and runs are kept in the temporary folder, or
-where --clips says; clips that are there are taken as they are.
+them; fresh clips are left alone. With it: on the clips reported, goals on fresh ones beside them,
+kept one by one in docs/results/stereo.json, and the page made of them. --rewrite only makes the
+page anew. Clips and runs are kept in the temporary folder, or where --clips says; clips that are
+there are taken as they are.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ def _contents(wish: Asked) -> Contents:
     from tests.benchmarks.stereo import befallen, clips, measuring, pictures, real, report, words
 
     known = clips.REPORTED if wish.report else clips.TUNED
+    fresh = clips.FRESH.of_scene if wish.report else {}
 
     def picture(found: dict[str, Any]) -> Any:
         shown = found["shown"]
@@ -31,7 +33,7 @@ def _contents(wish: Asked) -> Contents:
         report.writers(),
         {
             "tables": lambda: measuring.tables(known.of_scene, wish.clips),
-            "goals": lambda: measuring.goals(known.of_scene, wish.clips),
+            "goals": lambda: measuring.both(fresh, known.of_scene, wish.clips),
             "peers": lambda: _peers(known, wish),
             "real": lambda: real.measure(wish.data),
             "lost": lambda: _lost(known, wish),

@@ -69,8 +69,17 @@ def _clips_needed(scene: str) -> int:
     return 1 if scene in _FEWER_WILL_DO else -(-_LEAST_PEOPLE // (SCENES[scene].people - 1))
 
 
-REPORTED = _clips(6101, {scene: _clips_needed(scene) for scene in SCENES_MEASURED})
+_NEEDED = {scene: _clips_needed(scene) for scene in SCENES_MEASURED}
+
+REPORTED = _clips(6101, _NEEDED)
 """No setting is chosen on these, but each change is measured on them: fresh ones tell more."""
+
+FIRST_FRESH = 6303
+
+FRESH = _clips(FIRST_FRESH, _NEEDED)
+"""Nobody has looked at these, so goals are judged on them. Whoever changes a tracker, or anything
+it sees with, after they were measured, moves the first seed on, beyond all that were ever used:
+what was seen once is no longer fresh."""
 
 TUNED = _clips(6001, dict.fromkeys(SCENES_MEASURED, 1))
 """For choosing settings; never reported."""

@@ -33,6 +33,7 @@ _KINDS = ("detected", "kept", "detected_by_place", "kept_by_place", "not_kept")
 """Of people; "by place" where only tracks count that stand nearer to them than to anybody else."""
 
 SCORES = ("tracking_accuracy", "MOTA", "IDF1", "HOTA", "id_switches")
+_COUNTS = ("people_kept", "people_detected", "misses", "false_positives", "truth_rows")
 
 
 def tables(of_scene: OfScene, kept: Path | None = None) -> Figures:
@@ -47,6 +48,11 @@ def goals(of_scene: OfScene, kept: Path | None = None) -> Figures:
     return {
         scene: _scored([folder(clip, kept) for clip in clips]) for scene, clips in of_scene.items()
     }
+
+
+def both(fresh: OfScene, often: OfScene, kept: Path | None = None) -> Figures:
+    """The same of clips nobody has looked at, and of those that are measured after each change."""
+    return {"fresh": goals(fresh, kept), "often": goals(often, kept)}
 
 
 def not_kept_of(of_scene: OfScene, kept: Path | None = None) -> dict[str, list[Figures]]:
@@ -118,6 +124,6 @@ def figures_of(score: Score) -> Figures:
     """What is told of a score."""
     figures = score.as_json()
     return {
-        **{name: figures[name] for name in (*SCORES, "people_kept", "people_detected")},
+        **{name: figures[name] for name in (*SCORES, *_COUNTS)},
         "error_m": figures["position_error_m"]["mean"],
     }

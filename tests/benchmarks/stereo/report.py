@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from tests.benchmarks.pages import Figures, met, table
-from tests.benchmarks.stereo import cues, losses, peers, words
+from tests.benchmarks.pages import Figures, table
+from tests.benchmarks.stereo import cues, goals, losses, peers, words
 from tests.benchmarks.stereo.columns import COLUMNS
 from tests.benchmarks.stereo.real import LONGEST
 from tests.benchmarks.stereo.shares import interval, percent
@@ -21,15 +21,12 @@ PAPER = {
 }
 """[Kawashita2012] and [Kawashita2014]: distance; with colour; with direction; in per cent."""
 
-ACCURACY_GOALS = {"lobby": 0.97, "plaza": 0.98, "square": 0.97, "uniforms": 0.92, "pillars": 0.90}
-LEAST_DETECTED, LEAST_IDF1, MOST_ERROR_M = 0.95, 0.95, 0.10
-
 
 def writers() -> Mapping[str, Callable[[Any], str]]:
     """A writer for each section, in the page's order."""
     return {
         "tables": _tables,
-        "goals": _goals,
+        "goals": goals.written,
         "peers": peers.written,
         "real": _real,
         "lost": losses.written,
@@ -62,58 +59,6 @@ def _kept(column: Figures, ending: str) -> str:
     low, high = interval(kept, detected)
     share = f"{percent(kept, detected)} % ({100 * low:.0f} to {100 * high:.0f})"
     return f"{share}, {kept} of {detected}"
-
-
-def _goals(figures: Figures) -> str:
-    return "\n\n".join((words.GOALS.strip(), _scores(figures), _verdicts(figures)))
-
-
-def _scores(figures: Figures) -> str:
-    rows = []
-    for scene, row in figures.items():
-        low, high = interval(row["people_kept"], row["people_detected"])
-        rows.append(
-            [
-                _titled(scene),
-                f"{row['people_kept']} of {row['people_detected']}",
-                f"{row['tracking_accuracy']:.3f} ({low:.2f} to {high:.2f})",
-                f"{row['visible_detected']} of {row['visible']}",
-                *(f"{row[name]:.3f}" for name in ("MOTA", "IDF1", "HOTA")),
-                str(row["id_switches"]),
-                f"{row['error_m']:.3f}",
-            ]
-        )
-    head = (
-        "", "kept", "tracking accuracy", "detected of the visible", "MOTA", "IDF1", "HOTA",
-        "switches", "error, m",
-    )  # fmt: skip
-    return table(head, rows)
-
-
-def _verdicts(figures: Figures) -> str:
-    rows = []
-    for scene, row in figures.items():
-        goal = ACCURACY_GOALS.get(scene)
-        accuracy = "" if goal is None else f"{goal:g}: {_met(row['tracking_accuracy'], goal)}"
-        detected = row["visible_detected"] / max(row["visible"], 1)
-        rows.append(
-            [
-                _titled(scene),
-                accuracy,
-                _met(detected, LEAST_DETECTED),
-                _met(row["IDF1"], LEAST_IDF1),
-                _met(row["error_m"], MOST_ERROR_M, at_most=True),
-            ]
-        )
-    head = (
-        "goals", "tracking accuracy", f"detected, {LEAST_DETECTED:g}", f"IDF1, {LEAST_IDF1:g}",
-        f"error, {MOST_ERROR_M:.2f} m",
-    )  # fmt: skip
-    return table(head, rows)
-
-
-def _met(ours: float, goal: float, *, at_most: bool = False) -> str:
-    return met(ours, goal, at_most=at_most, digits=3)
 
 
 def _real(figures: Figures) -> str:

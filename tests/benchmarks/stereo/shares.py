@@ -20,3 +20,9 @@ def interval(part: int, whole: int) -> tuple[float, float]:
 def percent(part: int, whole: int) -> str:
     """A share in per cent with one digit; - of nobody."""
     return f"{100 * part / whole:.1f}" if whole else "-"
+
+
+def said_interval(part: int, whole: int) -> str:
+    """Wilson's interval with two digits."""
+    low, high = interval(part, whole)
+    return f"{low:.2f} to {high:.2f}"
