@@ -83,7 +83,7 @@ class PictureScene:
         message: said in the middle where there is no picture.
         preview: trails in pixels before (dashed) and after (solid) of an edit being previewed.
         ghosts: people where they are before that edit, as far as it moves or takes them out.
-        drawing: a box is to be drawn.
+        drawing: a box is to be drawn. movable: anybody's box can be dragged.
     """
 
     eye: Eye
@@ -97,6 +97,7 @@ class PictureScene:
     legend: tuple[LegendEntry, ...] = ()
     ghosts: tuple[PersonMark, ...] = ()
     drawing: bool = False
+    movable: bool = False
 
 
 @dataclass(frozen=True, slots=True)

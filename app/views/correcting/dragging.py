@@ -25,10 +25,13 @@ class Dragging(QObject):
         """The frame that is seen, which is the one that is meant."""
         return self._playback.number
 
-    def grab_box(self) -> None:
-        """The selected person's box is taken hold of; a box that is drawn is held already."""
+    def grab_box(self, track: int = 0) -> None:
+        """Somebody's box is taken hold of; 0: the selected person's, or one that is drawn."""
         self._playback.pause()
         self._playback.go(self._frame)
+        if track:
+            self._document.correcting.leave()
+            self._document.selection.choose(track)
         flow = self._document.flow
         if flow is None or not flow.places or flow.kind is EditKind.FLOOR:
             self._editing.begin(EditKind.MOVE)

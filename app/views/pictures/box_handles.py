@@ -15,6 +15,7 @@ Handle = tuple[int, int]
 INSIDE: Handle = (0, 0)
 _SIDE_PX = 8.0
 _REACH_PX = 9.0
+_BORDER_PX = 2.0
 _CORNERS: tuple[Handle, ...] = ((-1, -1), (1, -1), (1, 1), (-1, 1))
 _EDGES: tuple[Handle, ...] = ((0, -1), (1, 0), (0, 1), (-1, 0))
 _ROOM_FOR_EDGES_PX = 44.0
@@ -45,7 +46,12 @@ class Grip:
 
 
 def handle_at(rect: QRectF, at: QPointF) -> Handle | None:
-    """The handle of a box, given in the widget, at a place of it; None beside the box."""
+    """The handle of a box, given in the widget, at a place of it; None beside the box.
+
+    All of a small box but its border moves it: its handles stand outside.
+    """
+    if not _is_roomy(rect) and _within(rect).contains(at):
+        return INSIDE
     near = [(QLineF(_place(rect, handle), at).length(), handle) for handle in handles_of(rect)]
     distance, nearest = min(near)
     reach = min(_REACH_PX, max(rect.width(), rect.height()) / 3)
@@ -56,8 +62,7 @@ def handle_at(rect: QRectF, at: QPointF) -> Handle | None:
 
 def handles_of(rect: QRectF) -> tuple[Handle, ...]:
     """The corners, and the middles of the sides where there is room for them."""
-    roomy = min(rect.width(), rect.height()) >= _ROOM_FOR_EDGES_PX
-    return (*_CORNERS, *_EDGES) if roomy else _CORNERS
+    return (*_CORNERS, *_EDGES) if _is_roomy(rect) else _CORNERS
 
 
 def cursor_of(handle: Handle) -> Qt.CursorShape:
@@ -81,9 +86,21 @@ def draw_handles(painter: QPainter, rect: QRectF, colour: QColor) -> None:
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
+def _is_roomy(rect: QRectF) -> bool:
+    return min(rect.width(), rect.height()) >= _ROOM_FOR_EDGES_PX
+
+
+def _within(rect: QRectF) -> QRectF:
+    """A box without its border."""
+    across, along = (min(_BORDER_PX, side / 6) for side in (rect.width(), rect.height()))
+    return rect.adjusted(across, along, -across, -along)
+
+
 def _place(rect: QRectF, handle: Handle) -> QPointF:
-    middle = rect.center()
-    return middle + QPointF(handle[0] * rect.width() / 2, handle[1] * rect.height() / 2)
+    """The middle of a handle: on the border, at a small box outside of it."""
+    out = 0.0 if _is_roomy(rect) else _SIDE_PX / 2
+    across, along = rect.width() / 2 + out, rect.height() / 2 + out
+    return rect.center() + QPointF(handle[0] * across, handle[1] * along)
 
 
 def _dragged(low: float, high: float, side: int, by: float) -> tuple[float, float]:

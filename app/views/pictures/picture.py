@@ -17,7 +17,7 @@ from app.views.labelling.marks import draw_outlines, draw_parts
 from app.views.look.theme import Theme, scaled_font
 from app.views.parts.cards import draw_cards
 from app.views.parts.marks import draw_part_boxes, draw_part_particles, part_box_at, said_at
-from app.views.pictures.box_handles import Grip, cursor_of, draw_handles, handle_at
+from app.views.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_boxes
 from app.views.pictures.legend import draw_legend
@@ -46,13 +46,13 @@ class PictureView(Canvas):
         track_added(int): the same with Shift.
         part_picked(int): a body part of the selected person was clicked.
         picture_clicked(float, float): where a click was, in pixels as recorded.
-        box_grabbed(), box_dragged(object), box_dropped(): the box with handles, or one that is
-            being drawn, is taken hold of, is now (left, top, width, height), is let go.
+        box_grabbed(int), box_dragged(object), box_dropped(): a person's box, or for 0 the one
+            with handles or being drawn, is held, is now (left, top, width, height), is let go.
     """
 
     track_picked = Signal(int)
     track_added = Signal(int)
-    box_grabbed = Signal()
+    box_grabbed = Signal(int)
     box_dragged = Signal(object)
     box_dropped = Signal()
     picture_clicked = Signal(float, float)
@@ -70,6 +70,7 @@ class PictureView(Canvas):
         self._eye_name = ""
         self._alone = False
         self._grip: Grip | None = None
+        self._held = 0
         self._dragged = False
         self._hover: QPointF | None = None
         self._rename()
@@ -157,9 +158,18 @@ class PictureView(Canvas):
     # moving and drawing boxes
 
     def grabs(self, at: QPointF) -> bool:
-        """A new box's corner while one is to be drawn, else a handle or the movable box itself."""
-        self._grip, self._dragged = self._grip_at(at), False
+        """A new box's corner while one is to be drawn, else a handle, or anybody's box."""
+        self._grip, self._held, self._dragged = self._grip_at(at), 0, False
+        if self._grip is None and (person := self._inside(at)) is not None:
+            self._grip = Grip(INSIDE, person.box, self.viewport.to_content(at))
+            self._held = person.track
         return self._grip is not None
+
+    def _inside(self, at: QPointF) -> PersonMark | None:
+        """Whose box can be moved from here, though it has no handles."""
+        person = self._person_at(at) if self._scene.movable else None
+        inside = person is not None and self.viewport.rect(QRectF(*person.box)).contains(at)
+        return person if inside else None
 
     def _grip_at(self, at: QPointF) -> Grip | None:
         place = self.viewport.to_content(at)
@@ -180,7 +190,7 @@ class PictureView(Canvas):
             return
         if not self._dragged:
             self._dragged = True
-            self.box_grabbed.emit()
+            self.box_grabbed.emit(self._held)
         self._hover = at
         self.box_dragged.emit(self._grip.moved_to(self.viewport.to_content(at)))
 

@@ -116,6 +116,40 @@ def test_a_box_is_moved_by_its_inside_and_resized_by_a_corner(hands, someone):
     assert len(hands.desk.document.session.history) == 2
 
 
+def test_a_box_is_moved_at_once_though_nobody_or_somebody_else_is_selected(hands, someone):
+    view, other = hands.window.workspace.left, hands.people()[0]
+    for selected in (0, other if other != someone else hands.people()[1]):
+        hands.desk.editing.pick(selected)
+        hands.qtbot.wait(5)
+        fitted, before, box = view.viewport, hands.row(someone, CROWDED), hands.box_on(someone)
+        hands.drag(view, box.center(), box.center() + QPointF(20, 0))
+        moved = hands.row(someone, CROWDED)
+        by = 20 / view.viewport.scale
+        assert moved["left"] == pytest.approx(before["left"] + by, abs=2 / view.viewport.scale)
+        assert moved["width"] == pytest.approx(before["width"])
+        assert hands.desk.document.selection.track == someone
+        assert view.viewport == fitted
+
+
+def test_escape_while_somebodys_box_is_dragged_leaves_it_where_it_was(hands, someone):
+    view, row = hands.window.workspace.left, hands.row(someone, CROWDED)
+    start = hands.box_on(someone).center()
+    hands.drag(view, start, start + QPointF(40, 0), drop=False)
+    hands.press(Qt.Key.Key_Escape)
+    QTest.mouseRelease(view, LEFT, NO_KEY, (start + QPointF(80, 0)).toPoint())
+    assert hands.row(someone, CROWDED) == row
+    assert hands.desk.document.flow is None
+
+
+def test_while_another_person_is_waited_for_a_drag_pans(hands, someone):
+    view, row = hands.window.workspace.left, hands.row(someone, CROWDED)
+    hands.choose_in_menu(view, hands.box_on(someone).center(), "tracks.swap")
+    before, start = view.viewport, hands.box_on(someone).center()
+    hands.drag(view, start, start + QPointF(40, 0))
+    assert view.viewport != before
+    assert hands.row(someone, CROWDED) == row
+
+
 def test_dragging_beside_the_selected_box_pans_and_edits_nothing(hands, someone):
     view = hands.window.workspace.left
     hands.click(view, hands.box_on(someone).center())

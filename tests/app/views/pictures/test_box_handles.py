@@ -29,6 +29,15 @@ def test_a_small_box_has_only_corners_so_that_it_can_still_be_moved():
     assert handle_at(small, small.center()) == INSIDE
 
 
+@pytest.mark.parametrize("size", [(26, 70), (14, 30), (30, 30)])
+def test_all_of_a_small_box_moves_it_and_its_corners_are_held_from_outside(size):
+    small = QRectF(100, 50, *size)
+    near = [QPointF(small.left() + 3, y) for y in (small.top() + 6, small.center().y())]
+    assert [handle_at(small, at) for at in near] == [INSIDE, INSIDE]
+    assert handle_at(small, small.topLeft() - QPointF(4, 4)) == (-1, -1)
+    assert handle_at(small, small.bottomRight()) == (1, 1)
+
+
 def test_dragging_a_corner_over_the_opposite_one_turns_the_box_round():
     grip = Grip((1, 1), (10.0, 10.0, 20.0, 30.0), QPointF(30, 40))
     assert grip.moved_to(QPointF(5, 0)) == (5.0, 0.0, 5.0, 10.0)
