@@ -1,7 +1,7 @@
 """Stereo trackers: `python -m tests.benchmarks.stereo [--report] [--only SECTION ...]`.
 
 Without --report: the figures on the clips for choosing settings, printed as the page would have
-them; fresh clips are left alone. With it: on the clips reported, goals on fresh ones beside them,
+them; fresh clips are left alone. With it: on the clips reported, goals and trackers on fresh ones,
 kept one by one in docs/results/stereo.json, and the page made of them. --rewrite only makes the
 page anew. Clips and runs are kept in the temporary folder, or where --clips says; clips that are
 there are taken as they are.
@@ -14,12 +14,22 @@ from typing import Any
 from tests.benchmarks.asking import Asked
 from tests.benchmarks.results import Contents, run
 
-SECTIONS = ("tables", "goals", "real", "lost", "befallen", "peers")
-"""As they are measured: programs of others come last, as they may fail."""
+SECTIONS = ("tables", "trackers", "goals", "real", "lost", "befallen", "peers")
+"""As they are measured: runs of `tables` and `trackers` serve `goals`; programs of others come
+last, as they may fail."""
 
 
 def _contents(wish: Asked) -> Contents:
-    from tests.benchmarks.stereo import befallen, clips, measuring, pictures, real, report, words
+    from tests.benchmarks.stereo import (
+        befallen,
+        choice,
+        clips,
+        measuring,
+        pictures,
+        real,
+        report,
+        words,
+    )
 
     known = clips.REPORTED if wish.report else clips.TUNED
     fresh = clips.FRESH.of_scene if wish.report else {}
@@ -33,6 +43,7 @@ def _contents(wish: Asked) -> Contents:
         report.writers(),
         {
             "tables": lambda: measuring.tables(known.of_scene, wish.clips),
+            "trackers": lambda: choice.measure(fresh or known.of_scene, wish.clips),
             "goals": lambda: measuring.both(fresh, known.of_scene, wish.clips),
             "peers": lambda: _peers(known, wish),
             "real": lambda: real.measure(wish.data),

@@ -7,6 +7,9 @@ from tests.benchmarks.stereo.trackers import Variant
 OURS = Variant("stereo-joint")
 """The default for stereo recordings."""
 
+AS_THEY_COME = (OURS.tracker, "stereo-direction", "stereo-colour")
+"""All trackers for two eyes."""
+
 DISTANCE, COLOUR, DIRECTION, OWN = "distance", "distance + colour", "all three", "stereo-joint"
 CUES = (DISTANCE, COLOUR, DIRECTION)
 COLUMNS = (*CUES, OWN)

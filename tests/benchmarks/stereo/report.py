@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from tests.benchmarks.pages import Figures, table
-from tests.benchmarks.stereo import cues, goals, losses, peers, words
+from tests.benchmarks.stereo import choice, cues, goals, losses, peers, words
 from tests.benchmarks.stereo.columns import COLUMNS
 from tests.benchmarks.stereo.real import LONGEST
 from tests.benchmarks.stereo.shares import interval, percent
@@ -25,8 +25,9 @@ PAPER = {
 def writers() -> Mapping[str, Callable[[Any], str]]:
     """A writer for each section, in the page's order."""
     return {
-        "tables": _tables,
+        "trackers": choice.written,
         "goals": goals.written,
+        "tables": _tables,
         "peers": peers.written,
         "real": _real,
         "lost": losses.written,

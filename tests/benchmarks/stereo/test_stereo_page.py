@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.benchmarks.stereo import peers, reasons, report
+from tests.benchmarks.stereo import choice, peers, reasons, report
 from tests.benchmarks.stereo.clips import FRESH, REPORTED, TUNED
-from tests.benchmarks.stereo.columns import COLUMNS, OWN, columns_of
+from tests.benchmarks.stereo.columns import AS_THEY_COME, COLUMNS, OWN, columns_of
 from tests.benchmarks.stereo.cues import sentences
 from tests.benchmarks.stereo.goals import ACCURACY_GOALS
 from tests.benchmarks.stereo.pictures import typical
@@ -19,6 +19,7 @@ from tests.benchmarks.stereo.shares import interval
 from tests.benchmarks.stereo.troubles import Trouble, troubled
 from tracking.recording import Recording, open_recording
 from tracking.synthesis import SCENES, render_recording
+from tracking.trackers import TRACKERS
 
 
 def _lost(name: str, what: str = reasons.RENAMED, where: str = "behind somebody") -> dict[str, Any]:
@@ -125,6 +126,44 @@ def test_goals_without_fresh_clips_are_not_judged() -> None:
     page = report.writers()["goals"]({"fresh": {}, "often": _goals()["often"]})
     assert "not been measured" in page
     assert "met" not in page.partition("not been measured")[2].replace("metres", "")
+
+
+def _choice(*rows: dict[str, Any]) -> dict[str, Any]:
+    named = dict(zip(AS_THEY_COME, rows, strict=True))
+    return {"all": named, "scenes": {"lobby": named}, "clips": ["lobby-6303"]}
+
+
+def _timed(kept: int, following_ms: float, **others: float) -> dict[str, Any]:
+    return {**_scored(kept, 6303), "following_ms": following_ms, "seeing_ms": 9.0, **others}
+
+
+def test_trackers_stand_beside_each_other_as_they_come() -> None:
+    joint, direction = _timed(24, 2.0, MOTA=0.95), _timed(20, 1.5, MOTA=0.97, false_positives=4)
+    page = report.writers()["trackers"](_choice(joint, direction, _timed(19, 2.5)))
+    row = "| stereo-joint | 24 of 25 | 0.970 | 0.950 | 3.00 | 1.00 | 3 | 0.120 | 2.00 |"
+    assert row in page
+    assert "| 0.40 | 3 | 0.120 | 1.50 |" in page
+    assert "| stereo-colour | 19 of 25 | 0.970 | 0.900 | 3.00 | 1.00 | 3 | 0.120 | 2.50 |" in page
+    assert "| lobby, 2.4 m, 30 degrees | 24 of 25 | 20 of 25 | 19 of 25 |" in page
+
+
+def test_which_tracker_to_take_is_told_by_what_each_is_best_at() -> None:
+    joint, direction = _timed(24, 2.0, MOTA=0.95), _timed(20, 1.5, MOTA=0.97)
+    said = choice.advice(_choice(joint, direction, _timed(19, 1.0))["all"])
+    assert said.startswith("Take `stereo-joint` where everybody must keep one id (24 of 25 kept,")
+    assert "`stereo-direction` where every box counts and ids do not (MOTA 0.970," in said
+    assert "`stereo-colour` where time is short (1.00 ms a frame" in said
+
+
+def test_a_tracker_that_is_ahead_in_everything_is_told_once() -> None:
+    joint, direction = _timed(24, 1.0, MOTA=0.99), _timed(20, 1.5, MOTA=0.97)
+    said = choice.advice(_choice(joint, direction, _timed(19, 2.5))["all"])
+    assert said.count("`stereo-joint`") == 1
+    assert "ahead in everything" in said
+
+
+def test_every_tracker_for_two_eyes_is_compared_as_it_comes() -> None:
+    assert {spec.name for spec in TRACKERS.values() if spec.needs_stereo} == set(AS_THEY_COME)
 
 
 def test_what_goes_wrong_is_counted_by_scene_and_the_most_frequent_are_shown() -> None:

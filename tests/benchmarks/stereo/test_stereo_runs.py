@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.benchmarks.stereo import trackers
+from tests.benchmarks.rendered import Clip
+from tests.benchmarks.stereo import choice, measuring, report, trackers
 from tests.benchmarks.stereo.circumstance import Circumstance
 from tests.benchmarks.stereo.columns import OURS
 from tests.benchmarks.stereo.lost import counted, line
@@ -66,6 +68,19 @@ def test_a_kept_run_tells_what_seeing_and_following_took(clip: Path, tmp_path: P
         times = runs_over(clip, [FEWER, OURS], tmp_path)[FEWER].times
         assert times["frames"].tolist() == [20]
         assert 0 < times["following_s"][0] < times["seeing_s"][0] < 60
+
+
+def test_trackers_and_goals_are_measured_and_written(clip: Path) -> None:
+    of_scene = {"lobby": (Clip("lobby", 1),)}
+    choices = json.loads(json.dumps(choice.measure(of_scene, clip.parent)))
+    assert choices["clips"] == [clip.name]
+    assert choices["all"] == choices["scenes"]["lobby"]
+    goals = measuring.both(of_scene, of_scene, clip.parent)
+    own = choices["all"][OURS.tracker]
+    assert goals["fresh"]["lobby"]["IDF1"] == goals["often"]["lobby"]["IDF1"] == own["IDF1"]
+    writers = report.writers()
+    assert "Take `stereo-" in writers["trackers"](choices)
+    assert "the difference may be chance" in writers["goals"](goals)
 
 
 def test_somebody_not_kept_is_told_on_one_line_and_counted() -> None:
