@@ -47,13 +47,16 @@ def run_track(
     else:
         tracks = "1 track" if people == 1 else f"{people} tracks"
         say(f"{run.tracker}: {tracks}, {rate:.1f} frames a second")
-        if not people:
+        if not people and not run.notes:
             say(_nobody(run.tracker))
         print(out)
 
 
 def _nobody(tracker: str) -> str:
-    """Why a tracker may have found nobody; two eyes tell which of two lasting looks is farther."""
+    """Why a tracker may have found nobody, where nothing else has been told of it.
+
+    Two eyes tell which of two lasting looks is farther.
+    """
     much = "nearly all" if tracker_named(tracker).needs_stereo else "half"
     return (
         f"note: nobody was found; what stands still for {much} of the footage is taken for "
@@ -86,11 +89,14 @@ def run_of(work: Tracking, recording: Recording, what: str) -> Run:
     with progress(what) as advance:
         start, stop = work.frames
         for result in work:
+            if work.doubt and work.done == 1:  # at once: the rest may be in vain
+                say(f"note: {work.doubt}")
             advance(result.frame + 1 - start, stop - start)
         run = work.run()
     notes = tuple(note for note in (*work.notes, *recording.notes) if note not in told)
     for note in notes:
-        say(f"note: {note}")
+        if note != work.doubt:
+            say(f"note: {note}")
     return replace(run, notes=notes)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from tracking.errors import SettingsError
 from tracking.people import EyesWatch, RangedShare, first_lag
 from tracking.pipeline.kept import KeptSteps
+from tracking.pipeline.set_up import doubt_of, require_sense, require_two_views
 from tracking.recording import Instants, Recording, StereoFrame
 from tracking.trackers import (
     Observation,
@@ -55,14 +56,15 @@ def track(
         spool: the folder for particles that are too many for the memory, see `KeptSteps`.
         keep: False: only the steps are asked for; the run has no frames then.
 
-    Raises `SettingsError` for an unknown tracker, an empty range or one that does not begin where
-    to resume, `RecordingError` or `CalibrationError` where the tracker cannot work on the
-    recording.
+    Raises `SettingsError` for an unknown tracker, settings that exclude each other, an empty range
+    or one that does not begin where to resume, `RecordingError` or `CalibrationError` where the
+    tracker cannot work on the recording.
     """
     spec = tracker_named(tracker or best_tracker(recording))
     require(spec, recording)
     asked = _asked_frames(recording, frames, resume)
     settings = settings or spec.settings_type()
+    require_sense(settings_values(settings))
     kept = KeptSteps(spool, asked[0]) if keep else None
     return Tracking(recording, spec, settings, seed, asked, resume, kept)
 
@@ -97,6 +99,8 @@ class Tracking:
     Attributes:
         frames: half-open range being tracked. done: frames of it tracked so far.
         observation: what was seen in the last frame, with its overlays; None before the first.
+        doubt: what cannot be right of two eyes, height and tilt, known from the first step on and
+            one of the notes; "": nothing.
     """
 
     def __init__(
@@ -123,6 +127,7 @@ class Tracking:
         self._perception: Perception | None = None
         self._kept = kept
         self._followed = False
+        self.doubt = ""
         self._ranged = RangedShare()
         self._steps = self._work()
 
@@ -167,16 +172,23 @@ class Tracking:
         """What the user should be told of the frames tracked so far, a line each."""
         told = self._tracker.notes if self._tracker is not None else ()
         told = (*told, *(self._perception.notes if self._perception is not None else ()))
+        doubt = self.doubt or self._without_distances()
+        return (*told, doubt) if doubt else told
+
+    def _without_distances(self) -> str:
+        """What is told where hardly anything that moves has a distance; "": it has one."""
         if self._followed or not self._spec.needs_stereo or not self._ranged.is_too_small:
-            return told
-        swapped = f"{self._recording.name}: no distance for what moves: are the eyes swapped?"
-        return (*told, swapped)
+            return ""
+        return (
+            f"{self._recording.name}: no distance for what moves: are the eyes swapped, or is the "
+            "calibration of other cameras?"
+        )
 
     def _work(self) -> Generator[StepResult]:
         timed = self._stages.timed
         perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
         self._perception, self._tracker = perception, tracker
-        timed("learn", _learn, perception, self._recording)
+        timed("learn", self._learn, perception)
         eyes, instants = perception.eyes, Instants(self._recording)
         if eyes is not None:
             timed("learn", begin_pairing, eyes, instants, self.frames[0])
@@ -196,16 +208,20 @@ class Tracking:
             self.done += 1
             yield result
 
+    def _learn(self, perception: Perception) -> None:
+        """The background; two eyes are looked at for whether they can be as told."""
+        samples = background_samples(self._recording)
+        if self._spec.needs_stereo:
+            require_two_views(self._recording, samples)
+            self.doubt = doubt_of(self._recording, samples[len(samples) // 2])
+        perception.learn(samples)
+
 
 def background_samples(recording: Recording) -> list[StereoFrame]:
     """Frames spread evenly over the recording; raises `RecordingError` where one is unreadable."""
     count = min(BACKGROUND_SAMPLES, recording.frame_count)
     numbers = np.linspace(0, recording.frame_count - 1, count).astype(int)
     return [recording.read(int(number)) for number in numbers]
-
-
-def _learn(perception: Perception, recording: Recording) -> None:
-    perception.learn(background_samples(recording))
 
 
 def begin_pairing(eyes: EyesWatch, instants: Instants, start: int) -> None:

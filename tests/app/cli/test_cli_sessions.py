@@ -198,6 +198,27 @@ def test_track_tells_what_is_odd_on_the_way(
     assert told in facts["runs"][0]["notes"]
 
 
+def test_a_wrong_height_is_told_once_and_not_as_swapped_eyes_or_learnt_background(
+    trackwright: Trackwright, footage: Path, tmp_path: Path
+) -> None:
+    words = ["track", footage, "--height", "24", "-o", tmp_path / "s.h5", "--frames", "0:40"]
+    status, _, err = trackwright(*words)
+    assert status == 0
+    assert err.count("height 24 m and tilt 60 degrees do not suit the scene") == 1
+    assert "swapped" not in err
+    assert "background" not in err
+
+
+def test_distances_that_exclude_each_other_are_refused_before_any_work(
+    trackwright: Trackwright, footage: Path, tmp_path: Path
+) -> None:
+    far = ["--set", "stereo.nearest_m=20", "--set", "stereo.farthest_m=2"]
+    status, _, err = trackwright("track", footage, "-o", tmp_path / "s.h5", *far)
+    assert status == 1
+    assert err.splitlines()[-1].startswith("trackwright: settings stereo.nearest_m=20")
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_session_nobody_worked_on_is_replaced(
     trackwright: Trackwright, footage: Path, session: Path
 ) -> None:
