@@ -6,20 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from tests.benchmarks.pages import Figures, table
-from tests.benchmarks.stereo import choice, cues, goals, losses, peers, words
-from tests.benchmarks.stereo.columns import COLUMNS
+from tests.benchmarks.stereo import choice, goals, losses, papers, peers, words
 from tests.benchmarks.stereo.real import LONGEST
-from tests.benchmarks.stereo.shares import interval, percent
-from tracking.synthesis import SCENES
-
-PAPER = {
-    "indoor": (87.5, 92.5, None),
-    "outdoor": (81.5, 88.0, None),
-    "lobby": (None, 88.0, 90.0),
-    "plaza": (None, 88.0, 94.0),
-    "square": (None, 86.0, 92.0),
-}
-"""[Kawashita2012] and [Kawashita2014]: distance; with colour; with direction; in per cent."""
 
 
 def writers() -> Mapping[str, Callable[[Any], str]]:
@@ -27,39 +15,12 @@ def writers() -> Mapping[str, Callable[[Any], str]]:
     return {
         "trackers": choice.written,
         "goals": goals.written,
-        "tables": _tables,
+        "tables": papers.written,
         "peers": peers.written,
         "real": _real,
         "lost": losses.written,
         "befallen": _befallen,
     }
-
-
-def _tables(figures: Figures) -> str:
-    rows = []
-    for scene, columns in figures.items():
-        for said, ending in (("ours", ""), ("by place", "_by_place")):
-            cells = [_kept(columns[name], ending) for name in COLUMNS]
-            rows.append([f"{_titled(scene)}, {said}", *cells])
-        if scene in PAPER:
-            shares = ["" if value is None else f"{value:g} %" for value in PAPER[scene]]
-            rows.append([f"{_titled(scene)}, paper", *shares, ""])
-    added = [f"- {line}" for line in cues.sentences(figures)]
-    parts = [words.TABLES.strip(), table(("", *COLUMNS), rows)]
-    if added:
-        parts += [words.CUES.strip(), "\n".join(added)]
-    return "\n\n".join(parts)
-
-
-def _titled(scene: str) -> str:
-    return SCENES[scene].title.lower()
-
-
-def _kept(column: Figures, ending: str) -> str:
-    kept, detected = len(column[f"kept{ending}"]), len(column[f"detected{ending}"])
-    low, high = interval(kept, detected)
-    share = f"{percent(kept, detected)} % ({100 * low:.0f} to {100 * high:.0f})"
-    return f"{share}, {kept} of {detected}"
 
 
 def _real(figures: Figures) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.benchmarks.stereo import choice, peers, reasons, report
+from tests.benchmarks.stereo import choice, papers, peers, reasons, report
 from tests.benchmarks.stereo.clips import FRESH, REPORTED, TUNED
 from tests.benchmarks.stereo.columns import AS_THEY_COME, COLUMNS, OWN, columns_of
 from tests.benchmarks.stereo.cues import sentences
@@ -44,13 +44,32 @@ def _tables(*kept: int) -> dict[str, Any]:
     return {"lobby": dict(zip(COLUMNS, map(_column, kept), strict=True))}
 
 
-def test_shares_stand_with_wilson_s_interval_beside_the_paper_s() -> None:
+def test_shares_stand_with_wilson_s_interval_beside_the_paper_s_a_method_a_row() -> None:
     assert interval(9, 10) == pytest.approx((0.5958, 0.9821), abs=1e-4)
     assert interval(0, 0) == (0.0, 1.0)
     page = report.writers()["tables"](_tables(7, 8, 9, 10))
-    assert "30 degrees, ours | 70.0 % (40 to 89), 7 of 10 | 80.0 %" in page
-    assert "| lobby, 2.4 m, 30 degrees, paper |  | 88 % | 90 % |  |" in page
+    assert "| lobby, 2.4 m, 30 degrees | distance | 7 of 10 | 70.0 (40 to 89) | 100.0 |  |" in page
+    assert "|  | distance + colour | 8 of 10 | 80.0 (49 to 94) | 100.0 | 88 |" in page
+    assert "|  | stereo-joint | 10 of 10 | 100.0 (72 to 100) | 100.0 |  |" in page
     assert "did not help" not in page.partition("| lobby")[2]
+
+
+def test_scenes_stand_under_the_paper_they_are_of() -> None:
+    columns = _tables(7, 8, 9, 10)["lobby"]
+    page = report.writers()["tables"]({"indoor": columns, "lobby": columns, "uniforms": columns})
+    first, second = page.split("Kawashita and others 2014")
+    assert "| indoors, " in first
+    assert "| lobby, " not in first
+    assert "| lobby, " in second
+    assert "| everybody in one colour, " in second
+
+
+def test_one_sentence_sets_the_papers_methods_beside_the_papers_figures() -> None:
+    said = papers.summary(_tables(7, 8, 10, 10))
+    assert "reach the papers' figures in 1 of 2 places where both exist by box (2 by place)" in said
+    assert "8.0 points (lobby, 2.4 m, 30 degrees, distance + colour)" in said
+    assert "`stereo-joint` is above the paper's best figure in the only scene" in said
+    assert papers.summary({"uniforms": _tables(7, 8, 9, 10)["lobby"]}) == ""
 
 
 def test_a_cue_that_helps_gets_no_sentence_and_one_that_does_not_says_why() -> None:
@@ -59,8 +78,27 @@ def test_a_cue_that_helps_gets_no_sentence_and_one_that_does_not_says_why() -> N
     columns = (_column(9, [_lost("lobby-1/9")]), _column(8, swapped), _column(10))
     figures = {"lobby": dict(zip(COLUMNS, (*columns, _column(10)), strict=True))}
     (said,) = sentences(figures)
-    assert "colour: it kept 0 of those not kept without it, lost 1 of the kept (1 exchanged" in said
-    assert said.endswith("Kept neither way: 1 came back under a new id: 1 behind somebody.")
+    assert said.startswith("**Lobby, 2.4 m, 30 degrees, colour**: 9 kept without it, 8 with it")
+    assert "8 with it, of 10 (by place 10 and 10)." in said
+    assert "It won nobody and lost 1 (1 swapped, behind somebody)." in said
+    assert "Not kept either way: 1 (1 new id), none of them a cue's to decide" in said
+
+
+def test_a_cue_without_effect_is_told_by_what_there_was_to_choose() -> None:
+    rest = [_lost("lobby-1/1", reasons.SWAPPED), _lost("lobby-1/9"), _lost("lobby-1/8")]
+    figures = {"lobby": dict.fromkeys(COLUMNS, _column(7, rest))}
+    first, second = sentences(figures)
+    assert "It changed nobody's lot." in first
+    assert "Not kept either way: 3 (2 new id, 1 swapped), 1 of them a cue's to decide" in first
+    assert "direction" in second
+
+
+def test_reasons_are_given_for_what_cues_did_and_for_nothing_else() -> None:
+    doubled = [_lost("lobby-1/1", reasons.DOUBLED)]
+    columns = (_column(10), _column(9, doubled), _column(9, doubled), _column(10))
+    page = report.writers()["tables"]({"lobby": dict(zip(COLUMNS, columns, strict=True))})
+    assert "seen in two pieces" in page
+    assert "half hidden" not in page
 
 
 def test_every_column_is_the_papers_own_method_but_ours() -> None:
@@ -173,6 +211,9 @@ def test_what_goes_wrong_is_counted_by_scene_and_the_most_frequent_are_shown() -
     page = report.writers()["lost"]({"people": people, "shown": shown})
     assert "| scene | not kept | swapped | new id |" in page
     assert "| lobby, 2.4 m, 30 degrees | 3 | 1 | 2 |" in page
+    assert "- swapped: two people exchanged" in page
+    assert "- old track:" not in page
+    assert "beside somebody" not in page
     assert "lobby-1, person 3: new id, behind somebody, frames 40 to 50." in page
 
 
