@@ -198,5 +198,5 @@ def _fitted(plane: Floats, sight: Floats, disparity: Floats) -> Floats:
         near = np.abs(disparity - sight @ plane) < slack
         if np.count_nonzero(near) < _FEWEST // 10:
             break
-        plane = np.linalg.lstsq(sight[near], disparity[near], rcond=None)[0]
+        plane = np.asarray(np.linalg.lstsq(sight[near], disparity[near])[0], np.float64)
     return plane
