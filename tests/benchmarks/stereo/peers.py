@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -77,23 +77,51 @@ def goals(rows: Sequence[Figures]) -> str:
             "nothing to compare with."
         )
     best = min(others, key=_switches)
-    said = [f"Fewest switches of the others: {best['tracker']}, {_switches(best)}."]
-    for colour, goal, most in (
-        (False, "without colours, no more", _switches(best)),
-        (True, "with colours, at most half", _switches(best) // 2),
-    ):
-        own = _ours(rows, colour)
-        verdict = "met" if _switches(own) <= most else "missed"
-        said.append(f"Goal {goal}: {OURS.tracker} {_switches(own)} finished ({verdict}).")
-    return " ".join(said)
+    fewest = _switches(best)
+    said = [
+        f"Fewest switches of the others: {best['tracker']}, {fewest}.",
+        _verdict(rows, colour=False, goal="without colours, no more", most=fewest),
+    ]
+    if fewest:
+        said.append(
+            _verdict(rows, colour=True, goal="with colours, at most half", most=fewest // 2)
+        )
+    else:
+        said.append("Half of none is none, so that with colours no more is asked.")
+    return " ".join([*said, *_harm_of_colours(rows)])
 
 
-def _ours(rows: Sequence[Figures], colour: bool) -> Figures:
-    return next(
-        row
-        for row in rows
-        if row["tracker"] == OURS.tracker and row["colour"] == colour and row["finished"]
+def _verdict(rows: Sequence[Figures], *, colour: bool, goal: str, most: int) -> str:
+    switches = _ours(rows, colour)
+    verdict = "met" if switches is not None and switches <= most else "missed"
+    return f"Goal {goal}: {OURS.tracker} {switches} finished ({verdict})."
+
+
+def _harm_of_colours(rows: Sequence[Figures]) -> Iterator[str]:
+    """What is said where our tracker does worse with colours than without, as frames come."""
+    without, with_them = (_ours(rows, colour, finished=False) for colour in (False, True))
+    if without is None or with_them is None or with_them <= without:
+        return
+    cost = with_them - without
+    said = (
+        f"As they come, colours cost {OURS.tracker} {cost} switches here ({with_them}, without "
+        f"colours {without})"
     )
+    finished = [_ours(rows, colour) for colour in (False, True)]
+    back = finished[1] is not None and finished[0] is not None and finished[1] <= finished[0]
+    yield f"{said}{'; finishing takes them back' if back else ''}."
+
+
+def _ours(rows: Sequence[Figures], colour: bool, *, finished: bool = True) -> int | None:
+    """Our tracker's switches; None where they were not measured."""
+    own = (
+        _switches(row)
+        for row in rows
+        if row["tracker"] == OURS.tracker
+        and row["colour"] == colour
+        and row["finished"] == finished
+    )
+    return next(own, None)
 
 
 def _switches(row: Figures) -> int:

@@ -240,10 +240,23 @@ def test_missing_footage_is_said() -> None:
     assert "Not measured: the overhead recording" in report.writers()["real"]({})
 
 
-def _peer(tracker: str, switches: int | None, *, ours: bool = False, colour: bool = False) -> Any:
+def _peer(
+    tracker: str,
+    switches: int | None,
+    *,
+    ours: bool = False,
+    colour: bool = False,
+    finished: bool = True,
+) -> Any:
     told = {"id_switches": switches, "people": 15, "kept": 9, "idf1": 0.9, "hota": 0.8}
     told |= {"floor_error_m": 0.05, "ms": 1.0}
-    row = {"tracker": tracker, "ours": ours, "colour": colour, "finished": ours, "absent": ""}
+    row = {
+        "tracker": tracker,
+        "ours": ours,
+        "colour": colour,
+        "finished": ours and finished,
+        "absent": "",
+    }
     return {**row, "figures": None if switches is None else told}
 
 
@@ -254,6 +267,20 @@ def test_switches_are_held_against_the_best_of_the_others_that_are_there() -> No
     assert "no more: stereo-joint 8 finished (met)" in said
     assert "at most half: stereo-joint 5 finished (missed)" in said
     assert "None of the others" in peers.goals([*own, _peer("norfair", None)])
+
+
+def test_half_of_no_switches_is_no_goal_and_colours_that_do_harm_are_told() -> None:
+    own = [
+        _peer("stereo-joint", switches, ours=True, colour=colour, finished=finished)
+        for colour, finished, switches in (
+            (False, False, 0), (False, True, 0), (True, False, 3), (True, True, 0)
+        )
+    ]  # fmt: skip
+    said = peers.goals([*own, _peer("SORT", 0)])
+    assert "no more: stereo-joint 0 finished (met)" in said
+    assert "Half of none is none, so that with colours no more is asked" in said
+    assert "As they come, colours cost stereo-joint 3 switches here (3, without colours 0)" in said
+    assert "finishing takes them back" in said
 
 
 def test_a_tracker_of_others_that_could_not_be_measured_says_why() -> None:

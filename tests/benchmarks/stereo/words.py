@@ -124,11 +124,12 @@ More of the fresh clips. Misses and false alarms are in per cent of the boxes of
 PEERS = """
 ## Identity switches beside other trackers
 
-The same detections for everybody, matched on the floor within {radius:g} m. The others get places
-and boxes, no colours, with settings chosen as well as we could on other seeds for each kind of clip
-(`python -m tests.benchmarks.tracker_peers.choosing`), while ours keep one setting for all. "As they
-come" are rows told frame by frame, as the others tell theirs; "finished" is the run looked over as
-a whole, as our tracker comes. Time is processor time of following alone.
+The same detections for everybody. Rows match by place, on the floor within {radius:g} m, and not by
+box as above, so that a clip may have other figures here. The others get places and boxes, no
+colours, with settings chosen as well as we could on other seeds for each kind of clip (`python -m
+tests.benchmarks.tracker_peers.choosing`), while ours keep one setting for all. "As they come" are
+rows told frame by frame, as the others tell theirs; "finished" is the run looked over as a whole,
+as our tracker comes. Time is processor time of following alone.
 """
 
 KINDS = {
@@ -180,7 +181,7 @@ A part of the light goes out within a second (clips of 15 s), or the right eye o
 late or ahead by frames throughout, dark, or shows one picture for four seconds from the twelfth
 on; or, throughout, both eyes are noisy or see lamps flicker, or the right one is out of focus or
 not level with the left one. "Longest alone" is the longest stretch in which a track stands where
-nobody is within a metre.
+nobody is within a metre. Rows match by box; the clips are the first of those measured often.
 """
 
 WORDS = """
