@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 Figures = Mapping[str, Any]
 DOCS = Path(__file__).parents[2] / "docs"
 _QUALITY = 82
+_STATES = "states"
+"""In the figures: what each section was measured with."""
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
@@ -55,9 +57,18 @@ class Page:
             return {}
         return dict(json.loads(self._kept.read_text(encoding="utf-8")))
 
-    def keep(self, name: str, found: Any) -> dict[str, Any]:
-        """Put a section's figures in the place of its older ones; all figures."""
+    def keep(self, name: str, found: Any, state: str = "") -> dict[str, Any]:
+        """Put a section's figures in the place of its older ones; all figures.
+
+        Args:
+            name, found: the section and what was measured.
+            state: names what it was measured with; "": that is not told.
+        """
         figures = {**self.figures(), name: found}
+        if state:
+            others = {**figures.get(_STATES, {})}
+            others.pop(name, None)
+            figures[_STATES] = {**others, name: state}  # the newest comes last
         self._folder.mkdir(parents=True, exist_ok=True)
         self._kept.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
         return figures
@@ -73,7 +84,18 @@ class Page:
     def write(self, introduction: str, writers: Mapping[str, Callable[[Any], str]]) -> None:
         """Write the page; sections that were not measured are left out."""
         figures = self.figures()
-        parts = [introduction]
+        parts = [introduction, *_older(figures, writers)]
         parts += [write(figures[name]) for name, write in writers.items() if name in figures]
         text = "\n\n".join(part.strip() for part in parts) + "\n"
         self._page.write_text(text, encoding="utf-8")
+
+
+def _older(figures: Figures, sections: Iterable[str]) -> Iterator[str]:
+    """Which sections are of another state than the one measured last."""
+    states = figures.get(_STATES, {})
+    if not states:
+        return
+    newest = [*states.values()][-1]
+    others = [name for name in sections if name in figures and states.get(name) != newest]
+    if others:
+        yield f"Measured with other sources than the rest: {', '.join(others)}."

@@ -25,6 +25,7 @@ class Contents:
         measures: what gives a section's figures.
         photographs: a picture (rows, columns, 3) BGR of what was measured, kept beside the page;
             None: there is nothing to show.
+        state: names what is measured with; sections of another state are told on the page.
         diagrams: a name and what draws the kept figures as SVG, anew with each page.
     """
 
@@ -34,6 +35,7 @@ class Contents:
     photographs: Mapping[str, Callable[[Any], NDArray[np.uint8] | None]] = field(
         default_factory=dict
     )
+    state: Callable[[], str] = str
     diagrams: Mapping[str, tuple[str, Callable[[Any], str]]] = field(default_factory=dict)
 
 
@@ -64,7 +66,7 @@ def run(
 
 
 def _keep(page: Page, contents: Contents, name: str, found: Any) -> None:
-    page.keep(name, found)
+    page.keep(name, found, contents.state())
     shown = contents.photographs[name](found) if name in contents.photographs else None
     if shown is not None:
         page.photograph(name, shown)

@@ -19,12 +19,13 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def _run(monkeypatch: pytest.MonkeyPatch, *words: str, fast: int = 3) -> None:
+def _run(monkeypatch: pytest.MonkeyPatch, *words: str, fast: int = 3, state: str = "") -> None:
     monkeypatch.setattr("sys.argv", ["benchmark", *words])
     contents = Contents(
         "# Speed",
         {"fast": lambda n: f"Fast: {n}", "slow": lambda n: f"Slow: {n}"},
         {"fast": lambda: fast, "slow": lambda: 9},
+        state=lambda: state,
         diagrams={"fast": ("bars", lambda n: f"<svg>{n}</svg>")},
     )
     results.run("speed", "How fast", ("slow", "fast"), lambda _: contents)
@@ -47,6 +48,20 @@ def test_a_page_is_written_anew_from_what_was_measured(
     (folder / "speed.md").unlink()
     _run(monkeypatch, "--rewrite")
     assert (folder / "speed.md").read_text() == "# Speed\n\nSlow: 9\n"
+
+
+def test_a_page_says_which_sections_are_of_an_older_state_than_the_newest(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page = folder / "speed.md"
+    _run(monkeypatch, "--report", state="one")
+    assert "Measured with other sources" not in page.read_text()
+    _run(monkeypatch, "--report", "--only", "fast", state="two")
+    assert "# Speed\n\nMeasured with other sources than the rest: slow.\n\n" in page.read_text()
+    _run(monkeypatch, "--rewrite", state="three")
+    assert "than the rest: slow." in page.read_text()
+    _run(monkeypatch, "--report", "--only", "slow", state="two")
+    assert "Measured with other sources" not in page.read_text()
 
 
 def test_without_a_report_figures_are_printed_and_nothing_is_written(

@@ -28,6 +28,7 @@ def _contents(wish: Asked) -> Contents:
         pictures,
         real,
         report,
+        trackers,
         words,
     )
 
@@ -51,6 +52,7 @@ def _contents(wish: Asked) -> Contents:
             "befallen": lambda: befallen.measure(known.dimmed, known.sound, wish.clips),
         },
         photographs={"lost": picture},
+        state=lambda: trackers.sources()[:16],
     )
 
 

@@ -58,7 +58,7 @@ def test_a_run_is_tracked_once_until_sources_change(
     first, again = (runs_over(clip, [FEWER], tmp_path)[FEWER] for _ in range(2))
     assert len(tracked) == 1
     np.testing.assert_array_equal(first.tracks["x"], again.tracks["x"])
-    monkeypatch.setattr(trackers, "_sources", lambda: "edited")
+    monkeypatch.setattr(trackers, "sources", lambda: "edited")
     runs_over(clip, [FEWER], tmp_path)
     assert len(tracked) == 2
 

@@ -99,11 +99,12 @@ def runs_over(
 def _place(folder: Path, variant: Variant) -> Path:
     values = settings_values(variant.chosen())
     said = repr((variant.tracker, values, SEED, _TABLES))
-    return path_of(folder, _sources(), LIBRARIES, said)
+    return path_of(folder, sources(), LIBRARIES, said)
 
 
 @cache
-def _sources() -> str:
+def sources() -> str:
+    """A hash over all that runs are made with."""
     return sources_of(_ROOMS)
 
 
