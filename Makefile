@@ -40,13 +40,14 @@ format: $(STAMP) ## put the code into the house's form
 bench: $(STAMP) ## measure speed (not part of make test)
 	$(BIN)/python -m tests.benchmarks
 
-results: results-parts results-stereo results-spheroid results-flow ## docs/results.md and its pages: the papers' figures beside ours (two hours)
+results: results-parts results-stereo results-spheroid results-flow ## docs/results.md and its pages: the papers' figures beside ours (two and a half hours)
 
 results-parts: $(STAMP) ## docs/results.md: body parts on scenes no setting was chosen on (half an hour)
 	$(BIN)/python -m tests.benchmarks.parts --report
 
-results-stereo: $(STAMP) ## docs/results/stereo.md: both papers' tables, goals, other trackers, what goes wrong (half an hour; after make peers)
+results-stereo: $(STAMP) ## docs/results/stereo.md: both papers' tables, goals, other trackers, what goes wrong (an hour; after make peers)
 	$(BIN)/python -m tests.benchmarks.stereo --report
+	$(BIN)/python -m tests.benchmarks.stereo.readme
 
 results-spheroid: $(STAMP) ## docs/results/spheroid.md: marks, hard situations, places, real footage (half an hour)
 	$(BIN)/python -m tests.benchmarks.spheroid --report
@@ -60,7 +61,7 @@ detector: $(STAMP) ## the built-in failure detector: rendered, tracked, labelled
 kills: $(STAMP) ## kill the window 1,000 times while tracks are corrected in it: nothing may be lost (20 minutes)
 	$(BIN)/python -m tests.sweeps.kill
 
-long: $(STAMP) ## track 100,000 frames and watch the memory: below 1 GiB (an hour)
+long: $(STAMP) ## track 100,000 frames and watch the memory: below 1 GiB (half an hour to an hour)
 	$(BIN)/python -m tests.sweeps.long_run
 
 model: $(STAMP) ## sessions against a plain list of states, 10,000 runs of 50 steps (two hours)

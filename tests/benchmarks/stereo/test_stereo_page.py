@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.benchmarks.stereo import choice, papers, peers, reasons, report
+from tests.benchmarks.pages import Page
+from tests.benchmarks.stereo import choice, papers, peers, readme, reasons, report
 from tests.benchmarks.stereo.clips import FRESH, REPORTED, TUNED
 from tests.benchmarks.stereo.columns import AS_THEY_COME, COLUMNS, OWN, columns_of
 from tests.benchmarks.stereo.cues import sentences
@@ -202,6 +203,21 @@ def test_a_tracker_that_is_ahead_in_everything_is_told_once() -> None:
 
 def test_every_tracker_for_two_eyes_is_compared_as_it_comes() -> None:
     assert {spec.name for spec in TRACKERS.values() if spec.needs_stereo} == set(AS_THEY_COME)
+
+
+def test_readme_tells_what_the_results_page_holds() -> None:
+    text = readme.README.read_text(encoding="utf-8")
+    assert text.count(readme.BEGIN) == text.count(readme.END) == 1
+    wanted = readme.with_passage(text, Page("stereo").figures())
+    assert text == wanted, "run python -m tests.benchmarks.stereo.readme"
+
+
+def test_readme_tells_of_fresh_clips_first_and_which_tracker_to_take() -> None:
+    trackers = _choice(_timed(24, 2.0), _timed(20, 1.5), _timed(19, 1.0))
+    said = readme.passage({"goals": _goals(18), "trackers": trackers})
+    assert said.startswith("Goals are judged on the fresh clips (seeds 6303 and 6304): 18 of 25")
+    assert "| 18 of 25 | 0.720 (0.52 to 0.86) | 0.900 | 0.970 | 0.120 m | 25 of 25 |" in said
+    assert "Take `stereo-joint` where" in said
 
 
 def test_what_goes_wrong_is_counted_by_scene_and_the_most_frequent_are_shown() -> None:

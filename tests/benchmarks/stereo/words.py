@@ -11,7 +11,7 @@ How well people are followed by two eyes, measured and written by one command:
 
     python -m tests.benchmarks.stereo --report
 
-(half an hour on one core; `--only tables` and the like measure one section anew; clips are rendered
+(an hour on one core; `--only tables` and the like measure one section anew; clips are rendered
 once, and runs are kept for as long as nothing they were made with changes). The figures stand in
 [stereo.json](stereo.json), everybody who was not kept among them. "Paper" are Kawashita and others
 2012 and 2014, measured by their authors in scenes of their own that are not public; ours are

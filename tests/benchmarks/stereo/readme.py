@@ -1,0 +1,64 @@
+"""README's figures of the stereo trackers, written from what the results page holds.
+
+`python -m tests.benchmarks.stereo.readme` puts them between two comments of README.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.benchmarks.pages import Figures, Page, table
+from tests.benchmarks.stereo import choice, goals
+from tests.benchmarks.stereo.shares import said_interval
+from tracking.synthesis import SCENES
+
+README = Path(__file__).parents[3] / "README.md"
+BEGIN = "<!-- written by python -m tests.benchmarks.stereo.readme -->"
+END = "<!-- until here -->"
+
+_HEAD = ("people kept", "tracking accuracy", "MOTA", "IDF1", "floor error")
+_OFTEN = "people kept in clips measured often"
+
+
+def passage(figures: Figures) -> str:
+    """What README says between the comments: of fresh clips, if any were measured."""
+    fresh, often = figures["goals"]["fresh"], figures["goals"]["often"]
+    if not fresh:
+        return table(
+            ("scene", *_HEAD), [[_titled(scene), *_cells(often[scene])] for scene in often]
+        )
+    rows = [[_titled(scene), *_cells(fresh[scene]), _kept(often[scene])] for scene in fresh]
+    parts = [goals.summary(fresh, often), table(("scene", *_HEAD, _OFTEN), rows)]
+    if "trackers" in figures:
+        parts.append(choice.advice(figures["trackers"]["all"]))
+    return "\n\n".join(parts)
+
+
+def _titled(scene: str) -> str:
+    return SCENES[scene].title.lower()
+
+
+def _cells(row: Figures) -> list[str]:
+    between = said_interval(row["people_kept"], row["people_detected"])
+    return [
+        _kept(row),
+        f"{row['tracking_accuracy']:.3f} ({between})",
+        *(f"{row[name]:.3f}" for name in ("MOTA", "IDF1")),
+        f"{row['error_m']:.3f} m",
+    ]
+
+
+def _kept(row: Figures) -> str:
+    return f"{row['people_kept']} of {row['people_detected']}"
+
+
+def with_passage(text: str, figures: Figures) -> str:
+    """README's text with the passage in the place of its older one."""
+    before, _, rest = text.partition(BEGIN)
+    _, _, after = rest.partition(END)
+    return f"{before}{BEGIN}\n\n{passage(figures)}\n\n{END}{after}"
+
+
+if __name__ == "__main__":
+    told = with_passage(README.read_text(encoding="utf-8"), Page("stereo").figures())
+    README.write_text(told, encoding="utf-8")
