@@ -29,11 +29,23 @@ _ROOM = 2.0
 
 
 def typical(people: Mapping[str, Sequence[Figures]], most: int = 2) -> list[Figures]:
-    """One person each of the most frequent kinds of failure, those who were ever found."""
+    """One person each of the most frequent kinds of failure, those who were ever found.
+
+    Of two people whose tracks were mixed up with each other, one is shown.
+    """
     found = [row for rows in people.values() for row in rows if row["what"] != NEVER]
     often = Counter((row["what"], row["where"]) for row in found)
-    kinds = [kind for kind, _ in often.most_common(most)]
-    return [next(row for row in found if (row["what"], row["where"]) == kind) for kind in kinds]
+    shown: list[Figures] = []
+    for kind, _ in often.most_common():
+        of_kind = [row for row in found if (row["what"], row["where"]) == kind]
+        new = [row for row in of_kind if not any(_same(row, one) for one in shown)]
+        shown += new[:1]
+    return shown[:most]
+
+
+def _same(one: Figures, other: Figures) -> bool:
+    """Whether two people were mixed up with each other."""
+    return bool(one["clip"] == other["clip"] and one["other"] == other["person"])
 
 
 def strip(shown: Sequence[Figures], folders: Mapping[str, Path]) -> Picture:
@@ -63,6 +75,8 @@ def _row(one: Figures, folder: Path) -> Picture:
         _drawn(image, _Window.of(truth, one, frame), truth, tracks, one, frame)
         for image, frame in zip(images, frames, strict=True)
     ]
+    who = f"{one['clip']}, person {one['person']}, frame {frames[0]}"
+    _write(shown[0], who, (8, _SIZE[1] - 10), _TRUE)
     return np.concatenate(shown, axis=1)
 
 
@@ -121,7 +135,9 @@ def _drawn(
         for row in np.flatnonzero(now & (tracks["track"] == track)):
             low, high = window.corners(_box(tracks, int(row)))
             cv2.rectangle(shown, low, high, colour, 2)
-            _write(shown, str(track), (max(low[0], 0) + 4, max(low[1], 0) + 18), colour)
+            # Inside at the feet, each on its own side: boxes of both may be the same.
+            left = max(low[0], 0) + 4 if track == had else min(high[0], _SIZE[0]) - 26
+            _write(shown, str(track), (left, min(high[1], _SIZE[1] - 30) - 6), colour)
     _write(shown, f"frame {frame}", (8, _SIZE[1] - 10), _TRUE)
     return shown
 

@@ -233,6 +233,17 @@ def test_what_goes_wrong_is_counted_by_scene_and_the_most_frequent_are_shown() -
     assert "lobby-1, person 3: new id, behind somebody, frames 40 to 50." in page
 
 
+def test_both_people_of_one_false_match_are_not_shown_twice() -> None:
+    pair = [_lost("lobby-1/2", reasons.FALSE), _lost("lobby-1/8", reasons.FALSE, "in the open")]
+    pair[0]["other"], pair[1]["other"] = 8, 2
+    others = [_lost("square-1/8", reasons.FALSE, "in the open"), _lost("square-1/9")]
+    assert [one["name"] for one in typical({"lobby": pair, "square": others})] == [
+        "lobby-1/8",
+        "square-1/9",
+    ]
+    assert [one["name"] for one in typical({"lobby": pair})] == ["lobby-1/2"]
+
+
 def _passes(*spans: tuple[int, int, int]) -> dict[str, np.ndarray]:
     rows = [(frame, track) for track, start, end in spans for frame in range(start, end)]
     table = np.array(sorted(rows))
