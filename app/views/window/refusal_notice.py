@@ -22,7 +22,7 @@ class RefusalNotice:
     def __init__(self, window: MainWindow, guard: TypingGuard) -> None:
         self._window, self._notice, self._guard = window, window.notice, guard
         self._refused = ""
-        self._passing = "", ""
+        self._passing = "", "", ""
         self._told_after: tuple[object, ...] = ()
         self._notice.spoken.connect(self._note_edits)
 
@@ -36,7 +36,7 @@ class RefusalNotice:
         said = tr("{title}: {why}", title=item.title.rstrip("."), why=item.why_not)
         if item.command not in _BEGIN_TYPING:
             self._window.say(said)
-            self._passing = item.command, said
+            self._passing = item.command, item.why_not, said
             return
         self._guard.hold()
         said = tr("{said}. What is typed now is not taken.", said=unstopped(said))
@@ -50,15 +50,16 @@ class RefusalNotice:
             self._notice.settle()
 
     def _settle_passing(self) -> None:
-        """Take the passing word back once its command can be done."""
-        command, said = self._passing
+        """Take the passing word back once its command can be done, or not for another reason."""
+        command, why, said = self._passing
         if not said:
             return
         line = self._window.statusBar()
-        if line.currentMessage() != said:
-            self._passing = "", ""
-        elif any(one.enabled for one in self._window.command_items() if one.command == command):
-            self._passing = "", ""
+        still = {item.command: item.why_not for item in self._window.command_items()}
+        if line.currentMessage() == said and still[command] == why:
+            return
+        self._passing = "", "", ""
+        if line.currentMessage() == said:
             line.clearMessage()
 
     def _note_edits(self) -> None:

@@ -106,11 +106,23 @@ def test_why_not_is_said_also_where_the_other_ones_id_is_asked_for(followed, win
     followed.editing.begin(EditKind.SWAP)
     field = window.workspace.preview._other
     assert window.focusWidget() is field
+    window.bring_up_to_date()  # which disables the command: its key comes to the field
     press(Key.Key_L, Qt.KeyboardModifier.ShiftModifier)
     assert "an edit waits" in window.statusBar().currentMessage()
     assert followed.document.flow is not None
     press(Key.Key_2)
     assert field.text() == "2"
+
+
+def test_that_the_playhead_is_to_be_moved_is_no_longer_said_once_it_was(followed, window, press):
+    window.bring_up_to_date()
+    window.run_command("tracks.swap")
+    assert "move the playhead" in window.statusBar().currentMessage()
+    followed.document.selection.choose(0)
+    followed.playback.go(40)
+    window.bring_up_to_date()
+    assert not window.menus.actions["tracks.swap"].isEnabled()  # nobody is selected
+    assert "move the playhead" not in window.statusBar().currentMessage()
 
 
 def test_an_edit_of_the_history_is_gone_to_from_a_further_run(followed):
