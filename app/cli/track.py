@@ -36,6 +36,8 @@ def run_track(
         refuse_to_lose(out, force=force)
         for note in recording.notes:
             say(f"note: {note}")
+        if order.tracker is None and (unused := _unused(recording)):
+            say(f"note: {unused}")
         began_s = time.perf_counter()
         run = tracked(recording, order, out.parent)
         rate = (run.frames[1] - run.frames[0]) / (time.perf_counter() - began_s)
@@ -50,6 +52,21 @@ def run_track(
         if not people and not run.notes:
             say(_nobody(run.tracker))
         print(out)
+
+
+def _unused(recording: Recording) -> str:
+    """What of a recording is left unused for want of a calibration or a floor; "": nothing."""
+    if recording.calibration is not None and recording.ground is not None:
+        return ""
+    missing = "calibration" if recording.calibration is None else "height and tilt of the camera"
+    unused = ["the right eye"] if recording.is_stereo else []
+    unused += ["height", "tilt"] if recording.ground is not None else []
+    if not unused:
+        return ""
+    *most, last = unused
+    which = f"{', '.join(most)} and {last} are" if most else f"{last} is"
+    tracker = best_tracker(recording)
+    return f"no {missing}: {tracker} follows people by the left eye; {which} not used"
 
 
 def _nobody(tracker: str) -> str:

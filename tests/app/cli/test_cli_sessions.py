@@ -209,6 +209,23 @@ def test_a_wrong_height_is_told_once_and_not_as_swapped_eyes_or_learnt_backgroun
     assert "background" not in err
 
 
+def test_two_eyes_without_calibration_say_what_is_not_used(
+    trackwright: Trackwright, footage: Path, tmp_path: Path
+) -> None:
+    eyes = ["--left", footage / "left.mp4", "--right", footage / "right.mp4"]
+    asked = ["track", "-o", tmp_path / "s.h5", "--frames", "0:2", *eyes]
+    err = trackwright(*asked, "--height", "6.4", "--tilt", "60")[2]
+    assert (
+        "note: no calibration: three-part follows people by the left eye; the right eye, height "
+        "and tilt are not used\n"
+    ) in err
+    assert "left eye; the right eye is not used\n" in trackwright(*asked)[2]
+    calibrated = trackwright(*asked, "--calibration", footage / "calibration.yaml")[2]
+    assert "note: no height and tilt of the camera: three-part follows" in calibrated
+    named = trackwright(*asked, "--tracker", "three-part")[2]
+    assert "not used" not in named
+
+
 def test_distances_that_exclude_each_other_are_refused_before_any_work(
     trackwright: Trackwright, footage: Path, tmp_path: Path
 ) -> None:
