@@ -15,7 +15,7 @@ from tracking.session.importing import (
     session_of_import,
     take_into,
 )
-from tracking.session.info import describe
+from tracking.session.info import describe, recording_of
 from tracking.session.known import KnownRecordings
 from tracking.session.older import Generation, check_generation, list_generations
 from tracking.session.pending import PendingSave
@@ -55,6 +55,7 @@ __all__ = [
     "parts_by_now",
     "places_of",
     "read_history",
+    "recording_of",
     "replace_damaged",
     "samples_from",
     "samples_with_boxes",

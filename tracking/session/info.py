@@ -17,6 +17,7 @@ from tracking.session.edited import Edited
 from tracking.session.hdf5 import opened, text_attribute
 from tracking.session.label_tables import read_labels
 from tracking.session.reading import check_file, read_recording
+from tracking.session.reference import RecordingReference
 from tracking.session.run_notes import read_notes
 from tracking.session.waiting import read_with_waiting
 from tracking.trackers import changed_settings
@@ -51,6 +52,16 @@ def describe(path: Path) -> dict[str, Any]:
             "modified": text_attribute(file, "modified"),
             "software": text_attribute(file, "software"),
         }
+
+
+def recording_of(path: Path) -> RecordingReference:
+    """The recording a session is of, told without loading its tables.
+
+    Raises SessionError as `Session.open` does.
+    """
+    check_file(path)
+    with opened(path) as file:
+        return read_recording(file["recording"])
 
 
 @contextmanager

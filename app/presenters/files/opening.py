@@ -27,10 +27,15 @@ from tracking.tracks import Run
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """What was opened."""
+    """What was opened.
+
+    Attributes:
+        unsaved: of a recording the latest session that was never saved; None: there is none.
+    """
 
     path: Path
     document: Document
+    unsaved: Path | None = None
 
     def close(self) -> None:
         """Let its files go."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QUrl, Signal
 
-from app.presenters.files import opening
+from app.presenters.files import left_behind, opening
 from app.presenters.files.demonstration import Demonstration
 from app.presenters.files.first_page import first_page
 from app.presenters.files.importing import holds_tracks_alone
@@ -140,7 +140,7 @@ class Files(QObject):
                 self.desk.toggle()
 
         again = partial(self.open_path, path, recording, options, play=play, save_at=save_at)
-        work = partial(opening.open_cancellable, path, recording, options)
+        work = partial(left_behind.open_with_unsaved, path, recording, options)
         self._work.run(tr("Opening {name}", name=path.name), work, show)
 
     def open_demo(self) -> None:
@@ -182,7 +182,11 @@ class Files(QObject):
             *opened.document.recording.notes,
             *([] if session is None else told_of_tracking(session)),
         ]
-        if lines:
+        if opened.unsaved is not None:
+            lines.append(tr("Work on this recording was never saved, and is kept."))
+            go_on = partial(self.open_path, opened.unsaved)
+            self._window.notice.say("\n".join(lines), tr("Go on with it"), go_on)
+        elif lines:
             self._window.notice.say("\n".join(lines), passing=True)
         else:
             self._window.notice.hide()
@@ -259,6 +263,11 @@ class Files(QObject):
             self._whereabouts.end()
             desk.close()
             desk.deleteLater()
+
+    def told_at_end(self) -> list[str]:
+        """What is to be known where the program ends without asking: where unsaved work is."""
+        held, at_work = self.keeping.holds, self.desk is not None and self.desk.live.running
+        return left_behind.told_at_end(self.session, held=held, tracking=at_work)
 
     def close_without_asking(self) -> None:
         """Let the open document go for a picture or a test: what is not saved stays as it is."""

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import signal
 import socket
+import sys
 
 from PySide6.QtCore import QCoreApplication, QObject, QSocketNotifier
 
@@ -14,6 +16,8 @@ _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")  # the last one is unknown to Windows
 
 class EndBySignal(QObject):
     """Closes the window at SIGINT, SIGTERM and SIGHUP, and asks nothing: the journal is on disk.
+
+    The terminal is told where work is that was not saved.
 
     Python would run a handler in the midst of whatever Qt has just called, an event filter for
     example. So the handlers do nothing, and the signal comes through a socket as an event.
@@ -35,6 +39,10 @@ class EndBySignal(QObject):
     def _end(self) -> None:
         self._notifier.setEnabled(False)
         self._window.workspace.take_typed()
+        lines = self._window.files.told_at_end()
         self._window.files.close_without_asking()
         self._window.close()
+        with contextlib.suppress(OSError, AttributeError):  # the terminal may be gone, or be none
+            sys.stderr.write("".join(f"{line}\n" for line in lines))
+            sys.stderr.flush()
         QCoreApplication.quit()

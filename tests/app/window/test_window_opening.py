@@ -107,6 +107,39 @@ def test_unsaved_sessions_stand_on_the_first_page_after_a_crash(window, own_fold
     assert "never saved" in recent[0].detail
 
 
+def test_work_that_was_never_saved_is_offered_with_its_recording(
+    window, qtbot, tiny_recording, tiny_session
+):
+    left = opening.unsaved_folder() / f"{tiny_recording.stem}-7.h5"
+    left.parent.mkdir(parents=True)
+    tiny_session.rename(left)
+    (left.parent / f"{tiny_recording.stem}-8.h5").write_bytes(b"no session")
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert "never saved" in window.notice.text
+    window.notice._action.click()
+    qtbot.waitUntil(lambda: window.files.session is not None)
+    assert window.files.session.path == left
+    assert not window.files.session.read_only
+    assert "never saved" not in window.notice.text
+
+
+def test_work_on_another_recording_of_the_same_name_is_not_offered(
+    window, qtbot, tiny_recording, tiny_session, tmp_path
+):
+    left = opening.unsaved_folder() / f"{tiny_recording.stem}-1.h5"
+    left.parent.mkdir(parents=True)
+    tiny_session.rename(left)
+    other = tmp_path / "elsewhere" / tiny_recording.name
+    shutil.copytree(tiny_recording, other)
+    video = next(other.glob("left*"))
+    next(other.glob("right*")).replace(video)
+    shutil.copyfile(video, other / next(tiny_recording.glob("right*")).name)
+    window.files.open_path(other)
+    qtbot.waitUntil(lambda: _is_open(window))
+    assert "never saved" not in window.notice.text
+
+
 def test_after_a_crash_the_window_opens_where_it_was_and_says_so(
     window, qtbot, tiny_session, remembered
 ):

@@ -31,11 +31,11 @@ def start(tmp_path, tiny_recording):
     """Start the program on the recording, in a home of its own, and wait until it is open."""
     started = []
 
-    def begin() -> subprocess.Popen[str]:
+    def begin(path: Path = tiny_recording) -> subprocess.Popen[str]:
         names = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
         homes = dict.fromkeys(names, str(tmp_path))
         process = subprocess.Popen(
-            [sys.executable, "-c", _PROGRAM, str(tiny_recording)],
+            [sys.executable, "-c", _PROGRAM, str(path)],
             cwd=_ROOT,
             env={**os.environ, **homes, "QT_QPA_PLATFORM": "offscreen"},
             stderr=subprocess.PIPE,
@@ -63,6 +63,22 @@ def test_a_signal_closes_the_window_quietly(start, tmp_path, name):
     assert process.returncode == 0
     assert [line for line in said.splitlines() if "This plugin does not" not in line] == []
     assert _settings(tmp_path).left_open == ()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="settings stand elsewhere")
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_who_ends_it_at_the_terminal_is_told_where_the_unsaved_work_is(
+    start, tmp_path, own_folder, tiny_session, tiny_recording, name
+):
+    unsaved = tmp_path / "trackwright" / "unsaved" / f"{tiny_recording.stem}-1.h5"
+    unsaved.parent.mkdir(parents=True)
+    tiny_session.rename(unsaved)
+    (own_folder / "recordings.json").rename(tmp_path / "trackwright" / "recordings.json")
+    process = start(unsaved)
+    process.send_signal(getattr(signal, name))
+    _, said = process.communicate(timeout=10)
+    assert process.returncode == 0
+    assert str(unsaved) in said
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="settings stand elsewhere")

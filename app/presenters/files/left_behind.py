@@ -1,0 +1,67 @@
+"""Work that was never saved: found again with its recording, and named where the window ends."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import replace
+from pathlib import Path
+
+from app.presenters.files.opening import (
+    Opened,
+    is_unsaved_place,
+    open_cancellable,
+    unsaved_folder,
+)
+from app.presenters.words import tr
+from tracking.errors import TrackwrightError
+from tracking.progress import Progress
+from tracking.recording import OpenOptions, Recording
+from tracking.session import Session, recording_of
+
+_log = logging.getLogger(__name__)
+_MOST = 20
+"""So many files of a recording's name are looked into, the latest first."""
+
+
+def open_with_unsaved(
+    path: Path, recording: Path | None, options: OpenOptions | None, report: Progress
+) -> Opened:
+    """The same as `open_cancellable`, with what was never saved of a recording."""
+    opened = open_cancellable(path, recording, options, report)
+    if opened.document.session is not None:
+        return opened
+    return replace(opened, unsaved=left_behind(opened.document.recording))
+
+
+def left_behind(recording: Recording) -> Path | None:
+    """The latest session of the recording that was never saved; None: there is none."""
+    named = f"{recording.path.stem or 'session'}-"
+    folder = unsaved_folder()
+    found = [one for one in folder.glob("*.h5") if one.name.startswith(named)]
+    footage = " ".join(part.sha256 for part in recording.fingerprints()) if found else ""
+    for path in sorted(found, key=lambda one: one.stat().st_mtime, reverse=True)[:_MOST]:
+        try:
+            if recording_of(path).footage == footage:
+                return path
+        except (TrackwrightError, OSError) as why:
+            _log.info("%s is not offered: %s", path, why)
+    return None
+
+
+def told_at_end(session: Session | None, *, held: bool, tracking: bool) -> list[str]:
+    """What somebody should know who ends the program at the terminal, a line each.
+
+    held: a result is in memory alone. tracking: a tracker is at work.
+    """
+    lines = []
+    path = session.path if session is not None else None
+    if path is not None and is_unsaved_place(path):
+        kept = tr("Never saved, but kept: {path}. Open it, or its recording, to go on.", path=path)
+        lines.append(kept)
+    elif path is not None and session is not None and session.dirty:
+        lines.append(tr("Edits not saved are kept beside {path}. Open it to go on.", path=path))
+    if held:
+        lines.append(tr("A result that could not be kept on disk is lost."))
+    if tracking:
+        lines.append(tr("The tracker at work was stopped; what it had found is not kept."))
+    return lines
