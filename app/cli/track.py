@@ -180,5 +180,9 @@ def _pairs(texts: Sequence[str]) -> dict[str, str]:
         name, sign, value = text.partition("=")
         if not sign or not name.strip():
             raise SettingsError(f"setting {text!r} is not KEY=VALUE, e.g. --set particles=700")
-        pairs[name.strip()] = value
+        if (name := name.strip()) in pairs:
+            raise SettingsError(
+                f"setting {name} is given twice, as {pairs[name]} and {value}: give it once"
+            )
+        pairs[name] = value
     return pairs

@@ -42,6 +42,9 @@ def track(
     json: options.Json = False,
 ) -> None:
     """Run a tracker over a recording, or again from a frame of a corrected session on."""
+    if out is not None and out.suffix.lower() != ".h5":  # before trackers are imported
+        reason = f"a session's name ends in .h5: give {out.stem or 'NAME'}.h5"
+        raise typer.BadParameter(reason, param_hint="--out")
     from app.cli.track import run_track
     from app.cli.track_again import asked_again, run_track_again
 

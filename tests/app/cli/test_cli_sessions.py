@@ -85,6 +85,7 @@ def test_the_same_seed_tracks_the_same(
         (["--set", "particles=-5"], "particles=-5"),
         (["--set", "particels=5"], "did you mean particles?"),
         (["--set", "particles"], "is not KEY=VALUE"),
+        (["--set", "particles=10", "--set", "particles=20"], "particles is given twice, as 10 and"),
         (["--frames", "10"], "are not A:B"),
         (["--frames", "50:10"], "holds no frames"),
         (["--frames", "0:9999"], "within 0:80"),
@@ -155,7 +156,7 @@ def test_metres_need_a_calibration_and_a_floor(
     assert not (tmp_path / "s.h5").exists()
 
 
-@pytest.mark.parametrize("place", ["missing/s.h5", "file/s.h5", "folder"])
+@pytest.mark.parametrize("place", ["missing/s.h5", "file/s.h5", "folder.h5"])
 def test_a_place_that_cannot_be_written_is_told_before_any_work(
     trackwright: Trackwright,
     footage: Path,
@@ -165,7 +166,7 @@ def test_a_place_that_cannot_be_written_is_told_before_any_work(
 ) -> None:
     monkeypatch.setattr(app.cli.track, "tracked", lambda *_: pytest.fail("it began to work"))
     (tmp_path / "file").touch()
-    (tmp_path / "folder").mkdir()
+    (tmp_path / "folder.h5").mkdir()
     status, _, err = trackwright("track", footage, "-o", tmp_path / place)
     assert status == 1
     assert err.count("\n") == 1
@@ -263,11 +264,21 @@ def test_corrections_are_not_overwritten(
 def test_another_file_is_not_overwritten(
     trackwright: Trackwright, footage: Path, tmp_path: Path, content: bytes
 ) -> None:
-    (tmp_path / "diary").write_bytes(content)
-    status, _, err = trackwright("track", footage, "-o", tmp_path / "diary")
+    (tmp_path / "diary.h5").write_bytes(content)
+    status, _, err = trackwright("track", footage, "-o", tmp_path / "diary.h5")
     assert status == 1
     assert "--force" in err
-    assert (tmp_path / "diary").read_bytes() == content
+    assert (tmp_path / "diary.h5").read_bytes() == content
+
+
+@pytest.mark.parametrize("words", [(), ("--again", "s.h5", "--from", "0")])
+def test_a_session_by_a_name_that_does_not_say_so_is_refused(
+    trackwright: Trackwright, footage: Path, tmp_path: Path, words: tuple[str, ...]
+) -> None:
+    status, _, err = trackwright("track", footage, *words, "-o", tmp_path / "y.txt")
+    assert status == 2
+    assert "a session's name ends in .h5: give y.h5" in " ".join(err.split())
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_export_writes_what_the_session_scores(
