@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Sequence
 from typing import Any
 
 from PySide6.QtCore import (
@@ -26,6 +27,8 @@ from app.views.widgets.command_list import draw_row_ground
 ITEM = Qt.ItemDataRole.UserRole
 _PAD, _SIDE, _GAP = 4, 8, 6
 _SMALL = 0.88
+_LEAST_TITLE = 0.3
+"""Of a row's first line: so much stays of its title where people's names are long."""
 _Index = QModelIndex | QPersistentModelIndex
 
 
@@ -130,28 +133,55 @@ class PeopleDelegate(QStyledItemDelegate, metaclass=AbstractQt):
         painter.setPen(theme.text_muted)
         painter.drawText(line, _RIGHT, item.when)
         line.setRight(line.right() - QFontMetricsF(small).horizontalAdvance(item.when) - _GAP)
-        painter.setFont(scaled_font(font, 1.0, bold=True))
+        bold, plain = scaled_font(font, 1.0, bold=True), QFontMetricsF(font)
+        title = QFontMetricsF(bold).horizontalAdvance(item.title) + 2 * _GAP
+        labels = [plain.horizontalAdvance(one.label) for one in item.people]
+        signs = len(labels) * (2 * _radius(plain) + 2 * _GAP)
+        title = max(min(title, line.width() - signs - sum(labels)), _LEAST_TITLE * line.width())
+        painter.setFont(bold)
         painter.setPen(theme.text)
-        title = QFontMetricsF(painter.font()).horizontalAdvance(item.title)
-        _draw_elided(painter, line, item.title)
-        line.setLeft(line.left() + title + 2 * _GAP)
+        _draw_elided(painter, line.adjusted(0, 0, title - 2 * _GAP - line.width(), 0), item.title)
+        line.setLeft(line.left() + min(title, line.width()))
         painter.setFont(font)
-        for person in item.people:
-            if line.width() <= 3 * _GAP:
-                return
-            self._draw_person(painter, person, line)
+        widths = shares(labels, line.width() - signs)
+        for person, width in zip(item.people, widths, strict=True):
+            self._draw_person(painter, person, line, width)
 
-    def _draw_person(self, painter: QPainter, person: ReviewPerson, line: QRectF) -> None:
-        """A spot in their colour and their name; `line` is left with the room behind."""
-        theme, metrics = current_theme(), painter.fontMetrics()
-        radius = metrics.ascent() * 0.32
+    def _draw_person(
+        self, painter: QPainter, person: ReviewPerson, line: QRectF, width: float
+    ) -> None:
+        """A spot in their colour and their name, so wide; `line` is left with the room behind."""
+        theme = current_theme()
+        radius = _radius(QFontMetricsF(painter.font()))
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.track(person.colour))
         painter.drawEllipse(QPointF(line.left() + radius, line.center().y()), radius, radius)
         line.setLeft(line.left() + 2 * radius + _GAP / 2)
         painter.setPen(theme.text)
-        _draw_elided(painter, line, person.label)
-        line.setLeft(line.left() + metrics.horizontalAdvance(person.label) + 1.5 * _GAP)
+        text, number = person.label, str(person.track)
+        whole = painter.fontMetrics().horizontalAdvance(number)
+        if width < painter.fontMetrics().horizontalAdvance(f"{number}\u2026") and text != number:
+            text, width = number, max(width, whole)  # half a number is somebody else's
+        _draw_elided(painter, QRectF(line.left(), line.top(), width + 1, line.height()), text)
+        line.setLeft(line.left() + width + 1.5 * _GAP)
+
+
+def _radius(metrics: QFontMetricsF) -> float:
+    """Of the spot before a name."""
+    return metrics.ascent() * 0.32
+
+
+def shares(wanted: Sequence[float], room: float) -> list[float]:
+    """What each gets of a room: what it wants, or where that is too much, as much as the others.
+
+    Who wants less than an even share leaves the rest to the others.
+    """
+    given = [0.0] * len(wanted)
+    left = max(0.0, room)
+    for after, number in enumerate(sorted(range(len(wanted)), key=lambda one: wanted[one])):
+        given[number] = min(wanted[number], left / (len(wanted) - after))
+        left -= given[number]
+    return given
 
 
 class ReviewDelegate(PeopleDelegate):

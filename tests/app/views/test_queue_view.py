@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 
-from app.presenters.reviewing.review_scene import ReviewItem, ReviewScene
+from app.presenters.reviewing.review_scene import ReviewItem, ReviewPerson, ReviewScene
+from app.views.reviewing import queue_list
 from app.views.reviewing.queue_list import row_height
 from app.views.reviewing.review_panel import ReviewPanel
 
@@ -47,6 +50,36 @@ def test_until_a_suspicion_is_looked_at_its_room_is_for_rows(qtbot, dark):
     panel.show_scene(ReviewScene(items=ITEMS, current=0, left=40, also=WORDS))
     qtbot.waitUntil(lambda: panel._list.viewport().height() < rows)
     assert panel._also.isVisible()
+
+
+@pytest.mark.parametrize(
+    "names", [("2", "16"), ("2 somebody in a red coat", "16 in a long blue one")]
+)
+def test_a_narrow_row_names_all_it_is_about(qtbot, dark, monkeypatch, names):
+    people = tuple(
+        ReviewPerson(n, name, (200, 80, 40)) for n, name in zip((2, 16), names, strict=True)
+    )
+    item = replace(ITEMS[0], title="Ways change over", people=people, when="00:22.20")
+    panel = shown(qtbot, ReviewScene(items=(item,), left=1))
+    panel.resize(230, 380)
+    drawn = []
+
+    def draw(painter, place, text):
+        metrics, mode = painter.fontMetrics(), Qt.TextElideMode.ElideRight
+        drawn.append((text, place, metrics.elidedText(text, mode, int(place.width()))))
+
+    monkeypatch.setattr(queue_list, "_draw_elided", draw)
+    panel._list.grab()
+    (_, first, two), (_, second, sixteen) = (one for one in drawn if one[0][0].isdigit())
+    assert (two[0], sixteen[:2]) == ("2", "16")
+    assert first.right() < second.left()
+    assert second.right() <= panel._list.viewport().width() - 60  # where the time stands
+
+
+def test_a_short_name_leaves_its_room_to_a_long_one():
+    assert queue_list.shares([10, 90], 60) == [10, 50]
+    assert queue_list.shares([80, 90], 60) == [30, 30]
+    assert queue_list.shares([20, 30], 60) == [20, 30]
 
 
 def test_no_row_of_the_queue_is_cut(qtbot, dark):
