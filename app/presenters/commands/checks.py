@@ -109,10 +109,15 @@ def scored(now: Situation) -> str:
 
 
 def reportable(now: Situation) -> str:
-    """Tracks must have been compared with a truth, or one stand beside the recording."""
+    """Tracks must have been compared with a truth, or one stand beside the recording.
+
+    Not those that a tracker at work finds: they are others a moment later.
+    """
     if now.busy:
         return tr("wait until the work in progress is done")
-    if now.live:
+    if now.further:
+        return tr("move the playhead to your own tracks, or stop tracking first (Ctrl+Shift+T)")
+    if now.live and (now.in_the_way or not now.session):
         return tr("stop tracking first (Ctrl+Shift+T)")
     return "" if now.truth and now.tracks else scored(now)
 

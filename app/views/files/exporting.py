@@ -110,9 +110,10 @@ class Exporting(QObject):
         if desk is None:
             return
         presenter = desk.scoring.presenter
-        if presenter.scored is not None:
-            self._report(desk, presenter.scored, place)
-        elif (subject := presenter.wanted()) is not None:
+        scored, subject = presenter.scored, presenter.wanted()
+        if scored is not None and (subject is None or scored.subject.version == subject.version):
+            self._report(desk, scored, place)
+        elif subject is not None:
             work = partial(worked_out, subject, None, presenter.held(subject))
             self._work.run(tr("Scoring"), work, lambda scored: self._report(desk, scored, place))
 

@@ -99,3 +99,12 @@ def test_who_corrects_a_run_without_parts_is_told_where_there_are_some():
     says = BY_NAME["detector.next"].check
     assert "track with three-part" in says(now)
     assert "correct one that has (Ctrl+R)" in says(replace(now, parts_elsewhere=True))
+
+
+def test_a_score_is_reported_while_a_tracker_works_but_for_the_tracks_it_finds():
+    now = Situation(recording=True, session=True, tracks=True, truth=True, live=True)
+    assert "file.export_report" in _enabled(now)
+    assert "file.export_report" not in _enabled(replace(now, session=False))
+    assert "file.export_report" not in _enabled(replace(now, in_the_way="stop first"))
+    assert "file.export_report" not in _enabled(replace(now, further=True))
+    assert "file.export_report" not in _enabled(replace(now, busy=True))
