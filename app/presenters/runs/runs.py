@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Final
 
 import numpy as np
 
 from app.presenters.commands.checks import read_only
 from app.presenters.panels import local_time
+from app.presenters.scoring.figures import figure_named
 from app.presenters.words import counted, tr
 from tracking.formats import read_mot
 from tracking.progress import Progress
 from tracking.recording import Recording
-from tracking.scoring import ScoringTable, score
+from tracking.scoring import Score, ScoringTable, score
 from tracking.session import Session
 from tracking.trackers import TRACKERS, changed_settings
 from tracking.tracks import Columns, Run
@@ -25,6 +26,20 @@ CORRECTED = -1
 """Stands for the corrected tracks where a run's number is asked for."""
 
 
+_NAMES = (
+    "IDF1",
+    "HOTA",
+    "MOTA",
+    "People kept",
+    "Switches",
+    "Misses",
+    "False alarms",
+    "Floor error (median)",
+)
+RUN_FIGURES: Final = tuple(figure_named(name) for name in _NAMES)
+"""What runs are chosen by, in the order of the columns."""
+
+
 @dataclass(frozen=True, slots=True)
 class RunRow:
     """One run, or the corrected tracks.
@@ -32,7 +47,8 @@ class RunRow:
     Attributes:
         number: of the run, or `CORRECTED`. name: e.g. "run 2".
         settings: those that differ from the tracker's defaults, "" for none. made: when.
-        idf1, hota, switches: figures against the truth, "" without.
+        people: in the frames that are scored; "" while they are not, and differ from its own.
+        figures: against the truth, one for each of `RUN_FIGURES`; () without.
         why_not_corrected: why the corrected tracks cannot begin as it; "" where they can.
         why_not_compared: why it cannot be compared with the corrected tracks; "" where it can.
         notes: what was told of the tracking, in lines; "" for nothing.
@@ -44,10 +60,8 @@ class RunRow:
     settings: str
     frames: str
     made: str
-    people: int
-    idf1: str = ""
-    hota: str = ""
-    switches: str = ""
+    people: str
+    figures: tuple[str, ...] = ()
     why_not_corrected: str = ""
     why_not_compared: str = ""
     notes: str = ""
@@ -85,7 +99,7 @@ class RunList:
         """`live`: a tracker is at work on the recording."""
         self._session, self._live = session, live
         self._recording = recording
-        self._figures: dict[int, Mapping[str, Any]] = {}
+        self._figures: dict[int, Score] = {}
         self.shared = True
 
     def scene(self) -> RunsScene:
@@ -143,7 +157,7 @@ class RunList:
         start, stop = max(one[0] for one in ranges), min(one[1] for one in ranges)
         return (start, stop) if self._frames_differ and start < stop else None
 
-    def scoring(self) -> Callable[[Progress], dict[int, Mapping[str, Any]]]:
+    def scoring(self) -> Callable[[Progress], dict[int, Score]]:
         """What scores all of them against the truth; to be called in any thread.
 
         Over the frames they share, or each over its own: see `shared`. It gives what `take` takes.
@@ -155,7 +169,7 @@ class RunList:
         tracks |= {n: runs[n].tracks for n in range(len(runs))}
         tables = [(n, tracks[n], common or frames) for n, frames in self._ranges.items()]
 
-        def work(report: Progress) -> dict[int, Mapping[str, Any]]:
+        def work(report: Progress) -> dict[int, Score]:
             truth = read_mot(truth_path)
             figures = {}
             for done, (number, columns, frames) in enumerate(tables):
@@ -165,7 +179,7 @@ class RunList:
 
         return work
 
-    def take(self, figures: Mapping[int, Mapping[str, Any]]) -> None:
+    def take(self, figures: Mapping[int, Score]) -> None:
         """Take the figures that scoring gave."""
         self._figures = dict(figures)
 
@@ -183,8 +197,8 @@ class RunList:
             "",
             _range_text((0, self._recording.frame_count)),
             "",
-            len(session.tracks.track_ids),
-            **self._figures_of(CORRECTED),
+            self._people(CORRECTED, len(session.tracks.track_ids)),
+            self._figures_of(CORRECTED),
             why_not_corrected=tr("Select a run to correct it."),
         )
 
@@ -199,8 +213,8 @@ class RunList:
             _settings_text(run),
             _range_text(run.frames),
             local_time(run.made) if run.made else "",
-            len(np.unique(run.tracks["track"])),
-            **self._figures_of(number),
+            self._people(number, len(np.unique(run.tracks["track"]))),
+            self._figures_of(number),
             why_not_corrected=self._why_not_corrected(number),
             why_not_compared=self._why_not_compared(number),
             notes="\n".join(run.notes),
@@ -218,27 +232,28 @@ class RunList:
             return tr("The corrected tracks are this run: nothing is edited yet to be compared.")
         return ""
 
-    def _figures_of(self, number: int) -> dict[str, str]:
-        figures = self._figures.get(number)
-        if figures is None:
-            return {}
-        return {
-            "idf1": _share_text(figures.get("IDF1")),
-            "hota": _share_text(figures.get("HOTA")),
-            "switches": str(figures.get("id_switches", "")),
-        }
+    def _people(self, number: int, own: int) -> str:
+        """How many of a row are beside its figures: in the frames those are about."""
+        if number in self._figures:
+            return str(self._figures[number].result_tracks)
+        scored = self._recording.truth_path is not None
+        partly = scored and self.shared and self._common not in (None, self._ranges[number])
+        return "" if partly else str(own)
+
+    def _figures_of(self, number: int) -> tuple[str, ...]:
+        score = self._figures.get(number)
+        return () if score is None else tuple(one.text(score) for one in RUN_FIGURES)
 
 
-def _scored(truth: Columns, columns: Columns, frames: tuple[int, int]) -> Mapping[str, Any]:
-    """The figures over a range of frames, as `score --json` names them."""
+def _scored(truth: Columns, columns: Columns, frames: tuple[int, int]) -> Score:
+    """The figures over a range of frames."""
     parts = []
     for table in (truth, columns):
         inside = (table["frame"] >= frames[0]) & (table["frame"] < frames[1])
         parts.append({name: column[inside] for name, column in table.items()})
     wanted = ScoringTable.from_columns(parts[0], dont_cares=True)
     found = ScoringTable.from_columns(parts[1])
-    figures: Mapping[str, Any] = score(wanted, found, frames=frames[1]).as_json()
-    return figures
+    return score(wanted, found, frames=frames[1])
 
 
 def _settings_text(run: Run) -> str:
@@ -252,7 +267,3 @@ def _settings_text(run: Run) -> str:
 
 def _range_text(frames: tuple[int, int]) -> str:
     return f"{frames[0]} \u2013 {frames[1] - 1}"
-
-
-def _share_text(value: float | None) -> str:
-    return "" if value is None or value != value else f"{value:.3f}"

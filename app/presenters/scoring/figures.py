@@ -105,6 +105,15 @@ FIGURES: Final = (
 )
 
 
+def figure_named(name: str) -> Figure:
+    """One of them.
+
+    Raises:
+        StopIteration: there is none of that name.
+    """
+    return next(one for one in FIGURES if one.name == name)
+
+
 def rows_of(whole: Score, visible: Score, before: Score | None) -> tuple[ScoreRow, ...]:
     """All figures; before: the score before the last edits, None where nothing moved it."""
     rows = []

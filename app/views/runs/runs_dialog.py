@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from PySide6.QtCore import QItemSelectionModel, Qt, Signal
 from PySide6.QtGui import QCloseEvent
@@ -22,10 +21,13 @@ from PySide6.QtWidgets import (
 
 from app.background import Job
 from app.presenters.explaining import explain
-from app.presenters.runs.runs import CORRECTED, RunList, RunRow, RunsScene
+from app.presenters.runs.runs import CORRECTED, RUN_FIGURES, RunList, RunRow, RunsScene
+from app.presenters.scoring.figures import Figure
+from app.presenters.words import tr
 from app.views.widgets.parts import quiet
+from tracking.scoring import Score
 
-_FIGURES = 3
+_FIGURES = len(RUN_FIGURES)
 """Columns that only a truth fills, the last ones."""
 _MOST_ROWS = 10  # that are seen without scrolling
 _NUMBERS = _FIGURES + 1
@@ -66,7 +68,7 @@ class RunsDialog(QDialog):
         rows.addLayout(self._build_buttons())
         self._show(self._scene)
         line = self.fontMetrics().height()
-        self.resize(62 * line, 22 * line)
+        self.resize(min(84 * line, self.screen().availableGeometry().width() - 2 * line), 22 * line)
         self._table.setFocus()  # arrow keys choose, Enter compares
         if self._scene.scored:
             self._score()
@@ -79,14 +81,10 @@ class RunsDialog(QDialog):
             self.tr("Frames"),
             self.tr("Made"),
             self.tr("People"),
-            "IDF1",
-            "HOTA",
-            self.tr("Id switches"),
+            *map(_title, RUN_FIGURES),
         ]
-        told = {
-            "IDF1": self.tr("Share of the time that people have their own id; 1 is best"),
-            "HOTA": self.tr("How well people are found, and keep their ids, together; 1 is best"),
-        }
+        told = {_title(figure): tr(figure.hint) for figure in RUN_FIGURES}
+        told[self.tr("People")] = self.tr("In the frames that are scored")
         table = QTableWidget(0, len(titles), self)
         for column, title in enumerate(titles):
             heading = QTableWidgetItem(title)
@@ -187,6 +185,7 @@ class RunsDialog(QDialog):
         return (
             head.sizeHint().height()
             + rows * self._table.verticalHeader().defaultSectionSize()
+            + self._table.horizontalScrollBar().sizeHint().height()  # on a narrow screen
             + frame
         )
 
@@ -255,7 +254,7 @@ class RunsDialog(QDialog):
         self._share.setEnabled(False)
         job.start()
 
-    def _take(self, figures: Mapping[int, Mapping[str, Any]]) -> None:
+    def _take(self, figures: Mapping[int, Score]) -> None:
         self._runs.take(figures)
         self._end()
         self._show(self._runs.scene())
@@ -287,6 +286,16 @@ class RunsDialog(QDialog):
             job.wait()
 
 
+def _title(figure: Figure) -> str:
+    """Its name, short enough for a column."""
+    short = {
+        "People kept": tr("Kept"),
+        "False alarms": tr("False"),
+        "Floor error (median)": tr("Floor error"),
+    }
+    return short.get(figure.name) or tr(figure.name)
+
+
 def _texts(row: RunRow) -> tuple[str, ...]:
     return (
         row.name,
@@ -294,8 +303,6 @@ def _texts(row: RunRow) -> tuple[str, ...]:
         row.settings,
         row.frames,
         row.made,
-        str(row.people),
-        row.idf1,
-        row.hota,
-        row.switches,
+        row.people,
+        *(row.figures or ("",) * _FIGURES),
     )

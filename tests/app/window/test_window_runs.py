@@ -54,6 +54,41 @@ def _late_part(run):
     return replace(run, tracks=rows, frames=(40, 80))
 
 
+def _cells(dialog, title):
+    table = dialog._table
+    titles = [table.horizontalHeaderItem(one).text() for one in range(table.columnCount())]
+    return [table.item(row, titles.index(title)).text() for row in range(table.rowCount())]
+
+
+def test_people_are_those_of_the_frames_that_are_scored(window, desk, qtbot):
+    session = desk.document.session
+    early = replace(_late_part(session.runs[0]), frames=(0, 3))
+    whole = session.runs[0].tracks
+    inside = whole["frame"] < 3
+    rows = {name: column[inside] for name, column in whole.items()}
+    session.add_run(replace(early, tracks=rows), adopt=False)
+    few, many = len(set(rows["track"].tolist())), len(set(whole["track"].tolist()))
+    assert few < many
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    assert _cells(dialog, "People")[1] == ""  # not yet known
+    qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")), timeout=20_000)
+    assert _cells(dialog, "People") == [str(few)] * 3
+    dialog._share.setChecked(False)
+    qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")), timeout=20_000)
+    assert _cells(dialog, "People")[1:] == [str(many), str(few)]
+    dialog.reject()
+
+
+def test_runs_have_the_figures_that_one_is_chosen_by(window, desk, qtbot):
+    window.run_command("review.runs")
+    dialog = window.findChild(RunsDialog)
+    qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")), timeout=20_000)
+    for title in ("MOTA", "Kept", "Misses", "False", "Floor error"):
+        assert all(_cells(dialog, title)), title
+    dialog.reject()
+
+
 def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtbot):
     session = desk.document.session
     session.add_run(_late_part(session.runs[0]), adopt=False)
