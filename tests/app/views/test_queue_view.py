@@ -76,6 +76,20 @@ def test_a_narrow_row_names_all_it_is_about(qtbot, dark, monkeypatch, names):
     assert second.right() <= panel._list.viewport().width() - 60  # where the time stands
 
 
+def test_a_title_that_has_room_is_not_cut(qtbot, dark, monkeypatch):
+    people = tuple(ReviewPerson(n, str(n), (200, 80, 40)) for n in (2, 16))
+    panel = shown(qtbot, ReviewScene(items=(replace(ITEMS[0], people=people),), left=1))
+    seen = []
+
+    def draw(painter, place, text):
+        mode = Qt.TextElideMode.ElideRight
+        seen.append(painter.fontMetrics().elidedText(text, mode, int(place.width())))
+
+    monkeypatch.setattr(queue_list, "_draw_elided", draw)
+    panel._list.grab()
+    assert seen == ["Close choice", "2", "16"]
+
+
 def test_a_short_name_leaves_its_room_to_a_long_one():
     assert queue_list.shares([10, 90], 60) == [10, 50]
     assert queue_list.shares([80, 90], 60) == [30, 30]
