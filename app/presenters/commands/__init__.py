@@ -55,10 +55,12 @@ def command_items(now: Situation, checked: frozenset[str]) -> tuple[CommandItem,
 
 def _item(command: Command, now: Situation, checked: frozenset[str]) -> CommandItem:
     why_not, in_brackets = command.check(now), command.now(now)
+    one_camera = now.recording and not now.stereo
+    title = tr(command.alone if one_camera and command.alone else command.title)
     return CommandItem(
         command=command.name,
         menu=_standing(command),
-        title=f"{tr(command.title)} ({in_brackets})" if in_brackets else tr(command.title),
+        title=f"{title} ({in_brackets})" if in_brackets else title,
         keys=command.keys,
         enabled=not why_not,
         why_not=why_not,

@@ -87,6 +87,7 @@ class Command:
         separated: a line stands above it, or above the submenu that begins with it.
         icon: of the drawings that ship with the program; "" for none.
         now: what stands in brackets behind the title, e.g. a file in use; "" for nothing.
+        alone: the title where the recording has one camera; "" for the same.
     """
 
     name: str
@@ -99,3 +100,4 @@ class Command:
     icon: str = ""
     submenu: str = ""
     now: Callable[[Situation], str] = lambda _: ""
+    alone: str = ""

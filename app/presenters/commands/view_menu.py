@@ -8,7 +8,7 @@ from app.presenters.commands.checks import floor, recording, two_eyes
 from app.presenters.commands.command import Command
 
 COMMANDS: Final = (
-    Command("view.left", "View", "Left eye", ("1",), recording, checkable=True),
+    Command("view.left", "View", "Left eye", ("1",), recording, checkable=True, alone="Picture"),
     Command("view.both", "View", "Both eyes", ("2",), two_eyes, True),
     Command("view.anaglyph", "View", "Anaglyph (red and cyan)", ("3",), two_eyes, True),
     Command("view.grid", "View", "Floor grid on the picture", ("F",), floor, True, True),

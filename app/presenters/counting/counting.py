@@ -176,7 +176,10 @@ class CountingPresenter:
             why = counted.why_not(True, line.name) if counted is not None else ""
             return TallyRow(line.name, True, LINE_COLOUR, ("", "", "", "", ""), why)
         whole = counted.counts.lines[place].totals
-        cells = [f"{now} / {most}" for now, most in zip(so_far, whole, strict=True)]
+        cells = [
+            tr("{now} of {most}", now=now, most=most)
+            for now, most in zip(so_far, whole, strict=True)
+        ]
         hint = tr(
             "{name}: {ahead} of {all_ahead} have passed forward so far, {back} of {all_back} back",
             name=line.name,

@@ -18,7 +18,7 @@ from app.views.widgets.table_cells import write_cell
 
 _MOST_ROWS = 4
 _DOT_PX = 10
-_WIDEST = ("88 / 88", "88 / 88", "88", "8.88", "8.88")
+_WIDEST = ("88 of 88", "88 of 88", "88", "8.88", "8.88")
 _PAD_PX = 22
 
 
@@ -58,6 +58,11 @@ class TallyList(QTableWidget):
         for column, texts in enumerate(zip(names[1:], _WIDEST, strict=True), 1):
             self.setColumnWidth(column, max(map(width, texts)) + _PAD_PX)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight)
+        passed = self.tr("Passages up to the frame shown, of those in all frames")
+        for column in (1, 2):
+            title = QTableWidgetItem(names[column])
+            title.setToolTip(passed)
+            self.setHorizontalHeaderItem(column, title)
         first = QTableWidgetItem(names[0])
         first.setTextAlignment(Qt.AlignmentFlag.AlignLeft)
         self.setHorizontalHeaderItem(0, first)

@@ -108,3 +108,12 @@ def test_a_score_is_reported_while_a_tracker_works_but_for_the_tracks_it_finds()
     assert "file.export_report" not in _enabled(replace(now, in_the_way="stop first"))
     assert "file.export_report" not in _enabled(replace(now, further=True))
     assert "file.export_report" not in _enabled(replace(now, busy=True))
+
+
+def test_the_only_camera_of_a_recording_is_not_called_the_left_eye():
+    def title(now: Situation) -> str:
+        return {i.command: i.title for i in command_items(now, frozenset())}["view.left"]
+
+    assert title(Situation(recording=True, stereo=True)) == "Left eye"
+    assert title(Situation(recording=True)) == "Picture"
+    assert title(Situation()) == "Left eye"

@@ -58,7 +58,7 @@ def test_a_line_on_a_floor_nobody_knows_leaves_the_others_their_counts(drawn, do
     scene = presenter.scene(document.instant(0), "")
     door, screen = scene.rows
     alone = count(_unplaced(), 20.0, FRAMES, [SCREEN]).lines[0].totals
-    assert screen.cells[:2] == tuple(f"0 / {most}" for most in alone)
+    assert screen.cells[:2] == tuple(f"0 of {most}" for most in alone)
     assert door.cells[0] == ""
     assert door.hint == scene.message
     assert "'door' lies on the floor" in scene.message
