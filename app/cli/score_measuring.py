@@ -12,7 +12,7 @@ import typer
 from app.cli.output import progress
 from app.cli.ranges import ANY_END, typed_range
 from app.cli.score_passages import with_passages
-from app.cli.scored import Loaded, loaded, part_rates, tell_oddities
+from app.cli.scored import Loaded, loaded, part_rates, tell_oddities, tell_unlike
 from app.cli.sequences import Pairing
 from tracking.errors import FormatError, SettingsError
 from tracking.scoring import BoxMatch, Conventions, FloorMatch, Score, check_distances
@@ -134,6 +134,7 @@ def measured_by(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> list[Me
                 for result in files:
                     told(len(measured), total)
                     found = _measured(asked, one, subject, result, yardstick)
+                    tell_unlike(one, result, found.score)
                     if asked.report is not None and found.finding is not None:
                         why_none = why_none or "nobody knows where people stand in the pictures"
                         shown = shown_of(found.finding, total, lambda *_: None, why_none)

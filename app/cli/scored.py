@@ -15,6 +15,9 @@ from tracking.scoring import Match, Score, ScoringTable, score
 from tracking.scoring.parts import Rates, judge, rates_of, read_part_truth, tracked_parts
 from tracking.scoring.report import Footage, Subject
 
+_HARDLY_ANY = 0.02
+"""Of rows that could match, less than this share is what happens to match another recording's."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Loaded:
@@ -135,6 +138,23 @@ def tell_oddities(one: Loaded) -> None:
                 say(f"note: {why}")
         if one.frames is None:
             _tell_untracked(tracks, one.truth)
+
+
+def tell_unlike(one: Loaded, result: str, score: Score) -> None:
+    """Note that hardly anything matches, as where a truth is of another recording.
+
+    What both say of themselves is told by `tell_oddities`, and then not again.
+    """
+    clear = score.clear
+    rows = min(clear.matches + clear.misses, clear.matches + clear.false_positives)
+    if not rows or clear.matches >= _HARDLY_ANY * rows:
+        return
+    ours, true = one.subject.result_sources[result], one.subject.true_source
+    if true is None or disagreement(true, ours) is None:
+        say(
+            f"note: {one.results[result].path}: {clear.matches} of {rows} rows match the truth: "
+            "is it of the same recording, and are its frames counted from the same one?"
+        )
 
 
 def _tell_untracked(result: Tracks, truth: Tracks) -> None:

@@ -39,6 +39,22 @@ def test_json_is_the_only_thing_on_stdout(
     assert err == ""
 
 
+def test_a_truth_that_hardly_anything_matches_is_asked_about(
+    pair: tuple[str, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    elsewhere = "".join(f"{n},1,{900 + n},20,30,60,1,{n / 10},5,0\n" for n in range(1, 21))
+    Path(pair[1]).write_text(elsewhere)
+    assert run(["score", pair[0], "--truth", pair[1]]) == 0
+    err = capsys.readouterr().err
+    asked = "0 of 20 rows match the truth: is it of the same recording, and are its frames counted"
+    assert asked in err
+    Path(pair[1]).write_text("")
+    assert run(["score", pair[0], "--truth", pair[1]]) == 0
+    err = capsys.readouterr().err
+    assert "has nobody in these frames" in err
+    assert "same recording" not in err
+
+
 def test_people_get_a_table(pair: tuple[str, str], capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["score", pair[0], "--truth", pair[1]]) == 0
     assert "tracking_accuracy" in capsys.readouterr().out
