@@ -98,6 +98,7 @@ class TrackPanel(Panel):
         both = QVBoxLayout()  # no stack: what is hidden would keep its room
         both.addWidget(self._empty, 0, Qt.AlignmentFlag.AlignTop)
         self._scroll = QScrollArea(self)  # a card that is too high scrolls by itself
+        self._scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._scroll.setWidget(self._body)
         self._scroll.setWidgetResizable(True)
         for ground in (self._body, self._scroll.viewport()):

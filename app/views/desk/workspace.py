@@ -117,6 +117,7 @@ class Workspace(QWidget):
         panels.setWidget(side)
         panels.setWidgetResizable(True)
         panels.setFrameShape(QFrame.Shape.NoFrame)
+        panels.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # a click on a row leaves the keyboard there
         panels.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         letter = self.fontMetrics().averageCharWidth()
         width = side.minimumSizeHint().width() + 12

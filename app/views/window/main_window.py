@@ -25,6 +25,7 @@ from app.views.desk.desk import Desk
 from app.views.desk.workspace import Workspace
 from app.views.files.files import Files
 from app.views.look.icons import application_icon
+from app.views.pictures.canvas import Canvas
 from app.views.welcome.welcome import WelcomePage
 from app.views.widgets.notice import NoticeBar
 from app.views.widgets.progress_strip import ProgressStrip
@@ -251,6 +252,16 @@ class MainWindow(QMainWindow):
             self.run_command(name)
         else:
             super().keyPressEvent(event)
+
+    def focusNextPrevChild(self, next: bool) -> bool:  # noqa: N802, A002 - Qt's names
+        """Tab selects people: while a tracker has found none yet it leaves the keyboard there.
+
+        It comes to `keyPressEvent` then, which says why nobody is selected.
+        """
+        at_work = self.desk is not None and self.desk.live.running
+        if at_work and isinstance(self.focusWidget(), Canvas):
+            return False
+        return super().focusNextPrevChild(next)
 
     def _cancel(self) -> None:
         """End what is under way and keep nothing of it."""

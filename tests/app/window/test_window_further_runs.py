@@ -331,3 +331,19 @@ def test_the_review_goes_on_where_it_was_once_the_new_run_was_looked_at(followed
     assert (queue.kind, queue.items) == (kind, items)
     assert desk.reviewing._meter is meter
     assert not desk.reviewing._search.busy
+
+
+def test_the_keyboard_stays_with_the_picture_when_a_row_is_clicked_and_a_further_run_begins(
+    followed, window, press, qtbot
+):
+    left = window.workspace.left
+    left.setFocus()
+    queue = window.workspace.review._list
+    qtbot.mouseClick(queue.viewport(), Qt.MouseButton.LeftButton, pos=queue.rect().center())
+    assert window.focusWidget() is left
+    followed.document.begin_live()  # nobody is found yet
+    window.bring_up_to_date()
+    assert not window.menus.actions["tracks.next"].isEnabled()
+    press(Key.Key_Tab)
+    assert window.focusWidget() is left
+    assert "Select next track" in window.statusBar().currentMessage()
