@@ -19,8 +19,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.presenters.runs.setting_groups import group_of
+from app.presenters.words import tr
 from app.views.look.theme import scaled_font
-from app.views.widgets.parts import quiet
+from app.views.runs.number_boxes import NumberBox, WholeBox
+from app.views.widgets.parts import heading, quiet
 from tracking.trackers import SettingField, settings_fields, settings_from
 
 _WHOLE_LIMIT = 2**31 - 1
@@ -79,13 +82,17 @@ class SettingsForm(QWidget):
         self._controls: dict[str, QWidget] = {}
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 8, 0)
+        self._labels: dict[str, QLabel] = {}
         groups: dict[str, QGridLayout] = {}
         for field in self._fields:
             group = field.name.rpartition(".")[0]
             if group not in groups:
                 groups[group] = self._add_group(group, rows)
-            self._add_field(field, groups[group])
+            if group:
+                self._add_field(field, groups[group])
+        self._add_own([one for one in self._fields if "." not in one.name], groups)
         rows.addStretch(1)
+        self.edited.connect(self._mark)
 
     def values(self) -> dict[str, Any]:
         """What differs from the defaults, by (dotted) name."""
@@ -120,6 +127,30 @@ class SettingsForm(QWidget):
         for name in values.keys() & self._controls.keys():
             self.put(name, values[name])
 
+    def _add_own(self, fields: list[SettingField], groups: Mapping[str, QGridLayout]) -> None:
+        """The tracker's own settings, those about one thing together under its heading."""
+        titles = {field.name: group_of(field.name) for field in fields}
+        several = len(set(titles.values())) > 1
+        for title in dict.fromkeys(titles.values()):
+            grid = groups[""]
+            if several:
+                grid.addWidget(heading(title, self), grid.rowCount(), 0, 1, 3)
+            for field in fields:
+                if titles[field.name] == title:
+                    self._add_field(field, grid)
+
+    def _mark(self) -> None:
+        """Have the names of settings that are not as they come stand out, and say what comes."""
+        changed = self.values()
+        for field in self._fields:
+            is_changed, label = field.name in changed, self._labels[field.name]
+            label.setFont(scaled_font(self.font(), 1.0, bold=is_changed))
+            title = _title(field)
+            label.setText(f"\u2022 {title}" if is_changed else title)
+            shown = f"{field.default}{_unit(field)}"
+            said = self.tr("Changed; as it comes: {0}").format(shown)
+            label.setToolTip(said if is_changed else _words(field))
+
     def _add_group(self, name: str, rows: QVBoxLayout) -> QGridLayout:
         """The tracker's own settings stand open; those of the stages before it are folded."""
         body = QWidget(self)
@@ -136,10 +167,7 @@ class SettingsForm(QWidget):
     def _add_field(self, field: SettingField, grid: QGridLayout) -> None:
         control = self._control(field)
         title = _title(field)
-        words = field.help
-        if field.range is not None:
-            low, high = field.range
-            words += self.tr(" ({0:g} to {1:g}{2})").format(low, high, _unit(field))
+        words = _words(field)
         letter = self.fontMetrics().averageCharWidth()
         control.setMinimumWidth(14 * letter)
         control.setAccessibleName(title)
@@ -156,8 +184,19 @@ class SettingsForm(QWidget):
         row = grid.rowCount()
         for column, widget in enumerate((label, control, about)):
             grid.addWidget(widget, row, column)
-        self._controls[field.name] = control
+        self._controls[field.name], self._labels[field.name] = control, label
+        if isinstance(control, WholeBox | NumberBox):
+            control.typed.connect(lambda refused: self._tell(about, field, refused))
         self.put(field.name, field.default)
+
+    def _tell(self, about: QLabel, field: SettingField, refused: str) -> None:
+        """Beside a number that is typed: whether it is out of range."""
+        low, high = field.range or (-_NUMBER_LIMIT, _NUMBER_LIMIT)
+        said = self.tr("{0} is out of range: from {1:g} to {2:g}{3}. The nearest is taken.")
+        about.setText(said.format(refused, low, high, _unit(field)) if refused else _words(field))
+        about.setProperty("role", "warning" if refused else "muted")
+        about.style().unpolish(about)
+        about.style().polish(about)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Scrolling over a number that is not being edited scrolls the form."""
@@ -174,13 +213,13 @@ class SettingsForm(QWidget):
             check.toggled.connect(self.edited)
             return check
         if field.type is int:
-            whole = QSpinBox(self)
+            whole = WholeBox(self)
             whole.setRange(int(max(low, -_WHOLE_LIMIT)), int(min(high, _WHOLE_LIMIT)))
             whole.setSuffix(suffix)
             whole.valueChanged.connect(self.edited)
             return whole
         if field.type is float:
-            number = QDoubleSpinBox(self)
+            number = NumberBox(self)
             number.setDecimals(_decimals(float(field.default), low, high))
             number.setRange(low, high)
             number.setSingleStep(10.0 ** -max(0, number.decimals() - 1))
@@ -205,6 +244,14 @@ class SettingsForm(QWidget):
         if isinstance(control, QDoubleSpinBox):
             return round(float(field.default), control.decimals())
         return field.default
+
+
+def _words(field: SettingField) -> str:
+    """What a setting is for, with its range."""
+    if field.range is None:
+        return field.help
+    low, high = field.range
+    return field.help + tr(" ({low:g} to {high:g}{unit})", low=low, high=high, unit=_unit(field))
 
 
 def _unit(field: SettingField) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
@@ -27,7 +29,7 @@ from app.views.runs.settings_form import SettingsForm
 from app.views.widgets.parts import quiet
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
-from tracking.trackers import TRACKERS, require
+from tracking.trackers import TRACKERS, best_tracker, require
 
 
 class TrackDialog(QDialog):
@@ -47,7 +49,10 @@ class TrackDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Track"))
-        self._names = [name for name in TRACKERS if _fits(name, recording)]
+        self._names = list(TRACKERS)
+        self._why_not = {name: _why_not(name, recording) for name in self._names}
+        fitting = [name for name in self._names if not self._why_not[name]]
+        self._best = best_tracker(recording) if fitting else ""
         self._choice = QComboBox(self)
         self._choice.setAccessibleName(self.tr("Tracker"))
         self._title = quiet("", self)
@@ -66,13 +71,25 @@ class TrackDialog(QDialog):
         self._parts = PartsLine(asked or PartsAsked(), self)
         self._forms = QStackedWidget(self)
         for name in self._names:
-            self._choice.addItem(name)
+            self._add_choice(name)
             form = SettingsForm(TRACKERS[name], self, without=(DETECTOR, OCCLUDERS))
             self._forms.addWidget(_scrolled(form))
         self._choice.currentIndexChanged.connect(self._show_tracker)
-        self._choice.setCurrentIndex(self._names.index(chosen) if chosen in self._names else 0)
+        first = chosen if chosen in fitting else next(iter(fitting), self._names[0])
+        self._choice.setCurrentIndex(self._names.index(first))
         self._lay_out(warning)
         self._show_tracker(self._choice.currentIndex())
+
+    def _add_choice(self, name: str) -> None:
+        """One that cannot work on the recording is greyed, and says why."""
+        self._choice.addItem(name)
+        row, why_not = self._choice.count() - 1, self._why_not[name]
+        model = self._choice.model()
+        assert isinstance(model, QStandardItemModel)
+        if why_not:
+            model.item(row).setEnabled(False)
+            model.item(row).setText(self.tr("{0} (not for this recording)").format(name))
+        self._choice.setItemData(row, why_not or TRACKERS[name].title, Qt.ItemDataRole.ToolTipRole)
 
     def _lay_out(self, warning: str) -> None:
         rows = QVBoxLayout(self)
@@ -124,7 +141,7 @@ class TrackDialog(QDialog):
 
     def put_settings(self, tracker: str, values: Mapping[str, Any], seed: int) -> None:
         """Choose a tracker, its settings as far as it knows them, and the seed."""
-        if tracker in self._names:
+        if tracker in self._names and not self._why_not[tracker]:
             self._choice.setCurrentIndex(self._names.index(tracker))
             self.form.put_known(values)
         self._seed.setValue(seed)
@@ -158,17 +175,21 @@ class TrackDialog(QDialog):
     def _show_tracker(self, index: int) -> None:
         if self._names:
             spec = TRACKERS[self._names[index]]
-            self._title.setText(f"{spec.title} ({spec.paper})" if spec.paper else spec.title)
+            about = f"{spec.title} ({spec.paper})" if spec.paper else spec.title
+            if self._names[index] == self._best:
+                about = self.tr("{0}. The best for this recording.").format(about)
+            self._title.setText(about)
             self._forms.setCurrentIndex(index)
             self._parts.show_for(spec.settings_type)
 
 
-def _fits(name: str, recording: Recording) -> bool:
+def _why_not(name: str, recording: Recording) -> str:
+    """Why a tracker cannot work on a recording; "" where it can."""
     try:
         require(TRACKERS[name], recording)
-    except TrackwrightError:
-        return False
-    return True
+    except TrackwrightError as error:
+        return str(error)
+    return ""
 
 
 def _scrolled(form: SettingsForm) -> QScrollArea:

@@ -1,9 +1,12 @@
 import pytest
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from app.views.runs.settings_form import FoldButton, SettingsForm
-from tracking.trackers import TRACKERS, settings_fields
+from app.views.runs.track_dialog import TrackDialog
+from tracking.recording import open_recording
+from tracking.trackers import TRACKERS, best_tracker, settings_fields
 
 
 @pytest.fixture(params=list(TRACKERS))
@@ -86,3 +89,57 @@ def test_scrolling_over_a_number_that_is_not_being_edited_leaves_it_alone(form, 
     control = form._controls[_own_number(form).name]
     wheel(control, QPointF(5, 5), 3)
     assert form.values() == {}
+
+
+def test_a_changed_setting_is_marked_until_it_is_as_it_comes_again(form):
+    field = _own_number(form)
+    label = form._labels[field.name]
+    plain = label.text()
+    other = next(edge for edge in field.range if edge != field.default)
+    form.put(field.name, field.type(other))
+    assert label.text() != plain
+    assert label.font().bold()
+    assert str(field.default) in label.toolTip()
+    form.reset()
+    assert (label.text(), label.font().bold()) == (plain, False)
+
+
+@pytest.mark.parametrize(("typed", "taken"), [("0", 0), ("999999999", 1)])
+def test_a_number_out_of_range_is_told_and_the_nearest_is_taken(qtbot, typed, taken):
+    form = SettingsForm(TRACKERS["stereo-colour"])
+    qtbot.addWidget(form)
+    fields = settings_fields(TRACKERS["stereo-colour"].settings_type)
+    field = next(one for one in fields if one.name == "particles")
+    control = form._controls["particles"]
+    form.show()
+    control.selectAll()
+    QTest.keyClicks(control, typed)
+    told = [label.text() for label in form.findChildren(QLabel) if "out of range" in label.text()]
+    assert len(told) == 1
+    assert typed in told[0]
+    QTest.keyClick(control, Qt.Key.Key_Return)
+    assert control.value() == field.range[taken]
+    control.selectAll()
+    QTest.keyClicks(control, str(field.default))
+    assert not any("out of range" in label.text() for label in form.findChildren(QLabel))
+
+
+def test_settings_of_a_tracker_stand_under_headings(qtbot):
+    form = SettingsForm(TRACKERS["stereo-joint"])
+    qtbot.addWidget(form)
+    said = [label.text() for label in form.findChildren(QLabel)]
+    assert {"Particles and motion", "Who is whom", "Coming and going"} <= set(said)
+
+
+def test_a_tracker_that_does_not_suit_the_recording_is_listed_with_the_reason(
+    qtbot, tiny_recording
+):
+    left = tiny_recording / "left.mp4"
+    with open_recording(left if left.exists() else next(tiny_recording.glob("left*"))) as one_eye:
+        dialog = TrackDialog(one_eye, best_tracker(one_eye))
+        qtbot.addWidget(dialog)
+        row = dialog._names.index("stereo-joint")
+        assert not dialog._choice.model().item(row).isEnabled()
+        assert "needs two" in dialog._choice.itemData(row, Qt.ItemDataRole.ToolTipRole)
+        assert dialog.answer()[0] == best_tracker(one_eye)
+        assert "best for this recording" in dialog._title.text()
