@@ -123,3 +123,21 @@ def test_a_text_that_could_be_drawn_as_a_film_is_none(tmp_path: Path) -> None:
     (tmp_path / "truth.txt").write_text("1,1,10,20,30,60,1,1,1\n" * 50)
     with pytest.raises(RecordingError, match=r"text, not a video; give a video"):
         open_recording(tmp_path / "truth.txt")
+
+
+@pytest.mark.parametrize("eye", ["left", "right"])
+@pytest.mark.parametrize("lacking", ["missing", "empty"])
+def test_a_manifests_eye_that_is_not_there_is_told_as_that(
+    tmp_path: Path, eye: str, lacking: str
+) -> None:
+    other = "left" if eye == "right" else "right"
+    write_video(tmp_path / f"{other}.mp4", range(3))
+    if lacking == "empty":
+        (tmp_path / f"{eye}.mp4").touch()
+    write_manifest(tmp_path, Manifest("Hall", "left.mp4", right="right.mp4"))
+    with pytest.raises(RecordingError) as refused:
+        open_recording(tmp_path)
+    told = str(refused.value)
+    assert f"recording.toml: the {eye} eye is {lacking}" in told
+    assert "give a video" not in told
+    assert ("leave [right] out" in told) == (eye == "right")

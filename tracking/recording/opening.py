@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from tracking.errors import RecordingError
 from tracking.recording.calibrated import read_calibrated
-from tracking.recording.eyes import Eyes, OneEye, SplitEyes, TwoEyes
+from tracking.recording.eyes import Eyes, OneEye, Side, SplitEyes, TwoEyes
 from tracking.recording.locate import Located, from_manifest, locate
+from tracking.recording.manifest import MANIFEST_NAME
 from tracking.recording.options import OpenOptions
-from tracking.recording.places import open_pictures, place_inside
+from tracking.recording.pictures import PictureSource
+from tracking.recording.places import is_pattern, open_pictures, place_inside
 from tracking.recording.recording import Recording
 
 
@@ -56,12 +59,28 @@ def _open(located: Located, options: OpenOptions) -> Recording:
 
 def _open_eyes(located: Located, allow_outside: bool) -> Eyes:
     manifest = located.manifest
-    left = open_pictures(place_inside(located.folder, manifest.left, allow_outside), manifest.left)
+    left = _opened(located, manifest.left, "left", allow_outside)
     if manifest.layout is not None:
         return SplitEyes(left, manifest.layout, manifest.first)
     if manifest.right is None:
         return OneEye(left)
-    right = open_pictures(
-        place_inside(located.folder, manifest.right, allow_outside), manifest.right
-    )
-    return TwoEyes(left, right)
+    return TwoEyes(left, _opened(located, manifest.right, "right", allow_outside))
+
+
+def _opened(located: Located, source: str, eye: Side, allow_outside: bool) -> PictureSource:
+    """The pictures of an eye."""
+    place = place_inside(located.folder, source, allow_outside)
+    if located.own and (lacking := _lacking(place)):
+        instead = ", or leave [right] out for one camera" if eye == "right" else ""
+        raise RecordingError(
+            f"{located.folder / MANIFEST_NAME}: the {eye} eye is {lacking}: {place}",
+            f"put it there{instead}",
+        )
+    return open_pictures(place, source)
+
+
+def _lacking(place: Path) -> str:
+    """What is wrong with a file that recording.toml names, before anything is read; "": nothing."""
+    if not place.exists():
+        return "" if is_pattern(str(place)) else "missing, no such video"
+    return "" if place.is_dir() or place.stat().st_size else "empty"
