@@ -102,3 +102,6 @@ def test_figures_beside_the_plot_of_a_training_touch_neither_its_frame_nor_each_
     metrics = QFontMetricsF(scaled_font(plot.font(), 0.88))
     area = plot._area()
     assert area.left() - 6 - metrics.horizontalAdvance("100 %") > 4
+    told = [f"{20 * fifth * plot._most:.3g} %" for fifth in range(6)]
+    assert max(map(metrics.horizontalAdvance, told)) < area.width() / 5
+    assert metrics.height() < area.height() / 5
