@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 import numpy as np
 
 from app.presenters.counting.counting_scene import Floats, FlowScene
@@ -10,6 +12,8 @@ from app.presenters.scenes import LegendEntry
 from app.presenters.words import tr
 from tracking.counting import FlowMap
 
+Share = TypeVar("Share", float, Floats)
+"""Of the highest density: one, or of each cell."""
 _FAINTEST, _STRONGEST = 60, 190
 _ARROW_S = 0.45
 """An arrow shows how far people get in this time, at most over its own cell."""
@@ -24,8 +28,7 @@ def flow_scene(flow: FlowMap) -> FlowScene:
     image = np.zeros((*share.shape, 4), np.uint8)
     levels = np.round(255 * share).astype(np.uint8)
     image[..., :3] = VIRIDIS.table[levels]
-    opacity = _FAINTEST + (_STRONGEST - _FAINTEST) * share
-    image[..., 3] = np.where(flow.density > 0, opacity, 0).astype(np.uint8)
+    image[..., 3] = np.where(flow.density > 0, _opacity(share), 0).astype(np.uint8)
     return FlowScene(
         flow.left,
         flow.bottom,
@@ -34,6 +37,11 @@ def flow_scene(flow: FlowMap) -> FlowScene:
         _arrows(flow),
         _legend(flow.most),
     )
+
+
+def _opacity(share: Share) -> Share:
+    """0..255 of roots of densities, as a share of the highest: thin flows hide the floor less."""
+    return _FAINTEST + (_STRONGEST - _FAINTEST) * share
 
 
 def _arrows(flow: FlowMap) -> Floats:
@@ -52,7 +60,9 @@ def _legend(most: float) -> tuple[LegendEntry, ...]:
     if most <= 0:
         return ()
     entries = [
-        LegendEntry(VIRIDIS.colour(share**0.5), _density_text(share * most))
+        LegendEntry(
+            VIRIDIS.colour(share**0.5), _density_text(share * most), _opacity(share**0.5) / 255
+        )
         for share in (1.0, 0.25, 0.0)
     ]
     return tuple(entries)

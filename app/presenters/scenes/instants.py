@@ -61,10 +61,11 @@ class PreviewTrail:
 
 @dataclass(frozen=True, slots=True)
 class LegendEntry:
-    """What a colour laid over a picture means."""
+    """What a colour laid over a picture means; `opacity`: how much of it covers the ground."""
 
     colour: Colour
     text: str
+    opacity: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)

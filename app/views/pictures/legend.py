@@ -30,8 +30,11 @@ def draw_legend(
     for row, entry in enumerate(entries):
         inside = QRectF(plate.left() + _PAD, plate.top() + _PAD + row * line, size[0], line)
         painter.setPen(QPen(theme.line_strong, 1.0))
-        painter.setBrush(QColor(*entry.colour))
         swatch = QRectF(inside.left(), inside.center().y() - side / 2, side, side)
+        if entry.opacity < 1.0:  # as it looks over the ground it lies on
+            painter.setBrush(theme.sunken)
+            painter.drawRoundedRect(swatch, 2, 2)
+        painter.setBrush(faded(QColor(*entry.colour), entry.opacity))
         painter.drawRoundedRect(swatch, 2, 2)
         painter.setPen(theme.text)
         inside.setLeft(swatch.right() + _GAP)
