@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.errors import RecordingError, SettingsError
+from tracking.errors import SettingsError
 from tracking.geometry import Ground, Rectification
 from tracking.recording import Recording, StereoFrame
 from tracking.stereo import SightLines
@@ -74,22 +74,22 @@ def require_sense(settings: Mapping[str, Any]) -> None:
         )
 
 
-def require_two_views(recording: Recording, frames: Sequence[StereoFrame]) -> None:
-    """Refuse two eyes that show the same pictures; raises `RecordingError`."""
-    pairs = [(frame.left, frame.right) for frame in frames if frame.right is not None]
-    told = [pair for pair in pairs if float(np.std(pair[0])) > _LEAST_DETAIL]
-    if told and all(float(cv2.absdiff(*pair).mean()) < _SAME for pair in told):
-        raise RecordingError(
-            f"recording {recording.name}: both eyes show the same pictures, which tell no "
-            "distance: give the right eye's own source, or choose a tracker for one camera"
-        )
+def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:
+    """What cannot be right of eyes, height and tilt, for the user; "": nothing.
 
-
-def doubt_of(recording: Recording, frame: StereoFrame) -> str:
-    """What cannot be right of eyes, height and tilt by one frame, for the user; "": nothing."""
+    Args:
+        frames: spread over the recording; all tell whether the eyes differ, the middle one the
+            rest.
+    """
     rectification, ground = recording.rectification, recording.ground
+    frame = frames[len(frames) // 2]
     if rectification is None or ground is None or frame.right is None:
         return ""
+    if _show_the_same(frames):
+        return (
+            f"{recording.name}: both eyes show the same pictures, which tell no distance: give "
+            "the right eye's own source, or choose a tracker for one camera"
+        )
     scene = seen_scene(rectification, frame.left, frame.right)
     if scene.is_behind:
         return f"{recording.name}: no distance for what moves: are the eyes swapped?"
@@ -100,6 +100,13 @@ def doubt_of(recording: Recording, frame: StereoFrame) -> str:
         f"{recording.name}: {_told(ground)} do not suit the scene, {_told(better)} would: "
         "check how the camera stands"
     )
+
+
+def _show_the_same(frames: Sequence[StereoFrame]) -> bool:
+    """Whether both eyes' pictures are the same in all frames that show anything."""
+    pairs = [(frame.left, frame.right) for frame in frames if frame.right is not None]
+    told = [pair for pair in pairs if float(np.std(pair[0])) > _LEAST_DETAIL]
+    return bool(told) and all(float(cv2.absdiff(*pair).mean()) < _SAME for pair in told)
 
 
 def _told(ground: Ground) -> str:

@@ -12,7 +12,7 @@ import numpy as np
 from tracking.errors import SettingsError
 from tracking.people import EyesWatch, RangedShare, first_lag
 from tracking.pipeline.kept import KeptSteps
-from tracking.pipeline.set_up import doubt_of, require_sense, require_two_views
+from tracking.pipeline.set_up import doubt_of, require_sense
 from tracking.recording import Instants, Recording, StereoFrame
 from tracking.trackers import (
     Observation,
@@ -212,8 +212,7 @@ class Tracking:
         """The background; two eyes are looked at for whether they can be as told."""
         samples = background_samples(self._recording)
         if self._spec.needs_stereo:
-            require_two_views(self._recording, samples)
-            self.doubt = doubt_of(self._recording, samples[len(samples) // 2])
+            self.doubt = doubt_of(self._recording, samples)
         perception.learn(samples)
 
 
