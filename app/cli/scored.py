@@ -127,8 +127,11 @@ def tell_oddities(one: Loaded) -> None:
     for tracks in (one.truth, *one.results.values()):
         for note in tracks.notes:
             say(f"note: {tracks.path}: {note}")
-    if not len(one.subject.truth):
-        say(f"note: {one.truth.path} has nobody in these frames; shares of truth are 0")
+    if not one.subject.truth.counted.any():
+        say(
+            f"note: {one.truth.path} has nobody in these frames: the truth is empty, what is "
+            "tracked counts as false alarms, and shares of truth are 0"
+        )
     for name, tracks in one.results.items():
         if not len(one.subject.results[name]):
             say(f"note: {tracks.path} has nobody in these frames; everybody counts as missed")

@@ -253,8 +253,21 @@ class ScoringPresenter:
             errors=self._choices(),
             doing=doing,
             message=self.why_nothing,
-            notes=scored.truth.notes if scored is not None else (),
+            notes=self._notes(),
         )
+
+    def _notes(self) -> tuple[str, ...]:
+        """What the user should know of the truth; that nobody is in it as on the command line."""
+        scored = self.scored
+        if scored is None or scored.whole.truth_people:
+            return scored.truth.notes if scored is not None else ()
+        name = name_of(scored.truth.source, self._document.session)
+        said = tr(
+            "{truth} has nobody in these frames: the truth is empty, what is tracked counts as "
+            "false alarms, and shares of truth are 0",
+            truth=name,
+        )
+        return (*scored.truth.notes, said)
 
     def _rows(self) -> tuple[ScoreRow, ...]:
         scored = self.scored

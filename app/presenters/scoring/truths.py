@@ -14,8 +14,9 @@ from app.presenters.comparing.agreement import refuse_other_recording
 from app.presenters.runs.whose import name_of_run
 from app.presenters.words import counted, tr
 from tracking.errors import FormatError, SessionError
-from tracking.formats import Filmed, Measurable, format_of, is_hdf5, measurable
+from tracking.formats import FORMATS, Filmed, Measurable, format_of, is_hdf5, measurable
 from tracking.formats.reading import in_order, with_all_columns
+from tracking.formats.track_format import HEAD_BYTES
 from tracking.recording import Recording
 from tracking.scoring import ScoringTable
 from tracking.session import Session
@@ -91,6 +92,8 @@ def reader(source: TruthSource, recording: Recording, own: Session | None) -> Ca
         try:
             kind = format_of(path)
         except FormatError:
+            if _is_blank(path):
+                return _of_file(source, measurable(path, FORMATS["mot"], filmed))
             if not is_hdf5(path):
                 raise
             with closing(Session.open(path)) as session:
@@ -102,6 +105,14 @@ def reader(source: TruthSource, recording: Recording, own: Session | None) -> Ca
     return read
 
 
+def _is_blank(path: Path) -> bool:
+    """Whether nothing is written in a file: MOT text in which nobody is, as on the command line."""
+    try:
+        return path.stat().st_size <= HEAD_BYTES and not path.read_bytes().strip()
+    except OSError:
+        return False  # why it cannot be read is told by whoever finds its format
+
+
 def _of_file(source: TruthSource, found: Measurable) -> Truth:
     """What does not count stays out of the people."""
     notes = list(found.notes)
@@ -109,7 +120,7 @@ def _of_file(source: TruthSource, found: Measurable) -> Truth:
         first = found.bad_rows[0]
         left_out = counted(found.bad_count, "{n} row is left out", "{n} rows are left out")
         notes.append(f"{left_out}: {first.place}: {first.reason}")
-    if not len(found.columns["frame"]):
+    if found.bad_count and not len(found.columns["frame"]):
         raise FormatError(f"{source.path} has no rows that can be read; choose another truth")
     return _truth(source, found.columns, tuple(notes), dont_cares=found.dont_cares)
 

@@ -1,11 +1,13 @@
 """Scoring the tiny session against its truth, without a window."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from two_people import steps
 
+from app.__main__ import run
 from app.cli.scored import true_table
 from app.cli.tracks import truth_at
 from app.presenters.document.document import Document
@@ -141,6 +143,26 @@ def test_what_is_no_truth_is_refused(presenter, document, tmp_path):
     presenter.choose_file(noise)
     with pytest.raises(FormatError):
         score_now(presenter)
+
+
+def test_an_empty_truth_is_scored_and_told_as_on_the_command_line(
+    presenter, document, tiny_session, tmp_path, capsys
+):
+    truth = tmp_path / "nobody.txt"
+    for emptied in ("", " \n\n"):
+        truth.write_text(emptied)
+        assert run(["score", str(tiny_session), "--truth", str(truth), "--json"]) == 0
+        out, err = capsys.readouterr()
+        presenter.choose_file(truth)
+        for on_floor in (False, True):
+            presenter.choose_floor(on_floor)
+            scored = score_now(presenter)
+            rows = len(document.session.tracks.columns()["frame"])
+            assert scored.errors.count(ErrorKind.FALSE_ALARM) == len(scored.errors) == rows
+            assert scored.whole.clear.false_positives == json.loads(out)["false_positives"] == rows
+            (note,) = presenter.scene("").notes
+            assert note.startswith("nobody.txt has nobody in these frames: the truth is empty")
+            assert f"{tmp_path / note}" in err
 
 
 def test_people_who_are_missed_are_marked_on_picture_and_floor(presenter, document):

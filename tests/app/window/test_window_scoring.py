@@ -137,6 +137,19 @@ def test_what_is_chosen_otherwise_is_scored_anew(window, scored, qtbot, tmp_path
     assert not view.timeline.errors.isVisible()
 
 
+def test_an_empty_truth_opens_the_score_with_everything_a_false_alarm(
+    window, scored, qtbot, tmp_path
+):
+    truth, view = tmp_path / "nobody.txt", window.workspace
+    truth.write_text("")
+    scored.scoring.choose_file(truth)
+    qtbot.waitUntil(lambda: "the truth is empty" in view.score._notes.text(), timeout=20_000)
+    assert not view.score._message.text()
+    assert view.score.table.isVisible()
+    lanes = {lane.kind: lane.count for lane in view.timeline.errors._scene.lanes}
+    assert lanes[ErrorKind.FALSE_ALARM] == sum(lanes.values()) > 0
+
+
 def test_the_track_panel_tells_of_whom_an_error_is_about(window, scored, press, qtbot):
     tracks = scored.document.session.tracks
     one, other = tracks.of_frame(60)["track"].tolist()[:2]
