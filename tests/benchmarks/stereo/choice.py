@@ -83,7 +83,10 @@ def advice(rows: Figures) -> str:
         (name,) = set(best.values())
         reasons = "; ".join(tell(rows, name) for tell in told.values())
         return f"Take `{name}`: it is ahead in everything ({reasons})."
-    parts = [f"`{name}` {when} ({told[when](rows, name)})" for when, name in best.items()]
+    parts = []
+    for one in dict.fromkeys(best.values()):
+        uses = [f"{when} ({told[when](rows, one)})" for when, name in best.items() if name == one]
+        parts.append(f"`{one}` {' and '.join(uses)}")
     return f"Take {', '.join(parts[:-1])}, and {parts[-1]}."
 
 
