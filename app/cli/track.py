@@ -49,7 +49,7 @@ def run_track(
     else:
         tracks = "1 track" if people == 1 else f"{people} tracks"
         say(f"{run.tracker}: {tracks}, {rate:.1f} frames a second")
-        if not people and not run.notes:
+        if not people and not set(run.notes).difference(recording.notes):
             say(_nobody(run.tracker))
         print(out)
 

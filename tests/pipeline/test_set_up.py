@@ -1,11 +1,13 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tracking.errors import SettingsError
-from tracking.pipeline import track
+from tracking.pipeline import set_up, track
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.synthesis import render_recording
 from tracking.trackers import TRACKERS, parse_settings
@@ -75,6 +77,19 @@ def test_the_same_pictures_for_both_eyes_are_told_as_that(lobby: Path):
     with open_recording(lobby, eyes_of(lobby, "left.mp4", "left.mp4")) as same:
         (note,) = told(same)
     assert "both eyes show the same pictures" in note
+
+
+@pytest.mark.parametrize(("apart_px", "same"), [(10, False), (0, True)])
+def test_a_lamp_at_night_tells_whether_eyes_differ(
+    lobby: Path, monkeypatch: pytest.MonkeyPatch, apart_px: int, same: bool
+):
+    left, right = np.zeros((2, 240, 320, 3), np.uint8)
+    left[100:110, 150:160] = 200
+    right[100:110, 150 - apart_px : 160 - apart_px] = 200
+    monkeypatch.setattr(set_up, "seen_scene", lambda *_: set_up.Scene(*np.zeros((2, 0, 2)), 1.0))
+    with open_recording(lobby) as recording:
+        frame = replace(recording.read(0), left=left, right=right)
+        assert ("show the same pictures" in set_up.doubt_of(recording, [frame])) is same
 
 
 @pytest.mark.parametrize(("nearest", "farthest"), [("20", "2"), ("5", "5")])

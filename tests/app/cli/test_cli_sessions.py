@@ -18,6 +18,7 @@ from app.presenters.files.opening import open_path
 from tracking.editing import plan_delete
 from tracking.formats import read_mot
 from tracking.geometry import Ground
+from tracking.recording import Recording
 from tracking.session import Session
 
 
@@ -60,6 +61,19 @@ def test_who_finds_nobody_is_told_what_is_taken_for_background(
     status, _, err = trackwright("track", recording, *words)
     assert status == 0
     assert f"nobody was found; what stands still for {much} of the footage is taken" in err
+
+
+def test_an_oddity_of_the_recording_is_no_reason_why_nobody_was_found(
+    trackwright: Trackwright, recording: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    at_first = iter(((), ()))
+    met_later = property(lambda _: next(at_first, ("one frame is broken",)))
+    monkeypatch.setattr(Recording, "notes", met_later)
+    words = ("-o", tmp_path / "s.h5", "--tracker", "spheroid", "--frames", "0:1")
+    status, _, err = trackwright("track", recording, *words)
+    assert status == 0
+    assert "one frame is broken" in err
+    assert "nobody was found" in err
 
 
 def test_the_same_seed_tracks_the_same(
