@@ -25,7 +25,7 @@ class WholeBox(QSpinBox):
 
     def validate(self, text: str, pos: int) -> Validated:
         """Qt would swallow the key that leads out of range, unsaid."""
-        return _lenient(super().validate(text, pos), text, pos)
+        return _lenient(self, super().validate(text, pos), text, pos)
 
 
 class NumberBox(QDoubleSpinBox):
@@ -39,7 +39,7 @@ class NumberBox(QDoubleSpinBox):
 
     def validate(self, text: str, pos: int) -> Validated:
         """Qt would swallow the key that leads out of range, unsaid."""
-        return _lenient(super().validate(text, pos), text, pos)
+        return _lenient(self, super().validate(text, pos), text, pos)
 
 
 def _watch(box: WholeBox | NumberBox) -> None:
@@ -64,11 +64,21 @@ def _watch(box: WholeBox | NumberBox) -> None:
 
 def _refused_by(box: WholeBox | NumberBox) -> list[float]:
     """The number in a field where it is out of range."""
-    value, is_number = box.locale().toDouble(box.cleanText())
-    return [value] if is_number and not box.minimum() <= value <= box.maximum() else []
+    return _beyond(box, box.cleanText())
 
 
-def _lenient(found: Validated, text: str, pos: int) -> Validated:
-    if found[0] is _State.Invalid and any(one.isdigit() for one in text):
+def _lenient(box: WholeBox | NumberBox, found: Validated, text: str, pos: int) -> Validated:
+    """Let a number out of range be typed; what is no number would be lost unsaid later on."""
+    bare = text.removeprefix(box.prefix()).removesuffix(box.suffix()).strip()
+    if found[0] is _State.Invalid and _beyond(box, bare):
         return _State.Intermediate, text, pos
     return found
+
+
+def _beyond(box: WholeBox | NumberBox, text: str) -> list[float]:
+    """The number that a text is, if it is one of the field's kind and out of its range."""
+    locale = box.locale()
+    value, is_number = (
+        locale.toLongLong(text) if isinstance(box, WholeBox) else locale.toDouble(text)
+    )
+    return [value] if is_number and not box.minimum() <= value <= box.maximum() else []

@@ -1,8 +1,9 @@
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QLocale, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
+from app.views.runs.number_boxes import NumberBox, WholeBox
 from app.views.runs.settings_form import FoldButton, SettingsForm
 from app.views.runs.track_dialog import TrackDialog
 from tracking.recording import open_recording
@@ -122,6 +123,32 @@ def test_a_number_out_of_range_is_told_and_the_nearest_is_taken(qtbot, typed, ta
     control.selectAll()
     QTest.keyClicks(control, str(field.default))
     assert not any("out of range" in label.text() for label in form.findChildren(QLabel))
+
+
+@pytest.mark.parametrize("kind", [WholeBox, NumberBox])
+@pytest.mark.parametrize("typed", ["5abc", "2,5", "7x", "5 000x"])
+def test_what_is_no_number_cannot_be_typed_into_its_field(qtbot, kind, typed):
+    box = kind()
+    qtbot.addWidget(box)
+    box.setLocale(QLocale.c())
+    box.setRange(0, 99)
+    box.setSuffix(" m")
+    box.show()
+    box.selectAll()
+    QTest.keyClicks(box, typed)
+    assert box.cleanText().isdigit()
+    shown = float(box.cleanText())
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    assert box.value() == min(shown, 99)
+
+
+def test_a_whole_number_has_no_decimals(qtbot):
+    box = WholeBox()
+    qtbot.addWidget(box)
+    box.show()
+    box.selectAll()
+    QTest.keyClicks(box, "1.5")
+    assert box.cleanText() == "15"
 
 
 def test_settings_of_a_tracker_stand_under_headings(qtbot):
