@@ -30,22 +30,47 @@ def open_with_unsaved(
     opened = open_cancellable(path, recording, options, report)
     if opened.document.session is not None:
         return opened
-    return replace(opened, unsaved=left_behind(opened.document.recording))
+    try:
+        return replace(opened, unsaved=left_behind(opened.document.recording))
+    except BaseException:
+        opened.close()
+        raise
 
 
 def left_behind(recording: Recording) -> Path | None:
     """The latest session of the recording that was never saved; None: there is none."""
-    named = f"{recording.path.stem or 'session'}-"
-    folder = unsaved_folder()
-    found = [one for one in folder.glob("*.h5") if one.name.startswith(named)]
-    footage = " ".join(part.sha256 for part in recording.fingerprints()) if found else ""
-    for path in sorted(found, key=lambda one: one.stat().st_mtime, reverse=True)[:_MOST]:
-        try:
-            if recording_of(path).footage == footage:
-                return path
-        except (TrackwrightError, OSError) as why:
-            _log.info("%s is not offered: %s", path, why)
+    try:
+        found = _named_like(recording)
+        footage = " ".join(part.sha256 for part in recording.fingerprints()) if found else ""
+    except (TrackwrightError, OSError) as why:
+        _log.info("what was never saved of %s is not looked for: %s", recording.path, why)
+        return None
+    for path in found[:_MOST]:
+        if _is_of(path, footage):
+            return path
     return None
+
+
+def _named_like(recording: Recording) -> list[Path]:
+    """The files that may be of the recording, the latest first."""
+    named = f"{recording.path.stem or 'session'}-"
+    found = [one for one in unsaved_folder().glob("*.h5") if one.name.startswith(named)]
+    return sorted(found, key=_changed_s, reverse=True)
+
+
+def _changed_s(path: Path) -> float:
+    try:
+        return path.stat().st_mtime
+    except OSError:  # another window has just saved or dropped it
+        return 0.0
+
+
+def _is_of(path: Path, footage: str) -> bool:
+    try:
+        return recording_of(path).footage == footage
+    except (TrackwrightError, OSError) as why:
+        _log.info("%s is not offered: %s", path, why)
+        return False
 
 
 def told_at_end(session: Session | None, *, held: bool, tracking: bool) -> list[str]:

@@ -1,0 +1,50 @@
+"""Work that was never saved is looked for, never at the cost of the recording itself."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from app.presenters.files import left_behind, opening
+from tracking.progress import no_progress
+from tracking.recording import Recording
+
+
+@pytest.fixture
+def left(tiny_recording: Path, tiny_session: Path) -> Callable[[int], Path]:
+    """Puts a session of the recording among those that were never saved."""
+
+    def put(number: int) -> Path:
+        path = opening.unsaved_folder() / f"{tiny_recording.stem}-{number}.h5"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(tiny_session, path)
+        return path
+
+    return put
+
+
+def test_a_file_that_goes_while_it_is_looked_at_hides_no_other(
+    tiny_recording: Path, left: Callable[[int], Path]
+) -> None:
+    path = left(2)
+    (path.parent / f"{tiny_recording.stem}-1.h5").symlink_to(path.parent / "gone.h5")
+    opened = left_behind.open_with_unsaved(tiny_recording, None, None, no_progress)
+    assert opened.unsaved == path
+    opened.close()
+
+
+def test_sources_that_cannot_be_compared_open_all_the_same(
+    tiny_recording: Path, left: Callable[[int], Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    left(1)
+
+    def refuse(_: Recording) -> None:
+        raise PermissionError("not yours")
+
+    monkeypatch.setattr(Recording, "fingerprints", refuse)
+    opened = left_behind.open_with_unsaved(tiny_recording, None, None, no_progress)
+    assert opened.unsaved is None
+    opened.close()
