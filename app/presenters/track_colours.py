@@ -13,6 +13,7 @@ from app.presenters.meetings import FAR, Meetings, closeness, meetings_of
 from app.presenters.palette import NOBODY, TRACK_COLOURS, usual_place
 from app.presenters.scenes import Colour
 from app.presenters.shown_colours import THEMES, standing_out
+from app.presenters.telling_apart import TellingApart
 from tracking.tracks import Columns, Run, TrackTable
 
 ColourOf = Callable[[int], Colour]
@@ -53,11 +54,15 @@ class TrackColours:
     ) -> TrackColours:
         """Colours of a session: of the run's tracks first, which are the same at each opening.
 
-        `seen`: those its ids had while the tracker worked, which they keep.
+        `seen`: those its ids had while the tracker worked. They keep them, unless two who are
+        seen together in the finished run look alike: then who has fewer rows has another.
         """
         colours = cls() if seen is None else seen.copy()
         if run is not None:
-            colours._settle(meetings_of(run.tracks))
+            meetings = meetings_of(run.tracks)
+            if seen is not None:
+                colours._tell_apart(run.tracks, meetings)
+            colours._settle(meetings)
         return colours.and_of(table)
 
     def copy(self) -> TrackColours:
@@ -143,6 +148,19 @@ class TrackColours:
             places[at], there[at] = self._place[track], True
             worn[places[at]] += 1
 
+    def _tell_apart(self, rows: Columns, meetings: Meetings) -> None:
+        """Change the colours of those who would look like somebody seen together with."""
+        told = TellingApart(
+            self._place,
+            rows,
+            meetings,
+            alike=_ALIKE,
+            limit=_TOO_ALIKE,
+            soon=_SOON_FRAMES,
+            choose=_choice,
+        )
+        self._place.update(told.places())
+
     def _give(self, track: int, near: Mapping[int, float]) -> None:
         """Choose a colour; near: those around, and how near they come."""
         taken = np.zeros(len(TRACK_COLOURS))
@@ -152,8 +170,12 @@ class TrackColours:
         self._choose(track, taken)
 
     def _choose(self, track: int, taken: NDArray[np.float64]) -> None:
-        """The usual colour, or the one least like others; taken: (colours,) how much each is."""
-        place = usual_place(track)
-        if (_ALIKE[place] * taken).max() > _TOO_ALIKE:
-            place = int((_LIKE @ taken).argmin())
-        self._place[track] = place
+        self._place[track] = _choice(track, taken)
+
+
+def _choice(track: int, taken: NDArray[np.float64]) -> int:
+    """The usual colour, or the one least like others; taken: (colours,) how much each is."""
+    place = usual_place(track)
+    if (_ALIKE[place] * taken).max() > _TOO_ALIKE:
+        place = int((_LIKE @ taken).argmin())
+    return place

@@ -60,7 +60,8 @@ class OwnColours:
     ) -> None:
         """Give a session's tracks colours, unless they have them; many have theirs later.
 
-        seen: those in which the same ids were watched while the tracker worked: they stay.
+        seen: those in which the same ids were watched while the tracker worked: they stay
+            where nobody seen together looks alike.
         """
         if (session, session.adopted_run) == self._of:
             return

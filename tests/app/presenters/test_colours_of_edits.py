@@ -166,6 +166,31 @@ def test_who_was_watched_while_a_tracker_worked_keeps_the_colour_when_its_run_is
     assert _colours(live, 1, 2, 25) == before
 
 
+def _kept_from(recording, document, places):
+    """The colours in which the session's people are shown who were watched in others."""
+    live = Document(recording)
+    live.begin_live()
+    live._showing._live_colours._place = dict(places)
+    live.take_session(document.session)
+    return _colours(live, *places)
+
+
+def test_of_two_watched_in_one_colour_who_meet_in_the_run_the_shorter_has_another(
+    recording, document
+):
+    one, two, third = _kept_from(recording, document, {1: 0, 2: 0, 25: 9})
+    assert (one, third) == (TRACK_COLOURS[0], TRACK_COLOURS[9])
+    assert len({one, two, third}) == 3
+
+
+def test_who_was_watched_in_one_colour_keeps_it_where_they_never_meet_in_the_run(
+    recording, tiny_run, tmp_path
+):
+    apart = _document(recording, tiny_run, {1: (0, 30), 2: (40, 70)}, tmp_path / "apart.h5")
+    assert _kept_from(recording, apart, {1: 7, 2: 7}) == [TRACK_COLOURS[7]] * 2
+    apart.session.close()
+
+
 def test_colours_of_one_tracker_are_not_those_of_another_session(recording, document):
     live = Document(recording, document.session)
     own = _colours(live, 1, 2, 25)
