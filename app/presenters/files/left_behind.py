@@ -9,7 +9,7 @@ from pathlib import Path
 from app.presenters.files.opening import (
     Opened,
     is_unsaved_place,
-    open_cancellable,
+    open_path,
     unsaved_folder,
 )
 from app.presenters.words import tr
@@ -26,26 +26,36 @@ _MOST = 20
 def open_with_unsaved(
     path: Path, recording: Path | None, options: OpenOptions | None, report: Progress
 ) -> Opened:
-    """The same as `open_cancellable`, with what was never saved of a recording."""
-    opened = open_cancellable(path, recording, options, report)
-    if opened.document.session is not None:
-        return opened
+    """The same as `open_path`, with what was never saved of a recording.
+
+    Raises:
+        CancelledError: by `report`; nothing stays open then.
+    """
+    opened = open_path(path, recording, options)
     try:
-        return replace(opened, unsaved=left_behind(opened.document.recording))
+        if opened.document.session is None:
+            opened = replace(opened, unsaved=left_behind(opened.document.recording, report))
+        report(1, 1)
     except BaseException:
         opened.close()
         raise
+    return opened
 
 
-def left_behind(recording: Recording) -> Path | None:
-    """The latest session of the recording that was never saved; None: there is none."""
+def left_behind(recording: Recording, report: Progress) -> Path | None:
+    """The latest session of the recording that was never saved; None: there is none.
+
+    Raises:
+        CancelledError: by `report`.
+    """
     try:
         found = _named_like(recording)
         footage = " ".join(part.sha256 for part in recording.fingerprints()) if found else ""
     except (TrackwrightError, OSError) as why:
         _log.info("what was never saved of %s is not looked for: %s", recording.path, why)
         return None
-    for path in found[:_MOST]:
+    for done, path in enumerate(found[:_MOST]):
+        report(done, len(found[:_MOST]))
         if _is_of(path, footage):
             return path
     return None

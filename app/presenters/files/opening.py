@@ -10,7 +10,6 @@ from platformdirs import user_data_path
 
 from app.presenters.document.document import Document
 from tracking.errors import OutputError
-from tracking.progress import Progress
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.session import (
     Importable,
@@ -53,23 +52,6 @@ def window_lock() -> Path:
     """A file that is locked while a window of this user is open."""
     own_folder().mkdir(parents=True, exist_ok=True)
     return own_folder() / "window.lock"
-
-
-def open_cancellable(
-    path: Path, recording: Path | None, options: OpenOptions | None, report: Progress
-) -> Opened:
-    """The same as `open_path`; where it was cancelled meanwhile nothing stays open.
-
-    Raises:
-        CancelledError: by `report`.
-    """
-    opened = open_path(path, recording, options)
-    try:
-        report(1, 1)
-    except BaseException:
-        opened.close()
-        raise
-    return opened
 
 
 def open_path(

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from app.presenters.files import left_behind, opening
+from tracking.errors import CancelledError
 from tracking.progress import no_progress
 from tracking.recording import Recording
 
@@ -48,3 +49,22 @@ def test_sources_that_cannot_be_compared_open_all_the_same(
     opened = left_behind.open_with_unsaved(tiny_recording, None, None, no_progress)
     assert opened.unsaved is None
     opened.close()
+
+
+def test_cancel_counts_until_the_last_file_was_looked_into(
+    tiny_recording: Path, left: Callable[[int], Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    left(1)
+    looked: list[Path] = []
+    closed: list[Recording] = []
+    look, close = left_behind.recording_of, Recording.close
+    monkeypatch.setattr(left_behind, "recording_of", lambda one: looked.append(one) or look(one))
+    monkeypatch.setattr(Recording, "close", lambda one: closed.append(one) or close(one))
+
+    def cancel(_done: int, _total: int) -> None:
+        if looked:
+            raise CancelledError("stopped by the user")
+
+    with pytest.raises(CancelledError):
+        left_behind.open_with_unsaved(tiny_recording, None, None, cancel)
+    assert len(closed) == 1

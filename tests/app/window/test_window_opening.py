@@ -8,7 +8,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from app.presenters.files import demonstration, opening
+from app.presenters.files import demonstration, left_behind, opening
 from app.presenters.files.demonstration import Demonstration
 from app.views.timeline.tracks_area import TracksArea
 from app.views.widgets.remembered import Place
@@ -223,7 +223,7 @@ def test_opening_that_was_cancelled_leaves_nothing_open(tiny_session, own_folder
         raise CancelledError("stopped by the user")
 
     with pytest.raises(CancelledError):
-        opening.open_cancellable(tiny_session, None, None, cancel)
+        left_behind.open_with_unsaved(tiny_session, None, None, cancel)
     opened = opening.open_path(tiny_session)
     assert not opened.document.session.read_only  # nobody holds the lock
     opened.close()
