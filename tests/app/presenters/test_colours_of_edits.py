@@ -191,10 +191,13 @@ def test_who_was_watched_in_one_colour_keeps_it_where_they_never_meet_in_the_run
     apart.session.close()
 
 
-def test_colours_of_one_tracker_are_not_those_of_another_session(recording, document):
-    live = Document(recording, document.session)
+def test_colours_of_a_run_that_was_dropped_are_not_those_of_another_run(recording, document):
+    session, live = document.session, Document(recording, document.session)
     own = _colours(live, 1, 2, 25)
     live.begin_live()
-    live._showing._live_colours._place = dict.fromkeys((1, 2, 25), 7)
+    live._showing._live_colours._place = {1: 5, 2: 9, 25: 13}
     live.end_live()  # stopped, or kept beside
+    assert _colours(live, 1, 2, 25) == own
+    session.adopt_run(session.add_run(session.corrected_run, adopt=False))
+    live.take_session(session)
     assert _colours(live, 1, 2, 25) == own
