@@ -19,6 +19,7 @@ class Figure:
     Attributes:
         name, hint: in English. value: NaN where it is not defined.
         form: how it is written. sign: 1 where more is better, -1 where less is.
+        short: its name where there is little room; "": the same.
     """
 
     name: str
@@ -26,6 +27,7 @@ class Figure:
     value: Callable[[Score], float]
     form: str = "{:.3f}"
     sign: int = 1
+    short: str = ""
 
     def text(self, score: Score) -> str:
         """The value as it is written."""
@@ -59,13 +61,20 @@ FIGURES: Final = (
         "1 less misses, false alarms and switches as a share of the truth's rows; may be negative",
         lambda score: score.clear.mota,
     ),
-    Figure("DetA", "How well people are found, part of HOTA", lambda score: score.hota.deta),
-    Figure("AssA", "How well ids are kept, part of HOTA", lambda score: score.hota.assa),
     Figure(
         "People kept",
         "People followed under one id, of those who were found at all",
         lambda score: score.tracking_accuracy,
         "{:.1%}",
+        short="Kept",
+    ),
+    Figure(
+        "Floor error (median)",
+        "Distance on the floor between matched rows",
+        lambda score: score.position_error.median,
+        "{:.2f} m",
+        -1,
+        "Floor error",
     ),
     Figure(
         "Switches",
@@ -80,6 +89,7 @@ FIGURES: Final = (
         lambda score: score.clear.fragmentations,
         "{:.0f}",
         -1,
+        "Fragments",
     ),
     Figure(
         "Misses",
@@ -95,13 +105,8 @@ FIGURES: Final = (
         "{:.0f}",
         -1,
     ),
-    Figure(
-        "Floor error (median)",
-        "Distance on the floor between matched rows",
-        lambda score: score.position_error.median,
-        "{:.2f} m",
-        -1,
-    ),
+    Figure("DetA", "How well people are found, part of HOTA", lambda score: score.hota.deta),
+    Figure("AssA", "How well ids are kept, part of HOTA", lambda score: score.hota.assa),
 )
 
 
@@ -120,7 +125,7 @@ def rows_of(whole: Score, visible: Score, before: Score | None) -> tuple[ScoreRo
     for one in FIGURES:
         moved, better = one.moved(before, whole) if before is not None else ("", 0)
         texts = one.text(whole), one.text(visible)
-        rows.append(ScoreRow(tr(one.name), tr(one.hint), *texts, moved, better))
+        rows.append(ScoreRow(tr(one.name), tr(one.hint), *texts, moved, better, tr(one.short)))
     return tuple(rows)
 
 

@@ -32,6 +32,7 @@ class ScoreRow:
         whole, visible: its value over all frames and over those shown. moved: by how much the
             last edits moved it, with its sign; "": not at all.
         better: 1 where that is better, -1 where worse, 0 where neither.
+        short: the name where there is little room; "": the same.
     """
 
     name: str
@@ -40,6 +41,7 @@ class ScoreRow:
     visible: str
     moved: str = ""
     better: int = 0
+    short: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -16,15 +18,22 @@ from app.presenters.scoring.score_scene import ScoreRow, ScoreScene
 from app.views.look.theme import current_theme
 from app.views.widgets.table_cells import write_cell
 
+_COLUMNS, _MOST_GROUPS = 4, 3
 _WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +88.888"
-_PAD_PX = 20
+_PAD_PX = 28
 
 
 class FiguresTable(QTableWidget):
-    """Draws the rows of a :class:`ScoreScene`."""
+    """Draws the rows of a :class:`ScoreScene`, in groups side by side where it is too low.
+
+    A group has the columns name, all frames, frames shown and last edits; where there are several,
+    names and titles are short, and of a move there is the arrow; three have no room for the frames
+    shown. Tooltips say it in full.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(0, 4, parent)
+        super().__init__(0, _COLUMNS, parent)
+        self._scene: ScoreScene | None = None
         self._rows: tuple[ScoreRow, ...] = ()
         self.setAccessibleName(self.tr("Score"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -33,48 +42,107 @@ class FiguresTable(QTableWidget):
         self.setShowGrid(False)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 3)
-        names = (
-            self.tr("Figure"),
-            self.tr("All frames"),
-            self.tr("Frames shown"),
-            self.tr("Last edits"),
-        )
-        self.setHorizontalHeaderLabels(names)
-        header, width = self.horizontalHeader(), self.fontMetrics().horizontalAdvance
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        for column, (name, widest) in enumerate(
-            zip(names[1:], (_WIDEST, _WIDEST, _WIDEST_MOVE), strict=True), 1
-        ):
-            self.setColumnWidth(column, max(width(name), width(widest)) + _PAD_PX)
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        first = QTableWidgetItem(names[0])
-        first.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self.setHorizontalHeaderItem(0, first)
+        line = self.fontMetrics().height() + 2
+        self.verticalHeader().setMinimumSectionSize(line)
+        self.verticalHeader().setDefaultSectionSize(line)
+        self.horizontalHeader().setHighlightSections(False)
+        self._title()
+
+    @property
+    def groups(self) -> int:
+        """How many figures stand side by side."""
+        return self.columnCount() // _COLUMNS
 
     def show_scene(self, scene: ScoreScene) -> None:
-        """Show other figures; only rows that are others are written."""
-        for column, frames in ((1, scene.whole), (2, scene.visible), (3, scene.moved)):
-            item = self.horizontalHeaderItem(column)
-            if item is not None and frames:
-                told = self.tr("frames {0}").format(frames) if column < 3 else frames
-                item.setToolTip(told)
+        """Show other figures; only those that are others are written."""
+        self._scene = scene
         if len(scene.rows) != len(self._rows):
-            self.setRowCount(len(scene.rows))
+            self._rows = ()
+            self._arrange(len(scene.rows))
+        self._tell_frames()
         for number, row in enumerate(scene.rows):
             if number >= len(self._rows) or self._rows[number] != row:
                 self._write(number, row)
         self._rows = scene.rows
 
+    # arranging
+
+    def _arrange(self, figures: int) -> bool:
+        """As few groups as the height allows; whether there are others than before."""
+        room = self.height() - self.horizontalHeader().sizeHint().height() - 2
+        fitting = max(1, room // self.verticalHeader().defaultSectionSize())
+        groups = min(_MOST_GROUPS, max(1, math.ceil(figures / fitting)))
+        lines = math.ceil(figures / groups)
+        if (groups, lines) == (self.groups, self.rowCount()):
+            return False
+        self.setRowCount(0)
+        self.setColumnCount(groups * _COLUMNS)
+        self.setRowCount(lines)
+        self._title()
+        return True
+
+    def _title(self) -> None:
+        """Titles and widths of the columns."""
+        full = (
+            self.tr("Figure"),
+            self.tr("All frames"),
+            self.tr("Frames shown"),
+            self.tr("Last edits"),
+        )
+        narrow = self.groups > 1
+        names = ("", self.tr("All"), self.tr("Shown"), "") if narrow else full
+        widest = (_WIDEST, _WIDEST, "\u25b2" if narrow else _WIDEST_MOVE)
+        header, width = self.horizontalHeader(), self.fontMetrics().horizontalAdvance
+        for column in range(self.columnCount()):
+            part = column % _COLUMNS
+            item = QTableWidgetItem(names[part])
+            side = Qt.AlignmentFlag.AlignRight if part else Qt.AlignmentFlag.AlignLeft
+            item.setTextAlignment(side | Qt.AlignmentFlag.AlignVCenter)
+            item.setToolTip(full[part])
+            self.setHorizontalHeaderItem(column, item)
+            mode = QHeaderView.ResizeMode
+            header.setSectionResizeMode(column, mode.Interactive if part else mode.Stretch)
+            self.setColumnHidden(column, part == 2 and self.groups == _MOST_GROUPS)
+            if part:
+                px = max(width(names[part]), width(widest[part - 1]))
+                self.setColumnWidth(column, px + _PAD_PX)
+
+    def _tell_frames(self) -> None:
+        scene = self._scene
+        if scene is None:
+            return
+        for column in range(self.columnCount()):
+            item, part = self.horizontalHeaderItem(column), column % _COLUMNS
+            frames = ("", scene.whole, scene.visible, scene.moved)[part]
+            if item is not None and frames:
+                item.setToolTip(self.tr("frames {0}").format(frames) if part < 3 else frames)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """All figures stay in sight."""
+        super().resizeEvent(event)
+        if self._rows and self._arrange(len(self._rows)):
+            self._tell_frames()
+            for number, row in enumerate(self._rows):
+                self._write(number, row)
+
+    # writing
+
     def _write(self, number: int, row: ScoreRow) -> None:
-        for column, text in enumerate((row.name, row.whole, row.visible, row.moved)):
-            write_cell(self, number, column, text, row.hint)
-        moved = self.item(number, 3)
-        if moved is not None:
-            moved.setForeground(_colour(row.better))
-            said = {1: self.tr("better"), -1: self.tr("worse")}.get(row.better, "")
-            moved.setData(Qt.ItemDataRole.AccessibleTextRole, f"{row.moved} {said}".strip())
+        group, line = divmod(number, max(1, self.rowCount()))
+        first, narrow = group * _COLUMNS, self.groups > 1
+        name, moved = (row.short or row.name, row.moved[:1]) if narrow else (row.name, row.moved)
+        hint = row.hint
+        if narrow:
+            shown = self.tr("{0} in the frames shown").format(row.visible)
+            hint = "\n".join(filter(None, (row.name, row.hint, shown, row.moved)))
+        for part, text in enumerate((name, row.whole, row.visible, moved)):
+            item = write_cell(self, line, first + part, text, hint)
+            if part == 0:
+                item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+                item.setData(Qt.ItemDataRole.AccessibleTextRole, row.name)
+        item.setForeground(_colour(row.better))
+        said = {1: self.tr("better"), -1: self.tr("worse")}.get(row.better, "")
+        item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{row.moved} {said}".strip())
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Follow the theme."""

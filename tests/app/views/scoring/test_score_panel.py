@@ -1,10 +1,12 @@
 """The panel of the score."""
 
 from dataclasses import replace
+from itertools import product
 
 import pytest
 from PySide6.QtCore import Qt
 
+from app.presenters.scoring.figures import FIGURES
 from app.presenters.scoring.score_scene import ErrorChoice, ScoreRow, ScoreScene
 from app.views.scoring.score_panel import ScorePanel
 from tracking.scoring import ErrorKind
@@ -43,15 +45,26 @@ def test_what_is_better_is_green_and_what_is_worse_red(panel, theme):
     assert better.data(Qt.ItemDataRole.AccessibleTextRole) == "\u25b2 +0.010 better"
 
 
-def test_at_the_width_it_has_on_a_small_screen_four_figures_are_in_sight(panel, qtbot):
-    rows = tuple(replace(SCENE.rows[0], name=f"figure {number}") for number in range(9))
+def test_at_the_size_it_has_on_a_small_screen_all_eleven_figures_are_in_sight(panel, qtbot):
+    names = [one.name for one in FIGURES]
+    rows = tuple(
+        replace(SCENE.rows[0], name=one.name, short=one.short, whole="100.0%") for one in FIGURES
+    )
     panel.show_scene(replace(SCENE, rows=rows, moved=""))
     panel.resize(690, 225)
     panel.show()
     qtbot.waitExposed(panel)
-    table = panel.table
-    fourth = table.visualRect(table.model().index(3, 0))
-    assert fourth.bottom() <= table.viewport().height()
+    table, seen = panel.table, []
+    for line, column in product(range(table.rowCount()), range(0, table.columnCount(), 4)):
+        item, cell = table.item(line, column), table.visualRect(table.model().index(line, column))
+        if item is not None:
+            seen.append(item.toolTip().split("\n")[0])
+            room = table.viewport().rect()
+            assert cell.bottom() <= room.bottom()
+            assert cell.right() <= room.right()
+            assert cell.width() >= table.fontMetrics().horizontalAdvance(item.text())
+    assert sorted(seen) == sorted(names)
+    assert {"People kept", "Floor error (median)"} <= set(names[:5])
 
 
 def test_all_frames_and_those_shown_stand_beside_each_other(panel):
