@@ -25,6 +25,7 @@ from tracking.session.runs import Runs
 from tracking.session.samples import boxes_of, places_of, samples_from, samples_with_boxes
 from tracking.session.saving import generations
 from tracking.session.stamping import author_named
+from tracking.session.store import is_open
 from tracking.session.waiting import read_history
 
 __all__ = [
@@ -49,6 +50,7 @@ __all__ = [
     "generations",
     "ids_by_now",
     "importable",
+    "is_open",
     "labels_in_place",
     "list_generations",
     "log_as_json",

@@ -56,6 +56,21 @@ class SessionLock:
         return True
 
     @property
+    def is_held(self) -> bool:
+        """Whether a program has the lock right now; nothing is written.
+
+        Raises OSError as `acquire` does.
+        """
+        try:
+            handle = os.open(self._path, os.O_RDWR)
+        except FileNotFoundError:
+            return False
+        try:
+            return not _lock(handle)
+        finally:
+            os.close(handle)  # which gives the lock back
+
+    @property
     def is_in_place(self) -> bool:
         """Whether the file that is locked still is the one at its path."""
         return self._handle is not None and identity(self._path) == identity(self._handle)

@@ -177,12 +177,21 @@ class Store:
             journal.close()
 
 
+def is_open(path: Path) -> bool:
+    """Whether a program has a session open for writing; raises OSError where nobody can tell."""
+    return _lock_of(path).is_held
+
+
 def _locked(path: Path) -> SessionLock:
     """The session's lock, taken; the folder it lies in is made where there is none."""
     folder = companions(path)
     if not folder.exists():
         folder.mkdir(exist_ok=True)
-    lock = SessionLock(folder / "lock")
+    lock = _lock_of(path)
     if not lock.acquire():
         raise SessionError(f"{path}: the session is open in {lock.holder()}; close it there first")
     return lock
+
+
+def _lock_of(path: Path) -> SessionLock:
+    return SessionLock(companions(path) / "lock")

@@ -16,7 +16,7 @@ from app.presenters.words import tr
 from tracking.errors import TrackwrightError
 from tracking.progress import Progress
 from tracking.recording import OpenOptions, Recording
-from tracking.session import Session, recording_of
+from tracking.session import Session, is_open, recording_of
 
 _log = logging.getLogger(__name__)
 _MOST = 20
@@ -43,7 +43,7 @@ def open_with_unsaved(
 
 
 def left_behind(recording: Recording, report: Progress) -> Path | None:
-    """The latest session of the recording that was never saved; None: there is none.
+    """The latest session of the recording that was never saved, and that no window has open.
 
     Raises:
         CancelledError: by `report`.
@@ -77,7 +77,7 @@ def _changed_s(path: Path) -> float:
 
 def _is_of(path: Path, footage: str) -> bool:
     try:
-        return recording_of(path).footage == footage
+        return not is_open(path) and recording_of(path).footage == footage
     except (TrackwrightError, OSError) as why:
         _log.info("%s is not offered: %s", path, why)
         return False

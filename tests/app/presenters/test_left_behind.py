@@ -11,7 +11,7 @@ import pytest
 from app.presenters.files import left_behind, opening
 from tracking.errors import CancelledError
 from tracking.progress import no_progress
-from tracking.recording import Recording
+from tracking.recording import Recording, open_recording
 
 
 @pytest.fixture
@@ -68,3 +68,14 @@ def test_cancel_counts_until_the_last_file_was_looked_into(
     with pytest.raises(CancelledError):
         left_behind.open_with_unsaved(tiny_recording, None, None, cancel)
     assert len(closed) == 1
+
+
+def test_work_that_is_open_right_now_is_not_offered(
+    tiny_recording: Path, left: Callable[[int], Path]
+) -> None:
+    older = left(1)
+    with open_recording(tiny_recording) as recording:
+        session = opening.session_by_hand(recording)
+        assert left_behind.left_behind(recording, no_progress) == older
+        session.close()
+        assert left_behind.left_behind(recording, no_progress) == session.path
