@@ -141,3 +141,18 @@ def test_a_manifests_eye_that_is_not_there_is_told_as_that(
     assert f"recording.toml: the {eye} eye is {lacking}" in told
     assert "give a video" not in told
     assert ("leave [right] out" in told) == (eye == "right")
+
+
+@pytest.mark.parametrize(
+    ("manifest", "named"),
+    [
+        (Manifest("Hall", "both.mp4", layout="side-by-side"), "the video of both eyes"),
+        (Manifest("Hall", "only.mp4"), "the video"),
+    ],
+)
+def test_a_manifests_only_source_that_is_not_there_is_called_no_eye(
+    tmp_path: Path, manifest: Manifest, named: str
+) -> None:
+    write_manifest(tmp_path, manifest)
+    with pytest.raises(RecordingError, match=f"recording.toml: {named} is missing"):
+        open_recording(tmp_path)

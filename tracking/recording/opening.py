@@ -73,10 +73,17 @@ def _opened(located: Located, source: str, eye: Side, allow_outside: bool) -> Pi
     if located.own and (lacking := _lacking(place)):
         instead = ", or leave [right] out for one camera" if eye == "right" else ""
         raise RecordingError(
-            f"{located.folder / MANIFEST_NAME}: the {eye} eye is {lacking}: {place}",
+            f"{located.folder / MANIFEST_NAME}: {_called(located, eye)} is {lacking}: {place}",
             f"put it there{instead}",
         )
     return open_pictures(place, source)
+
+
+def _called(located: Located, eye: Side) -> str:
+    """What a source shows, in the words of its manifest."""
+    if located.manifest.layout is not None:
+        return "the video of both eyes"
+    return "the video" if located.manifest.right is None else f"the {eye} eye"
 
 
 def _lacking(place: Path) -> str:
