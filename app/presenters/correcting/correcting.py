@@ -66,6 +66,11 @@ class Correcting:
         return free and self._ground() is not None
 
     @property
+    def waits(self) -> bool:
+        """Whether an edit stands ready, which another would drop."""
+        return self.planned is not None and self.planned.change is not None
+
+    @property
     def range_shown(self) -> Range | None:
         """The frames that an edit goes over where it ends somewhere, else the range set."""
         flow = self.flow

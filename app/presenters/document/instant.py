@@ -83,6 +83,7 @@ class Instant:
         replaced: the frame's rows that this edit moves elsewhere or takes out; None: none.
         colours: of the tracks.
         movable: boxes and people can be dragged. drawing: a box is to be drawn.
+        waits: an edit stands ready, which a drag of anybody else's box would drop.
     """
 
     frame: int
@@ -98,6 +99,7 @@ class Instant:
     colours: TrackColours = field(default_factory=TrackColours)
     movable: bool = False
     drawing: bool = False
+    waits: bool = False
 
     @property
     def chosen(self) -> tuple[int, ...]:

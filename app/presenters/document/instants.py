@@ -54,6 +54,7 @@ class Instants:
             replaced=replaced_rows(planned, frame),
             colours=colours,
             movable=self._correcting.can_place,
+            waits=self._correcting.waits,
             drawing=flow is not None and flow.drawing,
         )
 

@@ -62,7 +62,7 @@ class PicturePresenter:
             preview=self._preview(eye, instant),
             ghosts=self._ghosts(eye, instant),
             drawing=instant.drawing and eye is Eye.LEFT,
-            movable=instant.movable and eye is Eye.LEFT,
+            movable=instant.movable and not instant.waits and eye is Eye.LEFT,
             legend=self._legend(eye, instant, pictured, laid),
         )
 

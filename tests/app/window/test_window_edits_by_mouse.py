@@ -131,6 +131,21 @@ def test_a_box_is_moved_at_once_though_nobody_or_somebody_else_is_selected(hands
         assert view.viewport == fitted
 
 
+def test_a_move_that_waits_for_enter_is_not_lost_by_a_drag_on_somebody_else(hands, someone):
+    view = hands.window.workspace.left
+    other = next(one for one in hands.people() if one != someone)
+    hands.desk.editing.pick(other)
+    hands.press(Qt.Key.Key_V)
+    hands.press(Qt.Key.Key_Right)
+    flow, fitted, start = hands.desk.document.flow, view.viewport, hands.box_on(someone).center()
+    hands.drag(view, start, start + QPointF(40, 0))
+    assert hands.desk.document.flow == flow
+    assert view.viewport != fitted  # panned
+    before = hands.row(other, CROWDED)
+    hands.press(Qt.Key.Key_Return)
+    assert hands.row(other, CROWDED)["left"] == before["left"] + 1
+
+
 def test_escape_while_somebodys_box_is_dragged_leaves_it_where_it_was(hands, someone):
     view, row = hands.window.workspace.left, hands.row(someone, CROWDED)
     start = hands.box_on(someone).center()
