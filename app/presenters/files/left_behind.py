@@ -86,7 +86,8 @@ def _is_of(path: Path, footage: str) -> bool:
 def told_at_end(session: Session | None, *, held: bool, tracking: bool) -> list[str]:
     """What somebody should know who ends the program at the terminal, a line each.
 
-    held: a result is in memory alone. tracking: a tracker is at work.
+    held: a result is in memory alone, and not on its way to the disk.
+    tracking: a tracker is at work.
     """
     lines = []
     path = session.path if session is not None else None

@@ -266,7 +266,8 @@ class Files(QObject):
 
     def told_at_end(self) -> list[str]:
         """What is to be known where the program ends without asking: where unsaved work is."""
-        held, at_work = self.keeping.holds, self.desk is not None and self.desk.live.running
+        held = self.keeping.holds and not self.keeping.at_work
+        at_work = self.desk is not None and self.desk.live.running
         return left_behind.told_at_end(self.session, held=held, tracking=at_work)
 
     def close_without_asking(self) -> None:

@@ -36,13 +36,18 @@ class Keeping(QObject):
         self._window = window
         self._work = work
         self._run: Run | None = None
-        self._waits = False
+        self._waits = self._at_work = False
         work.changed.connect(self._go_on)
 
     @property
     def holds(self) -> bool:
         """Whether a run is in memory alone."""
         return self._run is not None
+
+    @property
+    def at_work(self) -> bool:
+        """Whether it is being put on disk right now; that goes on though the window closes."""
+        return self._at_work
 
     def keep(self, run: Run | None) -> None:
         """Keep what was tracked; None: nothing was."""
@@ -67,7 +72,9 @@ class Keeping(QObject):
         else:
             work = partial(_kept, desk.document.recording, run, path)
             title = tr("Keeping the result")
-            self._work.run(title, work, lambda kept: self._end(kept, then), cancellable=False)
+            self._at_work = True
+            ended = partial(self._end, then=then)
+            self._work.run(title, work, ended, self._stop, cancellable=False)
 
     def offer(self) -> None:
         """Say that something is held, and offer to try again."""
@@ -88,7 +95,11 @@ class Keeping(QObject):
         except TrackwrightError as error:
             self._tell(_why(error))
 
+    def _stop(self) -> None:
+        self._at_work = False
+
     def _end(self, kept: Session | Exception, then: Then | None) -> None:
+        self._stop()
         if isinstance(kept, Exception):
             self._tell(_why(kept))
             return

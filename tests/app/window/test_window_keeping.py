@@ -104,3 +104,19 @@ def test_a_folder_that_cannot_be_made_is_no_bug(
     window.desk.tracking.tracked.emit(tiny_run)
     qtbot.waitUntil(lambda: "Permission denied" in window.notice.text)
     assert window.files.keeping.holds
+
+
+def test_who_ends_the_program_is_told_of_a_loss_only_where_keeping_failed(
+    window, qtbot, tiny_recording, tiny_run, disk
+):
+    disk.full = False
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy)
+    window.desk.tracking.tracked.emit(tiny_run)
+    assert window.files.keeping.holds
+    assert window.files.told_at_end() == []
+    qtbot.waitUntil(lambda: window.files.session is not None)
+
+
+def test_who_ends_the_program_is_told_of_a_result_that_could_not_be_kept(held):
+    assert "is lost" in "".join(held.files.told_at_end())
