@@ -38,11 +38,17 @@ class EndBySignal(QObject):
 
     def _end(self) -> None:
         self._notifier.setEnabled(False)
+        try:
+            self._close()
+        finally:  # no second signal would be heard
+            QCoreApplication.quit()
+
+    def _close(self) -> None:
         self._window.workspace.take_typed()
         lines = self._window.files.told_at_end()
         self._window.files.close_without_asking()
         self._window.close()
-        with contextlib.suppress(OSError, AttributeError):  # the terminal may be gone, or be none
+        # The terminal may be gone, closed, or be none.
+        with contextlib.suppress(OSError, ValueError, AttributeError):
             sys.stderr.write("".join(f"{line}\n" for line in lines))
             sys.stderr.flush()
-        QCoreApplication.quit()

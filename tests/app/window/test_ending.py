@@ -1,0 +1,35 @@
+"""Ending by a signal reaches its end, whatever goes wrong on the way."""
+
+import io
+import sys
+from types import SimpleNamespace
+from unittest.mock import Mock
+
+import pytest
+
+from app.views.window import ending
+
+
+def test_a_terminal_that_is_closed_keeps_nobody_from_ending(monkeypatch):
+    closed = io.StringIO()
+    closed.close()
+    monkeypatch.setattr(sys, "stderr", closed)
+    window = Mock()
+    window.files.told_at_end.return_value = ["kept"]
+    assert _ended(monkeypatch, window)
+
+
+def test_a_fault_in_closing_keeps_nobody_from_ending(monkeypatch):
+    window = Mock()
+    window.files.told_at_end.side_effect = RuntimeError
+    with pytest.raises(RuntimeError):
+        _ended(monkeypatch, window)
+    assert ending.QCoreApplication.quit.called
+
+
+def _ended(monkeypatch, window):
+    monkeypatch.setattr(ending, "QCoreApplication", Mock())
+    stand_in = SimpleNamespace(_notifier=Mock(), _window=window)
+    stand_in._close = lambda: ending.EndBySignal._close(stand_in)
+    ending.EndBySignal._end(stand_in)
+    return ending.QCoreApplication.quit.called
