@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Qt, Signal
@@ -186,18 +188,29 @@ class PictureView(Canvas):
 
     def drag_to(self, at: QPointF) -> None:
         """Tell where the box is by now."""
+        if self._grip is not None and not self._dragged:
+            self._grip = self._grip_by_now(self._grip)
+            if self._grip is not None:
+                self._dragged = True
+                self.box_grabbed.emit(self._held)
         if self._grip is None:
             return
-        if not self._dragged:
-            self._dragged = True
-            self.box_grabbed.emit(self._held)
         self._hover = at
         self.box_dragged.emit(self._grip.moved_to(self.viewport.to_content(at)))
 
     def drop(self) -> None:
         """Tell that the box stays."""
         self._grip = None
-        self.box_dropped.emit()
+        if self._dragged:
+            self.box_dropped.emit()
+
+    def _grip_by_now(self, grip: Grip) -> Grip | None:
+        """While playing the box is not that of the press any more; None: nobody is there now."""
+        if self._scene.drawing:
+            return grip
+        held = (one for one in self._scene.people if one.track == self._held)
+        person = next(held, None) if self._held else self._movable()
+        return replace(grip, box=person.box) if person is not None else None
 
     def cursor_at(self, at: QPointF) -> Qt.CursorShape:
         """A cross to draw, arrows over handles, a hand over people."""
