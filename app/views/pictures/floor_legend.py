@@ -11,6 +11,8 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from app.presenters.scenes import OverheadScene
 from app.presenters.words import tr
 from app.views.look.theme import Theme, faded
+from app.views.pictures.floor_people import draw_arrow, walks
+from app.views.pictures.marks import draw_fading_trail
 from app.views.pictures.measured import draw_measured
 
 _PAD, _GAP, _SIGN_PX = 7.0, 8.0, 16.0
@@ -24,14 +26,14 @@ Sign = Callable[[QPainter, QPointF, Theme], None]
 def draw_floor_legend(
     painter: QPainter, scene: OverheadScene, corner: QPointF, area: QRectF, theme: Theme
 ) -> None:
-    """A plate with the signs the scene has, its lower left corner given, where there is room."""
-    lines = _lines(scene)
+    """A plate with the signs the scene has, as far as there is room; corner: its lower left."""
     metrics = QFontMetricsF(painter.font())
     line = metrics.height() + 3
+    room = _MOST_OF_AREA * area.height() - (area.bottom() - corner.y()) - 2 * _PAD
+    lines = _lines(scene)[: max(0, int(room / line))]
     width = max((metrics.horizontalAdvance(text) for _, text in lines), default=0.0)
     width, height = width + _SIGN_PX + _GAP + 2 * _PAD, len(lines) * line + 2 * _PAD
-    up = height + area.bottom() - corner.y()
-    if not lines or up > _MOST_OF_AREA * area.height() or width > area.width() / 2:
+    if not lines or width > area.width() / 2:
         return
     plate = QRectF(corner.x(), corner.y() - height, width, height)
     painter.setPen(Qt.PenStyle.NoPen)
@@ -46,7 +48,7 @@ def draw_floor_legend(
 
 
 def _lines(scene: OverheadScene) -> list[tuple[Sign, str]]:
-    """The signs that are to be seen, and what they mean."""
+    """The signs that are to be seen, and what they mean; first what is guessed least easily."""
     lines: list[tuple[Sign, str]] = []
     if len(scene.measured):
         lines.append((_draw_dot, tr("measured in this frame")))
@@ -56,6 +58,10 @@ def _lines(scene: OverheadScene) -> list[tuple[Sign, str]]:
         lines.append((_draw_dashed, tr("predicted: not seen just now")))
     if len(scene.particles):
         lines.append((_draw_cloud, tr("particles: where they may be")))
+    if any(map(walks, scene.people)):
+        lines.append((_draw_way, tr("arrow: which way they walk")))
+    if any(len(person.trail) > 1 for person in scene.people):
+        lines.append((_draw_trail, tr("trail: where they came from")))
     return lines
 
 
@@ -77,6 +83,17 @@ def _ring(painter: QPainter, at: QPointF, pen: QPen) -> None:
     painter.setPen(pen)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.drawEllipse(at, 6.0, 6.0)
+
+
+def _draw_way(painter: QPainter, at: QPointF, theme: Theme) -> None:
+    reach = QPointF(_SIGN_PX / 2, 0)
+    draw_arrow(painter, at - reach, at + reach, theme.text_muted, 1.8)
+
+
+def _draw_trail(painter: QPainter, at: QPointF, theme: Theme) -> None:
+    x = np.linspace(-_SIGN_PX / 2, _SIGN_PX / 2, 7)
+    points = np.column_stack((at.x() + x, at.y() + 2.0 * np.sin(x / 3.0)))
+    draw_fading_trail(painter, points, theme.text_muted, 2.0)
 
 
 def _draw_cloud(painter: QPainter, at: QPointF, theme: Theme) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF, QRadialGradient
+from PySide6.QtGui import QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.comparing.agreement_scene import OtherPlace
@@ -14,7 +14,7 @@ from app.presenters.pictures.extent import united
 from app.presenters.scenes import FloorPerson, OverheadScene
 from app.presenters.scoring.score_scene import NO_TRUTH, FlooredTruth
 from app.views.labelling.marks import draw_outlines
-from app.views.look.theme import Theme, faded, scaled_font
+from app.views.look.theme import Theme, scaled_font
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_places
 from app.views.pictures.floor import (
@@ -26,6 +26,7 @@ from app.views.pictures.floor import (
 )
 from app.views.pictures.floor_legend import draw_floor_legend
 from app.views.pictures.floor_naming import Floored, FloorNaming
+from app.views.pictures.floor_people import draw_floor_ghost, draw_floor_person
 from app.views.pictures.flow_map import FlowDrawing
 from app.views.pictures.legend import draw_legend
 from app.views.pictures.marks import draw_fading_trail, draw_preview
@@ -37,9 +38,6 @@ from app.views.scoring.truth_marks import draw_truth_places
 _PICK_REACH_PX = 22.0
 _PERSON_RADIUS_M = 0.22
 _PARTICLE_RADIUS_M = 0.014
-_ARROW_S = 0.8  # an arrow shows where somebody is after this time
-_LONGEST_ARROW_PX = 70.0
-_STANDING_M_S = 0.05
 _LEGEND_PX = 12.0  # between two of them
 _GRIP_PX = 3.0  # around a person's ring
 
@@ -226,9 +224,9 @@ class OverheadView(Canvas):
         self._draw_trails(painter, scene, theme)
         self._draw_particles(painter, scene, theme)
         for person in scene.ghosts:
-            self._draw_ghost(painter, person, theme)
+            draw_floor_ghost(painter, person, self.viewport, self._radius(), theme)
         for person in scene.people:
-            self._draw_person(painter, person, theme)
+            draw_floor_person(painter, person, self.viewport, self._radius(), theme)
         draw_measured(painter, self.viewport.to_widget(scene.measured), theme)
         draw_truth_places(painter, self._truth, self.viewport, theme)
         draw_preview(painter, scene.preview, self.viewport, theme.track)
@@ -283,53 +281,3 @@ class OverheadView(Canvas):
             radius_px * ratio,
             ratio,
         )
-
-    def _draw_person(self, painter: QPainter, person: FloorPerson, theme: Theme) -> None:
-        at, radius = self.viewport.point(*person.position), self._radius()
-        colour = theme.track(person.colour)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        if person.selected:
-            glow = QRadialGradient(at, radius + 9)
-            glow.setColorAt(max(radius - 9, 0) / (radius + 9), faded(colour, 0.0))
-            glow.setColorAt(radius / (radius + 9), faded(colour, 0.55))
-            glow.setColorAt(1.0, faded(colour, 0.0))
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(glow)
-            painter.drawEllipse(at, radius + 9, radius + 9)
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-        pen = QPen(colour, 3.0 if person.selected else 1.8)
-        if person.predicted:
-            pen.setDashPattern([3.0, 2.0])
-        painter.setPen(pen)
-        painter.drawEllipse(at, radius, radius)
-        self._draw_arrow(painter, person, at, colour)
-
-    def _draw_ghost(self, painter: QPainter, person: FloorPerson, theme: Theme) -> None:
-        """Where somebody stands before an edit that moves them or takes them out."""
-        at, reach = self.viewport.point(*person.position), self._radius() * 0.7
-        pen = QPen(faded(theme.track(person.colour), 0.7), 1.6)
-        pen.setDashPattern([3.0, 2.5])
-        painter.setPen(pen)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawEllipse(at, self._radius(), self._radius())
-        for way in (QPointF(reach, reach), QPointF(reach, -reach)):
-            painter.drawLine(at - way, at + way)
-
-    def _draw_arrow(
-        self, painter: QPainter, person: FloorPerson, at: QPointF, colour: QColor
-    ) -> None:
-        """From the ring outwards, the way the person walks; longer where faster."""
-        speed = float(np.hypot(*person.velocity))
-        if not speed > _STANDING_M_S:
-            return
-        along = QPointF(person.velocity[0] / speed, -person.velocity[1] / speed)
-        across = QPointF(-along.y(), along.x())
-        length = min(speed * _ARROW_S * self.viewport.scale, _LONGEST_ARROW_PX)
-        start = at + along * self._radius()
-        tip = at + along * (self._radius() + max(length, 10.0))
-        neck = tip - along * 7.0
-        painter.setPen(QPen(colour, 2.2 if person.selected else 1.8))
-        painter.drawLine(start, neck)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(colour)
-        painter.drawPolygon(QPolygonF([tip, neck + across * 4.0, neck - across * 4.0]))

@@ -122,6 +122,23 @@ def test_an_arrow_points_where_the_person_walks(view, drawn, theme, inked):
     assert not any(inked(shot, at - QPoint(dx, 0), theme.track(RED)) for dx in range(18, 45))
 
 
+def test_the_dashes_of_who_is_not_seen_stand_out_among_the_particles(view, drawn, theme, near):
+    cloud = np.random.default_rng(1).normal((0, 5), 0.3, (9000, 2)).astype(np.float32)
+    red = np.full((9000, 3), theme.track(RED).getRgb()[:3], np.uint8)
+    person = floor_person(1, (0, 5), predicted=True)
+    view.show_scene(
+        overhead(person, particles=cloud, particle_colours=red, particle_weights=np.ones(9000))
+    )
+    shot, at, radius = drawn(view), view.viewport.point(0, 5), view._radius()
+    round_it = np.linspace(0, 2 * np.pi, 200)
+    ring = [
+        shot.pixelColor((at + radius * QPointF(np.cos(one), np.sin(one))).toPoint())
+        for one in round_it
+    ]
+    assert sum(near(one, theme.sunken) for one in ring) > 40
+    assert sum(near(one, theme.track(RED)) for one in ring) > 40
+
+
 def test_somebody_whose_velocity_is_unknown_is_drawn_without_an_arrow(view, drawn):
     view.show_scene(overhead(floor_person(1, (0, 5), velocity=(float("nan"), 0.0))))
     assert not drawn(view).isNull()
@@ -240,3 +257,36 @@ def test_a_view_without_room_explains_nothing(view, drawn):
     low = drawn(view)
     view.show_legend(False)
     assert drawn(view) == low
+
+
+def test_arrows_and_trails_are_explained_too(view, drawn):
+    def above(**walking):
+        view.show_scene(overhead(floor_person(3, (4, 9.5), **walking)))
+        view.show_legend(True)
+        explained = drawn(view)
+        view.show_legend(False)
+        return highest_change(explained, drawn(view))
+
+    alone = above()
+    with_arrow = above(velocity=(1.0, 0.0))
+    trail = np.array([[4.0, 9.0], [4.0, 9.5]])
+    assert above(velocity=(1.0, 0.0), trail=trail) < with_arrow - 10
+    assert with_arrow < alone - 10
+
+
+def test_a_low_view_explains_what_is_guessed_least_easily(view, drawn):
+    walker = floor_person(
+        3, (4, 9.5), velocity=(1.0, 0.0), trail=np.array([[4.0, 9.0], [4.0, 9.5]])
+    )
+    view.show_scene(overhead(walker))
+    view.resize(600, 230)
+    explained = drawn(view)
+    view.show_legend(False)
+    assert highest_change(explained, drawn(view)) < 230
+
+
+def highest_change(one, other):
+    """The highest line in which two pictures differ; their height where they are the same."""
+    lines, across = range(one.height()), range(one.width())
+    differs = (y for y in lines if any(one.pixel(x, y) != other.pixel(x, y) for x in across))
+    return next(differs, one.height())
