@@ -25,13 +25,16 @@ _ALIKE = np.max(
     axis=0,
 )
 """How much alike every two look where they look most alike: on pictures, or in either theme."""
-_LIKE = _ALIKE**4 + 0.02 * of_one_hue(TRACK_COLOURS)
+_ONE_HUE = of_one_hue(TRACK_COLOURS)
+_LIKE = _ALIKE**4 + 0.05 * _ONE_HUE
 """How little two go together: what is very much alike outweighs all that is only a little; among
 those that differ, another hue is better than another shade of one."""
 _TABLE = np.array((*TRACK_COLOURS, NOBODY), np.uint8)
 _GREY = len(TRACK_COLOURS)
 _TOO_ALIKE = 0.1
 """From here on an id does not take its usual colour."""
+_SAME_HUE = 0.2
+"""From here on it leaves its usual colour to somebody of that hue, where another hue is free."""
 _SOON_FRAMES = 100
 """So long after somebody was seen last nobody else comes up in their colour."""
 
@@ -40,8 +43,8 @@ class TrackColours:
     """Colours of track ids, each kept from the moment it was given.
 
     An id has the colour of the palette that goes with its number, unless somebody who is there at
-    the same time has one that looks like it; then it has the one least like those of the people
-    around it, above all of those who come near.
+    the same time has one that looks like it, or goes by the same name while another hue is free;
+    then it has the one least like those of the people around it, above all of those who come near.
     """
 
     def __init__(self) -> None:
@@ -175,7 +178,8 @@ class TrackColours:
 
 def _choice(track: int, taken: NDArray[np.float64]) -> int:
     """The usual colour, or the one least like others; taken: (colours,) how much each is."""
-    place = usual_place(track)
-    if (_ALIKE[place] * taken).max() > _TOO_ALIKE:
-        place = int((_LIKE @ taken).argmin())
-    return place
+    usual, other = usual_place(track), int((_LIKE @ taken).argmin())
+    if (_ALIKE[usual] * taken).max() > _TOO_ALIKE:
+        return other
+    named, instead = ((_ONE_HUE[place] * taken).max() for place in (usual, other))
+    return other if named > _SAME_HUE > instead else usual

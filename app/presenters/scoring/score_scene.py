@@ -12,12 +12,13 @@ from app.presenters.scenes import Colour, LegendEntry, Points
 from app.presenters.scoring.events import ErrorEvents
 from tracking.scoring import ErrorKind
 
-# Of Okabe and Ito's colours, apart for all eyes; each kind has a shape of its own, too.
+# Apart for all eyes; each kind has a shape of its own, too. Misses and false alarms are drawn over
+# people: no track has a colour near theirs.
 ERROR_COLOURS: Final[dict[ErrorKind, Colour]] = {
     ErrorKind.SWITCH: (204, 121, 167),
     ErrorKind.FRAGMENTATION: (0, 158, 115),
-    ErrorKind.MISS: (213, 94, 0),
-    ErrorKind.FALSE_ALARM: (86, 180, 233),
+    ErrorKind.MISS: (255, 50, 0),
+    ErrorKind.FALSE_ALARM: (225, 0, 225),
 }
 """In the order in which they are listed."""
 TRUTH_COLOUR: Final[Colour] = (255, 255, 255)

@@ -125,7 +125,7 @@ def test_heavier_hypotheses_are_clearer(view: View) -> None:
 
 def test_of_a_selected_person_only_their_hypotheses_are_drawn(view: View) -> None:
     picture = painted(view, OneFrame(PEOPLE, PARTICLES), selected=2, outlines=True)
-    colours = picture[picture[..., 3] > 60][:, :3]
+    colours = picture[picture[..., 3] > 120][:, :3]  # paler ones are rounded
     assert np.abs(colours - np.array(TrackColours().of(2), float)).max() <= 5
 
 

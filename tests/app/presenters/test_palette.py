@@ -1,7 +1,10 @@
 import numpy as np
 import pytest
 
+from app.presenters.colour_sight import of_one_hue
 from app.presenters.palette import TRACK_COLOURS
+from app.presenters.scoring.score_scene import ERROR_COLOURS
+from tracking.scoring import ErrorKind
 
 # Machado, Oliveira and Fernandes 2009, severity 1.0: what red- and green-blind people see.
 _PROTAN = np.array([[0.152, 1.053, -0.205], [0.115, 0.786, 0.099], [-0.004, -0.048, 1.052]])
@@ -21,9 +24,9 @@ def _lab(linear: np.ndarray) -> np.ndarray:
 _USUAL = np.eye(3)
 
 
-def _apart(sights=(_USUAL, _PROTAN, _DEUTAN)) -> np.ndarray:
+def _apart(sights=(_USUAL, _PROTAN, _DEUTAN), colours=TRACK_COLOURS) -> np.ndarray:
     """How far every two colours lie apart for whoever tells them apart least."""
-    values = np.array(TRACK_COLOURS) / 255.0
+    values = np.array(colours) / 255.0
     linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
     seen = [_lab(linear @ sight.T) for sight in sights]
     return np.min([np.linalg.norm(one[:, None] - one[None], axis=2) for one in seen], axis=0)
@@ -49,4 +52,16 @@ def test_no_two_ids_in_twenty_four_look_nearly_the_same():
     others = ~np.eye(24, dtype=bool)
     assert _apart()[others].min() > 8
     assert _apart([_USUAL])[others].min() > 20
-    assert _apart()[1, 18] > 22  # the two purples
+
+
+@pytest.mark.parametrize("further", range(1, 6))
+def test_ids_close_to_each_other_do_not_go_by_one_colours_name(further):
+    hues = of_one_hue(TRACK_COLOURS[:12])
+    assert max(hues[one, (one + further) % 12] for one in range(12)) < 0.5
+
+
+@pytest.mark.parametrize("kind", [ErrorKind.MISS, ErrorKind.FALSE_ALARM])
+def test_what_is_drawn_around_errors_has_no_tracks_colour(kind):
+    colours = (ERROR_COLOURS[kind], *TRACK_COLOURS)
+    assert _apart([_USUAL], colours)[0, 1:].min() > 40
+    assert _apart(colours=colours)[0, 1:].min() > 8

@@ -50,6 +50,14 @@ def test_who_cannot_have_the_usual_colour_gets_another_hue_rather_than_another_s
     assert hues[moved].max() < 0.5
 
 
+def test_seven_people_of_any_ids_are_of_seven_hues():
+    for first in range(1, 25):
+        ids = range(first, first + 7)
+        colours = colours_of(dict.fromkeys(ids, (0, 9)), place=lambda one: (one * 2.0, 4.0))
+        hues = of_one_hue([colours.of(one) for one in ids]) - np.eye(7)
+        assert hues.max() < 0.7, first
+
+
 def test_nobody_is_grey():
     assert TrackColours().of(0) == NOBODY
     assert TrackColours().of_all(np.array([0, -3], np.int32)).tolist() == [list(NOBODY)] * 2
