@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 from parted import with_parts
+from patient import PATIENCE_S, PatientBot
 from PySide6.QtCore import QCoreApplication, QEvent, QSettings
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app.presenters.files import opening
@@ -21,7 +23,6 @@ from tracking.session import Session
 from tracking.synthesis import render_recording
 from tracking.tracks import Run
 
-_SOON_S = 10.0
 TINY_FPS = 8.0
 _ONLY_SAID_WITHOUT_A_SCREEN = "This plugin does not support"
 
@@ -32,6 +33,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if here in item.path.parents:
             item.add_marker(pytest.mark.qt_log_ignore(_ONLY_SAID_WITHOUT_A_SCREEN, extend=True))
+
+
+@pytest.fixture
+def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
+    """pytest-qt's own, with more patience."""
+    return PatientBot(request)
 
 
 @pytest.fixture(scope="session")
@@ -80,7 +87,7 @@ def no_threads_left() -> Iterator[None]:
     yield
     for thread in threading.enumerate():
         if thread not in before and thread.name == "job counting":
-            thread.join(_SOON_S)
+            thread.join(PATIENCE_S)
     assert [thread for thread in threading.enumerate() if thread not in before] == []
 
 
@@ -96,8 +103,8 @@ def window(qtbot: QtBot, no_threads_left: None, remembered: Remembered) -> Itera
     start_application(remembered)
     window = MainWindow(remembered)
     window.resize(1280, 800)
-    window.show()
-    qtbot.waitExposed(window)
+    with qtbot.waitExposed(window):
+        window.show()
     yield window
     window.files.close_without_asking()
     window.close()

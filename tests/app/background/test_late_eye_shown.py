@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from patient import PATIENCE_S
 from PySide6.QtCore import QObject
 
 from app.background import FrameReader, OverlayMaker
@@ -20,7 +21,6 @@ from tracking.recording import Instants, Recording, StereoFrame, open_recording
 from tracking.session import Session
 
 LAG = 6
-PATIENCE_MS = 60_000
 """On a busy machine it may take long until the lag is found."""
 
 
@@ -48,8 +48,8 @@ def test_a_frame_comes_again_with_its_partner_once_the_lag_is_found(reader, reco
     shown = []
     reader.ready.connect(lambda ticket, frame: shown.append((ticket, frame)))
     ticket = reader.request(20)
-    qtbot.waitUntil(lambda: len(shown) == 2, timeout=PATIENCE_MS)
-    qtbot.waitUntil(lambda: reader.cached(24) is not None, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: len(shown) == 2)
+    qtbot.waitUntil(lambda: reader.cached(24) is not None)
     ahead = reader.cached(24)
     partner = recording.read(20 + LAG)
     (_, raw), (again, paired) = shown
@@ -62,7 +62,7 @@ def test_a_frame_comes_again_with_its_partner_once_the_lag_is_found(reader, reco
 def test_a_lag_that_the_recording_tells_is_shown_from_the_first_frame(recording, request, qtbot):
     recording.right_lag = LAG
     reader = request.getfixturevalue("reader")
-    with qtbot.waitSignal(reader.ready, timeout=PATIENCE_MS) as answer:
+    with qtbot.waitSignal(reader.ready) as answer:
         reader.request(20)
     assert answer.args[1].right_lag == LAG
 
@@ -75,7 +75,7 @@ def test_the_threads_of_a_reader_end_with_it_though_nobody_closed_it(recording):
     del owner
     while begun := set(threading.enumerate()) - before:
         thread = begun.pop()
-        thread.join(PATIENCE_MS / 1000)
+        thread.join(PATIENCE_S)
         assert not thread.is_alive()
 
 
@@ -109,6 +109,6 @@ def maker(no_threads_left: None) -> Iterator[OverlayMaker]:
 def test_overlays_of_pictures_that_were_paired_wrongly_are_forgotten(maker, qtbot):
     kinds, picture = Kinds(foreground=True), np.zeros((2, 2, 3), np.uint8)
     for lag in (0, LAG):
-        with qtbot.waitSignal(maker.ready, timeout=PATIENCE_MS):
+        with qtbot.waitSignal(maker.ready):
             maker.request(StereoFrame(3, 0.0, picture, picture, lag), kinds)
         assert (maker.made(3, kinds) == lag).all()

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from patient import PATIENCE_S
 from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
@@ -47,7 +48,7 @@ def tracker(
 
 def comes_to(wanted: int, count: Callable[[], int]) -> bool:
     """Whether a number comes to what is wanted, however busy the machine is, and stays there."""
-    ends_s = time.monotonic() + 20.0
+    ends_s = time.monotonic() + PATIENCE_S
     while count() < wanted and time.monotonic() < ends_s:
         time.sleep(0.01)
     time.sleep(0.1)

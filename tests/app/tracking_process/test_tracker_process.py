@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from patient import PATIENCE_S
 
 from app.tracking_process import TrackerProcess, TrackingRequest
 from app.tracking_process.messages import (
@@ -169,7 +170,7 @@ def test_a_child_ends_when_its_parent_is_killed(request_):
     parent.wait()
     parent.stdin.close()
     parent.stdout.close()
-    until_s = time.monotonic() + 5
+    until_s = time.monotonic() + PATIENCE_S
     while _lives(child) and time.monotonic() < until_s:
         time.sleep(0.01)
     assert not _lives(child)

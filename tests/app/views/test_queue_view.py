@@ -25,8 +25,8 @@ def shown(qtbot, scene: ReviewScene) -> ReviewPanel:
     qtbot.addWidget(panel)
     panel.show_scene(scene)
     panel.resize(330, 380)
-    panel.show()
-    qtbot.waitExposed(panel)
+    with qtbot.waitExposed(panel):
+        panel.show()
     return panel
 
 

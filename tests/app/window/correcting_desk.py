@@ -26,8 +26,8 @@ def opened_desk(window: MainWindow, qtbot: QtBot, path: Path, frame: int = CROWD
     """The desk once the frame is shown in both eyes and the window has the keyboard."""
     window.files.open_path(path)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.activateWindow()
-    qtbot.waitActive(window)
+    with qtbot.waitActive(window):
+        window.activateWindow()
     desk = window.desk
     assert desk is not None
     desk.playback.go(frame)

@@ -3,6 +3,7 @@ import threading
 import numpy as np
 import pytest
 import shiboken6
+from patient import PATIENCE_S
 from PySide6.QtCore import QObject
 
 from app.background import FrameReader, Job, late_eye
@@ -51,7 +52,7 @@ def test_one_job_may_begin_another(work, qtbot):
 def test_while_a_job_runs_a_second_is_refused_with_a_word(work, qtbot):
     go, said, results = threading.Event(), [], []
     work.said.connect(said.append)
-    work.run("First", lambda _: go.wait(5), results.append)
+    work.run("First", lambda _: go.wait(PATIENCE_S), results.append)
     work.run("Second", lambda _: 2, results.append)
     go.set()
     qtbot.waitUntil(lambda: results == [True])
@@ -163,15 +164,15 @@ def test_a_reader_that_goes_while_it_reads_ends_in_silence(
 
         def slow(frame):
             reading.set()
-            go.wait(5)
+            go.wait(PATIENCE_S)
             return read(9999 if fails else frame)
 
         monkeypatch.setattr(reader._cache, "read", slow)
         reader.request(7)
-        assert reading.wait(5)
+        assert reading.wait(PATIENCE_S)
         shiboken6.delete(parent)
         go.set()
-        thread.join(5)
+        thread.join(PATIENCE_S)
     assert not thread.is_alive()
     assert fell == []
 
@@ -181,7 +182,7 @@ def test_playing_never_waits_for_the_search_for_a_late_eye(reader, qtbot, monkey
 
     def slow(_recording, start):
         yield start
-        go.wait(10)
+        go.wait(PATIENCE_S)
 
     monkeypatch.setattr(late_eye, "lag_looks", slow)
     reader.request(10)
@@ -228,7 +229,7 @@ def test_a_job_may_go_with_its_parent_while_its_work_goes_on(qtbot, no_threads_l
 
     def work(progress) -> None:
         begun.set()
-        go.wait(5)
+        go.wait(PATIENCE_S)
         try:
             progress(1, 2)
         except CancelledError:
@@ -239,7 +240,7 @@ def test_a_job_may_go_with_its_parent_while_its_work_goes_on(qtbot, no_threads_l
     job.done.connect(told.append)
     job.cancelled.connect(lambda: told.append("cancelled"))
     job.start()
-    assert begun.wait(5)
+    assert begun.wait(PATIENCE_S)
     shiboken6.delete(parent)
     assert not shiboken6.isValid(job)
     go.set()
@@ -263,7 +264,7 @@ def test_work_that_begins_while_other_work_is_stopping_can_be_cancelled(work, st
     strip.show_scene("Tracking", None, stoppable=True)
     strip._cancel.click()
     go = threading.Event()
-    work.run("Counting", lambda _: go.wait(5), lambda _: None)
+    work.run("Counting", lambda _: go.wait(PATIENCE_S), lambda _: None)
     assert strip._cancel.isEnabled()
     go.set()
     qtbot.waitUntil(lambda: not work.busy)
@@ -274,7 +275,7 @@ def test_work_that_cannot_be_cancelled_never_offers_it(work, strip, qtbot):
 
     def counted(progress):
         progress(1, 2)
-        go.wait(5)
+        go.wait(PATIENCE_S)
 
     work.run("Counting", counted, lambda _: None, cancellable=False)
     qtbot.waitUntil(lambda: strip._bar.maximum() > 0)

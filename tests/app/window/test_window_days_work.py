@@ -19,7 +19,6 @@ from tracking.session import Session
 from tracking.tracks import Labels
 
 Key = Qt.Key
-PATIENCE_MS = 30_000
 
 
 def test_a_days_work_is_undone_done_again_saved_reopened_and_compared(
@@ -60,15 +59,13 @@ def test_a_days_work_is_undone_done_again_saved_reopened_and_compared(
 def _open_and_track_live(window: MainWindow, qtbot: QtBot, folder: Path) -> Hands:
     window.files.open_path(folder)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.activateWindow()
-    qtbot.waitActive(window)
+    with qtbot.waitActive(window):
+        window.activateWindow()
     assert window.desk is not None
     hands = Hands(window, window.desk, qtbot)
     hands.press(Key.Key_Space)  # the first play tracks
     assert window.desk.live.running
-    qtbot.waitUntil(
-        lambda: window.files.session is not None and not window.work.busy, timeout=PATIENCE_MS
-    )
+    qtbot.waitUntil(lambda: window.files.session is not None and not window.work.busy)
     window.desk.playback.pause()
     hands.go(CROWDED)
     return hands
@@ -157,7 +154,6 @@ def _save_and_close(hands: Hands, path: Path) -> Path:
     hands.window.files.saving.save_to(path)
     hands.qtbot.waitUntil(
         lambda: not hands.window.work.busy and not hands.window.files.saving.unsaved,
-        timeout=PATIENCE_MS,
     )
     hands.press(Key.Key_W, CTRL)
     hands.qtbot.waitUntil(lambda: hands.window.desk is None)
@@ -181,7 +177,7 @@ def _compare_with_a_colleague(hands: Hands, path: Path) -> None:
         other.save()
     hands.window.files.beside.compare_with(colleagues)
     panel = hands.window.workspace.compare
-    hands.qtbot.waitUntil(panel.isVisible, timeout=PATIENCE_MS)
+    hands.qtbot.waitUntil(panel.isVisible)
     assert "kappa" in panel._figures.text()
     assert {(row.frame, row.track) for row in panel._model.rows} >= {(CROWDED, a), (CROWDED, b)}
 

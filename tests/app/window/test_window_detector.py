@@ -70,7 +70,7 @@ def result(labelled, window, qtbot):
     dialog._form.put("folds", 2)
     dialog._train.click()
     assert window.progress.isVisible()
-    qtbot.waitUntil(lambda: bool(window.findChildren(ResultDialog)), timeout=60_000)
+    qtbot.waitUntil(lambda: bool(window.findChildren(ResultDialog)))
     shown = window.findChildren(ResultDialog)[-1]
     qtbot.waitUntil(lambda: shown.mistakes._job is None)
     return shown
@@ -255,7 +255,7 @@ def test_training_is_cancelled_and_nothing_is_kept(labelled, window, qtbot):
     dialog = _train_dialog(window, qtbot)
     dialog._train.click()
     window.progress.cancelled.emit()
-    qtbot.waitUntil(lambda: not window.work.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.work.busy)
     assert window.files.detectors.result is None
     assert "Stopped" in window.statusBar().currentMessage()
     assert not window.findChildren(ResultDialog)
@@ -274,7 +274,7 @@ def test_after_a_cancelled_training_the_same_sessions_are_proposed_again(
     counted = dialog._cells[1][1].text()
     dialog._train.click()
     window.progress.cancelled.emit()
-    qtbot.waitUntil(lambda: not window.work.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.work.busy)
     window.files.detectors.ask_train()
     again = window.findChildren(TrainDialog)[-1]
     assert again is not dialog

@@ -9,6 +9,7 @@ from contextlib import closing
 import numpy as np
 import pytest
 from correcting_desk import opened_desk
+from patient import PATIENCE_S
 from PySide6.QtCore import Qt, QUrl
 
 from app.presenters.files.export_formats import export_formats
@@ -27,7 +28,7 @@ def desk(window, qtbot, tiny_session):
 
 
 def at_rest(window, qtbot) -> None:
-    qtbot.waitUntil(lambda: not window.work.busy, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.work.busy)
 
 
 def looked_over(window, qtbot, path) -> ImportDialog:
@@ -38,9 +39,9 @@ def looked_over(window, qtbot, path) -> ImportDialog:
 
 def shown_dialog(window, qtbot) -> ImportDialog:
     """The dialog once it says what would happen."""
-    qtbot.waitUntil(lambda: window.findChild(ImportDialog) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: window.findChild(ImportDialog) is not None)
     dialog = window.findChild(ImportDialog)
-    qtbot.waitUntil(lambda: dialog._why_not.text() != "Looking...", timeout=20_000)
+    qtbot.waitUntil(lambda: dialog._why_not.text() != "Looking...")
     return dialog
 
 
@@ -55,7 +56,7 @@ def test_every_format_is_exported_and_known_again(window, desk, qtbot, tmp_path)
 
 def test_an_export_that_was_cancelled_writes_nothing(window, desk, qtbot, tmp_path, monkeypatch):
     cancelled, whole = threading.Event(), exported(desk.document.session)
-    put_together = lambda: cancelled.wait(5) and whole  # noqa: E731
+    put_together = lambda: cancelled.wait(PATIENCE_S) and whole  # noqa: E731
     monkeypatch.setattr(exporting, "exporting", lambda *_: put_together)
     window.files.exporting.tracks_to(tmp_path / "tracks.txt")
     window.work.cancel()
@@ -73,7 +74,7 @@ def test_imported_tracks_are_one_edit_that_is_undone_at_once(window, desk, qtbot
     dialog = looked_over(window, qtbot, path)
     assert "1 is added" in dialog._lines.text()
     dialog._thins.click()
-    qtbot.waitUntil(lambda: "59 boxes to 2 keyframes" in dialog._lines.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "59 boxes to 2 keyframes" in dialog._lines.text())
     dialog.accept()
     assert set(document.tracks.ids) == {*ids, 500}
     assert window.statusBar().currentMessage() == "1 track imported"
@@ -116,13 +117,13 @@ def test_an_import_does_not_take_the_place_of_a_session_that_came_meanwhile(
     window, qtbot, tiny_recording, tiny_session
 ):
     window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy, timeout=20_000)
+    qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy)
     desk = window.desk
     window.files.open_dropped([QUrl.fromLocalFile(str(tiny_recording / "truth.txt"))])
     dialog = shown_dialog(window, qtbot)
     with closing(Session.open(tiny_session)) as tracked:
         window.files.keeping.keep(tracked.runs[0])  # as a tracker at work ends
-        qtbot.waitUntil(lambda: desk.document.session is not None, timeout=20_000)
+        qtbot.waitUntil(lambda: desk.document.session is not None)
     at_rest(window, qtbot)
     kept, told = desk.document.session, []
     window.files.importing.failed.connect(told.append)
@@ -137,7 +138,7 @@ def test_a_file_is_not_imported_by_dropping_it_while_other_work_is_going_on(
 ):
     over, told = threading.Event(), []
     window.files.importing.said.connect(told.append)
-    window.work.run("waiting", lambda _: over.wait(5), lambda _: None)
+    window.work.run("waiting", lambda _: over.wait(PATIENCE_S), lambda _: None)
     window.files.open_dropped([QUrl.fromLocalFile(str(tiny_recording / "truth.txt"))])
     over.set()
     at_rest(window, qtbot)

@@ -5,6 +5,7 @@ import threading
 import weakref
 
 import pytest
+from patient import PATIENCE_S
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QMessageBox
 
@@ -35,7 +36,7 @@ def _rename(desk, name):
 def test_saving_that_is_refused_while_other_work_runs_can_be_done_later(window, desk, qtbot):
     go = threading.Event()
     _rename(desk, "first")
-    window.work.run("Scoring", lambda _: go.wait(20), lambda _: None)
+    window.work.run("Scoring", lambda _: go.wait(PATIENCE_S), lambda _: None)
     window.files.saving.save()
     go.set()
     qtbot.waitUntil(lambda: not window.work.busy)
@@ -53,7 +54,7 @@ def test_edits_not_saved_are_asked_for_also_while_a_tracker_begins(window, desk)
 def test_letting_a_tracker_go_does_not_let_edits_go(window, desk, qtbot):
     _rename(desk, "first")
     desk.tracking.track("stereo-colour")
-    qtbot.waitUntil(lambda: desk.live.done > 3, timeout=30_000)
+    qtbot.waitUntil(lambda: desk.live.done > 3)
     window.files.close_recording()
     assert "tracker" in _answer(window, qtbot, _BUTTON.Discard)
     assert not desk.live.running
@@ -81,7 +82,7 @@ def test_a_file_that_opens_takes_the_place_of_the_session_once_that_is_answered(
     _rename(desk, "first")
     window.files.open_path(tiny_recording)
     assert "Save" in _answer(window, qtbot, button)
-    qtbot.waitUntil(lambda: window.desk not in (None, desk), timeout=30_000)
+    qtbot.waitUntil(lambda: window.desk not in (None, desk))
     assert window.files.session is None
 
 
@@ -91,7 +92,7 @@ def test_a_session_opened_once_more_is_as_it_was_saved_where_its_changes_are_dis
     _rename(desk, "first")
     window.files.open_path(tiny_session)
     _answer(window, qtbot, _BUTTON.Discard)
-    qtbot.waitUntil(lambda: window.desk not in (None, desk), timeout=30_000)
+    qtbot.waitUntil(lambda: window.desk not in (None, desk))
     assert window.files.session.history.next_undo is None
     assert not window.files.session.read_only
 
@@ -99,24 +100,24 @@ def test_a_session_opened_once_more_is_as_it_was_saved_where_its_changes_are_dis
 def test_what_a_tracker_found_while_other_work_ran_is_kept(window, fresh, qtbot):
     go = threading.Event()
     fresh.toggle()
-    qtbot.waitUntil(lambda: fresh.live.done > 3, timeout=30_000)
-    window.work.run("Making the demo", lambda _: go.wait(20), lambda _: None)
+    qtbot.waitUntil(lambda: fresh.live.done > 3)
+    window.work.run("Making the demo", lambda _: go.wait(PATIENCE_S), lambda _: None)
     fresh.live.stop()
-    qtbot.waitUntil(lambda: not fresh.live.running, timeout=30_000)
+    qtbot.waitUntil(lambda: not fresh.live.running)
     assert window.files.saving.unsaved
     go.set()
-    qtbot.waitUntil(lambda: window.files.session is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.files.session is not None)
 
 
 def test_playing_on_while_the_result_is_being_kept_does_not_track_anew(window, fresh, qtbot):
     fresh.toggle()
-    qtbot.waitUntil(lambda: fresh.live.done > 3, timeout=30_000)
+    qtbot.waitUntil(lambda: fresh.live.done > 3)
     fresh.playback.pause()
     fresh.live.stop()
-    qtbot.waitUntil(lambda: not fresh.live.running, timeout=30_000)
+    qtbot.waitUntil(lambda: not fresh.live.running)
     fresh.toggle()
     assert not fresh.live.running
-    qtbot.waitUntil(lambda: window.files.session is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.files.session is not None)
 
 
 def test_opening_another_recording_lets_the_first_one_go(
@@ -139,9 +140,9 @@ def test_after_a_tracker_has_failed_nothing_of_it_is_shown_and_play_tracks_anew(
     window, fresh, qtbot
 ):
     fresh.toggle()
-    qtbot.waitUntil(lambda: len(fresh.document.tracks.ids) > 0, timeout=30_000)
+    qtbot.waitUntil(lambda: len(fresh.document.tracks.ids) > 0)
     fresh.live._worker._process._child.kill()
-    qtbot.waitUntil(lambda: "ended by itself" in window.notice.text, timeout=30_000)
+    qtbot.waitUntil(lambda: "ended by itself" in window.notice.text)
     assert not fresh.document.tracks.ids
     fresh.playback.pause()
     fresh.toggle()

@@ -70,7 +70,7 @@ def test_tracklets_follow_the_frame(window, desk, press, qtbot):
 
 def test_the_ramp_image_covers_the_picture_with_its_legend(window, desk, press, qtbot):
     press(Key.Key_B, SHIFT)
-    qtbot.waitUntil(lambda: overlay(window) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: overlay(window) is not None)
     assert (overlay(window)[..., 3] > 0).all()
     texts = [entry.text for entry in window.workspace.left._scene.legend]
     assert texts == ["foreground", "doubtful", "background"]
@@ -80,12 +80,12 @@ def test_the_ramp_image_is_made_anew_with_the_settings_of_a_tracker_at_work(
     window, desk, press, qtbot
 ):
     press(Key.Key_B, SHIFT)
-    qtbot.waitUntil(lambda: overlay(window) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: overlay(window) is not None)
     dark = int(overlay(window)[..., :3].astype(int).sum())
     settings = settings_from(SpheroidSettings, {"ramp.low": 0.1, "ramp.high": 0.5})
     desk.document.begin_live(0, AtWork.of("spheroid", settings))
     desk.draw_instant()
-    qtbot.waitUntil(lambda: overlay(window) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: overlay(window) is not None)
     assert int(overlay(window)[..., :3].astype(int).sum()) > 1.2 * dark
     desk.document.end_live()
 

@@ -196,7 +196,7 @@ def test_the_demo_is_made_played_and_tracked_and_saved_beside(
     assert window.desk.document.recording.path == demo.recording
     assert window.desk.playback.clock.playing
     assert window.desk.live.running
-    qtbot.waitUntil(lambda: window.files.session is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: window.files.session is not None)
     window.run_command("file.save")
     dialog = window.findChild(QFileDialog)
     assert dialog.selectedFiles() == [str(demo.session)]
@@ -208,10 +208,10 @@ def test_a_demo_that_is_cancelled_leaves_nothing_behind(window, qtbot):
     said = []
     window.work.said.connect(said.append)
     window.run_command("file.demo")
-    qtbot.waitUntil(lambda: window.progress._bar.maximum() > 0, timeout=20_000)
+    qtbot.waitUntil(lambda: window.progress._bar.maximum() > 0)
     assert not window.progress._cancel.isHidden()
     window.progress._cancel.click()
-    qtbot.waitUntil(lambda: not window.work.busy, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.work.busy)
     assert said == ["Stopped: Making the demo recording"]
     assert not demo.folder.exists() or list(demo.folder.iterdir()) == []
     assert window.desk is None
@@ -311,10 +311,10 @@ def test_one_uncalibrated_camera_plays_and_is_tracked_in_parts(window, qtbot, ti
     assert not window.workspace.eye_switch.isVisible()
     window.run_command("play.toggle")
     assert desk.live.tracker == "three-part"
-    qtbot.waitUntil(lambda: desk.live.done > 3, timeout=60_000)
-    qtbot.waitUntil(lambda: desk.playback.number > 3, timeout=60_000)
+    qtbot.waitUntil(lambda: desk.live.done > 3)
+    qtbot.waitUntil(lambda: desk.playback.number > 3)
     window.run_command("tracks.stop")
-    qtbot.waitUntil(lambda: desk.document.session is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: desk.document.session is not None)
     assert desk.document.session.runs[0].tracker == "three-part"
 
 
@@ -331,8 +331,8 @@ def test_one_camera_is_not_taken_for_the_users_choice_of_an_eye(window, qtbot, t
 def test_the_key_of_a_command_that_cannot_be_done_says_why(window, qtbot, tiny_recording):
     window.files.open_path(tiny_recording / "left.mp4")
     qtbot.waitUntil(lambda: _is_open(window))
-    window.activateWindow()
-    qtbot.waitActive(window)
+    with qtbot.waitActive(window):
+        window.activateWindow()
     QTest.keyClick(window.workspace.left, Qt.Key.Key_2)
     assert "has one camera" in window.statusBar().currentMessage()
     QTest.keyClick(window.workspace.left, Qt.Key.Key_X)

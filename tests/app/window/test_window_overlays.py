@@ -16,7 +16,7 @@ def test_foreground_comes_over_the_left_picture_and_goes_again(window, desk, qtb
     left = window.workspace.left
     window.run_command("view.foreground")
     assert window.menus.actions["view.foreground"].isCheckable()
-    qtbot.waitUntil(lambda: left._scene.overlay is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: left._scene.overlay is not None)
     assert [entry.text for entry in left._scene.legend] == ["foreground", "shadow"]
     window.run_command("view.foreground")
     assert left._scene.overlay is None
@@ -26,7 +26,7 @@ def test_foreground_comes_over_the_left_picture_and_goes_again(window, desk, qtb
 def test_each_frame_has_its_own_overlay(window, desk, qtbot):
     left = window.workspace.left
     window.run_command("view.disparity")
-    qtbot.waitUntil(lambda: left._scene.overlay is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: left._scene.overlay is not None)
     first = left._scene.overlay
     desk.playback.step(1)
     qtbot.waitUntil(lambda: left._scene.frame == CROWDED + 1 and left._scene.overlay is not None)

@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 
 import pytest
+from patient import PATIENCE_S
 from PySide6.QtCore import QSettings
 
 from app.views.widgets.remembered import Place, Remembered
@@ -42,7 +43,7 @@ def start(tmp_path, tiny_recording):
             text=True,
         )
         started.append(process)
-        patience_s = time.monotonic() + 30
+        patience_s = time.monotonic() + PATIENCE_S
         while not _settings(tmp_path).left_open and time.monotonic() < patience_s:
             assert process.poll() is None
             time.sleep(0.05)
@@ -59,7 +60,7 @@ def start(tmp_path, tiny_recording):
 def test_a_signal_closes_the_window_quietly(start, tmp_path, name):
     process = start()
     process.send_signal(getattr(signal, name))
-    _, said = process.communicate(timeout=10)
+    _, said = process.communicate(timeout=PATIENCE_S)
     assert process.returncode == 0
     assert [line for line in said.splitlines() if "This plugin does not" not in line] == []
     assert _settings(tmp_path).left_open == ()
@@ -76,7 +77,7 @@ def test_who_ends_it_at_the_terminal_is_told_where_the_unsaved_work_is(
     (own_folder / "recordings.json").rename(tmp_path / "trackwright" / "recordings.json")
     process = start(unsaved)
     process.send_signal(getattr(signal, name))
-    _, said = process.communicate(timeout=10)
+    _, said = process.communicate(timeout=PATIENCE_S)
     assert process.returncode == 0
     assert str(unsaved) in said
 
@@ -85,7 +86,7 @@ def test_who_ends_it_at_the_terminal_is_told_where_the_unsaved_work_is(
 def test_what_was_open_when_the_process_was_killed_is_known(start, tmp_path, tiny_recording):
     process = start()
     process.kill()
-    process.communicate(timeout=10)
+    process.communicate(timeout=PATIENCE_S)
     settings = _settings(tmp_path)
     assert settings.left_open == (tiny_recording.resolve(),)
     assert settings.place(tiny_recording.resolve()) == Place(0)

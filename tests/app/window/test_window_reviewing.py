@@ -55,9 +55,9 @@ def _swapped(columns, one, other):
 def desk(window, qtbot, swapped_session):
     window.files.open_path(swapped_session[0])
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.activateWindow()
-    qtbot.waitActive(window)
-    qtbot.waitUntil(lambda: bool(window.desk.reviewing.queue.items), timeout=10_000)
+    with qtbot.waitActive(window):
+        window.activateWindow()
+    qtbot.waitUntil(lambda: bool(window.desk.reviewing.queue.items))
     qtbot.waitUntil(lambda: window.menus.actions["review.next"].isEnabled())
     return window.desk
 
@@ -152,11 +152,11 @@ def test_undoing_what_put_a_suspicion_right_looks_at_it_again(desk, press, to_th
     current = to_the_swap()
     press(Key.Key_E)
     press(Key.Key_Return)
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
     press(Key.Key_N)
     press(Key.Key_Z, _CTRL)
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
-    qtbot.waitUntil(lambda: desk.reviewing.queue.current is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
+    qtbot.waitUntil(lambda: desk.reviewing.queue.current is not None)
     assert desk.reviewing.queue.current.key == current.key
 
 
@@ -170,7 +170,7 @@ def test_e_and_enter_put_a_swap_right_and_remember_it_in_one_edit(desk, press, t
     press(Key.Key_Return)
     assert _verdicts(desk)[current.key] == "fixed"
     assert len(desk.document.session.history) == 1
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
     assert current.key not in {one.key for one in desk.reviewing.queue.open}
     press(Key.Key_Z, _CTRL)
     assert _verdicts(desk) == {}
@@ -194,7 +194,7 @@ def test_each_stretch_is_played_to_its_end_where_that_is_wanted(desk, window, pr
     desk.playback.moved.connect(lambda: played.append(clock.playing))
     press(Key.Key_N)  # on a busy machine a short stretch is over by the time this is back
     current = desk.reviewing.queue.current
-    qtbot.waitUntil(lambda: any(played) and not clock.playing, timeout=10_000)
+    qtbot.waitUntil(lambda: any(played) and not clock.playing)
     end, stalled = min(current.end, clock.frame_count), LONGEST_STALL_S * clock.fps * clock.speed
     assert end - 1 <= clock.frame < end + 4 + stalled
 
@@ -224,7 +224,7 @@ def test_what_was_watched_is_marked_for_who_is_selected(desk, press, qtbot):
 
 
 def test_labels_alone_make_no_new_search(desk, qtbot):
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
     session = desk.document.session
     track = session.tracks.track_ids[0]
     desk.document.apply(plan_rename(session.tracks, session.labels, track, "red coat"))
@@ -235,7 +235,7 @@ def test_labels_alone_make_no_new_search(desk, qtbot):
 
 
 def test_after_an_edit_suspicions_are_looked_for_again(desk, window, qtbot):
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
     found = []
     desk.reviewing._search.found.connect(found.append)
     session = desk.document.session
@@ -244,13 +244,13 @@ def test_after_an_edit_suspicions_are_looked_for_again(desk, window, qtbot):
     desk.editing.begin(EditKind.SPLIT)
     desk.editing.confirm()
     assert desk.reviewing._search.busy
-    qtbot.waitUntil(lambda: bool(found), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(found))
 
 
 def test_the_meter_tells_what_was_done_and_nothing_of_the_truth(desk, press, window, qtbot):
     press(Key.Key_N)
     press(Key.Key_Z)
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
     said = window.workspace.review._meter.text()
     assert "1 decided" in said
     assert "truth" not in said
@@ -258,9 +258,9 @@ def test_the_meter_tells_what_was_done_and_nothing_of_the_truth(desk, press, win
 
 def test_how_good_the_queue_is_is_told_where_that_is_asked_and_as_long(desk, window, qtbot):
     meter, action = window.workspace.review._meter, window.menus.actions["review.measure"]
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy, timeout=10_000)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
     window.run_command("review.measure")
-    qtbot.waitUntil(lambda: "identity errors" in meter.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "identity errors" in meter.text())
     qtbot.waitUntil(action.isChecked)
     window.run_command("review.measure")
     assert "truth" not in meter.text()
@@ -275,9 +275,9 @@ def test_after_a_list_of_commands_was_left_n_goes_on_at_once(desk, press, window
     top = QApplication.activePopupWidget() or QApplication.activeModalWidget()
     assert top is not None
     qtbot.waitUntil(lambda: QApplication.focusWidget() in top.findChildren(QLineEdit))
-    QTest.keyClick(QApplication.focusWidget(), Key.Key_Escape)
+    with qtbot.waitActive(window):
+        QTest.keyClick(QApplication.focusWidget(), Key.Key_Escape)
     assert not top.isVisible()
-    qtbot.waitActive(window)
     press(Key.Key_N)
     assert desk.reviewing.queue.place == before + 1
 

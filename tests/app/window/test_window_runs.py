@@ -27,11 +27,11 @@ def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tin
     assert not dialog._compare.isEnabled()
     assert "nothing is edited yet" in dialog._about.text()
     assert table.item(2, 2).text() == "seed 7"
-    qtbot.waitUntil(lambda: bool(table.item(2, 6).text()), timeout=20_000)
+    qtbot.waitUntil(lambda: bool(table.item(2, 6).text()))
     assert float(table.item(2, 6).text()) >= float(table.item(1, 6).text())
     dialog.choose(0, 1)
     dialog._compare.click()
-    qtbot.waitUntil(lambda: bool(items(desk)), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(items(desk)))
     assert (desk.document.comparison.base, desk.document.comparison.run) == (0, 1)
 
 
@@ -40,7 +40,7 @@ def test_no_run_is_cut_off_and_the_truth_of_the_scores_is_named(window, desk, qt
         desk.document.session.add_run(replace(tiny_run, seed=seed), adopt=False)
     window.run_command("review.runs")
     dialog = window.findChild(RunsDialog)
-    qtbot.waitExposed(dialog)
+    qtbot.waitUntil(dialog.windowHandle().isExposed)
     assert dialog._table.rowCount() == 6
     assert not dialog._table.verticalScrollBar().isVisible()
     last = dialog._table.visualItemRect(dialog._table.item(5, 0))
@@ -72,10 +72,10 @@ def test_people_are_those_of_the_frames_that_are_scored(window, desk, qtbot):
     window.run_command("review.runs")
     dialog = window.findChild(RunsDialog)
     assert _cells(dialog, "People")[1] == ""  # not yet known
-    qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")), timeout=20_000)
+    qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")))
     assert _cells(dialog, "People") == [str(few)] * 3
     dialog._share.setChecked(False)
-    qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")), timeout=20_000)
+    qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")))
     assert _cells(dialog, "People")[1:] == [str(many), str(few)]
     dialog.reject()
 
@@ -83,7 +83,7 @@ def test_people_are_those_of_the_frames_that_are_scored(window, desk, qtbot):
 def test_runs_have_the_figures_that_one_is_chosen_by(window, desk, qtbot):
     window.run_command("review.runs")
     dialog = window.findChild(RunsDialog)
-    qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")), timeout=20_000)
+    qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")))
     for title in ("MOTA", "Kept", "Misses", "False", "Floor error"):
         assert all(_cells(dialog, title)), title
     dialog.reject()
@@ -95,12 +95,12 @@ def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtb
     window.run_command("review.runs")
     dialog = window.findChild(RunsDialog)
     figures = lambda: [dialog._table.item(row, 6).text() for row in (1, 2)]  # noqa: E731
-    qtbot.waitUntil(lambda: all(figures()), timeout=20_000)
+    qtbot.waitUntil(lambda: all(figures()))
     assert "40 \u2013 79" in dialog._share.text()
     assert figures()[0] == figures()[1]
     dialog._share.setChecked(False)
     assert "cannot be compared" in dialog._over.text()
-    qtbot.waitUntil(lambda: all(figures()), timeout=20_000)
+    qtbot.waitUntil(lambda: all(figures()))
     assert figures()[0] != figures()[1]
     dialog.reject()
 
@@ -143,7 +143,7 @@ def test_people_outside_of_the_frames_of_a_shorter_run_stay(
     wrong, rows = place(desk, track, 65), len(session.tracks.columns()["x"])
     session.add_run(_late_part(tiny_run), adopt=False)
     desk.comparing.correct(1)
-    qtbot.waitUntil(lambda: bool(items(desk)), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(items(desk)))
     window.workspace.differences.taken.emit(1)
     assert place(desk, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
     assert len(session.tracks.columns()["x"]) == rows
@@ -158,7 +158,7 @@ def test_over_edits_another_run_is_taken_as_one_edit_that_can_be_undone(
     edits = len(session.history)
     session.add_run(tiny_run, adopt=False)
     desk.comparing.correct(1)
-    qtbot.waitUntil(lambda: bool(items(desk)), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(items(desk)))
     assert all(item.ticked or item.locked for item in items(desk))
     window.workspace.differences.taken.emit(1)
     assert len(session.history) == edits + 1
@@ -173,7 +173,7 @@ def test_the_better_stretch_is_taken_from_either_of_two_runs(
     wrong = place(desk, track, 65)
     desk.document.session.add_run(tiny_run, adopt=False)
     desk.comparing.open(1, 0)
-    qtbot.waitUntil(lambda: bool(items(desk)), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(items(desk)))
     panel = window.workspace.differences
     assert not panel._take_solid.isHidden()
     panel.all_ticked.emit(True)
@@ -191,7 +191,7 @@ def test_the_boxes_of_both_runs_are_shown_and_not_those_of_the_corrected_tracks(
     session.apply(plan_delete(session.tracks, shifted_run[1], 60, 70))
     session.add_run(tiny_run, adopt=False)
     desk.comparing.open(1, 0)
-    qtbot.waitUntil(lambda: bool(items(desk)), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(items(desk)))
     desk.playback.go(65)
     picture = window.workspace.left
     qtbot.waitUntil(lambda: picture._scene.frame == 65)

@@ -31,7 +31,7 @@ def scored(window, desk, press, qtbot):
 
 def at_rest(desk, qtbot) -> None:
     scoring = desk.scoring
-    qtbot.waitUntil(lambda: not scoring._search.busy and scoring.known, timeout=20_000)
+    qtbot.waitUntil(lambda: not scoring._search.busy and scoring.known)
     qtbot.wait(5)
 
 
@@ -71,7 +71,7 @@ def test_an_edit_is_scored_at_once_and_told_in_the_history(window, scored, press
     longest = max(document.tracks.ids, key=lambda one: len(document.tracks.of_track(one)["frame"]))
     document.apply(plan_delete(document.session.tracks, longest))
     scored.draw()
-    qtbot.waitUntil(lambda: scored.scoring.presenter.scored is not before, timeout=20_000)
+    qtbot.waitUntil(lambda: scored.scoring.presenter.scored is not before)
     at_rest(scored, qtbot)
     assert window.workspace.score.table.item(0, 3).text().startswith("\u25bc")
     assert document.history()[-1].moved == ""
@@ -83,7 +83,7 @@ def test_a_report_is_written_into_a_folder_of_its_own(window, scored, qtbot, tmp
     place = tmp_path / "reports"
     place.mkdir()
     window.files.exporting.report_in(place)
-    qtbot.waitUntil(lambda: not window.work.busy, timeout=30_000)
+    qtbot.waitUntil(lambda: not window.work.busy)
     (folder,) = place.iterdir()
     told = json.loads((folder / "report.json").read_text())
     mota = scored.scoring.presenter.scored.whole.clear.mota
@@ -96,7 +96,7 @@ def test_a_report_can_be_had_before_anything_was_scored(window, desk, qtbot, tmp
     assert desk.scoring.presenter.scored is None
     assert window.menus.actions["file.export_report"].isEnabled()
     window.files.exporting.report_in(tmp_path)
-    qtbot.waitUntil(lambda: bool([*tmp_path.glob("*/report.html")]), timeout=30_000)
+    qtbot.waitUntil(lambda: bool([*tmp_path.glob("*/report.html")]))
     qtbot.waitUntil(lambda: not window.work.busy)
 
 
@@ -108,7 +108,7 @@ def test_a_run_that_cannot_be_scored_is_left_out_of_the_report_and_it_is_said_wh
     session.add_run(replace(tiny_run, tracks=boxless, tracker="no-boxes"), adopt=False)
     session.add_run(replace(tiny_run, frames=(0, 79), tracker="shorter"), adopt=False)
     window.files.exporting.report_in(tmp_path)
-    qtbot.waitUntil(lambda: bool(window.notice.text), timeout=30_000)
+    qtbot.waitUntil(lambda: bool(window.notice.text))
     (page,) = tmp_path.glob("*/report.html")
     assert "Corrected tracks" in page.read_text()
     assert "no-boxes" not in page.read_text()
@@ -123,17 +123,17 @@ def test_what_is_chosen_otherwise_is_scored_anew(window, scored, qtbot, tmp_path
     presenter, view = scored.scoring.presenter, window.workspace
     view.timeline.area.stretch.zoom(8.0)
     first, end = presenter.visible
-    qtbot.waitUntil(lambda: presenter.scored.subject.visible == (first, end), timeout=20_000)
+    qtbot.waitUntil(lambda: presenter.scored.subject.visible == (first, end))
     assert presenter.scored.visible.frames == end - first < 40
     view.score.floor_chosen.emit(True)
-    qtbot.waitUntil(lambda: presenter.scored.subject.matching.on_floor, timeout=20_000)
+    qtbot.waitUntil(lambda: presenter.scored.subject.matching.on_floor)
     view.score._kinds[ErrorKind.MISS].click()
     qtbot.wait(5)
     assert ErrorKind.MISS not in [lane.kind for lane in view.timeline.errors._scene.lanes]
     noise = tmp_path / "noise.txt"
     noise.write_bytes(bytes(range(256)))
     scored.scoring.choose_file(noise)
-    qtbot.waitUntil(lambda: "noise.txt" in view.score._message.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "noise.txt" in view.score._message.text())
     assert not view.timeline.errors.isVisible()
 
 
@@ -143,7 +143,7 @@ def test_an_empty_truth_opens_the_score_with_everything_a_false_alarm(
     truth, view = tmp_path / "nobody.txt", window.workspace
     truth.write_text("")
     scored.scoring.choose_file(truth)
-    qtbot.waitUntil(lambda: "the truth is empty" in view.score._notes.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "the truth is empty" in view.score._notes.text())
     assert not view.score._message.text()
     assert view.score.table.isVisible()
     lanes = {lane.kind: lane.count for lane in view.timeline.errors._scene.lanes}

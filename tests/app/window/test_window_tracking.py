@@ -23,7 +23,7 @@ def test_the_first_play_tracks_live_and_ends_in_a_session_kept_on_disk(opened, q
     opened.run_command("play.faster")
     opened.run_command("play.toggle")
     assert desk.live.running
-    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: _tracked(opened))
     session = opened.files.session
     assert session.path.parent == opening.unsaved_folder()
     assert len(session.tracks.track_ids) >= 4
@@ -40,14 +40,14 @@ def test_playing_never_outruns_the_tracker(opened, qtbot):
     )
     desk.playback.set_speed(8.0)
     opened.run_command("play.toggle")
-    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: _tracked(opened))
     assert max(ahead) <= 0
 
 
 def test_the_floor_shows_particles_of_the_same_frame_as_the_pictures(opened, qtbot):
     desk = opened.desk
     opened.run_command("play.toggle")
-    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: _tracked(opened))
     desk.playback.pause()
     desk.playback.go(60)
     qtbot.waitUntil(lambda: desk.playback.number == 60)
@@ -63,9 +63,9 @@ def test_the_floor_shows_particles_of_the_same_frame_as_the_pictures(opened, qtb
 def test_stopping_keeps_what_was_tracked(opened, qtbot):
     desk = opened.desk
     desk.toggle()
-    qtbot.waitUntil(lambda: desk.live.done > 3, timeout=30_000)
+    qtbot.waitUntil(lambda: desk.live.done > 3)
     opened.run_command("tracks.stop")
-    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: _tracked(opened))
     run = opened.files.session.runs[0]
     assert run.frames[0] == 0
     assert 3 < run.frames[1] <= 80
@@ -74,7 +74,7 @@ def test_stopping_keeps_what_was_tracked(opened, qtbot):
 def test_cancel_keeps_nothing_of_a_tracking_and_the_button_beside_it_keeps_it(opened, qtbot):
     strip, desk = opened.progress, opened.desk
     desk.tracking.track("stereo-colour")
-    qtbot.waitUntil(lambda: desk.live.done > 3 and not strip._stop.isHidden(), timeout=30_000)
+    qtbot.waitUntil(lambda: desk.live.done > 3 and not strip._stop.isHidden())
     strip._cancel.click()
     assert not desk.live.running
     assert not desk.document.tracks.ids
@@ -82,10 +82,10 @@ def test_cancel_keeps_nothing_of_a_tracking_and_the_button_beside_it_keeps_it(op
     assert "nothing of it is kept" in opened.statusBar().currentMessage()
     assert opened.files.session is None
     desk.tracking.track("stereo-colour")
-    qtbot.waitUntil(lambda: desk.live.done > 3 and not strip._stop.isHidden(), timeout=30_000)
+    qtbot.waitUntil(lambda: desk.live.done > 3 and not strip._stop.isHidden())
     assert strip._stop.text() == "Stop, keep the result"
     strip._stop.click()
-    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: _tracked(opened))
     assert "Stopped early" in opened.notice.text
 
 
@@ -100,13 +100,13 @@ def test_closing_while_a_tracker_works_waits_for_its_thread(opened, qtbot):
 def test_tracking_again_never_touches_corrected_tracks(opened, qtbot):
     desk = opened.desk
     desk.toggle()
-    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: _tracked(opened))
     session = opened.files.session
     track = session.tracks.track_ids[0]
     desk.editing.rename(track, "first")
     corrected = session.tracks.columns()["x"].copy()
     desk.tracking.track("stereo-colour", None, 1)
-    qtbot.waitUntil(lambda: not desk.live.running and _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: not desk.live.running and _tracked(opened))
     assert len(session.runs) == 2
     assert np.array_equal(session.tracks.columns()["x"], corrected, equal_nan=True)
     assert desk.document.label(track).name == "first"
@@ -121,7 +121,7 @@ def test_a_part_of_the_recording_can_be_tracked(opened, qtbot):
     dialog.put_frames(20, 39)
     dialog.accept()
     assert opened.desk.playback.clock.frame == 20
-    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: _tracked(opened))
     assert opened.files.session.runs[0].frames == (20, 40)
     assert opened.files.session.runs[0].seed == 0
 
@@ -140,7 +140,7 @@ def test_the_first_and_the_last_frame_never_cross(opened):
 
 def test_a_word_is_seen_beside_the_progress_of_the_tracker(opened, qtbot):
     opened.desk.toggle()
-    qtbot.waitUntil(lambda: opened.progress.isVisible(), timeout=30_000)
+    qtbot.waitUntil(lambda: opened.progress.isVisible())
     wide = opened.progress.width()
     opened.run_command("tracks.swap")
     said = opened.statusBar().currentMessage()
@@ -172,15 +172,15 @@ def test_the_views_follow_the_tracker_until_the_playhead_is_moved(opened, qtbot)
     desk = opened.desk
     desk.tracking.track("stereo-direction", frames=(20, 60))
     assert desk.tracking.following.on
-    qtbot.waitUntil(lambda: desk.playback.number > 24, timeout=30_000)
+    qtbot.waitUntil(lambda: desk.playback.number > 24)
     desk.playback.go(21)
     assert not desk.tracking.following.on
     done, desk.tracking.following._shown_s = desk.live.done, 0.0  # a picture is due
-    qtbot.waitUntil(lambda: desk.live.done > done, timeout=30_000)
+    qtbot.waitUntil(lambda: desk.live.done > done)
     assert desk.playback.clock.frame == 21
     opened.run_command("play.follow")
     assert desk.tracking.following.on
-    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: _tracked(opened))
     assert desk.playback.clock.frame == 59
     assert not desk.playback.following
     assert opened.notice.text.startswith("Tracked 40 frames with stereo-direction. ")
@@ -196,7 +196,7 @@ def test_whoever_plays_is_not_taken_along_by_the_tracker(opened):
 def test_the_first_run_is_seen_and_corrected_while_a_second_one_is_made(opened, qtbot):
     desk = opened.desk
     desk.toggle()
-    qtbot.waitUntil(lambda: _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: _tracked(opened))
     document = desk.document
     people = document.tracks.of_frame(40)["track"].tolist()
     desk.tracking.track("stereo-colour", None, 1)
@@ -210,6 +210,6 @@ def test_the_first_run_is_seen_and_corrected_while_a_second_one_is_made(opened, 
     assert document.label(people[0]).name == "first"
     desk.tracking.following.toggle()
     assert document.is_live
-    qtbot.waitUntil(lambda: not desk.live.running and _tracked(opened), timeout=30_000)
+    qtbot.waitUntil(lambda: not desk.live.running and _tracked(opened))
     assert not document.is_live
     assert document.session.adopted_run == 0  # what somebody worked on is not replaced

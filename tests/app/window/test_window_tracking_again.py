@@ -4,6 +4,7 @@ import threading
 
 import numpy as np
 import pytest
+from patient import PATIENCE_S
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from shifted_runs import AGAIN_AT, SHIFTED, boxes, items, place
@@ -29,8 +30,8 @@ def compared(desk, tiny_run, qtbot):
 
 
 def _wait_compared(desk, qtbot):
-    qtbot.waitUntil(lambda: desk.comparing.shown, timeout=30_000)
-    qtbot.waitUntil(lambda: desk.document.comparison.current is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: desk.comparing.shown)
+    qtbot.waitUntil(lambda: desk.document.comparison.current is not None)
 
 
 def test_tracking_again_goes_on_from_the_playhead_with_the_run_that_was_corrected(
@@ -73,7 +74,7 @@ def test_once_all_is_taken_the_comparison_closes_and_says_so(compared, window, q
     compared.document.comparison.tick_listed(True)
     window.workspace.differences.taken.emit(1)
     compared.draw()
-    qtbot.waitUntil(lambda: not compared.comparing.shown, timeout=30_000)
+    qtbot.waitUntil(lambda: not compared.comparing.shown)
     assert window.workspace.differences.isHidden()
     assert said[-1].startswith("Done: ")
     assert said[-1].endswith("; nothing is left to take from run 1")
@@ -164,7 +165,7 @@ def test_an_edit_meanwhile_is_compared_anew(compared, qtbot, shifted_run):
     change = plan_mark_reviewed(session.labels, 0, *SHIFTED)
     desk.document.apply(change)
     desk.draw()
-    qtbot.waitUntil(lambda: any(item.locked for item in items(desk)), timeout=10_000)
+    qtbot.waitUntil(lambda: any(item.locked for item in items(desk)))
 
 
 def test_comparing_tells_how_far_it_is_and_can_be_cancelled(
@@ -175,7 +176,7 @@ def test_comparing_tells_how_far_it_is_and_can_be_cancelled(
     def slow(*_, report):
         report(1, 4)
         reached.set()
-        go_on.wait(10)
+        go_on.wait(PATIENCE_S)
         report(2, 4)
 
     monkeypatch.setattr(Comparison, "search", lambda _: lambda report: slow(report=report))
@@ -194,10 +195,12 @@ def test_comparing_tells_how_far_it_is_and_can_be_cancelled(
 
 
 def test_closing_a_comparison_does_not_wait_for_it(window, desk, qtbot, tiny_run, monkeypatch):
-    go_on = threading.Event()
-    monkeypatch.setattr(Comparison, "search", lambda _: lambda _: go_on.wait(10))
+    go_on, waited = threading.Event(), []
+    slow = lambda _: waited.append(go_on.wait(PATIENCE_S))  # noqa: E731
+    monkeypatch.setattr(Comparison, "search", lambda _: slow)
     desk.document.session.add_run(tiny_run, adopt=False)
     desk.comparing.open(1)
     window.workspace.differences.closed.emit()
     assert not desk.comparing.shown
+    assert not waited
     go_on.set()

@@ -120,8 +120,8 @@ def test_of_a_long_name_the_beginning_is_seen(track_panel):
 def test_another_person_is_shown_from_the_top(track_panel, qtbot):
     track_panel.show_scene(CARD)
     track_panel.resize(300, 220)
-    track_panel.show()
-    qtbot.waitExposed(track_panel)
+    with qtbot.waitExposed(track_panel):
+        track_panel.show()
     bar = track_panel._scroll.verticalScrollBar()
     bar.setValue(bar.maximum())
     assert bar.value() > 0

@@ -52,8 +52,8 @@ def test_it_tells_frame_count_and_time(bar):
 
 
 def test_numbers_that_run_lay_nothing_out_anew(bar, qtbot):
-    bar.show()
-    qtbot.waitExposed(bar)
+    with qtbot.waitExposed(bar):
+        bar.show()
     qtbot.wait(1)  # laid out as wide as it is shown
     counted = LayoutRequests(bar)
     for frame in range(835, 845):
@@ -175,9 +175,9 @@ def test_work_is_cancelled_once(qtbot, dark, heard):
 
 def test_a_narrow_line_goes_without_the_state_of_the_tracker(bar, qtbot):
     bar.show_scene(scene(1, playing=False))
-    bar.show()
+    with qtbot.waitExposed(bar):
+        bar.show()
     bar.resize(1400, bar.height())
-    qtbot.waitExposed(bar)
     assert bar._tracker.isVisible()
     bar.resize(bar.minimumSizeHint().width(), bar.height())
     assert not bar._tracker.isVisible()

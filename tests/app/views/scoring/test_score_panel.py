@@ -52,8 +52,8 @@ def test_at_the_size_it_has_on_a_small_screen_all_eleven_figures_are_in_sight(pa
     )
     panel.show_scene(replace(SCENE, rows=rows, moved=""))
     panel.resize(690, 225)
-    panel.show()
-    qtbot.waitExposed(panel)
+    with qtbot.waitExposed(panel):
+        panel.show()
     table, seen = panel.table, []
     for line, column in product(range(table.rowCount()), range(0, table.columnCount(), 4)):
         item, cell = table.item(line, column), table.visualRect(table.model().index(line, column))

@@ -23,8 +23,8 @@ def column(qtbot, dark):
     rows.addWidget(panel)
     rows.addWidget(rest, 1)
     whole.resize(300, 700)
-    whole.show()
-    qtbot.waitExposed(whole)
+    with qtbot.waitExposed(whole):
+        whole.show()
     return whole, panel, words
 
 
