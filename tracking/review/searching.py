@@ -10,10 +10,10 @@ from tracking.geometry import View
 from tracking.progress import Progress
 from tracking.review.block import Block, Scene, looked_through
 from tracking.review.costs import costs
-from tracking.review.evidence import Rows
 from tracking.review.footage import Footage
 from tracking.review.queue import ranked
 from tracking.review.suspicion import Suspicion
+from tracking.review.vouched import vouched
 from tracking.tracks import Labels, Run, TrackTable
 
 MOST = 10_000
@@ -32,7 +32,8 @@ def find_suspicions(
 ) -> tuple[Suspicion, ...]:
     """Places where the tracks are likely wrong, those that are worth most first.
 
-    Verdicts and reviewed ranges are not looked at here: see `open_suspicions`.
+    Boxes that a person made or moved are not doubted. Verdicts and reviewed ranges are not looked
+    at here: see `open_suspicions`.
 
     Args:
         table: the corrected tracks; not changed, so a snapshot can be handed to another thread.
@@ -81,7 +82,7 @@ class Lookout:
         occluders = labels.occluders if labels else ()
         scene = Scene.of(footage, run, fps, view.camera.size if view else size, occluders)
         blocks = self._blocks(footage, run, scene, tell)
-        return ranked(_worth_most(blocks, footage.key, fps), "worth")
+        return ranked(_worth_most(blocks, footage, fps), "worth")
 
     def _blocks(
         self, footage: Footage, run: Run | None, scene: Scene, tell: Progress
@@ -107,15 +108,16 @@ def _untold(done: int, total: int) -> None:
     """Nobody asked."""
 
 
-def _worth_most(blocks: Sequence[Block], key: Rows, fps: float) -> list[Suspicion]:
+def _worth_most(blocks: Sequence[Block], footage: Footage, fps: float) -> list[Suspicion]:
     """What is worth most of all blocks, with what it costs where it is right."""
     meeting = np.sort(np.concatenate([block.meeting for block in blocks]))
     frame, likely, tracks = (
         np.concatenate([getattr(block, name) for block in blocks])
         for name in ("frame", "likelihood", "tracks")
     )
-    cost = costs(key, meeting, tracks, frame, fps)
-    told = np.argsort(-(likely * cost), kind="stable")[:MOST]
+    cost = costs(footage.key, meeting, tracks, frame, fps)
+    told = np.argsort(-(likely * cost), kind="stable")
+    told = told[~vouched(footage, tracks, frame)[told]][:MOST]
     place = [(block, row) for block in blocks for row in range(len(block.suspicions))]
     return [
         place[number][0].costing(place[number][1], worth)
