@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 from app.presenters.runs.setting_groups import group_of
 from app.presenters.words import tr
 from app.views.look.theme import scaled_font
-from app.views.runs.number_boxes import NumberBox, WholeBox
+from app.views.runs.number_boxes import NumberBox, WholeBox, tell
 from app.views.widgets.parts import heading, quiet
 from tracking.trackers import SettingField, settings_fields, settings_from
 
@@ -117,8 +117,9 @@ class SettingsForm(QWidget):
         control = self._controls[name]
         if isinstance(control, QCheckBox):
             control.setChecked(bool(value))
-        elif isinstance(control, QSpinBox | QDoubleSpinBox):
+        elif isinstance(control, WholeBox | NumberBox):
             control.setValue(value)
+            tell(control)  # the same value is no change, though another number was being typed
         elif isinstance(control, QLineEdit):
             control.setText(str(value))
 
@@ -147,7 +148,7 @@ class SettingsForm(QWidget):
             label.setFont(scaled_font(self.font(), 1.0, bold=is_changed))
             title = _title(field)
             label.setText(f"\u2022 {title}" if is_changed else title)
-            shown = f"{field.default}{_unit(field)}"
+            shown = _said(field.default, _unit(field))
             said = self.tr("Changed; as it comes: {0}").format(shown)
             label.setToolTip(said if is_changed else _words(field))
 
@@ -190,9 +191,13 @@ class SettingsForm(QWidget):
         self.put(field.name, field.default)
 
     def _tell(self, about: QLabel, field: SettingField, refused: str) -> None:
-        """Beside a number that is typed: whether it is out of range."""
+        """Beside a number that is typed: why it cannot be."""
         low, high = field.range or (-_NUMBER_LIMIT, _NUMBER_LIMIT)
         said = self.tr("{0} is out of range: from {1:g} to {2:g}{3}. The nearest is taken.")
+        if field.type is int:
+            said = self.tr(
+                "{0} is out of range: whole numbers from {1:g} to {2:g}{3}. The nearest is taken."
+            )
         about.setText(said.format(refused, low, high, _unit(field)) if refused else _words(field))
         about.setProperty("role", "warning" if refused else "muted")
         about.style().unpolish(about)
@@ -252,6 +257,13 @@ def _words(field: SettingField) -> str:
         return field.help
     low, high = field.range
     return field.help + tr(" ({low:g} to {high:g}{unit})", low=low, high=high, unit=_unit(field))
+
+
+def _said(value: object, unit: str) -> str:
+    """A value in words: switches are on or off."""
+    if isinstance(value, bool):
+        return tr("on") if value else tr("off")
+    return f"{value}{unit}"
 
 
 def _unit(field: SettingField) -> str:

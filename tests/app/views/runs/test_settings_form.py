@@ -120,13 +120,31 @@ def test_a_number_out_of_range_is_told_and_the_nearest_is_taken(qtbot, typed, ta
     assert typed in told[0]
     QTest.keyClick(control, Qt.Key.Key_Return)
     assert control.value() == field.range[taken]
-    control.selectAll()
-    QTest.keyClicks(control, str(field.default))
     assert not any("out of range" in label.text() for label in form.findChildren(QLabel))
 
 
+def test_defaults_take_back_what_was_typed_out_of_range(qtbot):
+    form = SettingsForm(TRACKERS["stereo-colour"])
+    qtbot.addWidget(form)
+    control = form._controls["particles"]
+    form.show()
+    control.selectAll()
+    QTest.keyClicks(control, "999999999")
+    form.reset()
+    assert not any("out of range" in label.text() for label in form.findChildren(QLabel))
+    QTest.keyClick(control, Qt.Key.Key_Return)
+    assert form.values() == {}
+
+
+def test_a_switch_that_is_changed_says_on_or_off_as_it_comes(qtbot):
+    form = SettingsForm(TRACKERS["stereo-colour"])
+    qtbot.addWidget(form)
+    form.put("paper", True)
+    assert form._labels["paper"].toolTip().endswith("off")
+
+
 @pytest.mark.parametrize("kind", [WholeBox, NumberBox])
-@pytest.mark.parametrize("typed", ["5abc", "2,5", "7x", "5 000x"])
+@pytest.mark.parametrize("typed", ["5abc", "7x", "5 000x"])
 def test_what_is_no_number_cannot_be_typed_into_its_field(qtbot, kind, typed):
     box = kind()
     qtbot.addWidget(box)
@@ -142,13 +160,32 @@ def test_what_is_no_number_cannot_be_typed_into_its_field(qtbot, kind, typed):
     assert box.value() == min(shown, 99)
 
 
-def test_a_whole_number_has_no_decimals(qtbot):
-    box = WholeBox()
+@pytest.mark.parametrize("locale", [QLocale.c(), QLocale(QLocale.Language.German)])
+@pytest.mark.parametrize("typed", ["2,5", "2.5"])
+def test_decimals_stand_behind_a_comma_or_a_point(qtbot, typed, locale):
+    box = NumberBox()
     qtbot.addWidget(box)
+    box.setLocale(locale)
+    box.setSuffix(" m")
     box.show()
     box.selectAll()
-    QTest.keyClicks(box, "1.5")
-    assert box.cleanText() == "15"
+    QTest.keyClicks(box, typed)
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    assert box.value() == 2.5
+
+
+@pytest.mark.parametrize("typed", ["2,7", "2.7"])
+def test_of_decimals_in_a_whole_number_the_nearest_is_told_and_taken(qtbot, heard, typed):
+    box = WholeBox()
+    qtbot.addWidget(box)
+    box.setLocale(QLocale.c())
+    box.show()
+    told = heard(box.typed)
+    box.selectAll()
+    QTest.keyClicks(box, typed)
+    assert told[-1] == typed
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    assert (box.value(), told[-1]) == (3, "")
 
 
 def test_settings_of_a_tracker_stand_under_headings(qtbot):
