@@ -70,7 +70,7 @@ def place_names(
     if not names:
         return []
     sides = np.stack([_sides(names, number, radius) for number in range(_most_sizes(names))], 1)
-    barred = _beyond(sides, area) | _touches(sides, seen)
+    barred = beyond(sides, area) | _touches(sides, seen)
     placed: list[Stands] = []
     plates = np.zeros((len(names), 4))
     for name, own, shut in zip(names, sides, barred, strict=True):
@@ -90,7 +90,7 @@ def _most_sizes(names: Sequence[Wanted]) -> int:
 def _free(name: Wanted, sides: Floats, barred: Bools, plates: Floats, usual: int) -> Stands | None:
     """The first free side, of the longest name that has one."""
     for number in range(len(name.sizes)):
-        hides = barred[number] | _covers(sides[number], plates)
+        hides = barred[number] | covers(sides[number], plates)
         if not hides.all():
             side = usual if not hides[usual] else int(np.argmin(hides))
             return Stands(name.whose, _rect(sides[number, side]), number, side)
@@ -117,14 +117,14 @@ def _sides(names: Sequence[Wanted], number: int, radius: float) -> Floats:
     return np.concatenate((middles - half, middles + half), axis=2)
 
 
-def _beyond(sides: Floats, area: QRectF) -> Bools:
+def beyond(sides: Floats, area: QRectF) -> Bools:
     """(...) whether rectangles (..., 4) reach out of the area."""
     low, high = (area.left(), area.top()), (area.right(), area.bottom())
     out = (sides[..., :2] < np.array(low)) | (sides[..., 2:] > np.array(high))
     return np.asarray(out.any(axis=-1))
 
 
-def _covers(rects: Floats, others: Floats) -> Bools:
+def covers(rects: Floats, others: Floats) -> Bools:
     """(n,) whether each rectangle (n, 4) lies over any of the others (m, 4)."""
     left, top, right, bottom = rects.T[:, :, None]  # one by one: a third of the time of pairs
     apart = (left >= others[:, 2]) | (right <= others[:, 0])

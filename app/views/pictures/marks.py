@@ -1,4 +1,4 @@
-"""People drawn on a picture: boxes, trails, name plates."""
+"""People drawn on a picture: boxes and trails."""
 
 from __future__ import annotations
 
@@ -8,11 +8,10 @@ from itertools import pairwise
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.presenters.scenes import Colour, PersonMark, PreviewTrail
 from app.views.look.theme import faded
-from app.views.pictures.name_plates import draw_plate, place_plates, plate_rect, plate_text
 from app.views.pictures.viewport import Points, Viewport, polygon
 
 _CORNER = 4.0
@@ -29,32 +28,6 @@ def draw_people(painter: QPainter, people: Sequence[PersonMark], viewport: Viewp
         draw_fading_trail(painter, points, QColor(*person.colour), width, casing=True)
     for person in people:
         _draw_box(painter, person, viewport.rect(QRectF(*person.box)))
-
-
-def name_people(
-    painter: QPainter,
-    people: Sequence[PersonMark],
-    viewport: Viewport,
-    area: QRectF,
-    taken: Sequence[QRectF] = (),
-) -> list[QRectF]:
-    """Draw the plates of those in sight; the selected person's keeps its place.
-
-    Gives where the plates stand: not on what is `taken`.
-    """
-    seen = [one for one in people if viewport.rect(QRectF(*one.box)).intersects(area)]
-    ordered = sorted(seen, key=lambda person: not person.selected)
-    metrics = QFontMetricsF(painter.font())
-    names = [plate_text(metrics, one.label) for one in ordered]
-    wanted = [
-        plate_rect(metrics, name, viewport.point(one.box[0], one.box[1]) + QPointF(-1, -4))
-        for one, name in zip(ordered, names, strict=True)
-    ]
-    places = place_plates([*taken, *wanted], area)[len(taken) :]
-    placed = list(zip(ordered, names, places, strict=True))
-    for person, name, rect in reversed(placed):
-        draw_plate(painter, rect, name, QColor(*person.colour), person.selected)
-    return [rect for _, _, rect in placed]
 
 
 def draw_fading_trail(

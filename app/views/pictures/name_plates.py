@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from app.views.look.theme import Theme, faded, ink_on
 
 _GAP = 2.0
+_PAD_PX = 10.0
 _MOST_LETTERS = 16
 """Of a name on a plate, in average letters: a long one would hide other people."""
 
@@ -56,9 +57,12 @@ def plate_text(metrics: QFontMetricsF, name: str) -> str:
     return metrics.elidedText(name, Qt.TextElideMode.ElideRight, room)
 
 
-def plate_sizes(metrics: QFontMetricsF, texts: Sequence[str]) -> list[tuple[float, float]]:
-    """Width and height of the plate for each text."""
-    return [(metrics.horizontalAdvance(text) + 10, metrics.height() + 4) for text in texts]
+def plate_sizes(
+    metrics: QFontMetricsF, texts: Sequence[str], pad: float = _PAD_PX
+) -> list[tuple[float, float]]:
+    """Width and height of the plate for each text; pad: what its sides leave empty, in all."""
+    height = metrics.height() + 0.4 * pad
+    return [(metrics.horizontalAdvance(text) + pad, height) for text in texts]
 
 
 def plate_rect(metrics: QFontMetricsF, text: str, corner: QPointF) -> QRectF:

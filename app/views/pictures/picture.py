@@ -20,6 +20,7 @@ from app.views.look.theme import Theme, scaled_font
 from app.views.parts.cards import draw_cards
 from app.views.parts.marks import draw_part_boxes, draw_part_particles, part_box_at, said_at
 from app.views.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
+from app.views.pictures.box_names import BoxNaming
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.compare_marks import draw_other_boxes
 from app.views.pictures.legend import draw_legend
@@ -28,13 +29,13 @@ from app.views.pictures.marks import (
     draw_ghosts,
     draw_people,
     draw_preview,
-    name_people,
 )
 from app.views.pictures.name_plates import draw_message, draw_note, plate_rect
 from app.views.scoring.truth_marks import draw_truth_boxes
 from tracking.recording.frame import Image
 
 _PICK_REACH_PX = 10.0
+_SMALL = 0.78
 _LOW_LINES = 18
 """In a picture lower than so many lines of text legends and cards hide people."""
 
@@ -75,6 +76,8 @@ class PictureView(Canvas):
         self._held = 0
         self._dragged = False
         self._hover: QPointF | None = None
+        self._naming = BoxNaming()
+        self._over = 0
         self._rename()
 
     def show_scene(self, scene: PictureScene) -> None:
@@ -221,8 +224,15 @@ class PictureView(Canvas):
         grip = self._grip_at(at)
         if grip is not None:
             return cursor_of(grip.handle)
-        over = self._person_at(at) is not None
-        return Qt.CursorShape.PointingHandCursor if over else Qt.CursorShape.ArrowCursor
+        person = self._person_at(at)
+        self._point_at(person.track if person is not None else 0)
+        return Qt.CursorShape.PointingHandCursor if person else Qt.CursorShape.ArrowCursor
+
+    def _point_at(self, track: int) -> None:
+        """Whoever is under the cursor is named, also where that hides somebody."""
+        before, self._over = self._over, track
+        if before != track and not {before, track} <= self._naming.named:
+            self.update()
 
     def name_at(self, at: QPointF) -> str:
         """The person's label under the cursor, and what is said of the part there."""
@@ -261,11 +271,11 @@ class PictureView(Canvas):
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
         draw_other_boxes(painter, self._others, self.viewport, theme, shown)
         small = QFontMetricsF(scaled_font(self.font(), 0.92))
-        eye = plate_rect(small, self._eye_name, QPointF(8, 12 + small.height()))
+        eye = plate_rect(small, self._eye_name, QPointF(0, area.bottom() - 8))
+        eye.moveRight(area.right() - 8)  # low down, where heads are seldom
         draw_people(painter, self._scene.people, self.viewport)
         self._draw_parts(painter, shown)
-        taken = (eye.intersected(shown),)
-        names = name_people(painter, self._scene.people, self.viewport, shown, taken)
+        names = self._draw_names(painter, shown, eye.intersected(shown))
         draw_truth_boxes(painter, self._truth, self.viewport, theme, shown)
         movable = self._movable()
         if movable is not None and not self._labels.labelling:
@@ -274,6 +284,15 @@ class PictureView(Canvas):
         if self._scene.drawing and self._hover is not None:
             draw_cross(painter, self._hover, shown)
         self._draw_words(painter, area, (eye, names), theme)
+
+    def _draw_names(self, painter: QPainter, shown: QRectF, taken: QRectF) -> list[QRectF]:
+        """Where they stand; small ones in a low picture, in which they would hide most of all."""
+        if self._low:
+            painter.setFont(scaled_font(self.font(), _SMALL, bold=True))
+        people, view = self._scene.people, self.viewport
+        return self._naming.draw(
+            painter, people, view, shown, (taken,), over=self._over, small=self._low
+        )
 
     def _draw_parts(self, painter: QPainter, shown: QRectF) -> None:
         """Rectangles and particles, below everybody's names: a crowd has many."""

@@ -16,7 +16,7 @@ from app.presenters.parts.part_curve import LaneScore, PartCurve
 from app.presenters.parts.parts_scene import CardLine, PartBox, PartCard, PicturedParts, Verdict
 from app.presenters.scenes import Eye
 from app.views.look.theme import contrast, current_theme
-from app.views.pictures import marks
+from app.views.pictures import box_names
 from app.views.pictures import picture as picture_view
 from app.views.pictures.picture import PictureView
 from app.views.timeline.axis import TimeAxis
@@ -60,8 +60,8 @@ def test_even_light_particles_are_seen_on_any_clothes_from_far_and_near(
 
 def test_in_a_crowd_parts_of_one_hide_no_number_of_another(qtbot, dark, drawn, monkeypatch):
     plates = []
-    draw = marks.draw_plate
-    monkeypatch.setattr(marks, "draw_plate", lambda *it: (plates.append(it[1]), draw(*it)))
+    draw = box_names.draw_plate
+    monkeypatch.setattr(box_names, "draw_plate", lambda *it: (plates.append(it[1]), draw(*it)))
     view = PictureView(Eye.LEFT)
     qtbot.addWidget(view)
     view.resize(640, 480)

@@ -1,0 +1,182 @@
+"""Where people's names stand in a picture: beside their boxes, and on nobody's head."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter
+
+from app.presenters.scenes import PersonMark
+from app.views.pictures.floor_names import beyond, covers
+from app.views.pictures.name_plates import draw_plate, plate_sizes, plate_text
+from app.views.pictures.viewport import Viewport
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+_GAP_PX = 3.0
+_HEAD = 0.2
+"""Of a box, from its upper edge down."""
+_SMALL_PAD_PX = 5.0
+_EDGE_PX = 2.0
+"""So near the picture's upper edge a box has no head in it."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Person:
+    """Somebody who is to be named: by `texts`, the longest first, of `sizes`; `must`: anyhow."""
+
+    mark: PersonMark
+    box: Floats
+    texts: tuple[str, ...]
+    sizes: Sequence[tuple[float, float]]
+    must: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _Plate:
+    mark: PersonMark
+    text: str
+    rect: QRectF
+
+
+class BoxNaming:
+    """Draws names where they hide no head and no other name, or else not at all.
+
+    Above the box, or beside or below it, if possible where nobody else is; a long name is shortened
+    to its number before it is left out. Who is selected or under the cursor is always named.
+    """
+
+    def __init__(self) -> None:
+        self._sides: dict[int, int] = {}
+        self._named: frozenset[int] = frozenset()
+
+    @property
+    def named(self) -> frozenset[int]:
+        """The tracks that have a plate."""
+        return self._named
+
+    def draw(
+        self,
+        painter: QPainter,
+        people: Sequence[PersonMark],
+        viewport: Viewport,
+        area: QRectF,
+        taken: Sequence[QRectF] = (),
+        *,
+        over: int = 0,
+        small: bool = False,
+    ) -> list[QRectF]:
+        """Draw the plates of those in sight, and tell where they stand.
+
+        Args:
+            taken: what they must not lie on. over: the track under the cursor. small: plates of a
+                small picture, with less around their words.
+        """
+        metrics = QFontMetricsF(painter.font())
+        seen = [one for one in people if viewport.rect(QRectF(*one.box)).intersects(area)]
+        wanted = [
+            _person(one, viewport, metrics, small, must=one.selected or one.track == over)
+            for one in sorted(seen, key=lambda one: not one.selected)
+        ]
+        plates = self._placed(wanted, area, _coords(taken))
+        self._named = frozenset(one.mark.track for one in plates)
+        for one in reversed(plates):
+            draw_plate(painter, one.rect, one.text, QColor(*one.mark.colour), one.mark.selected)
+        return [one.rect for one in plates]
+
+    def _placed(self, people: Sequence[_Person], area: QRectF, taken: Floats) -> list[_Plate]:
+        if not people:
+            return []
+        sides = _sides(people)
+        shut, crowded = _barred(people, sides, area, taken)
+        places = np.zeros((len(people), 4))
+        plates: list[_Plate] = []
+        for one, own, never, rather_not in zip(people, sides, shut, crowded, strict=True):
+            closed = never | _over(own, places[: len(plates)])
+            plate = self._free(one, own, closed | rather_not) or self._free(one, own, closed)
+            if plate is None and one.must:
+                plate = _Plate(one.mark, one.texts[-1], _within(_rect(own[-1, 0]), area))
+            if plate is not None:
+                places[len(plates)] = np.array(plate.rect.getCoords())
+                plates.append(plate)
+        return plates
+
+    def _free(self, one: _Person, sides: Floats, closed: Flags) -> _Plate | None:
+        """The side that is free of the longest name that has one; the one of before if that is."""
+        usual = self._sides.get(one.mark.track, 0)
+        for number, text in enumerate(one.texts):
+            if not closed[number].all():
+                side = usual if not closed[number, usual] else int(np.argmin(closed[number]))
+                self._sides[one.mark.track] = side
+                return _Plate(one.mark, text, _rect(sides[number, side]))
+        return None
+
+
+def _barred(
+    people: Sequence[_Person], sides: Floats, area: QRectF, taken: Floats
+) -> tuple[Flags, Flags]:
+    """(n, sizes, sides) where a name would hide a head or leave the area, and where others."""
+    bodies = np.array([one.box for one in people])
+    heads = bodies.copy()
+    heads[:, 3] = bodies[:, 1] + _HEAD * (bodies[:, 3] - bodies[:, 1])
+    heads = heads[bodies[:, 1] > area.top() + _EDGE_PX]
+    shut = beyond(sides, area) | _over(sides, np.concatenate((taken, heads)))
+    crowded = np.zeros_like(shut)
+    for number, own in enumerate(sides):
+        crowded[number] = _over(own, np.delete(bodies, number, axis=0))
+    return shut, crowded
+
+
+def _over(rects: Floats, others: Floats) -> Flags:
+    """(...) whether rectangles (..., 4) lie over any of the others (m, 4)."""
+    return covers(rects.reshape(-1, 4), others).reshape(rects.shape[:-1])
+
+
+def _person(
+    mark: PersonMark, viewport: Viewport, metrics: QFontMetricsF, small: bool, *, must: bool
+) -> _Person:
+    box = viewport.rect(QRectF(*mark.box))
+    whole, number = plate_text(metrics, mark.label), str(mark.track)
+    texts = (whole,) if whole == number else (whole, number)
+    pad = _SMALL_PAD_PX if small else 10.0
+    sizes = plate_sizes(metrics, texts, pad)
+    return _Person(mark, np.array(box.getCoords()), texts, sizes, must)
+
+
+def _sides(people: Sequence[_Person]) -> Floats:
+    """(n, sizes, 8, 4) left, top, right, bottom of plates, best sides first, the last in the box.
+
+    Who has one size only has it twice.
+    """
+    left, top, right, bottom = np.array([one.box for one in people]).T[:, :, None]
+    sizes = np.array([(one.sizes[0], one.sizes[-1]) for one in people])
+    width, height = sizes[..., 0], sizes[..., 1]
+    above, below, inside = top - _GAP_PX - height, bottom + _GAP_PX, bottom - height
+    before, behind, flush = left - _GAP_PX - width, right + _GAP_PX, right - width + 1
+    middle, beside = (left + right - width) / 2, top + np.zeros_like(width)
+    start, foot = left - 1 + np.zeros_like(width), below + np.zeros_like(width)
+    behind = behind + np.zeros_like(width)
+    x = np.stack((start, flush, behind, before, middle, behind, before, middle), axis=-1)
+    y = np.stack((above, above, beside, beside, foot, inside, inside, inside), axis=-1)
+    return np.stack((x, y, x + width[..., None], y + height[..., None]), axis=-1)
+
+
+def _within(rect: QRectF, area: QRectF) -> QRectF:
+    """The same, moved into the area."""
+    left = max(area.left(), min(rect.left(), area.right() - rect.width()))
+    top = max(area.top(), min(rect.top(), area.bottom() - rect.height()))
+    return QRectF(left, top, rect.width(), rect.height())
+
+
+def _coords(rects: Sequence[QRectF]) -> Floats:
+    """(n, 4) left, top, right, bottom."""
+    return np.array([rect.getCoords() for rect in rects], np.float64).reshape(-1, 4)
+
+
+def _rect(coords: Floats) -> QRectF:
+    left, top, right, bottom = coords.tolist()
+    return QRectF(left, top, right - left, bottom - top)
