@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import find_peaks
 
+from tracking.people.peaks import peaks_of
 from tracking.people.splitting import placed
 from tracking.people.standing import Bodies, Standing
 
@@ -36,12 +36,12 @@ def bodies_in(own: Bools, left: int, top: int, standing: Standing) -> Bodies:
     """
     contour = np.where(own.any(axis=0), own.argmax(axis=0), own.shape[0]).astype(np.float64)
     padded = np.concatenate(([own.shape[0]], contour, [own.shape[0]])).astype(np.float64)
-    peaks, found = find_peaks(-padded, prominence=1.0, plateau_size=1)
+    peaks, rises = peaks_of(-padded, 1.0)
     columns = np.clip(peaks - 1, 0, own.shape[1] - 1)
     head = np.column_stack((columns + left, contour[columns] + top)).astype(np.float64)
     bodies = standing.below(head, lowest(own, columns) + float(top))
-    rises = _RISES if standing.calibrated else _RISES_UNKNOWN
-    good = found["prominences"] >= rises * bodies.height
+    share = _RISES if standing.calibrated else _RISES_UNKNOWN
+    good = rises >= share * bodies.height
     good &= _broad(own, columns, contour, bodies.height * bodies.stretch)
     seen = lowest(own, columns) - contour[columns]
     good &= seen >= _REACHES_DOWN * bodies.height
