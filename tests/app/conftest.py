@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import shutil
 import threading
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
@@ -13,13 +14,15 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from app.background import late_eye
 from app.presenters.files import opening
 from app.views.application import start_application
 from app.views.widgets.remembered import Remembered
 from app.views.window.main_window import MainWindow
+from tracking.people import first_lag, lag_looks
 from tracking.pipeline import track
-from tracking.recording import open_recording
-from tracking.session import Session
+from tracking.recording import Recording, StereoFrame, open_recording
+from tracking.session import RecordingReference, Session
 from tracking.synthesis import render_recording
 from tracking.tracks import Run
 
@@ -61,15 +64,45 @@ def tiny_run(tiny_recording: Path) -> Run:
         return tracking.run()
 
 
-@pytest.fixture
-def tiny_session(tiny_recording: Path, tiny_run: Run, tmp_path: Path) -> Path:
-    """A saved session of it, fresh for each test, which the user's own program knows."""
-    path = tmp_path / "tiny.h5"
+@pytest.fixture(scope="session")
+def lag_known(tiny_recording: Path) -> Iterator[None]:
+    """By how much an eye of the tiny recording is late is looked for once, not in each window.
+
+    There it takes a third of the time of a test that opens the window and closes it.
+    """
+    with open_recording(tiny_recording) as recording:
+        told, lag = (recording.sources, recording.right_lag), first_lag(recording)
+
+    def looks(recording: Recording, start: int) -> Generator[int, StereoFrame, int | None]:
+        if (recording.sources, recording.right_lag) == told:
+            return lag
+        return (yield from lag_looks(recording, start))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(late_eye, "lag_looks", looks)
+        yield
+
+
+@pytest.fixture(scope="session")
+def made_session(
+    tiny_recording: Path, tiny_run: Run, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Path, RecordingReference]:
+    """A session of it, made once: each test has a copy."""
+    path = tmp_path_factory.mktemp("made") / "tiny.h5"
     with open_recording(tiny_recording) as recording:
         session = Session.create(recording, [tiny_run], path)
-        opening.remember_place(session, recording)
         session.close()
-    return path
+        return path, session.recording
+
+
+@pytest.fixture
+def tiny_session(
+    tiny_recording: Path, made_session: tuple[Path, RecordingReference], tmp_path: Path
+) -> Path:
+    """A saved session of it, fresh for each test, which the user's own program knows."""
+    path, reference = made_session
+    opening.known_recordings().remember(reference, tiny_recording)
+    return Path(shutil.copy(path, tmp_path / "tiny.h5"))
 
 
 @pytest.fixture(autouse=True)
@@ -98,7 +131,9 @@ def remembered(tmp_path: Path) -> Remembered:
 
 
 @pytest.fixture
-def window(qtbot: QtBot, no_threads_left: None, remembered: Remembered) -> Iterator[MainWindow]:
+def window(
+    qtbot: QtBot, no_threads_left: None, remembered: Remembered, lag_known: None
+) -> Iterator[MainWindow]:
     """The real window on the welcome page; closed without questions afterwards."""
     start_application(remembered)
     window = MainWindow(remembered)

@@ -21,7 +21,6 @@ from tracking.recording import Instants, Recording, StereoFrame, open_recording
 from tracking.session import Session
 
 LAG = 6
-"""On a busy machine it may take long until the lag is found."""
 
 
 @pytest.fixture(scope="module")
