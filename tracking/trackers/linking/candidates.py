@@ -66,8 +66,9 @@ def links_between(
     """
     costs = _Costs(
         pieces,
-        born=fresh_likelihood(pieces.first) - birth_costs(seen, pieces, view, fps, frames[0]),
-        gone=-death_costs(seen, pieces, view, fps, frames[1]),
+        born=fresh_likelihood(pieces.first)
+        - birth_costs(seen, pieces, tracks, view, fps, frames[0]),
+        gone=-death_costs(seen, pieces, tracks, view, fps, frames[1]),
         begun=_begun(pieces, fps),
         back=return_costs(pieces, view),
         edges=np.cumsum(pieces.doubt == Doubt.EDGE),

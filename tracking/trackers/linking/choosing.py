@@ -42,14 +42,14 @@ def _between_long(links: Links, pieces: Tracklets, looks: Looks, long: NDArray[n
 
     One globally cheapest assignment of beginnings to ends. Looks are compared between all of a
     person before and all after, which depends on the other links: it is repeated with those of
-    the round before, from the tracker's own on, and the cheapest round is taken.
+    the round before, from the tracker's own on, and the likeliest round is taken.
     """
     following = _of_tracker(pieces, long)
     links = links.only(long[links.end] & long[links.start])
     best, least = following, np.inf
     for _ in range(_ROUNDS):
         cost = links.cost - _alike(following, links, pieces, looks)
-        total = cost[following[links.end] == links.start].sum()
+        total = _total(following, links, looks)
         if total < least:
             best, least = following, total
         again = _cheapest(links, cost, len(pieces))
@@ -57,6 +57,17 @@ def _between_long(links: Links, pieces: Tracklets, looks: Looks, long: NDArray[n
             break
         following = again
     return best
+
+
+def _total(following: Rows, links: Links, looks: Looks) -> float:
+    """What all links of a round cost together, each person's looks weighed once.
+
+    Infinite where it holds a link that is hopeless: the tracker's own may.
+    """
+    made = following[links.end] == links.start
+    if np.count_nonzero(made) < np.count_nonzero(following >= 0):
+        return np.inf
+    return float(links.cost[made].sum() - looks.of_people(chains(following)))
 
 
 def chains(following: Rows) -> Rows:
