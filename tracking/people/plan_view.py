@@ -19,6 +19,9 @@ _MOST_SEEDS = 80
 _KERNEL = 0.28
 """Standard deviation of the mean-shift kernel, as a share of a person's breadth."""
 _STEPS = 5
+_FAINTEST = np.float32(-60.0)
+"""Logarithm of a weight that counts for nothing: processors multiply much smaller numbers, which
+they cannot hold whole, a hundred times as slowly."""
 _SAME_PERSON = 0.35
 """Squared distance of two places, in units of a person's breadth, below which they are one."""
 _AROUND = np.ones((5, 5), np.uint8)
@@ -127,6 +130,7 @@ def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) ->
     for _ in range(_STEPS):
         weight = units.squared(places)
         weight *= np.float32(-0.5)
+        np.maximum(weight, _FAINTEST, out=weight)
         sums = np.exp(weight, out=weight) @ summed
         mass = sums[:, 3]
         means = sums[:, :3] / np.maximum(mass, 1e-9)[:, None]
