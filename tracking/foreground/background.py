@@ -9,7 +9,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.foreground.difference import largest_difference
+from tracking.foreground.difference import (
+    ChannelDifference,
+    Channels,
+    channels_of,
+    split_into,
+)
 from tracking.foreground.first_look import OtherLook, commonest_look, commonest_looks
 from tracking.foreground.gain import brightness_ratio
 from tracking.foreground.local_light import change_of_light, patches_of_light
@@ -72,6 +77,7 @@ class BackgroundModel:
         self._odd_s = 0.0
         self._exposure = 1.0
         self._explained = False
+        self._seen: Channels = []
 
     def learn(self, pictures: Sequence[Picture]) -> None:
         """Start from the commonest look of pictures spread over some time, people or not.
@@ -107,7 +113,8 @@ class BackgroundModel:
         here = (people != 0) & (other.where != 0)
         self._mean[here] = other.picture[here]
         self._noise[here] = _NOISE_AT_FIRST
-        self._candidate[here] = other.picture[here]
+        for channel, one in zip(self._candidate, channels_of(other.picture), strict=True):
+            channel[here] = one[here]
         self._stillness_s[here] = 0
         self._refresh()
 
@@ -132,8 +139,9 @@ class BackgroundModel:
 
     def _compared(self, picture: Picture) -> tuple[Mask, float]:
         """Where a picture differs from the background, and in how large a share of it."""
-        # Kept for the update with the same frame.
-        self._difference = largest_difference(picture, self._background)
+        # Both are kept for the update with the same frame.
+        self._seen = split_into(self._seen, picture)
+        self._difference = self._compare.largest(self._seen, self._usual)
         mask = cv2.compare(self._difference, self._limit, cv2.CMP_GT)
         mask = cv2.morphologyEx(mask, cv2.MORPH_OPEN, _OPENING)
         return np.asarray(mask, np.uint8), cv2.countNonZero(mask) / mask.size
@@ -144,7 +152,7 @@ class BackgroundModel:
         if ratio is None:
             return False
         self._mean *= ratio
-        self._background = _exposed(self._mean, self._exposure)
+        self._expose()
         return True
 
     @property
@@ -201,14 +209,15 @@ class BackgroundModel:
     def _start(self, picture: Picture) -> None:
         self._mean = picture.astype(np.float32)
         self._noise = np.full(picture.shape[:2], _NOISE_AT_FIRST, np.float32)
-        self._candidate = picture.copy()
+        self._seen, self._candidate = channels_of(picture), channels_of(picture)
+        self._compare = ChannelDifference(picture.shape)
         self._stillness_s = np.zeros(picture.shape[:2], np.float32)
         self._exposure, self._odd_s = 1.0, 0.0
         self._refresh()
 
     def _refresh(self) -> None:
         """Make the 8-bit pictures that subtraction compares with."""
-        self._background = _exposed(self._mean, self._exposure)
+        self._expose()
         limit = cv2.convertScaleAbs(self._noise, alpha=self._settings.noise_factor)
         lowest = np.full(limit.shape, round(self._settings.threshold), np.uint8)
         self._limit = np.asarray(cv2.max(np.asarray(limit, np.uint8), lowest), np.uint8)
@@ -222,7 +231,14 @@ class BackgroundModel:
         ratio = brightness_ratio(picture, self._background)
         if abs(ratio - 1) > _SMALLEST_GAIN_STEP:
             self._exposure *= ratio
-            self._background = _exposed(self._mean, self._exposure)
+            self._expose()
+
+    def _expose(self) -> None:
+        """Show the mean at the present exposure."""
+        self._background = np.asarray(
+            cv2.convertScaleAbs(self._mean, alpha=self._exposure), np.uint8
+        )
+        self._usual = channels_of(self._background)
 
     def _take_exposure_in(self) -> None:
         """Make the present exposure the background's own."""
@@ -239,9 +255,10 @@ class BackgroundModel:
 
     def _absorb(self, seen: Subtraction, people: Mask | None) -> None:
         """Take foreground that keeps still and is nobody into the background."""
-        changed = largest_difference(seen.picture, self._candidate)
+        changed = self._compare.largest(self._seen, self._candidate)
         moved = np.asarray(cv2.compare(changed, self._limit, cv2.CMP_GT), np.uint8)
-        cv2.copyTo(seen.picture, moved, self._candidate)
+        for channel, candidate in zip(self._seen, self._candidate, strict=True):
+            cv2.copyTo(channel, moved, candidate)
         still = cv2.bitwise_and(seen.mask, cv2.bitwise_not(moved))
         longer_s = self._stillness_s + np.float32(self._period_s)
         self._stillness_s = np.asarray(cv2.copyTo(longer_s, still), np.float32)
@@ -269,11 +286,6 @@ class BackgroundModel:
         elapsed_s = self._frames * self._period_s / self._every
         learning = not self._primed and elapsed_s < self._settings.learn_s
         return self._settings.absorb_s / 10 if learning else self._settings.absorb_s
-
-
-def _exposed(mean: NDArray[np.float32], exposure: float) -> Picture:
-    """The mean as 8-bit picture at an exposure."""
-    return np.asarray(cv2.convertScaleAbs(mean, alpha=exposure), np.uint8)
 
 
 def _around(where: NDArray[np.bool_]) -> tuple[slice, slice] | None:
