@@ -26,8 +26,8 @@ class Detections:
             ([Kawashita2012]).
         middle: (n, hs) hue and saturation histogram of the region's middle, summing to 1
             ([Kawashita2014]).
-        regions: (height, width) int32 of the *rectified* left image: 0 background, k the pixels
-            of row k - 1.
+        regions: (height, width) int32 or uint8 of the *rectified* left image: 0 background, k the
+            pixels of row k - 1.
         clothes: (n, 2, 3) CIELAB of the upper and the lower body, mean lightness (0 to 100), a
             and b; NaN where it is not known.
     """
@@ -40,7 +40,7 @@ class Detections:
     upper: NDArray[np.float32]
     lower: NDArray[np.float32]
     middle: NDArray[np.float32]
-    regions: NDArray[np.int32]
+    regions: NDArray[np.int32] | NDArray[np.uint8]
     clothes: NDArray[np.float32]
 
     def __len__(self) -> int:

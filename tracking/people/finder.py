@@ -134,7 +134,7 @@ class PeopleFinder:
             upper=upper,
             lower=lower,
             middle=middle,
-            regions=self._full_size(labels),
+            regions=in_size(labels, self._size),
             clothes=clothes_colours(picture, labels, boxes, STEP),
         )
 
@@ -154,9 +154,6 @@ class PeopleFinder:
         wide = extent.width > ratio * settings.body_width_m
         high = extent.high - extent.low > ratio * settings.body_height_m
         return np.asarray(wide | high, np.bool_)
-
-    def _full_size(self, labels: NDArray[np.uint8]) -> NDArray[np.int32]:
-        return in_size(labels, self._size).astype(np.int32)
 
 
 def _renumbered(owner: NDArray[np.intp], kept: NDArray[np.bool_]) -> NDArray[np.intp]:
