@@ -120,7 +120,8 @@ def texture_change(ratio: Scores) -> Scores:
 
     The least of the neighbourhood, so that a shadow's own edge does not count.
     """
-    change = np.zeros_like(ratio)
+    change = np.empty_like(ratio)
+    change[:, 0] = 0
     # OpenCV gives nothing where a single row or column is looked at.
     if ratio.shape[1] > 1:
         cv2.absdiff(ratio[:, 1:], ratio[:, :-1], change[:, 1:])
@@ -136,9 +137,11 @@ def chroma_distance(now: Look, usual: Look) -> Scores:
 
 
 def _share_of(values: cv2.typing.MatLike, full: float) -> Scores:
-    """Values as shares of a full one, at most 1."""
-    _, bounded = cv2.threshold(values, full, 0.0, cv2.THRESH_TRUNC)
-    return np.asarray(bounded * np.float32(1.0 / full), np.float32)
+    """Values, which are written over, as shares of a full one, at most 1."""
+    shares = np.asarray(values, np.float32)
+    np.minimum(shares, np.float32(full), out=shares)
+    shares *= np.float32(1.0 / full)
+    return shares
 
 
 def _shares_of_light(picture: Picture) -> tuple[Scores, Scores]:

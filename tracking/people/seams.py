@@ -53,7 +53,9 @@ def without_seams(owner: Places, points: SurfacePoints, shape: tuple[int, int]) 
 def _join_pieces(labels: Labels, some: Labels) -> None:
     """Give small pieces of some labels, apart from the rest, to whom they lie along."""
     # With nobody all round the picture, nothing that surrounds a piece lies outside.
-    padded = np.pad(labels, 1)
+    padded = np.asarray(
+        cv2.copyMakeBorder(labels, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=(0.0,)), np.uint8
+    )
     for label in some.tolist():
         own = (padded == label).view(np.uint8)
         left, top, width, height = cv2.boundingRect(own)
@@ -76,6 +78,8 @@ def _join(around: Labels, piece: NDArray[np.bool_], label: int) -> None:
     """
     own = piece.view(np.uint8)
     theirs = around[cv2.dilate(own, _RING) > own]
-    touched = np.bincount(theirs[(theirs > 0) & (theirs != label)])
-    if touched.max(initial=0) > _ALONG * len(theirs):
-        around[piece] = touched.argmax()
+    touched = np.bincount(theirs, minlength=label + 1)
+    touched[0] = touched[label] = 0
+    most = touched.argmax()
+    if touched[most] > _ALONG * len(theirs):
+        around[piece] = most
