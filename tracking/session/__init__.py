@@ -26,7 +26,7 @@ from tracking.session.samples import boxes_of, places_of, samples_from, samples_
 from tracking.session.saving import generations
 from tracking.session.stamping import author_named
 from tracking.session.store import is_open
-from tracking.session.waiting import read_history
+from tracking.session.waiting import read_history, worked_on_s
 
 __all__ = [
     "IMPORTED",
@@ -64,6 +64,7 @@ __all__ = [
     "session_of_import",
     "session_samples",
     "take_into",
+    "worked_on_s",
     "write_log_csv",
     "write_log_json",
 ]

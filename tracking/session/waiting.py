@@ -59,6 +59,19 @@ def edits_wait(path: Path) -> bool:
         return True
 
 
+def worked_on_s(path: Path) -> float:
+    """When somebody saved or edited a session last, in seconds of the clock; 0: it is gone."""
+    beside = companions(path) / JOURNAL
+    return max(map(_written_s, (path, beside, beside.with_name(f"{JOURNAL}-wal"))))
+
+
+def _written_s(file: Path) -> float:
+    try:
+        return file.stat().st_mtime
+    except OSError:  # another window has just saved or dropped it
+        return 0.0
+
+
 def _steps(path: Path, stamps: Stamps) -> list[Step]:
     with _copied(path) as journal:
         return missing_steps(journal, stamps)

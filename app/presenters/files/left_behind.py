@@ -16,11 +16,11 @@ from app.presenters.words import tr
 from tracking.errors import TrackwrightError
 from tracking.progress import Progress
 from tracking.recording import OpenOptions, Recording
-from tracking.session import Session, is_open, recording_of
+from tracking.session import Session, is_open, recording_of, worked_on_s
 
 _log = logging.getLogger(__name__)
 _MOST = 20
-"""So many files of a recording's name are looked into, the latest first."""
+"""So many files of a recording's name are looked into, those worked on last first."""
 
 
 def open_with_unsaved(
@@ -43,7 +43,7 @@ def open_with_unsaved(
 
 
 def left_behind(recording: Recording, report: Progress) -> Path | None:
-    """The latest session of the recording that was never saved, and that no window has open.
+    """The session of the recording worked on last, of those never saved that no window has open.
 
     Raises:
         CancelledError: by `report`.
@@ -62,17 +62,10 @@ def left_behind(recording: Recording, report: Progress) -> Path | None:
 
 
 def _named_like(recording: Recording) -> list[Path]:
-    """The files that may be of the recording, the latest first."""
+    """The files that may be of the recording, the one worked on last first."""
     named = f"{recording.path.stem or 'session'}-"
     found = [one for one in unsaved_folder().glob("*.h5") if one.name.startswith(named)]
-    return sorted(found, key=_changed_s, reverse=True)
-
-
-def _changed_s(path: Path) -> float:
-    try:
-        return path.stat().st_mtime
-    except OSError:  # another window has just saved or dropped it
-        return 0.0
+    return sorted(found, key=worked_on_s, reverse=True)
 
 
 def _is_of(path: Path, footage: str) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -9,9 +10,11 @@ from pathlib import Path
 import pytest
 
 from app.presenters.files import left_behind, opening
+from tracking.editing import plan_rename
 from tracking.errors import CancelledError
 from tracking.progress import no_progress
 from tracking.recording import Recording, open_recording
+from tracking.session import Session
 
 
 @pytest.fixture
@@ -34,6 +37,22 @@ def test_a_file_that_goes_while_it_is_looked_at_hides_no_other(
     (path.parent / f"{tiny_recording.stem}-1.h5").symlink_to(path.parent / "gone.h5")
     opened = left_behind.open_with_unsaved(tiny_recording, None, None, no_progress)
     assert opened.unsaved == path
+    opened.close()
+
+
+def test_of_two_the_one_that_was_edited_last_is_offered_not_the_one_tracked_last(
+    tiny_recording: Path, left: Callable[[int], Path]
+) -> None:
+    edited, tracked = left(1), left(2)
+    session = Session.open(edited)
+    session.apply(
+        plan_rename(session.tracks, session.labels, session.tracks.track_ids[0], "red coat")
+    )
+    session.close()
+    for path, at_s in ((edited, 100), (tracked, 200)):
+        os.utime(path, (at_s, at_s))
+    opened = left_behind.open_with_unsaved(tiny_recording, None, None, no_progress)
+    assert opened.unsaved == edited
     opened.close()
 
 

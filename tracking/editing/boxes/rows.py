@@ -40,6 +40,7 @@ from tracking.tracks import (
 )
 
 _SAME_PX = 0.5
+_SAME_SIZE_PX = 1e-3
 Place = tuple[float, float]
 """x, y in metres on the floor."""
 
@@ -110,9 +111,10 @@ def plan_move_box(
     """
     row = standing_row(table, track, frame)
     _check_box(box)
+    resized = abs(row["width"][0] - box[2]) + abs(row["height"][0] - box[3]) > _SAME_SIZE_PX
     place = _followed(row, box, view) if position is None else position
     _place(row, box, place)
-    text = f"Move the box of {track} in frame {frame}"
+    text = f"{'Resize' if resized else 'Move'} the box of {track} in frame {frame}"
     return key_row_change(table, row, Way(how, view, fps), ("move", text))
 
 
