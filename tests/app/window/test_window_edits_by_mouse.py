@@ -1,7 +1,5 @@
 """Every edit of tracks done in the real window with the mouse alone."""
 
-import time
-
 import numpy as np
 import pytest
 from correcting_desk import CROWDED, LEFT, NO_KEY, SHIFT, Hands, opened_desk
@@ -11,6 +9,7 @@ from PySide6.QtWidgets import QApplication, QToolButton
 
 from app.presenters.correcting import Reach
 from app.presenters.scenes import Eye
+from tests.pace import spent
 from tracking.tracks import Source
 
 
@@ -269,15 +268,15 @@ def test_the_preview_shows_what_goes_before_it_is_done(hands, someone):
     assert someone in [person.track for person in views.left._scene.people]
 
 
-def test_a_click_is_answered_within_50_ms(hands, someone):
+def test_a_click_is_answered_in_a_moment(hands, someone):
     view, middle = hands.window.workspace.left, hands.box_on(someone).center()
     taken = []
     for _ in range(7):
-        begun = time.perf_counter()
-        QTest.mouseClick(view, LEFT, NO_KEY, middle.toPoint())
-        taken.append(time.perf_counter() - begun)
+        with spent() as time:
+            QTest.mouseClick(view, LEFT, NO_KEY, middle.toPoint())
+        taken.append(time.paces)
         hands.desk.editing.pick(0)
-    assert min(taken) < 0.05
+    assert min(taken) < 8
 
 
 def _seen(view, track: int) -> list[tuple[float, ...]]:

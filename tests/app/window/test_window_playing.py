@@ -1,7 +1,7 @@
-import time
-
+import numpy as np
 import pytest
 
+from app.presenters.playing.clock import LONGEST_STALL_S
 from app.views.playing.playback import Playback
 from tracking.recording import open_recording
 
@@ -24,11 +24,13 @@ def test_it_plays_as_fast_as_it_is_asked_to(playback, qtbot):
     moments = []
     playback.go(0)
     playback.set_speed(4.0)
-    begun_s = time.perf_counter()
     playback.toggle()
-    playback.moved.connect(
-        lambda: moments.append((time.perf_counter() - begun_s, playback.clock.frame))
-    )
+    moments.append((playback._ticked_s, 0))
+    playback.moved.connect(lambda: moments.append((playback._ticked_s, playback.clock.frame)))
     qtbot.waitUntil(lambda: playback.clock.frame >= 40)
-    passed_s, frame = next(moment for moment in moments if moment[1] >= 40)
-    assert frame == pytest.approx(passed_s * 4 * playback.clock.fps, abs=1.1)
+    times_s = [moment[0] for moment in moments if moment[1] <= 40]
+    # A busy machine may stand still between two ticks: playing goes on where it was.
+    passed_s = np.minimum(np.diff(times_s), LONGEST_STALL_S).sum()
+    assert max(moment[1] for moment in moments if moment[1] <= 40) == pytest.approx(
+        passed_s * 4 * playback.clock.fps, abs=2.1
+    )

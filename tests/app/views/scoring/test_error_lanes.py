@@ -1,7 +1,5 @@
 """The lanes of errors below those of people."""
 
-from time import perf_counter
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
@@ -13,6 +11,7 @@ from app.presenters.scoring.score_scene import ErrorLane, ErrorLanes
 from app.views.scoring.error_lanes import ErrorLanesView, _fitting
 from app.views.scoring.error_signs import error_colour
 from app.views.timeline.axis import TimeAxis
+from tests.pace import spent
 from tracking.scoring import ErrorKind
 
 FRAMES = 10_000
@@ -109,10 +108,10 @@ def test_ten_thousand_stretches_are_drawn_in_a_moment(qtbot, dark):
     widget.show_axis(TimeAxis(100.0, 800.0, 0.0, 2.0 * FRAMES, 2 * FRAMES))
     widget.resize(900, widget.sizeHint().height())
     widget.grab()
-    began_s = perf_counter()
-    widget.show_axis(TimeAxis(100.0, 800.0, 5.0, 1.9 * FRAMES, 2 * FRAMES))
-    widget.grab()
-    assert perf_counter() - began_s < 0.1
+    with spent() as time:
+        widget.show_axis(TimeAxis(100.0, 800.0, 5.0, 1.9 * FRAMES, 2 * FRAMES))
+        widget.grab()
+    assert time.paces < 15
 
 
 @pytest.mark.usefixtures("qtbot")
