@@ -40,6 +40,7 @@ class Playback(QObject):
         self.wait_at: Callable[[], int | None] = lambda: None
         self.following = False
         self._ticket = 0
+        self._asked = -1
         self._reader = FrameReader(recording, CACHE_BYTES, self)
         self._reader.ready.connect(self._take, Qt.ConnectionType.QueuedConnection)
         self._reader.failed.connect(self._tell_failure, Qt.ConnectionType.QueuedConnection)
@@ -135,11 +136,12 @@ class Playback(QObject):
     def _fetch(self) -> None:
         """Show the frame that is due, at once where it is at hand; have the next ones read."""
         due = self.clock.frame
-        if self.frame is not None and self.frame.number == due:
-            return
+        if self.frame is not None and self.frame.number == due == self._asked:
+            return  # were another one asked for, that would be shown once it is read
         if not self._looking.isActive():
             self._looking.start()
         at_hand = self._reader.cached(due)
+        self._asked = due
         self._ticket = self._reader.request(due, 1 if self.clock.rate >= 0 else -1)
         if at_hand is not None:
             self._show(at_hand)

@@ -34,3 +34,18 @@ def test_it_plays_as_fast_as_it_is_asked_to(playback, qtbot):
     assert max(moment[1] for moment in moments if moment[1] <= 40) == pytest.approx(
         passed_s * 4 * playback.clock.fps, abs=2.1
     )
+
+
+def test_who_goes_on_and_back_at_once_sees_the_frame_they_went_back_to(
+    playback, qtbot, monkeypatch
+):
+    playback.go(10)
+    qtbot.waitUntil(lambda: playback.frame is not None)
+    monkeypatch.setattr(playback._reader, "cached", lambda _: None)
+    playback.step(30)
+    playback.step(-30)
+    answered = []
+    playback._reader.ready.connect(lambda _, frame: answered.append(frame.number))
+    qtbot.waitUntil(lambda: bool(answered))
+    qtbot.wait(1)
+    assert playback.number == playback.clock.frame == 10
