@@ -22,6 +22,7 @@ from tracking.scoring.report import (
     Finding,
     Shown,
     Source,
+    Subject,
     Yardstick,
     data_of,
     finding_of,
@@ -347,3 +348,25 @@ def test_a_report_says_which_files_it_is_of() -> None:
 
 def test_kept_is_said_to_count_from_the_first_match_on() -> None:
     assert "half of their frames from the first match on" in page_of(scenes.report(), {})
+
+
+@pytest.mark.parametrize(
+    ("true", "found", "why"),
+    [
+        ([], range(20), "The truth has nobody in these frames"),
+        (range(20), [], "The result has nobody in these frames"),
+        (range(20), range(30, 40), "the truth's stand in frames 100 to 119, the result's in 130"),
+        (range(20), range(-20, 0), "No row of the result matches one of the truth"),
+        (range(20), range(20), None),
+    ],
+)
+def test_page_and_markdown_say_why_there_are_dashes(true, found, why) -> None:
+    beside = 9.0 if found and found[0] < 0 else 1.0
+    rows = scenes.standing(1, [abs(frame) for frame in found], beside, 1)
+    truth, result = scenes.table(scenes.standing(1, true, 1, 1)), scenes.table(rows)
+    one = Subject("s", truth, {"r": result}, scenes.START, scenes.START + scenes.FRAMES)
+    told = report_of([finding_of(one, "r", Yardstick())], Yardstick())
+    page, marked = " ".join(Reader(page_of(told, {})).texts), markdown_of(told)
+    for text in (page, marked.replace("\\", "")):
+        assert ("0 or a dash" in text) == (why is not None)
+        assert why is None or why in text

@@ -10,6 +10,7 @@ from tracking.scoring.report import tables
 from tracking.scoring.report.curves import PART_HEAD, part_rows
 from tracking.scoring.report.distances import NO_PLACES, distance_rows
 from tracking.scoring.report.findings import Finding, ScoreReport
+from tracking.scoring.report.lacking import lacking_said
 from tracking.scoring.report.measures import by_group
 from tracking.scoring.report.page import how, title_of
 from tracking.scoring.report.sources import sources_said
@@ -73,6 +74,7 @@ def _finding(finding: Finding, report: ScoreReport) -> Iterator[str]:
     yield f"## {plain(finding.subject.name)}: {plain(finding.result)}"
     if lines := [f"- {title}: {plain(f'{at}{more}')}" for title, at, more in sources_said(finding)]:
         yield "\n".join(lines)
+    yield from map(plain, lacking_said(finding))
     if finding.ranges:
         shown = tables.main_measures(report)
         rows = [

@@ -12,6 +12,7 @@ from tracking.scoring.report.curves import PART_HEAD, part_curves, part_rows
 from tracking.scoring.report.error_map import MOST_MARKS, error_map, left_out
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.ground_plan import ground_plan
+from tracking.scoring.report.lacking import lacking_said
 from tracking.scoring.report.marks import TITLES, key
 from tracking.scoring.report.over_time import MOST_PEOPLE, Clock, errors_over_time
 from tracking.scoring.report.sources import sources_said
@@ -36,6 +37,7 @@ def on_sequence(finding: Finding, report: ScoreReport, shown: Shown) -> Iterator
     """The sections about it."""
     if len(report.findings) > 1:
         yield from sources_of(finding)
+        yield from lacking(finding)
     yield from _over_time(finding)
     yield from _where(finding, shown)
     yield from _switches(finding, shown)
@@ -55,6 +57,12 @@ def sources_of(finding: Finding) -> Iterator[Element]:
     """Where result and truth are from, a line each."""
     for title, place, more in sources_said(finding):
         yield element("p", f"{title}: ", name(place), more, class_="note")
+
+
+def lacking(finding: Finding) -> Iterator[Element]:
+    """Why measures have no value, where rows are wanting."""
+    for says in lacking_said(finding):
+        yield element("p", says)
 
 
 def _over_time(finding: Finding) -> Iterator[Element]:

@@ -12,7 +12,7 @@ from tracking.scoring.report import tables
 from tracking.scoring.report.curves import hota_curves
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.marks import STYLE
-from tracking.scoring.report.on_sequence import Shown, on_sequence, sources_of
+from tracking.scoring.report.on_sequence import Shown, lacking, on_sequence, sources_of
 
 KIND = "trackwright score report"
 
@@ -74,6 +74,8 @@ def _introduction(report: ScoreReport) -> Iterator[Element]:
     told: list[Content] = [] if sources else [title, names, ". "]
     yield from sources
     yield element("p", told, how(report), class_="note")
+    if len(report.findings) == 1:
+        yield from lacking(report.findings[0])
 
 
 def _contents(report: ScoreReport, *, several: bool) -> Element | None:
