@@ -126,9 +126,8 @@ def save_session(recording: Recording, run: Run, out: Path) -> None:
         remember_place(session, recording)
         if not session.recording.is_inside:
             say(
-                f"note: the recording is not in the folder of {out.name}: you can open "
-                f"{out.name} on this computer as it is; for others, or elsewhere, say where the "
-                f"recording is: trackwright open {out.name} --recording PATH"
+                f"note: on another computer: trackwright open {out.name} --recording PATH "
+                "(the recording is in another folder)"
             )
 
 
