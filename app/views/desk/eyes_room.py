@@ -1,4 +1,4 @@
-"""How wide both eyes' pictures are, one above the other: no wider than they fill."""
+"""How wide the pictures of the eyes are: no wider than they fill."""
 
 from __future__ import annotations
 
@@ -12,42 +12,35 @@ _EYES_END = 1
 
 
 class EyesRoom(QObject):
-    """Gives the floor what the pictures of both eyes leave empty at their sides.
+    """Gives pictures the width that their height fills, and the floor the rest.
 
-    The pictures have the usual room again once only one is shown. Where the user moves the border,
-    it stays there, whatever is opened, until the eyes that are shown change.
+    Both eyes stand one above the other. Where the user moves the border, it stays there, whatever
+    is opened, until the eyes that are shown change.
 
     Attributes:
-        moved: the user moved the border while both eyes were shown.
+        moved: the user moved the border while these eyes were shown.
     """
 
     def __init__(self, top: QSplitter, eyes: QSplitter) -> None:
-        """`top` holds the eyes, the floor, and what stands at the side; `eyes` the two pictures."""
+        """`top` holds the eyes, the floor, and what stands at the side; `eyes` the pictures."""
         super().__init__(top)
         self._top, self._eyes = top, eyes
         self._aspect = 0.0  # 0: the room is as the user left it
-        self._usual: list[int] = []
+        self._count = 0
         self.moved = False
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._fit)
         top.installEventFilter(self)
         top.splitterMoved.connect(self._leave_it)
 
-    def begin(self, aspect: float) -> None:
-        """Both pictures are shown, so much wider than high."""
-        if not self._usual:
-            self._usual = self._top.sizes()
-        if self.moved:
-            return
-        self._aspect = aspect
-        self._fit()
-
-    def end(self) -> None:
-        """One picture has the room it had."""
-        if self._usual and self._aspect:
-            share = self._usual[0] / max(1, sum(self._usual[:2]))
-            self._give(round(share * sum(self._top.sizes()[:2])))
-        self._usual, self._aspect, self.moved = [], 0.0, False
+    def begin(self, aspect: float, count: int) -> None:
+        """So many pictures are shown, so much wider than high."""
+        if self._count not in (0, count):
+            self.moved = False
+        self._count = count
+        if not self.moved:
+            self._aspect = aspect
+            self._fit()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Follow the height of the pictures."""
@@ -57,7 +50,8 @@ class EyesRoom(QObject):
 
     def _fit(self) -> None:
         if self._aspect:
-            each = (self._top.height() - self._eyes.handleWidth()) / 2
+            between = self._eyes.handleWidth() * (self._count - 1)
+            each = (self._top.height() - between) / self._count
             most = (1 - _LEAST_FLOOR) * sum(self._top.sizes()[:2])
             self._give(round(min(self._aspect * each, most)))
 
@@ -68,6 +62,5 @@ class EyesRoom(QObject):
 
     def _leave_it(self, _: int, border: int) -> None:
         """The user moved a border; the one between eyes and floor is where they want it."""
-        if border != _EYES_END:
-            return
-        self._aspect, self.moved = 0.0, bool(self._usual)
+        if border == _EYES_END:
+            self._aspect, self.moved = 0.0, self._count > 0

@@ -172,12 +172,9 @@ class Workspace(QWidget):
     def show_eyes(self, mode: str, aspect: float, stereo: bool) -> None:
         """Lay out for "left", "both" or "anaglyph"; pictures are `aspect` times wider than high."""
         both = mode == "both" and stereo
-        if both != self.right.isVisibleTo(self):
-            self._eyes_room.end()
         self.right.setVisible(both)
         self.left.set_alone(not stereo)
-        if both:
-            self._eyes_room.begin(aspect)
+        self._eyes_room.begin(aspect, 2 if both else 1)
         self.eye_switch.show_scene(mode, stereo)
         self.eye_switch.setVisible(stereo)
 
@@ -212,7 +209,6 @@ class Workspace(QWidget):
     def remember(self, remembered: Remembered) -> None:
         """Keep how the parts are laid out."""
         remembered.set_text("workspace/eyes moved", "yes" if self._eyes_room.moved else "")
-        self._eyes_room.end()
         for name, splitter in self._splitters.items():
             remembered.set_state(f"workspace/{name}", splitter.saveState())
         self.timeline.area.controls.remember(remembered)

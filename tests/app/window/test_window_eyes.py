@@ -1,4 +1,4 @@
-"""Room for both eyes: their pictures fill it, the floor has the rest."""
+"""Room for the eyes: their pictures fill it, the floor has the rest."""
 
 import pytest
 from correcting_desk import opened_desk
@@ -26,12 +26,31 @@ def test_nothing_is_empty_beside_both_pictures_at_any_size(space, window, qtbot)
         qtbot.waitUntil(lambda: max(_empty_px(space.left), _empty_px(space.right)) < 4)
 
 
-def test_one_eye_has_the_usual_room_again(space, window, qtbot):
+def test_one_eye_fills_the_height_where_two_fifths_are_left_for_the_floor(space, window, qtbot):
     fitted = space.left.width()
     window.run_command("view.left")
-    qtbot.waitUntil(lambda: space.left.width() > fitted + 50)
+    filled = space.height() / 2
+    qtbot.waitUntil(lambda: filled < space.left.height() < _shown_px(space.left) + 4)
+    eyes, floor, _ = space._splitters["top"].sizes()
+    assert floor >= 0.4 * (eyes + floor) - 1
     window.run_command("view.both")
     qtbot.waitUntil(lambda: abs(space.left.width() - fitted) < 2)
+
+
+def _shown_px(view):
+    """How high the picture is."""
+    return view.viewport.scale * view.content().height()
+
+
+def test_a_border_moved_beside_one_eye_stays_until_both_are_shown(space, window, qtbot):
+    fitted = space.left.width()
+    window.run_command("view.left")
+    space._splitters["top"].moveSplitter(300, 1)
+    window.resize(1280, 720)
+    qtbot.wait(20)
+    assert abs(space.left.width() - 300) < 3
+    window.run_command("view.both")
+    qtbot.waitUntil(lambda: abs(space.left.width() - fitted) < 20)
 
 
 def _moved(window, qtbot, path):
