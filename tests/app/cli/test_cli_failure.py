@@ -92,9 +92,10 @@ def test_every_command_explains_itself(capsys: pytest.CaptureFixture[str], name:
     assert f"trackwright {name}" in capsys.readouterr().out
 
 
-def test_help_needs_no_heavy_library() -> None:
+@pytest.mark.parametrize("words", [["--help"], ["--version"], ["track", "--nonsense"]])
+def test_help_version_and_a_wrong_option_need_no_heavy_library(words: list[str]) -> None:
     code = (
-        "import sys; from app.__main__ import run; run(['--help']);"
+        f"import sys; from app.__main__ import run; run({words});"
         "print([m for m in ('numpy', 'cv2', 'PySide6', 'av', 'h5py') if m in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
