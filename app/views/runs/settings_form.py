@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QSpinBox,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -23,31 +22,12 @@ from app.presenters.runs.setting_groups import group_of
 from app.presenters.words import tr
 from app.views.look.theme import scaled_font
 from app.views.runs.number_boxes import NumberBox, WholeBox, tell
+from app.views.runs.settings_search import FoldButton, SettingRow, show_found
 from app.views.widgets.parts import heading, quiet
 from tracking.trackers import SettingField, settings_fields, settings_from
 
 _WHOLE_LIMIT = 2**31 - 1
 _NUMBER_LIMIT = 1e12
-
-
-class FoldButton(QToolButton):
-    """A heading that folds what stands below it; folded at first."""
-
-    def __init__(self, title: str, body: QWidget, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._body = body
-        self.setText(title)
-        self.setAccessibleName(self.tr("{0}: show or hide").format(title))
-        self.setFont(scaled_font(parent.font(), 1.0, bold=True))
-        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setCheckable(True)
-        self.setProperty("fold", True)
-        self.toggled.connect(self._fold)
-        self._fold(False)
-
-    def _fold(self, is_open: bool) -> None:
-        self.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
-        self._body.setVisible(is_open)
 
 
 class HasSettings(Protocol):
@@ -83,13 +63,15 @@ class SettingsForm(QWidget):
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 8, 0)
         self._labels: dict[str, QLabel] = {}
+        self._rows: list[SettingRow] = []
+        self._folds: dict[str, FoldButton] = {}
         groups: dict[str, QGridLayout] = {}
         for field in self._fields:
             group = field.name.rpartition(".")[0]
             if group not in groups:
                 groups[group] = self._add_group(group, rows)
             if group:
-                self._add_field(field, groups[group])
+                self._add_field(field, groups[group], fold=self._folds[group])
         self._add_own([one for one in self._fields if "." not in one.name], groups)
         rows.addStretch(1)
         self.edited.connect(self._mark)
@@ -128,17 +110,21 @@ class SettingsForm(QWidget):
         for name in values.keys() & self._controls.keys():
             self.put(name, values[name])
 
+    def seek(self, sought: str) -> int:
+        """Show the settings that have all the words in name or help, and tell how many."""
+        return show_found(self._rows, sought)
+
     def _add_own(self, fields: list[SettingField], groups: Mapping[str, QGridLayout]) -> None:
         """The tracker's own settings, those about one thing together under its heading."""
         titles = {field.name: group_of(field.name) for field in fields}
         several = len(set(titles.values())) > 1
         for title in dict.fromkeys(titles.values()):
-            grid = groups[""]
-            if several:
-                grid.addWidget(heading(title, self), grid.rowCount(), 0, 1, 3)
+            grid, above = groups[""], heading(title, self) if several else None
+            if above is not None:
+                grid.addWidget(above, grid.rowCount(), 0, 1, 3)
             for field in fields:
                 if titles[field.name] == title:
-                    self._add_field(field, grid)
+                    self._add_field(field, grid, above)
 
     def _mark(self) -> None:
         """Have the names of settings that are not as they come stand out, and say what comes."""
@@ -157,7 +143,8 @@ class SettingsForm(QWidget):
         body = QWidget(self)
         if name:
             title = name.replace(".", " / ").replace("_", " ").capitalize()
-            rows.addWidget(FoldButton(title, body, self))
+            self._folds[name] = FoldButton(title, body, self)
+            rows.addWidget(self._folds[name])
         grid = QGridLayout(body)
         grid.setContentsMargins(0, 0, 0, 8)
         grid.setHorizontalSpacing(12)
@@ -165,7 +152,13 @@ class SettingsForm(QWidget):
         rows.addWidget(body)
         return grid
 
-    def _add_field(self, field: SettingField, grid: QGridLayout) -> None:
+    def _add_field(
+        self,
+        field: SettingField,
+        grid: QGridLayout,
+        above: QLabel | None = None,
+        fold: FoldButton | None = None,
+    ) -> None:
         control = self._control(field)
         title = _title(field)
         words = _words(field)
@@ -185,6 +178,8 @@ class SettingsForm(QWidget):
         row = grid.rowCount()
         for column, widget in enumerate((label, control, about)):
             grid.addWidget(widget, row, column)
+        sought = f"{field.name} {title} {words}"
+        self._rows.append(SettingRow(sought, (label, control, about), above, fold))
         self._controls[field.name], self._labels[field.name] = control, label
         if isinstance(control, WholeBox | NumberBox):
             control.typed.connect(lambda refused: self._tell(about, field, refused))

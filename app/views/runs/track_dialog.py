@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
 from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, PartsAsked
 from app.views.runs.parts_line import PartsLine
 from app.views.runs.settings_form import SettingsForm
+from app.views.runs.settings_search import SettingSearch
 from app.views.widgets.parts import quiet
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
@@ -69,6 +70,9 @@ class TrackDialog(QDialog):
         self._last.valueChanged.connect(self._first.setMaximum)
         self._whole = (0, last)
         self._parts = PartsLine(asked or PartsAsked(), self)
+        self._search = SettingSearch(self)
+        self._search.textChanged.connect(self._find)
+        self._nothing = quiet(self.tr("No setting of this tracker has these words."), self)
         self._forms = QStackedWidget(self)
         for name in self._names:
             self._add_choice(name)
@@ -106,6 +110,8 @@ class TrackDialog(QDialog):
         form.addRow(self.tr("Seed"), self._seed)
         form.addRow("", self._parts)
         rows.addLayout(form)
+        for widget in (self._search, self._nothing):
+            rows.addWidget(widget)
         rows.addWidget(self._forms, 1)
         buttons = QDialogButtonBox(self)
         start = QPushButton(self.tr("Track"), buttons)
@@ -181,6 +187,11 @@ class TrackDialog(QDialog):
             self._title.setText(about)
             self._forms.setCurrentIndex(index)
             self._parts.show_for(spec.settings_type)
+            self._find()
+
+    def _find(self) -> None:
+        """Show what is sought among the chosen tracker's settings."""
+        self._nothing.setVisible(not self.form.seek(self._search.text()))
 
 
 def _why_not(name: str, recording: Recording) -> str:

@@ -4,7 +4,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from app.views.runs.number_boxes import NumberBox, WholeBox
-from app.views.runs.settings_form import FoldButton, SettingsForm
+from app.views.runs.settings_form import SettingsForm
+from app.views.runs.settings_search import FoldButton
 from app.views.runs.track_dialog import TrackDialog
 from tracking.recording import open_recording
 from tracking.trackers import TRACKERS, best_tracker, settings_fields
@@ -207,3 +208,58 @@ def test_a_tracker_that_does_not_suit_the_recording_is_listed_with_the_reason(
         assert "needs two" in dialog._choice.itemData(row, Qt.ItemDataRole.ToolTipRole)
         assert dialog.answer()[0] == best_tracker(one_eye)
         assert "best for this recording" in dialog._title.text()
+
+
+@pytest.fixture
+def dialog(qtbot, tiny_recording):
+    with open_recording(tiny_recording) as recording:
+        dialog = TrackDialog(recording, "stereo-joint")
+        qtbot.addWidget(dialog)
+        dialog.show()
+        yield dialog
+
+
+def _in_sight(dialog):
+    return {name for name, one in dialog.form._controls.items() if one.isVisible()}
+
+
+def test_settings_are_found_by_words_of_name_and_help(dialog):
+    before = _in_sight(dialog)
+    dialog._search.setText("guesses parti")
+    found = _in_sight(dialog)
+    assert "particles" in found
+    assert len(found) < 5
+    dialog._search.clear()
+    assert _in_sight(dialog) == before
+
+
+def test_a_setting_of_an_earlier_stage_is_found_though_its_group_is_folded(dialog):
+    assert "foreground.threshold" not in _in_sight(dialog)
+    dialog._search.setText("foreground threshold")
+    assert "foreground.threshold" in _in_sight(dialog)
+    folds = {one.text() for one in dialog.form.findChildren(FoldButton) if one.isVisible()}
+    assert "Stereo" not in folds
+    dialog._search.clear()
+    assert "foreground.threshold" not in _in_sight(dialog)
+
+
+def test_words_that_no_setting_has_are_told(dialog):
+    dialog._search.setText("xylophone")
+    assert _in_sight(dialog) == set()
+    assert dialog._nothing.isVisible()
+
+
+def test_what_is_sought_is_sought_in_another_trackers_settings_too(dialog):
+    dialog._search.setText("particles")
+    dialog._choice.setCurrentIndex(dialog._names.index("stereo-colour"))
+    assert "particles" in _in_sight(dialog)
+    assert "foreground.threshold" not in _in_sight(dialog)
+
+
+def test_enter_in_the_search_does_not_begin_tracking(dialog, heard):
+    began = heard(dialog.accepted)
+    dialog._search.setFocus()
+    QTest.keyClicks(dialog._search, "particles")
+    QTest.keyClick(dialog._search, Qt.Key.Key_Return)
+    assert began == []
+    assert dialog.isVisible()
