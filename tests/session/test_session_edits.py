@@ -34,7 +34,20 @@ def test_edits_survive_a_crash(session: Session, tmp_path: Path) -> None:
     assert state_of(again) == state_of(session)
     assert again.recovered == 3
     assert again.dirty
-    assert again.notes == ("Recovered: 3 edits made after the session was saved last",)
+    assert again.notes == (
+        "Recovered: 2 edits made after the session was saved last, 1 of them undone again",
+    )
+    again.close()
+
+
+def test_a_saved_edit_undone_before_a_crash_is_told_as_undone(
+    session: Session, tmp_path: Path
+) -> None:
+    edit(session)
+    session.save()
+    session.undo()
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert again.notes == ("Recovered: 1 edit undone after the session was saved last",)
     again.close()
 
 

@@ -46,9 +46,9 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
         left = len(steps) - made
         do = "does" if left == 1 else "do"
         rest = f"{_edits(left)} {do} not fit ({why}); kept aside as {aside}"
-        return Recovery(made, (*_told(made), rest))
+        return Recovery(made, (*_told(steps[:made]), rest))
     journal.start_over(stamps.session, stamps.save, journal.last - len(steps))
-    return Recovery(made, _told(made))
+    return Recovery(made, _told(steps))
 
 
 def missing_steps(journal: Journal, stamps: Stamps) -> list[Step]:
@@ -74,10 +74,19 @@ def _begin(journal: Journal, stamps: Stamps, steps: list[Step]) -> None:
         journal.append(step.act, step.entry)
 
 
-def _told(made: int) -> tuple[str, ...]:
-    if not made:
-        return ()
-    return (f"Recovered: {_edits(made)} made after the session was saved last",)
+def _told(steps: list[Step]) -> tuple[str, ...]:
+    """How many edits were made again, and how many of them had been undone by then."""
+    last = {step.entry.id: step.act for step in steps}
+    made = {step.entry.id for step in steps if step.act == "apply"}
+    undone = {edit for edit, act in last.items() if act == "undo"}
+    lines = []
+    if made:
+        which = f", {len(made & undone)} of them undone again" if made & undone else ""
+        lines.append(f"Recovered: {_edits(len(made))} made after the session was saved last{which}")
+    if undone - made:
+        earlier = _edits(len(undone - made))
+        lines.append(f"Recovered: {earlier} undone after the session was saved last")
+    return tuple(lines)
 
 
 def _edits(number: int) -> str:

@@ -72,7 +72,7 @@ class OverheadPresenter:
             message=self._message,
             looks_down=self._looks_down,
             ghosts=_ghosts(instant),
-            movable=instant.movable,
+            movable=instant.movable and not instant.waits,
         )
 
     def _people(self, instant: Instant) -> tuple[FloorPerson, ...]:

@@ -145,6 +145,20 @@ def test_a_move_that_waits_for_enter_is_not_lost_by_a_drag_on_somebody_else(hand
     assert hands.row(other, CROWDED)["left"] == before["left"] + 1
 
 
+def test_a_move_that_waits_for_enter_is_not_lost_by_a_drag_over_the_floor(hands, someone):
+    view = hands.window.workspace.overhead
+    hands.desk.editing.pick(someone)
+    hands.press(Qt.Key.Key_V)
+    hands.press(Qt.Key.Key_Right)
+    flow, fitted, start = hands.desk.document.flow, view.viewport, hands.place_on(someone)
+    before = hands.row(someone, CROWDED)
+    hands.drag(view, start, start + QPointF(40, 0))
+    assert hands.desk.document.flow == flow
+    assert view.viewport != fitted  # panned
+    hands.press(Qt.Key.Key_Return)
+    assert hands.row(someone, CROWDED)["left"] == before["left"] + 1
+
+
 def test_escape_while_somebodys_box_is_dragged_leaves_it_where_it_was(hands, someone):
     view, row = hands.window.workspace.left, hands.row(someone, CROWDED)
     start = hands.box_on(someone).center()
