@@ -77,7 +77,7 @@ class BackgroundModel:
         self._odd_s = 0.0
         self._exposure = 1.0
         self._explained = False
-        self._seen: Channels = []
+        self._channels: Channels = []
 
     def learn(self, pictures: Sequence[Picture]) -> None:
         """Start from the commonest look of pictures spread over some time, people or not.
@@ -139,9 +139,9 @@ class BackgroundModel:
 
     def _compared(self, picture: Picture) -> tuple[Mask, float]:
         """Where a picture differs from the background, and in how large a share of it."""
-        # Both are kept for the update with the same frame.
-        self._seen = split_into(self._seen, picture)
-        self._difference = self._compare.largest(self._seen, self._usual)
+        # Both are kept for the update with the same frame, the difference until `_absorb`.
+        self._channels = split_into(self._channels, picture)
+        self._difference = self._compare.largest(self._channels, self._usual)
         mask = cv2.compare(self._difference, self._limit, cv2.CMP_GT)
         mask = cv2.morphologyEx(mask, cv2.MORPH_OPEN, _OPENING)
         return np.asarray(mask, np.uint8), cv2.countNonZero(mask) / mask.size
@@ -209,7 +209,7 @@ class BackgroundModel:
     def _start(self, picture: Picture) -> None:
         self._mean = picture.astype(np.float32)
         self._noise = np.full(picture.shape[:2], _NOISE_AT_FIRST, np.float32)
-        self._seen, self._candidate = channels_of(picture), channels_of(picture)
+        self._channels, self._candidate = channels_of(picture), channels_of(picture)
         self._compare = ChannelDifference(picture.shape)
         self._stillness_s = np.zeros(picture.shape[:2], np.float32)
         self._exposure, self._odd_s = 1.0, 0.0
@@ -255,9 +255,9 @@ class BackgroundModel:
 
     def _absorb(self, seen: Subtraction, people: Mask | None) -> None:
         """Take foreground that keeps still and is nobody into the background."""
-        changed = self._compare.largest(self._seen, self._candidate)
+        changed = self._compare.largest(self._channels, self._candidate)
         moved = np.asarray(cv2.compare(changed, self._limit, cv2.CMP_GT), np.uint8)
-        for channel, candidate in zip(self._seen, self._candidate, strict=True):
+        for channel, candidate in zip(self._channels, self._candidate, strict=True):
             cv2.copyTo(channel, moved, candidate)
         still = cv2.bitwise_and(seen.mask, cv2.bitwise_not(moved))
         longer_s = self._stillness_s + np.float32(self._period_s)

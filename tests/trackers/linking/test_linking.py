@@ -269,3 +269,22 @@ def test_a_few_rows_in_the_middle_of_nowhere_are_nobody() -> None:
     run = linked(run_of(Stretch(1, 0, OUT), false, frames=120), VIEW, FPS)
     assert set(run.tracks["track"].tolist()) == {1}
     assert run.detections["track"].min() == 0
+
+
+def changed_clothes(other: tuple[float, ...]) -> Run:
+    """Two lost for a moment and found under new ids, the second one in these clothes."""
+    first, second = straight((-1, 5), (1.3, 5), 138), straight((1, 7), (1, 5), 124)
+    return run_of(
+        Stretch(1, 20, first[:60]),
+        Stretch(2, 98, first[78:]),
+        Stretch(3, 200, second[:60]),
+        Stretch(4, 262, second[62:], other),
+        Stretch(5, 0, straight((-2, 8), (-1.5, 8), 390), BLUE),
+        frames=400,
+    )
+
+
+@pytest.mark.parametrize("clothes", [RED, BLUE, (80.0, -40.0, -40.0, 80.0, 30.0, 40.0)])
+def test_one_persons_changed_clothes_part_nobody_else(clothes: tuple[float, ...]) -> None:
+    run = linked(changed_clothes(clothes), VIEW, FPS)
+    assert id_near(run, 40, (-0.66, 5)) == id_near(run, 150, (1.2, 5)) == 1

@@ -20,9 +20,10 @@ _INWARDS = 0.05
 """Who will be seen by so much more soon walks into the picture, not out of it."""
 _HARDLY = 0.4
 """Who shows less of themselves than this, or a little less, is not seen."""
-_WAYS_OUT_M = (3.0, 2.5, 2.0, 1.5, 1.25, 1.0, 0.75, 0.5, 0.25, 0.0)
+_WAYS_OUT_M = (3.0, 2.5, 2.0, 1.5, 1.25, 1.0, 0.75, 0.5, 0.25)
+"""How far people are thought to walk to be out of the picture, the farthest first."""
 _DIRECTIONS = np.stack([turn(np.arange(8) * np.pi / 4) for turn in (np.cos, np.sin)], axis=1)
-"""How far, and where to, people are thought to walk to be out of the picture."""
+"""Where to."""
 _SEEN_OUT_M, _UNSEEN_M = 0.5, 0.7
 """Who leaves is seen until so near to where they are out; e times fewer for each so much more."""
 _BIRTHS_EDGE, _BIRTHS_HIDDEN, _BIRTHS_WITHIN = 0.05, 0.005, 0.0005
@@ -101,6 +102,7 @@ def _way_out(place: Floats, view: View) -> Floats:
         there = (place[:, None] + reach * _DIRECTIONS).reshape(-1, 2)
         out = share_inside(there, view).reshape(-1, len(_DIRECTIONS)) < _HARDLY
         way[out.any(axis=1)] = reach
+    way[share_inside(place, view) < _HARDLY] = 0.0
     return way
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
-from scipy.sparse.csgraph import min_weight_full_bipartite_matching
+from scipy.sparse.csgraph import connected_components, min_weight_full_bipartite_matching
 
 from tracking.trackers.linking.links import Links
 from tracking.trackers.linking.looks import Looks
@@ -14,6 +14,8 @@ from tracking.trackers.linking.short import with_short
 from tracking.trackers.linking.tracklets import Tracklets
 
 Rows = NDArray[np.intp]
+Sums = tuple[Floats, Floats]
+"""Two times (n, cues), of `Looks.told` and of `Looks.value`, summed over tracklets."""
 
 _ROUNDS = 8
 """Most recordings need three; those that go to and fro are stopped."""
@@ -42,32 +44,48 @@ def _between_long(links: Links, pieces: Tracklets, looks: Looks, long: NDArray[n
 
     One globally cheapest assignment of beginnings to ends. Looks are compared between all of a
     person before and all after, which depends on the other links: it is repeated with those of
-    the round before, from the tracker's own on, and the likeliest round is taken.
+    the round before, from the tracker's own on. Of each group of tracklets that may be linked with
+    each other the likeliest round is taken: what is odd about one person changes nobody else.
     """
     following = _of_tracker(pieces, long)
     links = links.only(long[links.end] & long[links.start])
-    best, least = following, np.inf
+    group = _groups(links, len(pieces))
+    best, least = following, np.full(int(group.max(initial=-1)) + 1, np.inf)
     for _ in range(_ROUNDS):
-        cost = links.cost - _alike(following, links, pieces, looks)
-        total = _total(following, links, looks)
-        if total < least:
-            best, least = following, total
-        again = _cheapest(links, cost, len(pieces))
+        upto, since = _before_and_after(following, pieces, looks)
+        total = _totals(following, links, group, looks, upto)
+        best = np.where((total < least)[group], following, best)
+        least = np.minimum(total, least)
+        alike = looks.alike(_only(upto, links.end), _only(since, links.start))
+        again = _cheapest(links, links.cost - alike, len(pieces))
         if (again == following).all():
             break
         following = again
     return best
 
 
-def _total(following: Rows, links: Links, looks: Looks) -> float:
-    """What all links of a round cost together, each person's looks weighed once.
+def _groups(links: Links, count: int) -> Rows:
+    """(count,) the number of each tracklet's group; no link leads from one to another."""
+    graph = coo_array((np.ones(len(links.end)), (links.end, links.start)), shape=(count, count))
+    return np.asarray(connected_components(graph, directed=False)[1], np.intp)
 
-    Infinite where it holds a link that is hopeless: the tracker's own may.
+
+def _totals(following: Rows, links: Links, group: Rows, looks: Looks, upto: Sums) -> Floats:
+    """(groups,) what all links of a round cost, each tracklet compared with all of a person before.
+
+    Infinite where a link is hopeless: the tracker's own may be.
+
+    Args:
+        upto: of all tracklets, as `_before_and_after`.
     """
-    made = following[links.end] == links.start
-    if np.count_nonzero(made) < np.count_nonzero(following >= 0):
-        return np.inf
-    return float(links.cost[made].sum() - looks.of_people(chains(following)))
+    made = links.only(following[links.end] == links.start)
+    own = looks.told, looks.value
+    cost = made.cost - looks.alike(_only(upto, made.end), _only(own, made.start))
+    total = np.zeros(int(group.max(initial=-1)) + 1)
+    np.add.at(total, group[made.end], cost)
+    hopeless = np.setdiff1d(np.flatnonzero(following >= 0), made.end)
+    total[group[hopeless]] = total[group[following[hopeless]]] = np.inf
+    return total
 
 
 def chains(following: Rows) -> Rows:
@@ -91,8 +109,8 @@ def _of_tracker(pieces: Tracklets, long: NDArray[np.bool_]) -> Rows:
     return following
 
 
-def _alike(following: Rows, links: Links, pieces: Tracklets, looks: Looks) -> Floats:
-    """(links,) log-likelihood ratio that all before and all after look like one person."""
+def _before_and_after(following: Rows, pieces: Tracklets, looks: Looks) -> tuple[Sums, Sums]:
+    """What looks tell of each tracklet's person up to its end, and from its beginning on."""
     person = chains(following)
     order = np.lexsort((pieces.first.frame, person))
     opens = np.flatnonzero(np.diff(person[order], prepend=-1))
@@ -103,9 +121,13 @@ def _alike(following: Rows, links: Links, pieces: Tracklets, looks: Looks) -> Fl
         upto, since = np.empty_like(values), np.empty_like(values)
         upto[order] = running[1:] - np.repeat(running[opens], length, axis=0)
         since[order] = np.repeat(running[opens + length], length, axis=0) - running[:-1]
-        before.append(upto[links.end])
-        after.append(since[links.start])
-    return looks.alike((before[0], before[1]), (after[0], after[1]))
+        before.append(upto)
+        after.append(since)
+    return (before[0], before[1]), (after[0], after[1])
+
+
+def _only(sums: Sums, rows: Rows) -> Sums:
+    return sums[0][rows], sums[1][rows]
 
 
 def _cheapest(links: Links, cost: Floats, count: int) -> Rows:

@@ -61,18 +61,6 @@ class Looks:
         told = np.log1p(-_MISTAKEN) + _TRUSTED * ratio
         return np.asarray(np.logaddexp(told, np.log(_MISTAKEN)))
 
-    def of_people(self, person: NDArray[np.intp]) -> float:
-        """Log-likelihood ratio of all tracklets' looks: as of these people, or each of another.
-
-        Args:
-            person: (t,) number of each tracklet's person, from 0 on.
-        """
-        told, value = np.zeros((2, int(person.max(initial=-1)) + 1, self.told.shape[1]))
-        np.add.at(told, person, self.told)
-        np.add.at(value, person, self.value)
-        apart = self.evidence(self.told, self.value).sum()
-        return float(_TRUSTED * (self.evidence(told, value).sum() - apart))
-
 
 def looks_of(seen: Seen, pieces: Tracklets, fps: float) -> Looks:
     """What tells the people of this recording apart, and what each tracklet tells of it.
