@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, straight, swapped
 
-from tracking.editing import apply_change, plan_move_box, plan_reassign, plan_swap
+from tracking.editing import apply_change, plan_reassign, plan_swap
 from tracking.errors import CancelledError
 from tracking.review import KINDS, Suspicion, find_suspicions
 from tracking.review.wording import clock, sentence
@@ -146,26 +146,6 @@ def test_nothing_is_suspicious_where_nobody_is() -> None:
 
 def test_one_person_walking_straight_is_not_suspicious() -> None:
     assert found(made_run([Walk(straight((-3, 5), (1, 0), 120))])) == ()
-
-
-def test_a_box_that_a_person_moved_is_not_suspected() -> None:
-    run = made_run([Walk(straight((-2, 5), (0.5, 0), 100))])
-    table = TrackTable(run.tracks)
-    x, y = (float(table.of_track(1, 50, 51)[name][0]) for name in ("x", "y"))
-    before = found(run)
-    apply_change(table, Labels(), plan_move_box(table, 1, 50, (200, 90, 30, 90), (x, y + 0.6)))
-    assert found(run, table) == before
-
-
-def test_a_jump_of_the_tracker_beside_a_moved_box_is_suspected_all_the_same() -> None:
-    path = straight((-3, 5), (1, 0), 100)
-    path[60:] += (0.0, 0.5)
-    run = made_run([Walk(path)])
-    table = TrackTable(run.tracks)
-    (jump,) = found(run)
-    x, y = (float(table.of_track(1, 57, 58)[name][0]) for name in ("x", "y"))
-    apply_change(table, Labels(), plan_move_box(table, 1, 57, (200, 90, 30, 90), (x, y)))
-    assert [one.key for one in found(run, table)] == [jump.key]
 
 
 def test_the_search_tells_how_far_it_is_and_can_be_cancelled() -> None:

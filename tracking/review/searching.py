@@ -13,7 +13,6 @@ from tracking.review.costs import costs
 from tracking.review.footage import Footage
 from tracking.review.queue import ranked
 from tracking.review.suspicion import Suspicion
-from tracking.review.vouched import vouched
 from tracking.tracks import Labels, Run, TrackTable
 
 MOST = 10_000
@@ -32,8 +31,8 @@ def find_suspicions(
 ) -> tuple[Suspicion, ...]:
     """Places where the tracks are likely wrong, those that are worth most first.
 
-    Boxes that a person made or moved are not doubted. Verdicts and reviewed ranges are not looked
-    at here: see `open_suspicions`.
+    A jump between two boxes that a person drew, moved or interpolated is not suspected. Verdicts
+    and reviewed ranges are not looked at here: see `open_suspicions`.
 
     Args:
         table: the corrected tracks; not changed, so a snapshot can be handed to another thread.
@@ -116,8 +115,7 @@ def _worth_most(blocks: Sequence[Block], footage: Footage, fps: float) -> list[S
         for name in ("frame", "likelihood", "tracks")
     )
     cost = costs(footage.key, meeting, tracks, frame, fps)
-    told = np.argsort(-(likely * cost), kind="stable")
-    told = told[~vouched(footage, tracks, frame)[told]][:MOST]
+    told = np.argsort(-(likely * cost), kind="stable")[:MOST]
     place = [(block, row) for block in blocks for row in range(len(block.suspicions))]
     return [
         place[number][0].costing(place[number][1], worth)

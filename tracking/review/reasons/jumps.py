@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import Evidence, Floats
+from tracking.review.evidence import Evidence, Flags, Floats
 from tracking.review.found import Found, of_tracks, peaks, ramp
 from tracking.review.material import Material
+from tracking.tracks import Source
 
 _APART_S = 0.5
 _FASTEST_M_PER_S = 2.5
@@ -19,18 +20,26 @@ def jumps(material: Material) -> Found:
 
     Between rows with frames missing it may have gone as far as somebody walks. A track's two first
     and two last steps have too few beside them and are not judged: once a track is split at a
-    jump, what is left of it at the new ends is no jump.
+    jump, what is left of it at the new ends is no jump. Nor is a step between two boxes that a
+    person drew, moved or interpolated: where only one is a person's, the other may still be wrong.
     """
     evidence = material.evidence
     frames = np.diff(evidence.frame)
     off = steps_off(evidence)
     walked = np.where(frames > 1, frames / evidence.fps * _FASTEST_M_PER_S, 0.0)
-    off = np.nan_to_num(off - walked)
+    # Before the greatest near each other are taken: a person's must not stand for a tracker's.
+    off = np.where(_persons(evidence), 0.0, np.nan_to_num(off - walked))
     told = np.flatnonzero(off > _LOW_M)
     track, frame = evidence.track[told + 1], evidence.frame[told + 1]
     best = peaks(track, frame, off[told], evidence.frames_of(_APART_S))
     metres = off[told][best]
     return of_tracks("jump", track[best], frame[best], ramp(metres, _LOW_M, _HIGH_M), metres)
+
+
+def _persons(evidence: Evidence) -> Flags:
+    """(n - 1,) whether a person made both rows of a step, or they are interpolated between such."""
+    made = np.isin(evidence.source, (Source.PERSON, Source.INTERPOLATED))
+    return np.asarray(made[1:] & made[:-1])
 
 
 def steps_off(evidence: Evidence) -> Floats:
