@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QDoubleSpinBox, QSpinBox, QWidget
@@ -25,7 +27,7 @@ class WholeBox(QSpinBox):
 
     def validate(self, text: str, pos: int) -> Validated:
         """Qt would swallow the key that leads out of range, or to decimals, unsaid."""
-        return _lenient(self, super().validate(text, pos), text, pos)
+        return _lenient(self, super().validate(_pointed(self, text), pos), text, pos)
 
     def fixup(self, text: str) -> str:
         """The nearest that can be."""
@@ -33,7 +35,10 @@ class WholeBox(QSpinBox):
 
 
 class NumberBox(QDoubleSpinBox):
-    """A number with decimals after a point or a comma; the same as `WholeBox` in all else."""
+    """A number with decimals after a point or a comma; the same as `WholeBox` in all else.
+
+    The sign of the thousands is taken for one where it stands before three digits.
+    """
 
     typed = Signal(str)
 
@@ -43,8 +48,12 @@ class NumberBox(QDoubleSpinBox):
 
     def validate(self, text: str, pos: int) -> Validated:
         """Qt would swallow a comma, or the key that leads out of range, unsaid."""
-        text = _pointed(self, text)
-        return _lenient(self, super().validate(text, pos), text, pos)
+        return _lenient(self, super().validate(_pointed(self, text), pos), text, pos)
+
+    def valueFromText(self, text: str) -> float:  # noqa: N802 - Qt's name
+        """Qt would read "2,5" as 25 where the comma is the sign of the thousands."""
+        value, is_number = _number(self, _bare(self, text))
+        return value if is_number else super().valueFromText(text)
 
     def fixup(self, text: str) -> str:
         """The nearest that can be."""
@@ -65,11 +74,16 @@ def _watch(box: WholeBox | NumberBox) -> None:
 
 def _lenient(box: WholeBox | NumberBox, found: Validated, text: str, pos: int) -> Validated:
     """Let any number be typed; what is no number would be lost unsaid later on."""
-    bare = _bare(box, text)
-    decimals = isinstance(box, WholeBox) and _number(box, bare)[1]
-    if found[0] is _State.Invalid and (decimals or _refused(box, bare)):
-        return _State.Intermediate, text, pos
-    return found
+    state, bare = found[0], _bare(box, text)
+    is_number = _number(box, bare)[1]
+    decimals = isinstance(box, WholeBox) and is_number
+    if state is _State.Invalid and (decimals or _refused(box, bare)):
+        state = _State.Intermediate
+    elif state is _State.Acceptable and not is_number:
+        state = _State.Intermediate  # "1,800,0", on the way to thousands: Qt would take 18000
+    elif math.isnan(box.locale().toDouble(bare)[0]):
+        state = _State.Invalid
+    return state, text, pos
 
 
 def _nearest(box: WholeBox | NumberBox, text: str) -> str:
@@ -92,8 +106,9 @@ def _refused(box: WholeBox | NumberBox, text: str) -> bool:
 
 
 def _number(box: WholeBox | NumberBox, text: str) -> tuple[float, bool]:
-    """The number that a text is, and whether it is one."""
-    return box.locale().toDouble(_pointed(box, text))
+    """The number that a text is, and whether it is one; Qt takes "nan" and "inf" for numbers."""
+    value, is_number = box.locale().toDouble(_pointed(box, text))
+    return (value, is_number) if math.isfinite(value) else (0.0, False)
 
 
 def _bare(box: WholeBox | NumberBox, text: str) -> str:
@@ -101,7 +116,13 @@ def _bare(box: WholeBox | NumberBox, text: str) -> str:
 
 
 def _pointed(box: WholeBox | NumberBox, text: str) -> str:
-    """The text with the decimal sign of the locale for a lone comma or point."""
-    point = box.locale().decimalPoint()
+    """The text with the decimal sign of the locale for a lone comma or point.
+
+    Where that is the locale's sign of the thousands, and stands as such, the text is as it was.
+    """
+    locale, bare = box.locale(), _bare(box, text)
+    point = locale.decimalPoint()
     other = "." if point == "," else ","
-    return text.replace(other, point) if text.count(other) == 1 and point not in text else text
+    thousands = locale.toDouble(bare)[1] and bare.lstrip("+-").partition(other)[0] != "0"
+    lone = text.count(other) == 1 and point not in text
+    return text.replace(other, point) if lone and not thousands else text

@@ -1,9 +1,8 @@
 import pytest
-from PySide6.QtCore import QLocale, QPointF, Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from app.views.runs.number_boxes import NumberBox, WholeBox
 from app.views.runs.settings_form import SettingsForm
 from app.views.runs.settings_search import FoldButton
 from app.views.runs.track_dialog import TrackDialog
@@ -142,51 +141,6 @@ def test_a_switch_that_is_changed_says_on_or_off_as_it_comes(qtbot):
     qtbot.addWidget(form)
     form.put("paper", True)
     assert form._labels["paper"].toolTip().endswith("off")
-
-
-@pytest.mark.parametrize("kind", [WholeBox, NumberBox])
-@pytest.mark.parametrize("typed", ["5abc", "7x", "5 000x"])
-def test_what_is_no_number_cannot_be_typed_into_its_field(qtbot, kind, typed):
-    box = kind()
-    qtbot.addWidget(box)
-    box.setLocale(QLocale.c())
-    box.setRange(0, 99)
-    box.setSuffix(" m")
-    box.show()
-    box.selectAll()
-    QTest.keyClicks(box, typed)
-    assert box.cleanText().isdigit()
-    shown = float(box.cleanText())
-    QTest.keyClick(box, Qt.Key.Key_Return)
-    assert box.value() == min(shown, 99)
-
-
-@pytest.mark.parametrize("locale", [QLocale.c(), QLocale(QLocale.Language.German)])
-@pytest.mark.parametrize("typed", ["2,5", "2.5"])
-def test_decimals_stand_behind_a_comma_or_a_point(qtbot, typed, locale):
-    box = NumberBox()
-    qtbot.addWidget(box)
-    box.setLocale(locale)
-    box.setSuffix(" m")
-    box.show()
-    box.selectAll()
-    QTest.keyClicks(box, typed)
-    QTest.keyClick(box, Qt.Key.Key_Return)
-    assert box.value() == 2.5
-
-
-@pytest.mark.parametrize("typed", ["2,7", "2.7"])
-def test_of_decimals_in_a_whole_number_the_nearest_is_told_and_taken(qtbot, heard, typed):
-    box = WholeBox()
-    qtbot.addWidget(box)
-    box.setLocale(QLocale.c())
-    box.show()
-    told = heard(box.typed)
-    box.selectAll()
-    QTest.keyClicks(box, typed)
-    assert told[-1] == typed
-    QTest.keyClick(box, Qt.Key.Key_Return)
-    assert (box.value(), told[-1]) == (3, "")
 
 
 def test_settings_of_a_tracker_stand_under_headings(qtbot):
