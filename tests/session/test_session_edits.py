@@ -51,6 +51,22 @@ def test_a_saved_edit_undone_before_a_crash_is_told_as_undone(
     again.close()
 
 
+@pytest.mark.parametrize("undone_before_saving", [True, False])
+def test_a_saved_edit_redone_before_a_crash_is_told_as_redone(
+    session: Session, tmp_path: Path, undone_before_saving: bool
+) -> None:
+    edit(session, swaps=2)
+    if undone_before_saving:
+        session.undo()
+    session.save()
+    if not undone_before_saving:
+        session.undo()
+    session.redo()
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert again.notes == ("Recovered: 1 edit redone after the session was saved last",)
+    again.close()
+
+
 def test_edits_made_after_recovery_survive_the_next_crash(session: Session, tmp_path: Path) -> None:
     edit(session)
     second = Session.open(crashed(session, tmp_path / "one"))

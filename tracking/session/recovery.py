@@ -75,18 +75,17 @@ def _begin(journal: Journal, stamps: Stamps, steps: list[Step]) -> None:
 
 
 def _told(steps: list[Step]) -> tuple[str, ...]:
-    """How many edits were made again, and how many of them had been undone by then."""
+    """How many edits were made again, undone and redone: each recovered edit is told once."""
     last = {step.entry.id: step.act for step in steps}
     made = {step.entry.id for step in steps if step.act == "apply"}
     undone = {edit for edit, act in last.items() if act == "undo"}
-    lines = []
-    if made:
-        which = f", {len(made & undone)} of them undone again" if made & undone else ""
-        lines.append(f"Recovered: {_edits(len(made))} made after the session was saved last{which}")
-    if undone - made:
-        earlier = _edits(len(undone - made))
-        lines.append(f"Recovered: {earlier} undone after the session was saved last")
-    return tuple(lines)
+    which = f", {len(made & undone)} of them undone again" if made & undone else ""
+    told = {
+        f"made after the session was saved last{which}": made,
+        "undone after the session was saved last": undone - made,
+        "redone after the session was saved last": last.keys() - made - undone,
+    }
+    return tuple(f"Recovered: {_edits(len(some))} {how}" for how, some in told.items() if some)
 
 
 def _edits(number: int) -> str:
