@@ -353,6 +353,7 @@ def test_kept_is_said_to_count_from_the_first_match_on() -> None:
 @pytest.mark.parametrize(
     ("true", "found", "why"),
     [
+        ([], [], "Neither the truth nor the result has anybody in these frames"),
         ([], range(20), "The truth has nobody in these frames"),
         (range(20), [], "The result has nobody in these frames"),
         (range(20), range(30, 40), "the truth's stand in frames 100 to 119, the result's in 130"),
@@ -370,3 +371,4 @@ def test_page_and_markdown_say_why_there_are_dashes(true, found, why) -> None:
     for text in (page, marked.replace("\\", "")):
         assert ("0 or a dash" in text) == (why is not None)
         assert why is None or why in text
+        assert text.count("in these frames:") <= 1

@@ -18,6 +18,7 @@ from tracking.editing import plan_delete, plan_rename
 from tracking.errors import SessionError, TrackwrightError
 from tracking.session import Session, describe
 from tracking.session.inspection import inspect
+from tracking.session.seal import holds as is_sealed
 from tracking.untrusted import Refused, limit
 
 
@@ -51,7 +52,9 @@ def refused(path: Path, why: str) -> None:
     assert sorted(path.parent.iterdir()) == before
 
 
-def test_a_good_session_is_looked_over_and_opened_quickly(copy: Path) -> None:
+def test_a_session_without_its_seal_is_looked_over_and_opened_quickly(copy: Path) -> None:
+    copy.write_bytes(copy.read_bytes() + b" ")
+    assert not is_sealed(copy)
     with spent() as time:
         Session.open(copy).close()
     assert time.paces < 100

@@ -16,9 +16,11 @@ def lacking_said(finding: Finding) -> Iterator[str]:
     """A sentence where nothing can match; none where a row of the result does."""
     subject = finding.subject
     true, found = subject.truth.frame[subject.truth.counted], subject.results[finding.result].frame
-    if not len(true):
+    if not len(true) and not len(found):
+        yield f"Neither the truth nor the result has anybody in these frames: {_NO_VALUE}."
+    elif not len(true):
         yield f"The truth has nobody in these frames: all that is tracked is wrong, {_NO_VALUE}."
-    if not len(found):
+    elif not len(found):
         yield f"The result has nobody in these frames: everybody is missed, {_NO_VALUE}."
     if not len(true) or not len(found) or finding.score.clear.matches:
         return
