@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 @dataclass
 class Spent:
-    """Processor time of this process and of children that ended, in paces; known once it is over."""
+    """Processor time of this process and of children that ended, in paces; known at the end."""
 
     paces: float = float("nan")
 
