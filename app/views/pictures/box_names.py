@@ -27,13 +27,12 @@ _EDGE_PX = 2.0
 
 @dataclass(frozen=True, slots=True)
 class _Person:
-    """Somebody who is to be named: by `texts`, the longest first, of `sizes`; `must`: anyhow."""
+    """Somebody who is to be named: by `texts`, the longest first, of `sizes`."""
 
     mark: PersonMark
     box: Floats
     texts: tuple[str, ...]
     sizes: Sequence[tuple[float, float]]
-    must: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,17 +46,24 @@ class BoxNaming:
     """Draws names where they hide no head and no other name, or else not at all.
 
     Above the box, or beside or below it, if possible where nobody else is; a long name is shortened
-    to its number before it is left out. Who is selected or under the cursor is always named.
+    to its number before it is left out. Who is selected or under the cursor is always named: the
+    others make way for them.
     """
 
     def __init__(self) -> None:
         self._sides: dict[int, int] = {}
         self._named: frozenset[int] = frozenset()
+        self._forced = 0
 
     @property
     def named(self) -> frozenset[int]:
-        """The tracks that have a plate."""
+        """The tracks that have a plate wherever the cursor is."""
         return self._named
+
+    @property
+    def forced(self) -> int:
+        """The track that has a plate only because the cursor is there; 0: none."""
+        return self._forced
 
     def draw(
         self,
@@ -78,42 +84,65 @@ class BoxNaming:
         """
         metrics = QFontMetricsF(painter.font())
         seen = [one for one in people if viewport.rect(QRectF(*one.box)).intersects(area)]
-        wanted = [
-            _person(one, viewport, metrics, small, must=one.selected or one.track == over)
-            for one in sorted(seen, key=lambda one: not one.selected)
-        ]
-        plates = self._placed(wanted, area, _coords(taken))
-        self._named = frozenset(one.mark.track for one in plates)
+        wanted = [_person(one, viewport, metrics, small) for one in seen]
+        plates = self._for_cursor(wanted, area, _coords(taken), over)
         for one in reversed(plates):
             draw_plate(painter, one.rect, one.text, QColor(*one.mark.colour), one.mark.selected)
         return [one.rect for one in plates]
 
-    def _placed(self, people: Sequence[_Person], area: QRectF, taken: Floats) -> list[_Plate]:
+    def _for_cursor(
+        self, people: list[_Person], area: QRectF, taken: Floats, over: int
+    ) -> list[_Plate]:
+        """As without the cursor, unless the one under it had no name: then they go first."""
+        first = sorted(people, key=lambda one: not one.mark.selected)
+        plates, self._sides = self._placed(first, area, taken)
+        self._named = frozenset(one.mark.track for one in plates)
+        self._forced = 0
+        if over in {one.mark.track for one in people} - self._named:
+            self._forced = over
+            first.sort(key=lambda one: one.mark.track != over)
+            plates, _ = self._placed(first, area, taken, over)
+        return plates
+
+    def _placed(
+        self, people: Sequence[_Person], area: QRectF, taken: Floats, over: int = 0
+    ) -> tuple[list[_Plate], dict[int, int]]:
+        """Plates of those who have one, and on which side; earlier people have the right of way."""
+        plates: list[_Plate] = []
+        kept = dict(self._sides)
         if not people:
-            return []
+            return plates, kept
         sides = _sides(people)
         shut, crowded = _barred(people, sides, area, taken)
         places = np.zeros((len(people), 4))
-        plates: list[_Plate] = []
         for one, own, never, rather_not in zip(people, sides, shut, crowded, strict=True):
-            closed = never | _over(own, places[: len(plates)])
-            plate = self._free(one, own, closed | rather_not) or self._free(one, own, closed)
-            if plate is None and one.must:
-                plate = _Plate(one.mark, one.texts[-1], _within(_rect(own[-1, 0]), area))
-            if plate is not None:
-                places[len(plates)] = np.array(plate.rect.getCoords())
-                plates.append(plate)
-        return plates
+            before = places[: len(plates)]
+            closed, usual = never | _over(own, before), self._sides.get(one.mark.track, 0)
+            found = _free(one, own, closed | rather_not, usual) or _free(one, own, closed, usual)
+            if found is not None:
+                plate, kept[one.mark.track] = found
+            elif one.mark.selected or one.mark.track == over:
+                plate = _Plate(one.mark, one.texts[-1], _least_bad(own[-1], before, area))
+            else:
+                continue
+            places[len(plates)] = np.array(plate.rect.getCoords())
+            plates.append(plate)
+        return plates, kept
 
-    def _free(self, one: _Person, sides: Floats, closed: Flags) -> _Plate | None:
-        """The side that is free of the longest name that has one; the one of before if that is."""
-        usual = self._sides.get(one.mark.track, 0)
-        for number, text in enumerate(one.texts):
-            if not closed[number].all():
-                side = usual if not closed[number, usual] else int(np.argmin(closed[number]))
-                self._sides[one.mark.track] = side
-                return _Plate(one.mark, text, _rect(sides[number, side]))
-        return None
+
+def _free(one: _Person, sides: Floats, closed: Flags, usual: int) -> tuple[_Plate, int] | None:
+    """The longest name that has a free side, and which; the usual one if that is free."""
+    for number, text in enumerate(one.texts):
+        if not closed[number].all():
+            side = usual if not closed[number, usual] else int(np.argmin(closed[number]))
+            return _Plate(one.mark, text, _rect(sides[number, side])), side
+    return None
+
+
+def _least_bad(sides: Floats, plates: Floats, area: QRectF) -> QRectF:
+    """Where a name stands that has no free side: if possible on nobody's name."""
+    inside = [_within(_rect(side), area) for side in sides]
+    return inside[int(np.argmin(covers(_coords(inside), plates)))]
 
 
 def _barred(
@@ -136,15 +165,13 @@ def _over(rects: Floats, others: Floats) -> Flags:
     return covers(rects.reshape(-1, 4), others).reshape(rects.shape[:-1])
 
 
-def _person(
-    mark: PersonMark, viewport: Viewport, metrics: QFontMetricsF, small: bool, *, must: bool
-) -> _Person:
+def _person(mark: PersonMark, viewport: Viewport, metrics: QFontMetricsF, small: bool) -> _Person:
     box = viewport.rect(QRectF(*mark.box))
     whole, number = plate_text(metrics, mark.label), str(mark.track)
     texts = (whole,) if whole == number else (whole, number)
     pad = _SMALL_PAD_PX if small else 10.0
     sizes = plate_sizes(metrics, texts, pad)
-    return _Person(mark, np.array(box.getCoords()), texts, sizes, must)
+    return _Person(mark, np.array(box.getCoords()), texts, sizes)
 
 
 def _sides(people: Sequence[_Person]) -> Floats:

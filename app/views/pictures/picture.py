@@ -217,6 +217,8 @@ class PictureView(Canvas):
 
     def cursor_at(self, at: QPointF) -> Qt.CursorShape:
         """A cross to draw, arrows over handles, a hand over people."""
+        person = None if self._scene.drawing else self._person_at(at)
+        self._point_at(person.track if person is not None else 0)
         if self._scene.drawing:
             self._hover = at
             self.update()
@@ -224,14 +226,18 @@ class PictureView(Canvas):
         grip = self._grip_at(at)
         if grip is not None:
             return cursor_of(grip.handle)
-        person = self._person_at(at)
-        self._point_at(person.track if person is not None else 0)
         return Qt.CursorShape.PointingHandCursor if person else Qt.CursorShape.ArrowCursor
+
+    def leaveEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Nobody is under the cursor any more."""
+        super().leaveEvent(event)
+        self._point_at(0)
 
     def _point_at(self, track: int) -> None:
         """Whoever is under the cursor is named, also where that hides somebody."""
         before, self._over = self._over, track
-        if before != track and not {before, track} <= self._naming.named:
+        goes = before != 0 and before == self._naming.forced
+        if before != track and (goes or track not in self._naming.named | {0}):
             self.update()
 
     def name_at(self, at: QPointF) -> str:

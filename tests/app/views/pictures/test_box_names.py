@@ -8,7 +8,8 @@ import pytest
 from drawn_scenes import person, picture
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from PySide6.QtCore import QRectF
+from PySide6.QtCore import QEvent, QRectF
+from PySide6.QtWidgets import QApplication
 
 from app.presenters.scenes import Eye
 from app.views.pictures import box_names
@@ -92,6 +93,89 @@ def test_who_is_under_the_cursor_is_named(view, plates):
     view.cursor_at(middle)
     over = view.track_at(middle)
     assert str(over) in plates(*crowd())
+
+
+def _middle(view, one):
+    return view.viewport.rect(QRectF(*one.box)).center()
+
+
+def _by_name(view, plates, people):
+    """The middle of somebody who is pointed at there and named, and of one who is not named."""
+    view._over = 0
+    named = plates(*people)
+    at = {one.track: _middle(view, one) for one in people}
+    met = {track: place for track, place in at.items() if view.track_at(place) == track}
+    with_name = next(place for track, place in met.items() if str(track) in named)
+    without = next(place for track, place in met.items() if str(track) not in named)
+    return with_name, without
+
+
+@pytest.fixture
+def asked(monkeypatch, view):
+    """How often a view asked to be drawn anew."""
+    times = []
+    monkeypatch.setattr(view, "update", lambda *_: times.append(1))
+    return times
+
+
+def test_the_name_of_who_is_under_the_cursor_is_under_no_other(view, plates):
+    people = [one for one in crowd() if one.track != 1]
+    beside = [person(1, (one.box[0] + 1, one.box[1] + 1, 22, 40)) for one in people[::5]]
+    met = 0
+    for one in beside:
+        view._over = 0
+        if "1" in plates(*people, one) or view.track_at(_middle(view, one)) != 1:
+            continue
+        view.cursor_at(_middle(view, one))
+        drawn = plates(*people, one)
+        own = drawn.pop("1")
+        met += 1
+        assert not any(own.intersects(plate) for plate in drawn.values())
+    assert met > 3
+
+
+def test_a_name_shown_for_the_cursor_alone_goes_with_it(view, plates, asked):
+    people = crowd()
+    usual = plates(*people)
+    with_name, without = _by_name(view, plates, people)
+    for on in (with_name, view.viewport.rect(view.content()).topLeft() * 2):
+        view.cursor_at(without)
+        assert plates(*people) != usual
+        asked.clear()
+        view.cursor_at(on)
+        assert asked
+        assert plates(*people) == usual
+
+
+def test_a_name_shown_for_the_cursor_alone_goes_when_the_cursor_leaves(view, plates, asked):
+    people = crowd()
+    usual = plates(*people)
+    view.cursor_at(_by_name(view, plates, people)[1])
+    assert plates(*people) != usual
+    asked.clear()
+    QApplication.sendEvent(view, QEvent(QEvent.Type.Leave))
+    assert asked
+    assert plates(*people) == usual
+
+
+def test_pointing_at_somebody_named_draws_nothing_anew(view, plates, asked):
+    people = crowd()
+    with_name, _ = _by_name(view, plates, people)
+    usual = plates(*people)
+    asked.clear()
+    view.cursor_at(with_name)
+    QApplication.sendEvent(view, QEvent(QEvent.Type.Leave))
+    assert not asked
+    view.cursor_at(with_name)
+    assert plates(*people) == usual
+
+
+def test_over_a_handle_nobody_else_stays_named(view, plates):
+    people = [*crowd(), person(99, (250, 150, 40, 80), movable=True, selected=True)]
+    usual = plates(*people)
+    view.cursor_at(_by_name(view, plates, people)[1])
+    view.cursor_at(view.viewport.rect(QRectF(250, 150, 40, 80)).bottomRight())
+    assert plates(*people) == usual
 
 
 def test_a_long_name_gives_way_to_its_number(plates):
