@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.views.look.theme import Theme, faded, ink_on
@@ -13,6 +13,7 @@ _GAP = 2.0
 _PAD_PX = 10.0
 _MOST_LETTERS = 16
 """Of a name on a plate, in average letters: a long one would hide other people."""
+_NOTE_FLAGS = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
 
 
 def place_plates(wanted: Sequence[QRectF], area: QRectF) -> list[QRectF]:
@@ -71,6 +72,15 @@ def plate_rect(metrics: QFontMetricsF, text: str, corner: QPointF) -> QRectF:
     return QRectF(corner.x(), corner.y() - height, width, height)
 
 
+def note_size(metrics: QFontMetricsF, text: str, width: float) -> QSizeF:
+    """Of the plate of a note that is no wider, over several lines where need be."""
+    if not text:
+        return QSizeF()
+    room = QRectF(0, 0, width - _PAD_PX, 1e4)
+    words = metrics.boundingRect(room, _NOTE_FLAGS, text)
+    return QSizeF(words.width() + _PAD_PX, words.height() + 0.4 * _PAD_PX)
+
+
 def draw_plate(
     painter: QPainter, rect: QRectF, text: str, colour: QColor, emphasised: bool = False
 ) -> None:
@@ -115,11 +125,10 @@ def draw_note(painter: QPainter, rect: QRectF, text: str, theme: Theme) -> None:
     painter.setBrush(faded(theme.window, 0.82))
     painter.drawRoundedRect(rect, 5, 5)
     painter.setPen(theme.text)
-    painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, text)
+    painter.drawText(rect, _NOTE_FLAGS, text)
 
 
 def draw_message(painter: QPainter, area: QRectF, text: str, theme: Theme) -> None:
     """What to say, in the middle, where there is nothing to draw."""
     painter.setPen(theme.text_muted)
-    flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-    painter.drawText(area.adjusted(24, 24, -24, -24), flags, text)
+    painter.drawText(area.adjusted(24, 24, -24, -24), _NOTE_FLAGS, text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import cv2
@@ -13,7 +14,7 @@ from PySide6.QtWidgets import QWidget
 from app.presenters.comparing.agreement_scene import OtherMark
 from app.presenters.labelling.labelling_scene import PictureLabels
 from app.presenters.parts.parts_scene import PicturedParts
-from app.presenters.scenes import Eye, PersonMark, PictureScene
+from app.presenters.scenes import Eye, LegendEntry, PersonMark, PictureScene
 from app.presenters.scoring.score_scene import PicturedTruth
 from app.views.labelling.marks import draw_outlines, draw_parts
 from app.views.look.theme import Theme, scaled_font
@@ -22,15 +23,15 @@ from app.views.parts.marks import draw_part_boxes, draw_part_particles, part_box
 from app.views.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
 from app.views.pictures.box_names import BoxNaming
 from app.views.pictures.canvas import Canvas
+from app.views.pictures.captions import Captions, draw_captions, lay_out
 from app.views.pictures.compare_marks import draw_other_boxes
-from app.views.pictures.legend import draw_legend
 from app.views.pictures.marks import (
     draw_cross,
     draw_ghosts,
     draw_people,
     draw_preview,
 )
-from app.views.pictures.name_plates import draw_message, draw_note, plate_rect
+from app.views.pictures.name_plates import draw_message
 from app.views.scoring.truth_marks import draw_truth_boxes
 from tracking.recording.frame import Image
 
@@ -276,12 +277,10 @@ class PictureView(Canvas):
         draw_preview(painter, self._scene.preview, self.viewport)
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
         draw_other_boxes(painter, self._others, self.viewport, theme, shown)
-        small = QFontMetricsF(scaled_font(self.font(), 0.92))
-        eye = plate_rect(small, self._eye_name, QPointF(0, area.bottom() - 8))
-        eye.moveRight(area.right() - 8)  # low down, where heads are seldom
+        captions = self._lay_out_captions(area)
         draw_people(painter, self._scene.people, self.viewport)
         self._draw_parts(painter, shown)
-        names = self._draw_names(painter, shown, eye.intersected(shown))
+        names = self._draw_names(painter, shown, captions.taken)
         draw_truth_boxes(painter, self._truth, self.viewport, theme, shown)
         movable = self._movable()
         if movable is not None and not self._labels.labelling:
@@ -289,15 +288,19 @@ class PictureView(Canvas):
             draw_handles(painter, rect, QColor(*movable.colour))
         if self._scene.drawing and self._hover is not None:
             draw_cross(painter, self._hover, shown)
-        self._draw_words(painter, area, (eye, names), theme)
+        painter.setFont(scaled_font(self.font(), 0.92))
+        self._draw_cards(painter, area, [*names, *captions.taken], theme)
+        draw_captions(painter, captions, *self._words, theme)
 
-    def _draw_names(self, painter: QPainter, shown: QRectF, taken: QRectF) -> list[QRectF]:
+    def _draw_names(
+        self, painter: QPainter, shown: QRectF, taken: Sequence[QRectF]
+    ) -> list[QRectF]:
         """Where they stand; small ones in a low picture, in which they would hide most of all."""
         if self._low:
             painter.setFont(scaled_font(self.font(), _SMALL, bold=True))
         people, view = self._scene.people, self.viewport
         return self._naming.draw(
-            painter, people, view, shown, (taken,), over=self._over, small=self._low
+            painter, people, view, shown, taken, over=self._over, small=self._low
         )
 
     def _draw_parts(self, painter: QPainter, shown: QRectF) -> None:
@@ -307,22 +310,15 @@ class PictureView(Canvas):
         size = (self.width(), self.height())
         draw_part_particles(painter, self._parts, self.viewport, size)
 
-    def _draw_words(
-        self, painter: QPainter, area: QRectF, taken: tuple[QRectF, list[QRectF]], theme: Theme
-    ) -> None:
-        """Cards, the eye's name, legend, message; taken: plates of the eye's and people's names."""
-        eye, names = taken
-        painter.setFont(scaled_font(self.font(), 0.92))
-        metrics = QFontMetricsF(painter.font())
-        self._draw_cards(painter, area, [*names, eye], theme)
-        draw_note(painter, eye, self._eye_name, theme)
+    @property
+    def _words(self) -> tuple[str, str, tuple[LegendEntry, ...]]:
+        """The eye's name, the message, what colours mean."""
         told = () if self._low and self._truth.floor_tells else self._truth.legend
-        legend = (*told, *self._scene.legend)
-        draw_legend(painter, legend, QPointF(8, area.bottom() - 8), theme)
-        if self._scene.message:
-            said = plate_rect(metrics, self._scene.message, QPointF(0, area.bottom() - 12))
-            said.moveLeft(area.center().x() - said.width() / 2)
-            draw_note(painter, said, self._scene.message, theme)
+        return self._eye_name, self._scene.message, (*told, *self._scene.legend)
+
+    def _lay_out_captions(self, area: QRectF) -> Captions:
+        """Before people's names, which keep clear of them."""
+        return lay_out(QFontMetricsF(scaled_font(self.font(), 0.92)), area, *self._words)
 
     @property
     def _low(self) -> bool:

@@ -12,7 +12,6 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF
 from app.presenters.scenes import Eye
 from app.views.look.theme import contrast, ink_on
 from app.views.pictures import box_names
-from app.views.pictures import picture as picture_view
 from app.views.pictures.name_plates import place_plates, plate_rect, plate_text
 from app.views.pictures.picture import PictureView
 
@@ -78,18 +77,6 @@ def test_a_long_name_is_cut_at_its_end_and_a_short_one_is_not():
     assert cut.endswith("\u2026")
     assert plate_rect(metrics, cut, QPointF()).width() < 18 * metrics.averageCharWidth() + 10
     assert plate_text(metrics, "3 Bob") == "3 Bob"
-
-
-def test_a_persons_number_stands_clear_of_the_name_of_the_eye(qtbot, monkeypatch):
-    drawn, notes = [], []
-    monkeypatch.setattr(box_names, "draw_plate", lambda _, rect, *__: drawn.append(rect))
-    monkeypatch.setattr(picture_view, "draw_note", lambda _, rect, *__: notes.append(rect))
-    view = PictureView(Eye.LEFT)
-    qtbot.addWidget(view)
-    view.resize(640, 480)
-    view.show_scene(picture(person(1, (2.0, 12.0, 20.0, 60.0))))
-    view.grab()
-    assert not drawn[0].intersects(notes[0])
 
 
 def test_who_is_out_of_sight_has_no_plate_at_the_edge(qtbot, monkeypatch):

@@ -1,0 +1,79 @@
+"""What stands low down in an eye's picture: its name, a message, what the colours mean."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QFontMetricsF, QPainter
+
+from app.presenters.scenes import LegendEntry
+from app.views.look.theme import Theme
+from app.views.pictures.legend import draw_legend, legend_size
+from app.views.pictures.name_plates import draw_note, note_size
+
+_EDGE_PX, _GAP_PX = 8.0, 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class Captions:
+    """Where the three stand; a rectangle is empty where there is nothing to say or no room.
+
+    Attributes:
+        name: of the eye, at the right. message: in the middle, above the others where they meet.
+        legend: at the left; a picture too low for all three has none.
+    """
+
+    name: QRectF
+    message: QRectF
+    legend: QRectF
+
+    @property
+    def taken(self) -> list[QRectF]:
+        """Where they stand, for what must not lie on them."""
+        return [one for one in (self.name, self.message, self.legend) if not one.isEmpty()]
+
+
+def lay_out(
+    metrics: QFontMetricsF, area: QRectF, name: str, message: str, legend: Sequence[LegendEntry]
+) -> Captions:
+    """Low down, where heads are seldom, and none on another."""
+    room = area.adjusted(_EDGE_PX, _EDGE_PX, -_EDGE_PX, -_EDGE_PX)
+    eye = QRectF(QPointF(), note_size(metrics, name, room.width()))
+    eye.moveBottomRight(room.bottomRight())
+    told = QRectF(QPointF(), legend_size(metrics, legend))
+    told.moveBottomLeft(room.bottomLeft())
+    told = _above(told, [eye])
+    said = QRectF(QPointF(), note_size(metrics, message, room.width()))
+    said.moveCenter(QPointF(room.center().x(), 0))
+    said.moveBottom(room.bottom())
+    with_legend = _above(said, [eye, told])
+    if min(told.top(), with_legend.top()) < room.top() or told.right() > room.right():
+        return Captions(eye, _above(said, [eye]), QRectF())
+    return Captions(eye, with_legend, told)
+
+
+def draw_captions(
+    painter: QPainter,
+    captions: Captions,
+    name: str,
+    message: str,
+    legend: Sequence[LegendEntry],
+    theme: Theme,
+) -> None:
+    """Draw what was laid out for the same words in the same font."""
+    draw_note(painter, captions.name, name, theme)
+    if not captions.legend.isEmpty():
+        draw_legend(painter, legend, captions.legend.bottomLeft(), theme)
+    if not captions.message.isEmpty():
+        draw_note(painter, captions.message, message, theme)
+
+
+def _above(rect: QRectF, others: Sequence[QRectF]) -> QRectF:
+    """The same, lifted as little as keeps it off the others."""
+    lifted = QRectF(rect)
+    for other in sorted(others, key=QRectF.top, reverse=True):
+        if lifted.adjusted(-_GAP_PX, -_GAP_PX, _GAP_PX, _GAP_PX).intersects(other):
+            lifted.moveBottom(other.top() - _GAP_PX)
+    return lifted

@@ -1,0 +1,89 @@
+"""An eye's name, its message and its legend hide nothing of each other, however narrow the eye."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from drawn_scenes import person, picture
+from PySide6.QtGui import QImage
+
+from app.presenters.scenes import LegendEntry
+from app.views.pictures import box_names
+from app.views.pictures.picture import PictureView
+
+SAID = "Nothing was recorded of this instant: another frame is shown"
+LEGEND = (
+    LegendEntry((40, 200, 80), "foreground"),
+    LegendEntry((60, 90, 220), "shadow, taken for ground"),
+)
+LOW = (190, 110)
+SIZES = ((900, 600), (480, 360), (290, 217))
+
+
+@pytest.fixture
+def view(qtbot, dark):
+    widget = PictureView(picture().eye)
+    qtbot.addWidget(widget)
+    return widget
+
+
+@pytest.fixture
+def looks(view):
+    """Draws an eye of this name, message and legend: (height, width, 4)."""
+
+    def drawn(name="", said="", legend=(), people=()):
+        view.show_scene(replace(picture(*people), message=said, legend=legend))
+        view._eye_name = name
+        shot = view.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+        return np.array(shot.constBits()).reshape(shot.height(), shot.width(), 4).copy()
+
+    return drawn
+
+
+@pytest.fixture
+def inked(looks):
+    """Where (height, width) a picture is not as without any words."""
+    return lambda *words, **more: (looks(*words, **more) != looks()).any(axis=2)
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("name", ["Right eye", "Both eyes, for red and cyan glasses"])
+@pytest.mark.parametrize("said", ["Frame 128 of this eye: the same instant", SAID])
+def test_none_of_them_hides_another(view, inked, size, name, said):
+    view.resize(*size)
+    alone = [inked(name), inked("", said), inked(legend=LEGEND)]
+    assert inked(name, said, LEGEND).sum() > 0.98 * sum(one.sum() for one in alone)
+
+
+def test_a_picture_too_low_for_all_has_name_and_message(view, inked):
+    view.resize(*LOW)
+    both = inked("Right eye", SAID)
+    assert both.sum() > 0.98 * (inked("Right eye").sum() + inked("", SAID).sum())
+    assert (inked("Right eye", SAID, LEGEND) == both).all()
+
+
+@pytest.mark.parametrize("size", [*SIZES, LOW])
+def test_a_message_wider_than_the_picture_goes_on_below(view, inked, size):
+    view.resize(*size)
+    for ink in (inked("", SAID), inked("Both eyes, for red and cyan glasses")):
+        assert ink.any()
+        assert not ink[:, :4].any()
+        assert not ink[:, -4:].any()
+
+
+def test_names_of_people_are_under_none_of_them(view, looks, inked, monkeypatch):
+    view.resize(480, 360)
+    words = inked("Right eye", SAID, LEGEND)
+    plates = []
+    monkeypatch.setattr(box_names, "draw_plate", lambda _, rect, *__: plates.append(rect))
+    two_rows = [
+        person(10 * row + n, (40 * n - 30, 100 + 57 * row, 24, 55))
+        for row in range(2)
+        for n in range(1, 8)
+    ]
+    looks("Right eye", SAID, LEGEND, two_rows)
+    assert len(plates) > 8
+    for left, top, right, bottom in (plate.toAlignedRect().getCoords() for plate in plates):
+        assert not words[top:bottom, left:right].any()
