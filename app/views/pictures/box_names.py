@@ -6,17 +6,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
 from app.presenters.scenes import PersonMark
-from app.views.pictures.floor_names import beyond, covers
-from app.views.pictures.name_plates import draw_plate, plate_sizes, plate_text
+from app.views.pictures.name_plates import PAD_PX, draw_plate, plate_sizes, plate_text
+from app.views.pictures.rectangles import (
+    Flags,
+    Floats,
+    as_rect,
+    beyond,
+    coords,
+    covers,
+    first_free,
+    within,
+)
 from app.views.pictures.viewport import Viewport
 
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 _GAP_PX = 3.0
 _HEAD = 0.2
 """Of a box, from its upper edge down."""
@@ -85,7 +91,7 @@ class BoxNaming:
         metrics = QFontMetricsF(painter.font())
         seen = [one for one in people if viewport.rect(QRectF(*one.box)).intersects(area)]
         wanted = [_person(one, viewport, metrics, small) for one in seen]
-        plates = self._for_cursor(wanted, area, _coords(taken), over)
+        plates = self._for_cursor(wanted, area, coords(taken), over)
         for one in reversed(plates):
             draw_plate(painter, one.rect, one.text, QColor(*one.mark.colour), one.mark.selected)
         return [one.rect for one in plates]
@@ -117,7 +123,7 @@ class BoxNaming:
         places = np.zeros((len(people), 4))
         for one, own, never, rather_not in zip(people, sides, shut, crowded, strict=True):
             before = places[: len(plates)]
-            closed, usual = never | _over(own, before), self._sides.get(one.mark.track, 0)
+            closed, usual = never | covers(own, before), self._sides.get(one.mark.track, 0)
             found = _free(one, own, closed | rather_not, usual) or _free(one, own, closed, usual)
             if found is not None:
                 plate, kept[one.mark.track] = found
@@ -132,17 +138,17 @@ class BoxNaming:
 
 def _free(one: _Person, sides: Floats, closed: Flags, usual: int) -> tuple[_Plate, int] | None:
     """The longest name that has a free side, and which; the usual one if that is free."""
-    for number, text in enumerate(one.texts):
-        if not closed[number].all():
-            side = usual if not closed[number, usual] else int(np.argmin(closed[number]))
-            return _Plate(one.mark, text, _rect(sides[number, side])), side
-    return None
+    found = first_free(closed[: len(one.texts)], usual)
+    if found is None:
+        return None
+    size, side = found
+    return _Plate(one.mark, one.texts[size], as_rect(sides[size, side])), side
 
 
 def _least_bad(sides: Floats, plates: Floats, area: QRectF) -> QRectF:
     """Where a name stands that has no free side: if possible on nobody's name."""
-    inside = [_within(_rect(side), area) for side in sides]
-    return inside[int(np.argmin(covers(_coords(inside), plates)))]
+    inside = [within(as_rect(side), area) for side in sides]
+    return inside[int(np.argmin(covers(coords(inside), plates)))]
 
 
 def _barred(
@@ -153,23 +159,18 @@ def _barred(
     heads = bodies.copy()
     heads[:, 3] = bodies[:, 1] + _HEAD * (bodies[:, 3] - bodies[:, 1])
     heads = heads[bodies[:, 1] > area.top() + _EDGE_PX]
-    shut = beyond(sides, area) | _over(sides, np.concatenate((taken, heads)))
+    shut = beyond(sides, area) | covers(sides, np.concatenate((taken, heads)))
     crowded = np.zeros_like(shut)
     for number, own in enumerate(sides):
-        crowded[number] = _over(own, np.delete(bodies, number, axis=0))
+        crowded[number] = covers(own, np.delete(bodies, number, axis=0))
     return shut, crowded
-
-
-def _over(rects: Floats, others: Floats) -> Flags:
-    """(...) whether rectangles (..., 4) lie over any of the others (m, 4)."""
-    return covers(rects.reshape(-1, 4), others).reshape(rects.shape[:-1])
 
 
 def _person(mark: PersonMark, viewport: Viewport, metrics: QFontMetricsF, small: bool) -> _Person:
     box = viewport.rect(QRectF(*mark.box))
     whole, number = plate_text(metrics, mark.label), str(mark.track)
     texts = (whole,) if whole == number else (whole, number)
-    pad = _SMALL_PAD_PX if small else 10.0
+    pad = _SMALL_PAD_PX if small else PAD_PX
     sizes = plate_sizes(metrics, texts, pad)
     return _Person(mark, np.array(box.getCoords()), texts, sizes)
 
@@ -190,20 +191,3 @@ def _sides(people: Sequence[_Person]) -> Floats:
     x = np.stack((start, flush, behind, before, middle, behind, before, middle), axis=-1)
     y = np.stack((above, above, beside, beside, foot, inside, inside, inside), axis=-1)
     return np.stack((x, y, x + width[..., None], y + height[..., None]), axis=-1)
-
-
-def _within(rect: QRectF, area: QRectF) -> QRectF:
-    """The same, moved into the area."""
-    left = max(area.left(), min(rect.left(), area.right() - rect.width()))
-    top = max(area.top(), min(rect.top(), area.bottom() - rect.height()))
-    return QRectF(left, top, rect.width(), rect.height())
-
-
-def _coords(rects: Sequence[QRectF]) -> Floats:
-    """(n, 4) left, top, right, bottom."""
-    return np.array([rect.getCoords() for rect in rects], np.float64).reshape(-1, 4)
-
-
-def _rect(coords: Floats) -> QRectF:
-    left, top, right, bottom = coords.tolist()
-    return QRectF(left, top, right - left, bottom - top)

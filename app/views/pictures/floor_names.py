@@ -6,11 +6,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
+from app.views.pictures.rectangles import (
+    Flags,
+    Floats,
+    as_rect,
+    beyond,
+    covers,
+    first_free,
+    within,
+)
+
 DOT_PX = 3.0
 _GAP_PX, _FAR_PX = 3.0, 18.0
 _SIDES = ((1, -1), (1, 1), (-1, -1), (-1, 1), (1, 0), (-1, 0), (0, -1), (0, 1))
@@ -87,23 +94,20 @@ def _most_sizes(names: Sequence[Wanted]) -> int:
     return max(len(one.sizes) for one in names)
 
 
-def _free(name: Wanted, sides: Floats, barred: Bools, plates: Floats, usual: int) -> Stands | None:
+def _free(name: Wanted, sides: Floats, barred: Flags, plates: Floats, usual: int) -> Stands | None:
     """The first free side, of the longest name that has one."""
-    for number in range(len(name.sizes)):
-        hides = barred[number] | covers(sides[number], plates)
-        if not hides.all():
-            side = usual if not hides[usual] else int(np.argmin(hides))
-            return Stands(name.whose, _rect(sides[number, side]), number, side)
-    return None
+    count = len(name.sizes)
+    found = first_free(barred[:count] | covers(sides[:count], plates), usual)
+    if found is None:
+        return None
+    size, side = found
+    return Stands(name.whose, as_rect(sides[size, side]), size, side)
 
 
 def _anywhere(name: Wanted, sides: Floats, area: QRectF) -> Stands:
     """The shortest name where it would stand if it were alone."""
     number = len(name.sizes) - 1
-    rect = _rect(sides[number, 0])
-    rect.moveLeft(min(max(rect.left(), area.left()), area.right() - rect.width()))
-    rect.moveTop(min(max(rect.top(), area.top()), area.bottom() - rect.height()))
-    return Stands(name.whose, rect, number, 0)
+    return Stands(name.whose, within(as_rect(sides[number, 0]), area), number, 0)
 
 
 def _sides(names: Sequence[Wanted], number: int, radius: float) -> Floats:
@@ -117,22 +121,7 @@ def _sides(names: Sequence[Wanted], number: int, radius: float) -> Floats:
     return np.concatenate((middles - half, middles + half), axis=2)
 
 
-def beyond(sides: Floats, area: QRectF) -> Bools:
-    """(...) whether rectangles (..., 4) reach out of the area."""
-    low, high = (area.left(), area.top()), (area.right(), area.bottom())
-    out = (sides[..., :2] < np.array(low)) | (sides[..., 2:] > np.array(high))
-    return np.asarray(out.any(axis=-1))
-
-
-def covers(rects: Floats, others: Floats) -> Bools:
-    """(n,) whether each rectangle (n, 4) lies over any of the others (m, 4)."""
-    left, top, right, bottom = rects.T[:, :, None]  # one by one: a third of the time of pairs
-    apart = (left >= others[:, 2]) | (right <= others[:, 0])
-    apart |= (top >= others[:, 3]) | (bottom <= others[:, 1])
-    return np.asarray(~apart.all(axis=1))
-
-
-def _touches(sides: Floats, seen: Floats) -> Bools:
+def _touches(sides: Floats, seen: Floats) -> Flags:
     """(n, sizes, k) whether rectangles (n, sizes, k, 4) lie over any disc (m, 3).
 
     Only discs that any place of a name could reach are looked at: of a crowd few.
@@ -149,8 +138,3 @@ def _touches(sides: Floats, seen: Floats) -> Bools:
     hit = (off * off).sum(axis=3) < reach[disc][:, None] ** 2
     np.logical_or.at(found, name, hit)
     return found
-
-
-def _rect(sides: Floats) -> QRectF:
-    left, top, right, bottom = sides.tolist()
-    return QRectF(left, top, right - left, bottom - top)

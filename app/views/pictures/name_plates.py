@@ -8,9 +8,11 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.views.look.theme import Theme, faded, ink_on
+from app.views.pictures.rectangles import within
 
 _GAP = 2.0
-_PAD_PX = 10.0
+PAD_PX = 10.0
+"""Of a plate: what its sides leave empty, in all."""
 _MOST_LETTERS = 16
 """Of a name on a plate, in average letters: a long one would hide other people."""
 _NOTE_FLAGS = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
@@ -23,18 +25,12 @@ def place_plates(wanted: Sequence[QRectF], area: QRectF) -> list[QRectF]:
     """
     placed: list[QRectF] = []
     for rect in wanted:
-        inside = _within(rect, area)
+        inside = within(rect, area)
         down = _pushed(inside, placed, area, 1)
         up = _pushed(inside, placed, area, -1)
         free = [one for one in (down, up) if one is not None]
         placed.append(min(free, key=lambda one: abs(one.top() - inside.top())) if free else inside)
     return placed
-
-
-def _within(rect: QRectF, area: QRectF) -> QRectF:
-    left = min(max(rect.left(), area.left()), max(area.left(), area.right() - rect.width()))
-    top = min(max(rect.top(), area.top()), max(area.top(), area.bottom() - rect.height()))
-    return QRectF(left, top, rect.width(), rect.height())
 
 
 def _pushed(rect: QRectF, placed: list[QRectF], area: QRectF, way: int) -> QRectF | None:
@@ -59,7 +55,7 @@ def plate_text(metrics: QFontMetricsF, name: str) -> str:
 
 
 def plate_sizes(
-    metrics: QFontMetricsF, texts: Sequence[str], pad: float = _PAD_PX
+    metrics: QFontMetricsF, texts: Sequence[str], pad: float = PAD_PX
 ) -> list[tuple[float, float]]:
     """Width and height of the plate for each text; pad: what its sides leave empty, in all."""
     height = metrics.height() + 0.4 * pad
@@ -76,9 +72,9 @@ def note_size(metrics: QFontMetricsF, text: str, width: float) -> QSizeF:
     """Of the plate of a note that is no wider, over several lines where need be."""
     if not text:
         return QSizeF()
-    room = QRectF(0, 0, width - _PAD_PX, 1e4)
+    room = QRectF(0, 0, width - PAD_PX, 1e4)
     words = metrics.boundingRect(room, _NOTE_FLAGS, text)
-    return QSizeF(words.width() + _PAD_PX, words.height() + 0.4 * _PAD_PX)
+    return QSizeF(words.width() + PAD_PX, words.height() + 0.4 * PAD_PX)
 
 
 def draw_plate(
