@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from app.presenters.scenes import PersonMark
 from app.views.pictures.name_plates import PAD_PX, draw_plate, plate_sizes, plate_text
@@ -19,6 +19,7 @@ from app.views.pictures.rectangles import (
     coords,
     covers,
     first_free,
+    lie_on,
     within,
 )
 from app.views.pictures.viewport import Viewport
@@ -31,6 +32,30 @@ _EDGE_PX = 2.0
 """So near the picture's upper edge a box has no head in it."""
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Boxed:
+    """All that decides where names stand, but for the cursor.
+
+    Attributes:
+        area: where names may stand. taken: what they must not lie on. font: of the names, all in
+            widget units. small: plates of a small picture, with less around their words.
+    """
+
+    people: Sequence[PersonMark]
+    viewport: Viewport
+    area: QRectF
+    taken: Sequence[QRectF]
+    font: QFont
+    small: bool = False
+
+    def is_as(self, other: Boxed | None) -> bool:
+        """Whether names stand where they stood; people are the very same or others."""
+        if other is None or self.people is not other.people or self.taken != other.taken:
+            return False
+        where = self.viewport, self.area, self.font, self.small
+        return where == (other.viewport, other.area, other.font, other.small)
+
+
 @dataclass(frozen=True, slots=True)
 class _Person:
     """Somebody who is to be named: by `texts`, the longest first, of `sizes`."""
@@ -39,6 +64,20 @@ class _Person:
     box: Floats
     texts: tuple[str, ...]
     sizes: Sequence[tuple[float, float]]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Crowd:
+    """Who is to be named, who is selected first, and where each name could stand.
+
+    Attributes:
+        sides: (n, sizes, sides, 4), see `_sides`. shut, crowded: (n, sizes, sides), see `_barred`.
+    """
+
+    people: tuple[_Person, ...] = ()
+    sides: Floats = field(default_factory=lambda: np.zeros((0, 2, 8, 4)))
+    shut: Flags = field(default_factory=lambda: np.zeros((0, 2, 8), bool))
+    crowded: Flags = field(default_factory=lambda: np.zeros((0, 2, 8), bool))
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,78 +92,63 @@ class BoxNaming:
 
     Above the box, or beside or below it, if possible where nobody else is; a long name is shortened
     to its number before it is left out. Who is selected or under the cursor is always named: the
-    others make way for them.
+    others make way for them. Names are placed anew only where anything is another.
     """
 
     def __init__(self) -> None:
+        self._boxed: Boxed | None = None
+        self._crowd = _Crowd()
         self._sides: dict[int, int] = {}
-        self._named: frozenset[int] = frozenset()
+        self._usual: list[_Plate] = []
+        self._plates: list[_Plate] = []
         self._forced = 0
 
     @property
     def named(self) -> frozenset[int]:
         """The tracks that have a plate wherever the cursor is."""
-        return self._named
+        return frozenset(one.mark.track for one in self._usual)
 
     @property
     def forced(self) -> int:
         """The track that has a plate only because the cursor is there; 0: none."""
         return self._forced
 
-    def draw(
-        self,
-        painter: QPainter,
-        people: Sequence[PersonMark],
-        viewport: Viewport,
-        area: QRectF,
-        taken: Sequence[QRectF] = (),
-        *,
-        over: int = 0,
-        small: bool = False,
-    ) -> list[QRectF]:
+    def draw(self, painter: QPainter, boxed: Boxed, over: int = 0) -> list[QRectF]:
         """Draw the plates of those in sight, and tell where they stand.
 
         Args:
-            taken: what they must not lie on. over: the track under the cursor. small: plates of a
-                small picture, with less around their words.
+            over: the track under the cursor.
         """
-        metrics = QFontMetricsF(painter.font())
-        seen = [one for one in people if viewport.rect(QRectF(*one.box)).intersects(area)]
-        wanted = [_person(one, viewport, metrics, small) for one in seen]
-        plates = self._for_cursor(wanted, area, coords(taken), over)
-        for one in reversed(plates):
+        if not boxed.is_as(self._boxed):
+            self._boxed, self._crowd = boxed, _crowd(boxed)
+            self._usual, self._sides = self._placed(boxed.area)
+            self._plates, self._forced = self._usual, 0
+        self._point_at(over, boxed.area)
+        painter.setFont(boxed.font)
+        for one in reversed(self._plates):
             draw_plate(painter, one.rect, one.text, QColor(*one.mark.colour), one.mark.selected)
-        return [one.rect for one in plates]
+        return [one.rect for one in self._plates]
 
-    def _for_cursor(
-        self, people: list[_Person], area: QRectF, taken: Floats, over: int
-    ) -> list[_Plate]:
-        """As without the cursor, unless the one under it had no name: then they go first."""
-        first = sorted(people, key=lambda one: not one.mark.selected)
-        plates, self._sides = self._placed(first, area, taken)
-        self._named = frozenset(one.mark.track for one in plates)
-        self._forced = 0
-        if over in {one.mark.track for one in people} - self._named:
-            self._forced = over
-            first.sort(key=lambda one: one.mark.track != over)
-            plates, _ = self._placed(first, area, taken, over)
-        return plates
+    def _point_at(self, track: int, area: QRectF) -> None:
+        """Whoever is under the cursor and has no name usually goes first; else all is as usual."""
+        unnamed = {one.mark.track for one in self._crowd.people} - self.named
+        forced = track if track in unnamed else 0
+        if forced != self._forced:
+            self._forced = forced
+            self._plates = self._placed(area, forced)[0] if forced else self._usual
 
-    def _placed(
-        self, people: Sequence[_Person], area: QRectF, taken: Floats, over: int = 0
-    ) -> tuple[list[_Plate], dict[int, int]]:
+    def _placed(self, area: QRectF, over: int = 0) -> tuple[list[_Plate], dict[int, int]]:
         """Plates of those who have one, and on which side; earlier people have the right of way."""
-        plates: list[_Plate] = []
-        kept = dict(self._sides)
-        if not people:
-            return plates, kept
-        sides = _sides(people)
-        shut, crowded = _barred(people, sides, area, taken)
-        places = np.zeros((len(people), 4))
-        for one, own, never, rather_not in zip(people, sides, shut, crowded, strict=True):
-            before = places[: len(plates)]
-            closed, usual = never | covers(own, before), self._sides.get(one.mark.track, 0)
-            found = _free(one, own, closed | rather_not, usual) or _free(one, own, closed, usual)
+        crowd, kept = self._crowd, dict(self._sides)
+        places, plates = np.zeros((len(crowd.people), 4)), list[_Plate]()
+        order = sorted(
+            range(len(crowd.people)), key=lambda number: crowd.people[number].mark.track != over
+        )
+        for number in order:
+            one, own, before = crowd.people[number], crowd.sides[number], places[: len(plates)]
+            closed = crowd.shut[number] | covers(own, before)
+            usual, better = self._sides.get(one.mark.track, 0), closed | crowd.crowded[number]
+            found = _free(one, own, better, usual) or _free(one, own, closed, usual)
             if found is not None:
                 plate, kept[one.mark.track] = found
             elif one.mark.selected or one.mark.track == over:
@@ -151,6 +175,18 @@ def _least_bad(sides: Floats, plates: Floats, area: QRectF) -> QRectF:
     return inside[int(np.argmin(covers(coords(inside), plates)))]
 
 
+def _crowd(boxed: Boxed) -> _Crowd:
+    """Those in sight, who is selected first."""
+    metrics, view = QFontMetricsF(boxed.font), boxed.viewport
+    seen = [one for one in boxed.people if view.rect(QRectF(*one.box)).intersects(boxed.area)]
+    seen.sort(key=lambda one: not one.selected)
+    people = tuple(_person(one, view, metrics, boxed.small) for one in seen)
+    if not people:
+        return _Crowd()
+    sides = _sides(people)
+    return _Crowd(people, sides, *_barred(people, sides, boxed.area, coords(boxed.taken)))
+
+
 def _barred(
     people: Sequence[_Person], sides: Floats, area: QRectF, taken: Floats
 ) -> tuple[Flags, Flags]:
@@ -160,10 +196,9 @@ def _barred(
     heads[:, 3] = bodies[:, 1] + _HEAD * (bodies[:, 3] - bodies[:, 1])
     heads = heads[bodies[:, 1] > area.top() + _EDGE_PX]
     shut = beyond(sides, area) | covers(sides, np.concatenate((taken, heads)))
-    crowded = np.zeros_like(shut)
-    for number, own in enumerate(sides):
-        crowded[number] = covers(own, np.delete(bodies, number, axis=0))
-    return shut, crowded
+    lies, own = lie_on(sides, bodies), np.arange(len(bodies))
+    lies[own, ..., own] = False
+    return shut, np.asarray(lies.any(axis=-1))
 
 
 def _person(mark: PersonMark, viewport: Viewport, metrics: QFontMetricsF, small: bool) -> _Person:
@@ -178,10 +213,11 @@ def _person(mark: PersonMark, viewport: Viewport, metrics: QFontMetricsF, small:
 def _sides(people: Sequence[_Person]) -> Floats:
     """(n, sizes, 8, 4) left, top, right, bottom of plates, best sides first, the last in the box.
 
-    Who has one size only has it twice.
+    Who has one size only, where others have two, has it twice.
     """
     left, top, right, bottom = np.array([one.box for one in people]).T[:, :, None]
-    sizes = np.array([(one.sizes[0], one.sizes[-1]) for one in people])
+    most = max(len(one.sizes) for one in people)
+    sizes = np.array([(*one.sizes, *one.sizes)[:most] for one in people])
     width, height = sizes[..., 0], sizes[..., 1]
     above, below, inside = top - _GAP_PX - height, bottom + _GAP_PX, bottom - height
     before, behind, flush = left - _GAP_PX - width, right + _GAP_PX, right - width + 1

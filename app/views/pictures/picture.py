@@ -21,7 +21,7 @@ from app.views.look.theme import Theme, scaled_font
 from app.views.parts.cards import draw_cards
 from app.views.parts.marks import draw_part_boxes, draw_part_particles, part_box_at, said_at
 from app.views.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
-from app.views.pictures.box_names import BoxNaming
+from app.views.pictures.box_names import Boxed, BoxNaming
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.captions import Captions, draw_captions, lay_out
 from app.views.pictures.compare_marks import draw_other_boxes
@@ -296,12 +296,10 @@ class PictureView(Canvas):
         self, painter: QPainter, shown: QRectF, taken: Sequence[QRectF]
     ) -> list[QRectF]:
         """Where they stand; small ones in a low picture, in which they would hide most of all."""
-        if self._low:
-            painter.setFont(scaled_font(self.font(), _SMALL, bold=True))
+        font = scaled_font(self.font(), _SMALL if self._low else 0.92, bold=True)
         people, view = self._scene.people, self.viewport
-        return self._naming.draw(
-            painter, people, view, shown, taken, over=self._over, small=self._low
-        )
+        boxed = Boxed(people, view, shown, taken, font, small=self._low)
+        return self._naming.draw(painter, boxed, self._over)
 
     def _draw_parts(self, painter: QPainter, shown: QRectF) -> None:
         """Rectangles and particles, below everybody's names: a crowd has many."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 
 import pytest
@@ -12,6 +13,7 @@ from PySide6.QtCore import QEvent, QRectF
 from PySide6.QtWidgets import QApplication
 
 from app.presenters.scenes import Eye
+from app.views.look.theme import scaled_font
 from app.views.pictures import box_names
 from app.views.pictures.picture import PictureView
 
@@ -197,3 +199,51 @@ def test_a_number_stays_on_its_side_while_that_is_free(plates):
     first = plates(person(1, above), person(2, other))["1"]
     again = plates(person(1, above), person(2, (220, 60, 40, 39)))["1"]
     assert again == first
+
+
+@pytest.fixture
+def measured(monkeypatch, view):
+    """How many plates were measured anew."""
+    done = []
+    size = box_names.plate_sizes
+    monkeypatch.setattr(box_names, "plate_sizes", lambda *it: done.append(1) or size(*it))
+    return done
+
+
+def test_names_are_placed_once_for_a_picture_that_is_painted_again(view, plates, measured):
+    people = crowd()
+    places = [_middle(view, one) for one in people]
+    plates(*people)
+    measured.clear()
+    for at in places[::9]:
+        view.cursor_at(at)
+        view.grab()
+    assert not measured
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda view: view.zoom(1.1),
+        lambda view: view.resize(600, 480),
+        lambda view: view.setFont(scaled_font(view.font(), 1.3)),
+        lambda view: view.show_scene(picture(*crowd(selected=True))),
+        lambda view: view.show_scene(replace(view._scene, people=tuple(crowd()[:9]))),
+    ],
+    ids=["zoom", "size", "font", "selection", "people"],
+)
+def test_names_are_placed_anew_where_anything_is_another(view, plates, measured, change):
+    plates(*crowd())
+    measured.clear()
+    change(view)
+    view.grab()
+    assert measured
+
+
+def test_a_name_makes_way_for_a_message_about_the_same_people(view, plates):
+    drawn = plates(person(1, (140, 234, 40, 5)))  # low down, where there is no other place
+    assert drawn
+    drawn.clear()
+    view.show_scene(replace(view._scene, message="Frame 128 of this eye: the same instant"))
+    view.grab()
+    assert not drawn
