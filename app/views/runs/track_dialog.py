@@ -58,17 +58,7 @@ class TrackDialog(QDialog):
         self._choice.setAccessibleName(self.tr("Tracker"))
         self._title = quiet("", self)
         self._title.setWordWrap(True)
-        self._seed = QSpinBox(self)
-        self._seed.setRange(0, 2**31 - 1)
-        self._seed.setAccessibleName(self.tr("Seed of the random numbers"))
-        self._seed.setToolTip(self.tr("The same seed gives the same tracks"))
-        last = recording.frame_count - 1
-        self._first = self._frame_box(self.tr("First frame"), last)
-        self._last = self._frame_box(self.tr("Last frame"), last)
-        self._last.setValue(last)
-        self._first.valueChanged.connect(self._last.setMinimum)
-        self._last.valueChanged.connect(self._first.setMaximum)
-        self._whole = (0, last)
+        self._number_fields(recording.frame_count - 1)
         self._parts = PartsLine(asked or PartsAsked(), self)
         self._search = SettingSearch(self)
         self._search.textChanged.connect(self._find)
@@ -83,6 +73,19 @@ class TrackDialog(QDialog):
         self._choice.setCurrentIndex(self._names.index(first))
         self._lay_out(warning)
         self._show_tracker(self._choice.currentIndex())
+
+    def _number_fields(self, last: int) -> None:
+        """The seed, and which frames are tracked."""
+        self._seed = QSpinBox(self)
+        self._seed.setRange(0, 2**31 - 1)
+        self._seed.setAccessibleName(self.tr("Seed of the random numbers"))
+        self._seed.setToolTip(self.tr("The same seed gives the same tracks"))
+        self._first = self._frame_box(self.tr("First frame"), last)
+        self._last = self._frame_box(self.tr("Last frame"), last)
+        self._last.setValue(last)
+        self._first.valueChanged.connect(self._last.setMinimum)
+        self._last.valueChanged.connect(self._first.setMaximum)
+        self._whole = (0, last)
 
     def _add_choice(self, name: str) -> None:
         """One that cannot work on the recording is greyed, and says why."""
