@@ -15,10 +15,10 @@ class EyesRoom(QObject):
     """Gives pictures the width that their height fills, and the floor the rest.
 
     Both eyes stand one above the other. Where the user moves the border, it stays there, whatever
-    is opened, until the eyes that are shown change.
+    is opened, until the eyes that are shown change: also from one start to the next.
 
     Attributes:
-        moved: the user moved the border while these eyes were shown.
+        moved: beside how many eyes the user moved the border; 0: it is where it fits.
     """
 
     def __init__(self, top: QSplitter, eyes: QSplitter) -> None:
@@ -27,7 +27,7 @@ class EyesRoom(QObject):
         self._top, self._eyes = top, eyes
         self._aspect = 0.0  # 0: the room is as the user left it
         self._count = 0
-        self.moved = False
+        self.moved = 0
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._fit)
         top.installEventFilter(self)
@@ -35,10 +35,9 @@ class EyesRoom(QObject):
 
     def begin(self, aspect: float, count: int) -> None:
         """So many pictures are shown, so much wider than high."""
-        if self._count not in (0, count):
-            self.moved = False
         self._count = count
-        if not self.moved:
+        if self.moved != count:
+            self.moved = 0
             self._aspect = aspect
             self._fit()
 
@@ -63,4 +62,4 @@ class EyesRoom(QObject):
     def _leave_it(self, _: int, border: int) -> None:
         """The user moved a border; the one between eyes and floor is where they want it."""
         if border == _EYES_END:
-            self._aspect, self.moved = 0.0, self._count > 0
+            self._aspect, self.moved = 0.0, self._count

@@ -208,7 +208,7 @@ class Workspace(QWidget):
 
     def remember(self, remembered: Remembered) -> None:
         """Keep how the parts are laid out."""
-        remembered.set_text("workspace/eyes moved", "yes" if self._eyes_room.moved else "")
+        remembered.set_text("workspace/eyes moved", str(self._eyes_room.moved or ""))
         for name, splitter in self._splitters.items():
             remembered.set_state(f"workspace/{name}", splitter.saveState())
         self.timeline.area.controls.remember(remembered)
@@ -219,7 +219,8 @@ class Workspace(QWidget):
             state = remembered.state(f"workspace/{name}")
             if state is not None:
                 splitter.restoreState(state)
-        self._eyes_room.moved = bool(remembered.text("workspace/eyes moved"))
+        beside = remembered.text("workspace/eyes moved")
+        self._eyes_room.moved = {"1": 1, "2": 2}.get(beside, 0)
         self.timeline.area.controls.restore(remembered)
 
 

@@ -4,6 +4,7 @@ import pytest
 from correcting_desk import opened_desk
 from PySide6.QtCore import QSettings
 
+from app.views.desk.workspace import Workspace
 from app.views.widgets.remembered import Remembered
 
 
@@ -78,6 +79,36 @@ def test_a_border_the_user_moved_is_there_at_the_next_start(
     space.restore(remembered)
     space.show_eyes("both", 4 / 3, stereo=True)
     assert space._splitters["top"].sizes() == sizes
+
+
+@pytest.fixture
+def started_again(space, window, qtbot, tmp_path):
+    """The next start, after the border was moved beside one eye; what shows so many eyes in it."""
+    window.run_command("view.left")
+    space._splitters["top"].moveSplitter(300, 1)
+    remembered = Remembered(QSettings(str(tmp_path / "kept.ini"), QSettings.Format.IniFormat))
+    space.remember(remembered)
+    again = Workspace()
+    qtbot.addWidget(again)
+    again.resize(space.size())
+    again.restore(remembered)
+    again.show()
+
+    def shown(eyes):
+        again.show_eyes(eyes, 4 / 3, stereo=True)
+        qtbot.wait(20)
+        return again.left
+
+    return shown
+
+
+def test_a_border_moved_beside_one_eye_is_there_for_one_at_the_next_start(started_again):
+    assert abs(started_again("left").width() - 300) < 3
+
+
+def test_a_border_moved_beside_one_eye_is_not_kept_for_both_at_the_next_start(started_again):
+    left = started_again("both")
+    assert abs(left.width() - 4 / 3 * left.height()) < 3
 
 
 def test_a_border_the_user_moved_stays_where_it_is(space, window, qtbot):
