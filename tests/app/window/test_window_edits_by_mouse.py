@@ -1,5 +1,7 @@
 """Every edit of tracks done in the real window with the mouse alone."""
 
+import time
+
 import numpy as np
 import pytest
 from correcting_desk import CROWDED, LEFT, NO_KEY, SHIFT, Hands, opened_desk
@@ -9,7 +11,6 @@ from PySide6.QtWidgets import QApplication, QToolButton
 
 from app.presenters.correcting import Reach
 from app.presenters.scenes import Eye
-from tests.pace import spent
 from tracking.tracks import Source
 
 
@@ -286,11 +287,20 @@ def test_a_click_is_answered_in_a_moment(hands, someone):
     view, middle = hands.window.workspace.left, hands.box_on(someone).center()
     taken = []
     for _ in range(7):
-        with spent() as time:
-            QTest.mouseClick(view, LEFT, NO_KEY, middle.toPoint())
-        taken.append(time.paces)
+        began_s = time.monotonic()
+        QTest.mouseClick(view, LEFT, NO_KEY, middle.toPoint())
+        lasted_s = time.monotonic() - began_s  # waiting for others counts, too
+        taken.append(lasted_s / _pace_s())
         hands.desk.editing.pick(0)
-    assert min(taken) < 8
+    assert min(taken) < 4
+
+
+def _pace_s() -> float:
+    """How long a piece of plain Python lasts here and now: 6 ms on a quiet machine of 2025."""
+    began_s, total = time.monotonic(), 0
+    for number in range(100_000):
+        total += number * number % 7
+    return time.monotonic() - began_s
 
 
 def _seen(view, track: int) -> list[tuple[float, ...]]:
