@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import numpy as np
 import pytest
 from people_on_a_floor_plan import FPS, VIEW, walking
@@ -15,7 +13,9 @@ from tracking.editing import (
     plan_interpolate,
     plan_thin,
 )
+from tracking.editing.boxes.interpolation import Way
 from tracking.editing.boxes.standing import boxes_of, places_of
+from tracking.editing.boxes.thinning import thin_tracks
 from tracking.errors import EditError
 from tracking.tracks import Labels, Source, TrackTable
 
@@ -113,14 +113,13 @@ def test_what_cannot_be_thinned_is_told(plan: object, why: str) -> None:
 
 
 def test_thinning_takes_time_with_the_length_of_a_track() -> None:
-    """A ratio in one run: four times the frames take 4 times as long, were it squared 16."""
-    short, long = (
-        min(_seconds_to_thin(strolling(frames)) for _ in range(3)) for frames in (2_500, 10_000)
-    )
-    assert long < 10 * short
+    """Rounds grow with the logarithm of the length; were it squared, sixteen times as many."""
+    short, long = (_rounds_to_thin(strolling(frames)) for frames in (625, 10_000))
+    assert 5 < short < long < 3 * short
 
 
-def _seconds_to_thin(table: TrackTable) -> float:
-    start = time.thread_time()
-    plan_thin(table, 1, view=VIEW, fps=FPS)
-    return time.thread_time() - start
+def _rounds_to_thin(table: TrackTable) -> int:
+    reports: list[tuple[int, int]] = []
+    way = Way(None, VIEW, FPS)
+    thin_tracks(table.of_track(1), 3.0, way, lambda *done: reports.append(done))
+    return len(reports) - 1
