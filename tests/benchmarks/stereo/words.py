@@ -106,11 +106,11 @@ GOALS = """
 ## Goals
 
 `stereo-joint` as it comes. Rows match by box, at an overlap of one half. "Fresh" are clips with
-seeds that nobody had looked at when they were measured, twice as many as of those measured often:
-once figures of them have been seen and a tracker is changed, later seeds take their place.
-"Detected" is the share of the people visible for a second who were matched in ten frames; visible
-means that at least three tenths of the person are seen, in every frame of that second. The error is
-the distance on the floor between track and truth, whose place is where the person stands.
+seeds that nobody had looked at when they were measured, as many as of those measured often: once
+figures of them have been seen and a tracker is changed, later seeds take their place. "Detected" is
+the share of the people visible for a second who were matched in ten frames; visible means that at
+least three tenths of the person are seen, in every frame of that second. The error is the distance
+on the floor between track and truth, whose place is where the person stands.
 """
 
 NOT_FRESH = """
