@@ -112,7 +112,7 @@ def test_what_cannot_be_thinned_is_told(plan: object, why: str) -> None:
         plan(strolling())  # type: ignore[operator]
 
 
-def test_thinning_takes_time_with_the_length_of_a_track() -> None:
+def test_a_long_track_is_thinned_in_few_rounds_over_its_rows() -> None:
     """Rounds grow with the logarithm of the length; were it squared, sixteen times as many."""
     short, long = (_rounds_to_thin(strolling(frames)) for frames in (625, 10_000))
     assert 5 < short < long < 3 * short

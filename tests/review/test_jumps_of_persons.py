@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from walks_on_a_floor import FPS, SIZE, Walk, made_run, straight
 
-from tracking.editing import apply_change, plan_interpolate, plan_move_box
+from tracking.editing import apply_change, plan_interpolate, plan_move_box, plan_thin
 from tracking.review import Suspicion, find_suspicions
 from tracking.tracks import PART_COLUMNS, Labels, Run, TrackTable
 
@@ -49,6 +49,13 @@ def test_a_jump_between_a_moved_and_an_interpolated_box_is_not_suspected() -> No
     table = moved(run, [59, 61])
     assert jumps(run, table) == [60]
     apply_change(table, Labels(), plan_interpolate(table, 1, 59, 62))
+    assert jumps(run, table) == []
+
+
+def test_what_was_kept_while_thinning_was_looked_at() -> None:
+    run = slid(f60=1.0)
+    table = TrackTable(run.tracks)
+    apply_change(table, Labels(), plan_thin(table, 1, how="linear"))
     assert jumps(run, table) == []
 
 

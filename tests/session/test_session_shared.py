@@ -134,6 +134,22 @@ def test_steps_that_do_not_fit_are_kept_aside(session: Session, tmp_path: Path) 
     again.close()
 
 
+def test_an_edit_that_does_not_fit_is_told_once_however_often_it_was_undone(
+    session: Session, tmp_path: Path
+) -> None:
+    edit(session)
+    session.undo()
+    session.redo()
+    after = crashed(session, tmp_path / "after")
+    with sqlite3.connect(companions(after) / "journal.sqlite") as journal:
+        journal.execute("UPDATE steps SET before = '{', after = '{' WHERE number = 1")
+    journal.close()
+    again = Session.open(after)
+    assert again.recovered == 0
+    assert [note.partition("(")[0] for note in again.notes] == ["1 edit does not fit "]
+    again.close()
+
+
 def test_an_edit_made_by_hand_must_touch_what_is_there(session: Session) -> None:
     nothing = Change("swap", "Swap nothing", 0, State(), State())
     session.apply(nothing)

@@ -43,7 +43,7 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
     except EditError as why:
         aside = store.set_journal_aside()
         _begin(store.journal(), stamps, steps[:made])
-        left = len(steps) - made
+        left = len({step.entry.id for step in steps[made:]})
         do = "does" if left == 1 else "do"
         rest = f"{_edits(left)} {do} not fit ({why}); kept aside as {aside}"
         return Recovery(made, (*_told(steps[:made]), rest))

@@ -14,6 +14,7 @@ from app.views.pictures.name_plates import PAD_PX, draw_plate, plate_sizes, plat
 from app.views.pictures.rectangles import (
     Flags,
     Floats,
+    above,
     as_rect,
     beyond,
     coords,
@@ -105,7 +106,7 @@ class BoxNaming:
 
     @property
     def named(self) -> frozenset[int]:
-        """The tracks that have a plate wherever the cursor is."""
+        """The tracks that have a plate while the cursor forces nobody else's."""
         return frozenset(one.mark.track for one in self._usual)
 
     @property
@@ -121,23 +122,23 @@ class BoxNaming:
         """
         if not boxed.is_as(self._boxed):
             self._boxed, self._crowd = boxed, _crowd(boxed)
-            self._usual, self._sides = self._placed(boxed.area)
+            self._usual, self._sides = self._placed(boxed)
             self._plates, self._forced = self._usual, 0
-        self._point_at(over, boxed.area)
+        self._point_at(over, boxed)
         painter.setFont(boxed.font)
         for one in reversed(self._plates):
             draw_plate(painter, one.rect, one.text, QColor(*one.mark.colour), one.mark.selected)
         return [one.rect for one in self._plates]
 
-    def _point_at(self, track: int, area: QRectF) -> None:
+    def _point_at(self, track: int, boxed: Boxed) -> None:
         """Whoever is under the cursor and has no name usually goes first; else all is as usual."""
         unnamed = {one.mark.track for one in self._crowd.people} - self.named
         forced = track if track in unnamed else 0
         if forced != self._forced:
             self._forced = forced
-            self._plates = self._placed(area, forced)[0] if forced else self._usual
+            self._plates = self._placed(boxed, forced)[0] if forced else self._usual
 
-    def _placed(self, area: QRectF, over: int = 0) -> tuple[list[_Plate], dict[int, int]]:
+    def _placed(self, boxed: Boxed, over: int = 0) -> tuple[list[_Plate], dict[int, int]]:
         """Plates of those who have one, and on which side; earlier people have the right of way."""
         crowd, kept = self._crowd, dict(self._sides)
         places, plates = np.zeros((len(crowd.people), 4)), list[_Plate]()
@@ -152,7 +153,7 @@ class BoxNaming:
             if found is not None:
                 plate, kept[one.mark.track] = found
             elif one.mark.selected or one.mark.track == over:
-                plate = _Plate(one.mark, one.texts[-1], _least_bad(own[-1], before, area))
+                plate = _Plate(one.mark, one.texts[-1], _least_bad(own[-1], before, boxed))
             else:
                 continue
             places[len(plates)] = np.array(plate.rect.getCoords())
@@ -169,10 +170,12 @@ def _free(one: _Person, sides: Floats, closed: Flags, usual: int) -> tuple[_Plat
     return _Plate(one.mark, one.texts[size], as_rect(sides[size, side])), side
 
 
-def _least_bad(sides: Floats, plates: Floats, area: QRectF) -> QRectF:
-    """Where a name stands that has no free side: if possible on nobody's name."""
-    inside = [within(as_rect(side), area) for side in sides]
-    return inside[int(np.argmin(covers(coords(inside), plates)))]
+def _least_bad(sides: Floats, plates: Floats, boxed: Boxed) -> QRectF:
+    """Where a name stands that has no free side: if possible on no name, nor on what is taken."""
+    inside = [within(as_rect(side), boxed.area) for side in sides]
+    inside += [within(above(one, boxed.taken), boxed.area) for one in inside]
+    at = coords(inside)
+    return inside[int(np.argmin(2 * covers(at, plates) + covers(at, coords(boxed.taken))))]
 
 
 def _crowd(boxed: Boxed) -> _Crowd:

@@ -12,6 +12,7 @@ from app.presenters.scenes import LegendEntry
 from app.views.look.theme import Theme
 from app.views.pictures.legend import draw_legend, legend_size
 from app.views.pictures.name_plates import draw_note, note_size
+from app.views.pictures.rectangles import above
 
 _EDGE_PX, _GAP_PX = 8.0, 4.0
 
@@ -22,7 +23,7 @@ class Captions:
 
     Attributes:
         name: of the eye, at the right. message: in the middle, above the others where they meet.
-        legend: at the left; a picture too low for all three has none.
+        legend: at the left; a picture too low or too narrow for all three has none.
     """
 
     name: QRectF
@@ -44,13 +45,13 @@ def lay_out(
     eye.moveBottomRight(room.bottomRight())
     told = QRectF(QPointF(), legend_size(metrics, legend))
     told.moveBottomLeft(room.bottomLeft())
-    told = _above(told, [eye])
+    told = above(told, [eye], _GAP_PX)
     said = QRectF(QPointF(), note_size(metrics, message, room.width()))
     said.moveCenter(QPointF(room.center().x(), 0))
     said.moveBottom(room.bottom())
-    with_legend = _above(said, [eye, told])
+    with_legend = above(said, [eye, told], _GAP_PX)
     if min(told.top(), with_legend.top()) < room.top() or told.right() > room.right():
-        return Captions(eye, _above(said, [eye]), QRectF())
+        return Captions(eye, above(said, [eye], _GAP_PX), QRectF())
     return Captions(eye, with_legend, told)
 
 
@@ -68,12 +69,3 @@ def draw_captions(
         draw_legend(painter, legend, captions.legend.bottomLeft(), theme)
     if not captions.message.isEmpty():
         draw_note(painter, captions.message, message, theme)
-
-
-def _above(rect: QRectF, others: Sequence[QRectF]) -> QRectF:
-    """The same, lifted as little as keeps it off the others."""
-    lifted = QRectF(rect)
-    for other in sorted(others, key=QRectF.top, reverse=True):
-        if lifted.adjusted(-_GAP_PX, -_GAP_PX, _GAP_PX, _GAP_PX).intersects(other):
-            lifted.moveBottom(other.top() - _GAP_PX)
-    return lifted

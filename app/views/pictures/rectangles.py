@@ -30,6 +30,15 @@ def within(rect: QRectF, area: QRectF) -> QRectF:
     return QRectF(left, top, rect.width(), rect.height())
 
 
+def above(rect: QRectF, others: Sequence[QRectF], gap: float = 0.0) -> QRectF:
+    """The same, lifted as little as keeps it off the others, and so far from them."""
+    lifted = QRectF(rect)
+    for other in sorted(others, key=QRectF.top, reverse=True):
+        if lifted.adjusted(-gap, -gap, gap, gap).intersects(other):
+            lifted.moveBottom(other.top() - gap)
+    return lifted
+
+
 def beyond(rects: Floats, area: QRectF) -> Flags:
     """(...) whether rectangles (..., 4) reach out of the area."""
     low, high = (area.left(), area.top()), (area.right(), area.bottom())

@@ -80,7 +80,8 @@ def _lenient(box: WholeBox | NumberBox, found: Validated, text: str, pos: int) -
     if state is _State.Invalid and (decimals or _refused(box, bare)):
         state = _State.Intermediate
     elif state is _State.Acceptable and not is_number:
-        state = _State.Intermediate  # "1,800,0", on the way to thousands: Qt would take 18000
+        # Qt would take "1,800,0" for 18000 and "1,25,000" for 125000.
+        state = _State.Intermediate if _may_be_thousands(box, bare) else _State.Invalid
     elif math.isnan(box.locale().toDouble(bare)[0]):
         state = _State.Invalid
     return state, text, pos
@@ -109,6 +110,11 @@ def _number(box: WholeBox | NumberBox, text: str) -> tuple[float, bool]:
     """The number that a text is, and whether it is one; Qt takes "nan" and "inf" for numbers."""
     value, is_number = box.locale().toDouble(_pointed(box, text))
     return (value, is_number) if math.isfinite(value) else (0.0, False)
+
+
+def _may_be_thousands(box: WholeBox | NumberBox, text: str) -> bool:
+    """Whether up to three digits more make a number of a text: a group of thousands."""
+    return any(box.locale().toDouble(text + "0" * more)[1] for more in (1, 2, 3))
 
 
 def _bare(box: WholeBox | NumberBox, text: str) -> str:

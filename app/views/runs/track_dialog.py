@@ -17,13 +17,13 @@ from PySide6.QtWidgets import (
     QLabel,
     QPushButton,
     QScrollArea,
-    QSpinBox,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
 
 from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, PartsAsked
+from app.views.runs.number_boxes import WholeBox
 from app.views.runs.parts_line import PartsLine
 from app.views.runs.settings_form import SettingsForm
 from app.views.runs.settings_search import SettingSearch
@@ -76,12 +76,13 @@ class TrackDialog(QDialog):
 
     def _number_fields(self, last: int) -> None:
         """The seed, and which frames are tracked."""
-        self._seed = QSpinBox(self)
-        self._seed.setRange(0, 2**31 - 1)
-        self._seed.setAccessibleName(self.tr("Seed of the random numbers"))
+        self._refused = quiet("", self, "warning")
+        self._refused.setWordWrap(True)
+        self._refused.hide()
+        self._seed = self._whole_box(self.tr("Seed of the random numbers"), 2**31 - 1)
         self._seed.setToolTip(self.tr("The same seed gives the same tracks"))
-        self._first = self._frame_box(self.tr("First frame"), last)
-        self._last = self._frame_box(self.tr("Last frame"), last)
+        self._first = self._whole_box(self.tr("First frame"), last)
+        self._last = self._whole_box(self.tr("Last frame"), last)
         self._last.setValue(last)
         self._first.valueChanged.connect(self._last.setMinimum)
         self._last.valueChanged.connect(self._first.setMaximum)
@@ -111,6 +112,7 @@ class TrackDialog(QDialog):
         form.addRow("", self._title)
         form.addRow(self.tr("Frames"), self._frames_line())
         form.addRow(self.tr("Seed"), self._seed)
+        form.addRow("", self._refused)
         form.addRow("", self._parts)
         rows.addLayout(form)
         for widget in (self._search, self._nothing):
@@ -131,11 +133,18 @@ class TrackDialog(QDialog):
         room = self.screen().availableSize()
         self.resize(min(48 * line, room.width()), min(44 * line, room.height() - 4 * line))
 
-    def _frame_box(self, name: str, last: int) -> QSpinBox:
-        box = QSpinBox(self)
-        box.setRange(0, last)
+    def _whole_box(self, name: str, most: int) -> WholeBox:
+        box = WholeBox(self)
+        box.setRange(0, most)
         box.setAccessibleName(name)
+        box.typed.connect(lambda refused: self._tell(box, refused))
         return box
+
+    def _tell(self, box: WholeBox, refused: str) -> None:
+        """Below the numbers: why the one that is typed cannot be."""
+        said = self.tr("{0} is out of range: whole numbers from {1} to {2}. The nearest is taken.")
+        self._refused.setText(said.format(refused, box.minimum(), box.maximum()))
+        self._refused.setVisible(bool(refused))
 
     def _frames_line(self) -> QHBoxLayout:
         line = QHBoxLayout()

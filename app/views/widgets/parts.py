@@ -81,7 +81,7 @@ def heading(text: str, parent: QWidget) -> QLabel:
 
 
 def quiet(text: str, parent: QWidget, role: str = "muted") -> QLabel:
-    """A label in a softer colour; `role` is "muted" or "faint"."""
+    """A label in a softer colour; `role` is "muted" or "faint", or "warning"."""
     label = QLabel(text, parent)
     label.setProperty("role", role)
     return label

@@ -1,6 +1,7 @@
 """Every edit of tracks done in the real window with the mouse alone."""
 
 import time
+from statistics import median
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QToolButton
 
 from app.presenters.correcting import Reach
 from app.presenters.scenes import Eye
+from tests.pace import pace
 from tracking.tracks import Source
 
 
@@ -290,17 +292,9 @@ def test_a_click_is_answered_in_a_moment(hands, someone):
         began_s = time.monotonic()
         QTest.mouseClick(view, LEFT, NO_KEY, middle.toPoint())
         lasted_s = time.monotonic() - began_s  # waiting for others counts, too
-        taken.append(lasted_s / _pace_s())
+        taken.append(lasted_s / pace(time.monotonic))
         hands.desk.editing.pick(0)
-    assert min(taken) < 4
-
-
-def _pace_s() -> float:
-    """How long a piece of plain Python lasts here and now: 6 ms on a quiet machine of 2025."""
-    began_s, total = time.monotonic(), 0
-    for number in range(100_000):
-        total += number * number % 7
-    return time.monotonic() - began_s
+    assert median(taken) < 6
 
 
 def _seen(view, track: int) -> list[tuple[float, ...]]:

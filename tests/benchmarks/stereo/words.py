@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from tests.benchmarks.stereo import reasons
+from tests.benchmarks.stereo.clips import FIRST_FRESH
 
-INTRODUCTION = """
+INTRODUCTION = f"""
 # Results: stereo trackers
 
 How well people are followed by two eyes, measured and written by one command:
@@ -18,9 +19,10 @@ once, and runs are kept for as long as nothing they were made with changes). The
 rendered with the same camera heights, tilts and resolution, so that truth is exact and everybody
 can repeat them. Settings were chosen on clips with other seeds.
 
-Two sets of clips are reported. Those *measured often* (seeds from 6101 on) have been measured after
-each change, so that they are no longer unseen and flatter. *Fresh* ones (seeds from 6303 on) nobody
-had looked at when they were measured: goals are judged on them, and trackers are chosen by them.
+Two sets of clips are reported. Those *measured often* (seeds from 6101 on) have been measured
+after each change, so that they are no longer unseen and flatter. *Fresh* ones (seeds from
+{FIRST_FRESH} on) nobody had looked at when they were measured: goals are judged on them, and
+trackers are chosen by them.
 
 A person is *kept*, as in the papers, while the id given at the first detection stays the same until
 the person leaves, and no other person bears it. Boxes match at an overlap (IoU) of one half.

@@ -21,7 +21,8 @@ def jumps(material: Material) -> Found:
     Between rows with frames missing it may have gone as far as somebody walks. A track's two first
     and two last steps have too few beside them and are not judged: once a track is split at a
     jump, what is left of it at the new ends is no jump. Nor is a step between two boxes that a
-    person drew, moved or interpolated: where only one is a person's, the other may still be wrong.
+    person drew, moved, interpolated or kept while thinning, which asks to look at what is kept:
+    where only one is a person's, the other may still be wrong.
     """
     evidence = material.evidence
     frames = np.diff(evidence.frame)

@@ -87,3 +87,14 @@ def test_names_of_people_are_under_none_of_them(view, looks, inked, monkeypatch)
     assert len(plates) > 8
     for left, top, right, bottom in (plate.toAlignedRect().getCoords() for plate in plates):
         assert not words[top:bottom, left:right].any()
+
+
+@pytest.mark.parametrize("size", [(290, 217), (360, 270)])
+def test_the_number_of_who_is_selected_is_under_none_of_them(view, looks, inked, monkeypatch, size):
+    view.resize(*size)
+    words = inked("Right eye", SAID, LEGEND)
+    plates = []
+    monkeypatch.setattr(box_names, "draw_plate", lambda _, rect, *__: plates.append(rect))
+    looks("Right eye", SAID, LEGEND, [person(1, (120, 150, 40, 90), selected=True)])
+    left, top, right, bottom = plates[0].toAlignedRect().getCoords()
+    assert not words[top:bottom, left:right].any()

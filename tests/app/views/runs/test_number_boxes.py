@@ -10,51 +10,6 @@ from app.views.runs.number_boxes import NumberBox, WholeBox
 C, GERMAN = QLocale.c(), QLocale(QLocale.Language.German)
 
 
-@pytest.mark.parametrize("kind", [WholeBox, NumberBox])
-@pytest.mark.parametrize("typed", ["5abc", "7x", "5 000x"])
-def test_what_is_no_number_cannot_be_typed_into_its_field(qtbot, kind, typed):
-    box = kind()
-    qtbot.addWidget(box)
-    box.setLocale(QLocale.c())
-    box.setRange(0, 99)
-    box.setSuffix(" m")
-    box.show()
-    box.selectAll()
-    QTest.keyClicks(box, typed)
-    assert box.cleanText().isdigit()
-    shown = float(box.cleanText())
-    QTest.keyClick(box, Qt.Key.Key_Return)
-    assert box.value() == min(shown, 99)
-
-
-@pytest.mark.parametrize("locale", [QLocale.c(), QLocale(QLocale.Language.German)])
-@pytest.mark.parametrize("typed", ["2,5", "2.5"])
-def test_decimals_stand_behind_a_comma_or_a_point(qtbot, typed, locale):
-    box = NumberBox()
-    qtbot.addWidget(box)
-    box.setLocale(locale)
-    box.setSuffix(" m")
-    box.show()
-    box.selectAll()
-    QTest.keyClicks(box, typed)
-    QTest.keyClick(box, Qt.Key.Key_Return)
-    assert box.value() == 2.5
-
-
-@pytest.mark.parametrize("typed", ["2,7", "2.7"])
-def test_of_decimals_in_a_whole_number_the_nearest_is_told_and_taken(qtbot, heard, typed):
-    box = WholeBox()
-    qtbot.addWidget(box)
-    box.setLocale(QLocale.c())
-    box.show()
-    told = heard(box.typed)
-    box.selectAll()
-    QTest.keyClicks(box, typed)
-    assert told[-1] == typed
-    QTest.keyClick(box, Qt.Key.Key_Return)
-    assert (box.value(), told[-1]) == (3, "")
-
-
 @pytest.fixture
 def field(qtbot):
     """Makes a field of a kind with a range and a unit, all its text selected."""
@@ -71,6 +26,36 @@ def field(qtbot):
         return box
 
     return made
+
+
+@pytest.mark.parametrize("kind", [WholeBox, NumberBox])
+@pytest.mark.parametrize("typed", ["5abc", "7x", "5 000x"])
+def test_what_is_no_number_cannot_be_typed_into_its_field(field, kind, typed):
+    box = field(kind, 0, 99)
+    QTest.keyClicks(box, typed)
+    assert box.cleanText().isdigit()
+    shown = float(box.cleanText())
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    assert box.value() == min(shown, 99)
+
+
+@pytest.mark.parametrize("locale", [C, GERMAN])
+@pytest.mark.parametrize("typed", ["2,5", "2.5"])
+def test_decimals_stand_behind_a_comma_or_a_point(field, typed, locale):
+    box = field(NumberBox, 0, 99, locale)
+    QTest.keyClicks(box, typed)
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    assert box.value() == 2.5
+
+
+@pytest.mark.parametrize("typed", ["2,7", "2.7"])
+def test_of_decimals_in_a_whole_number_the_nearest_is_told_and_taken(field, heard, typed):
+    box = field(WholeBox, 0, 99)
+    told = heard(box.typed)
+    QTest.keyClicks(box, typed)
+    assert told[-1] == typed
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    assert (box.value(), told[-1]) == (3, "")
 
 
 def _paste(box, text):
@@ -137,11 +122,36 @@ def test_decimals_in_a_whole_number_are_never_read_as_thousands(field, heard):
 
 
 @pytest.mark.parametrize("kind", [WholeBox, NumberBox])
-def test_thousands_left_half_typed_are_not_another_number(field, kind):
+def test_thousands_left_half_typed_are_the_number_before(field, kind):
     box = field(kind, 10, 2000000)
     QTest.keyClicks(box, "1,800,0")
+    assert box.cleanText() == "1,800,0"
     QTest.keyClick(box, Qt.Key.Key_Return)
-    assert box.value() != 18000
+    assert box.value() == 1800
+
+
+@pytest.mark.parametrize("kind", [WholeBox, NumberBox])
+@pytest.mark.parametrize("pasted", ["1,25,000", "1,8000,000", "1,,000"])
+def test_what_is_grouped_as_no_number_cannot_be_pasted(field, kind, pasted):
+    box = field(kind, 10, 2000000)
+    before = box.text()
+    _paste(box, pasted)
+    assert box.text() == before
+
+
+@pytest.mark.parametrize("kind", [WholeBox, NumberBox])
+def test_a_sign_that_groups_no_number_cannot_be_typed(field, heard, kind):
+    box = field(kind, 10, 2000000)
+    told = heard(box.typed)
+    QTest.keyClicks(box, "1,25,")
+    assert (box.cleanText(), told[-1]) == ("1,25", "1,25")
+
+
+def test_thousands_are_grouped_as_where_the_user_is(field):
+    box = field(WholeBox, 10, 2000000, QLocale("en_IN"))
+    QTest.keyClicks(box, "1,25,000")
+    QTest.keyClick(box, Qt.Key.Key_Return)
+    assert box.value() == 125000
 
 
 @pytest.mark.parametrize("kind", [WholeBox, NumberBox])

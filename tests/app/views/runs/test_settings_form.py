@@ -217,3 +217,19 @@ def test_enter_in_the_search_does_not_begin_tracking(dialog, heard):
     QTest.keyClick(dialog._search, Qt.Key.Key_Return)
     assert began == []
     assert dialog.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("field", "typed", "taken"),
+    [("_first", "2.5", 2), ("_last", "5000", None), ("_seed", "2,5", 2)],
+)
+def test_a_frame_or_seed_that_cannot_be_is_told_and_the_nearest_is_taken(
+    dialog, field, typed, taken
+):
+    box = getattr(dialog, field)
+    box.selectAll()
+    QTest.keyClicks(box, typed)
+    assert dialog._refused.isVisible()
+    assert dialog._refused.text().startswith(f"{typed} is out of range: whole numbers from 0 to ")
+    box.interpretText()  # as Qt does once it is left
+    assert box.value() == (box.maximum() if taken is None else taken)
