@@ -76,8 +76,10 @@ REPORTED = _clips(6101, _NEEDED)
 
 FIRST_FRESH = 6306
 
-FRESH = _clips(FIRST_FRESH, _NEEDED)
-"""Nobody has looked at these, so goals are judged on them. Whoever changes a tracker, or anything
+FRESH = _clips(FIRST_FRESH, {scene: 2 * number for scene, number in _NEEDED.items()})
+"""Twice as many: with other seeds the share of people kept differs by some three in a hundred.
+
+Nobody has looked at these, so goals are judged on them. Whoever changes a tracker, or anything
 it sees with, after they were measured, moves the first seed on, beyond all that were ever used:
 what was seen once is no longer fresh."""
 
