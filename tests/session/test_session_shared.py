@@ -122,13 +122,17 @@ def test_one_recovered_edit_is_told_as_one(session: Session, tmp_path: Path) -> 
     again.close()
 
 
+def unfit(path: Path, number: int) -> Path:
+    """The session, with a step of its journal that does not fit."""
+    with sqlite3.connect(companions(path) / "journal.sqlite") as journal:
+        journal.execute("UPDATE steps SET before = '{', after = '{' WHERE number = ?", (number,))
+    journal.close()
+    return path
+
+
 def test_steps_that_do_not_fit_are_kept_aside(session: Session, tmp_path: Path) -> None:
     edit(session, swaps=3)
-    after = crashed(session, tmp_path / "after")
-    with sqlite3.connect(companions(after) / "journal.sqlite") as journal:
-        journal.execute("UPDATE steps SET before = '{', after = '{' WHERE number = 2")
-    journal.close()
-    again = Session.open(after)
+    again = Session.open(unfit(crashed(session, tmp_path / "after"), 2))
     assert again.recovered == 1
     assert "2 edits do not fit" in again.notes[1]
     again.close()
@@ -140,11 +144,7 @@ def test_an_edit_that_does_not_fit_is_told_once_however_often_it_was_undone(
     edit(session)
     session.undo()
     session.redo()
-    after = crashed(session, tmp_path / "after")
-    with sqlite3.connect(companions(after) / "journal.sqlite") as journal:
-        journal.execute("UPDATE steps SET before = '{', after = '{' WHERE number = 1")
-    journal.close()
-    again = Session.open(after)
+    again = Session.open(unfit(crashed(session, tmp_path / "after"), 1))
     assert again.recovered == 0
     assert [note.partition("(")[0] for note in again.notes] == ["1 edit does not fit "]
     again.close()

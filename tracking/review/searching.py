@@ -31,8 +31,8 @@ def find_suspicions(
 ) -> tuple[Suspicion, ...]:
     """Places where the tracks are likely wrong, those that are worth most first.
 
-    A jump between two boxes that a person drew, moved or interpolated is not suspected. Verdicts
-    and reviewed ranges are not looked at here: see `open_suspicions`.
+    A jump between two boxes that a person made or kept is not suspected, see `jumps`. Verdicts and
+    reviewed ranges are not looked at here: see `open_suspicions`.
 
     Args:
         table: the corrected tracks; not changed, so a snapshot can be handed to another thread.

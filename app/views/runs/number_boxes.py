@@ -8,6 +8,8 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QDoubleSpinBox, QSpinBox, QWidget
 
+from app.presenters.words import tr
+
 _State = QValidator.State
 Validated = tuple[QValidator.State, str, int]
 """What Qt wants of a check: the state, and the text with the cursor as they are to be."""
@@ -64,6 +66,16 @@ def tell(box: WholeBox | NumberBox) -> None:
     """Have a field say whether the number in it cannot be."""
     text = box.cleanText()
     box.typed.emit(text if _refused(box, text) else "")
+
+
+def why_refused(box: WholeBox | NumberBox, text: str) -> str:
+    """Why a field cannot have a number, in a sentence."""
+    known = {"typed": text, "low": box.minimum(), "high": box.maximum(), "unit": box.suffix()}
+    if isinstance(box, WholeBox):
+        words = "{typed} is out of range: whole numbers from {low} to {high}{unit}. {rest}"
+    else:
+        words = "{typed} is out of range: from {low:g} to {high:g}{unit}. {rest}"
+    return tr(words, **known, rest=tr("The nearest is taken."))
 
 
 def _watch(box: WholeBox | NumberBox) -> None:

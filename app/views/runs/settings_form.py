@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from app.presenters.runs.setting_groups import group_of
 from app.presenters.words import tr
 from app.views.look.theme import scaled_font
-from app.views.runs.number_boxes import NumberBox, WholeBox, tell
+from app.views.runs.number_boxes import NumberBox, WholeBox, tell, why_refused
 from app.views.runs.settings_search import FoldButton, SettingRow, show_found
 from app.views.widgets.parts import heading, quiet
 from tracking.trackers import SettingField, settings_fields, settings_from
@@ -187,13 +187,9 @@ class SettingsForm(QWidget):
 
     def _tell(self, about: QLabel, field: SettingField, refused: str) -> None:
         """Beside a number that is typed: why it cannot be."""
-        low, high = field.range or (-_NUMBER_LIMIT, _NUMBER_LIMIT)
-        said = self.tr("{0} is out of range: from {1:g} to {2:g}{3}. The nearest is taken.")
-        if field.type is int:
-            said = self.tr(
-                "{0} is out of range: whole numbers from {1:g} to {2:g}{3}. The nearest is taken."
-            )
-        about.setText(said.format(refused, low, high, _unit(field)) if refused else _words(field))
+        control = self._controls[field.name]
+        assert isinstance(control, WholeBox | NumberBox)
+        about.setText(why_refused(control, refused) if refused else _words(field))
         about.setProperty("role", "warning" if refused else "muted")
         about.style().unpolish(about)
         about.style().polish(about)

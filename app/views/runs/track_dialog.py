@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, PartsAsked
-from app.views.runs.number_boxes import WholeBox
+from app.views.runs.number_boxes import WholeBox, why_refused
 from app.views.runs.parts_line import PartsLine
 from app.views.runs.settings_form import SettingsForm
 from app.views.runs.settings_search import SettingSearch
@@ -142,8 +142,7 @@ class TrackDialog(QDialog):
 
     def _tell(self, box: WholeBox, refused: str) -> None:
         """Below the numbers: why the one that is typed cannot be."""
-        said = self.tr("{0} is out of range: whole numbers from {1} to {2}. The nearest is taken.")
-        self._refused.setText(said.format(refused, box.minimum(), box.maximum()))
+        self._refused.setText(why_refused(box, refused))
         self._refused.setVisible(bool(refused))
 
     def _frames_line(self) -> QHBoxLayout:
