@@ -31,6 +31,8 @@ def test_text_is_readable_on_every_ground(name):
     for ground in (theme.window, theme.surface, theme.raised, theme.selection, theme.danger_ground):
         assert contrast(theme.text, ground) >= 7
         assert contrast(theme.text_muted, ground) >= 4.0
+    for ground in (theme.window, theme.surface):
+        assert contrast(theme.warning, ground) >= 4.5
     assert contrast(theme.accent_text, theme.accent_fill) >= 4.5
     assert contrast(theme.accent, theme.surface) >= 4.5
 
@@ -40,6 +42,12 @@ def test_text_is_readable_on_every_ground(name):
 def test_every_track_colour_stands_out_on_the_floor(name, colour):
     theme = load_theme(name)
     assert contrast(theme.track(colour), theme.sunken) >= (2.6 if theme.is_dark else 1.9)
+
+
+@pytest.mark.parametrize("name", THEMES)
+def test_a_label_that_warns_has_the_colour_of_warnings(name):
+    theme = load_theme(name)
+    assert f'QLabel[role="warning"] {{ color: {theme.warning.name()}; }}' in stylesheet(theme)
 
 
 def test_both_themes_name_the_same_colours():
