@@ -5,7 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QComboBox,
-    QDoubleSpinBox,
     QHBoxLayout,
     QSizePolicy,
     QStackedWidget,
@@ -19,6 +18,7 @@ from app.views.counting.counts_plot import CountsPlot
 from app.views.counting.steps_table import StepsTable
 from app.views.counting.tally_list import TallyList
 from app.views.look.icons import IconButton
+from app.views.widgets.number_boxes import NumberBox, tell_beside
 from app.views.widgets.parts import Panel, quiet
 from tracking.counting import CountSettings
 from tracking.settings import settings_fields
@@ -114,8 +114,9 @@ class CountingPanel(Panel):
         for button in (self._as_table, self._copy, self._save):
             self.add_to_heading(button)
 
-    def _number(self, name: str, hint: str, most: float, unit: str) -> QDoubleSpinBox:
-        spin = QDoubleSpinBox(self)
+    def _number(self, name: str, hint: str, most: float, unit: str) -> NumberBox:
+        spin = NumberBox(self)
+        tell_beside(spin)
         spin.setRange(0.0, most)
         spin.setDecimals(2)
         spin.setSingleStep(0.05)

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QHBoxLayout,
     QHeaderView,
     QLabel,
@@ -24,6 +23,7 @@ from PySide6.QtWidgets import (
 
 from app.presenters.files.importing import USUAL_TOLERANCE_PX, ImportChoice, ImportScene
 from app.presenters.words import counted
+from app.views.widgets.number_boxes import NumberBox, tell_beside
 from app.views.widgets.parts import heading, quiet
 
 _LETTERS, _BAD_LINES = 78, 7
@@ -78,7 +78,8 @@ class ImportDialog(QDialog):
         self._thins = QCheckBox(
             self.tr("&Thin tracks whose every frame is a keyframe: no edge farther off than"), self
         )
-        self._tolerance = QDoubleSpinBox(self)
+        self._tolerance = NumberBox(self)
+        tell_beside(self._tolerance)
         self._tolerance.setRange(_LEAST_PX, _MOST_PX)
         self._tolerance.setDecimals(1)
         self._tolerance.setSingleStep(0.5)

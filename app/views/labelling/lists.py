@@ -11,12 +11,12 @@ from PySide6.QtWidgets import (
     QListWidgetItem,
     QPushButton,
     QSizePolicy,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
 
 from app.presenters.labelling.labelling_scene import LabellingScene, RangeLine
+from app.views.widgets.number_boxes import WholeBox, tell_beside
 from app.views.widgets.parts import quiet
 
 _ROWS = 4
@@ -137,12 +137,13 @@ class RangesList(QWidget):
     def _build_frames(self) -> QHBoxLayout:
         line = QHBoxLayout()
         line.addWidget(QLabel(self.tr("Frames"), self))
-        self._first, self._last = QSpinBox(self), QSpinBox(self)
+        self._first, self._last = WholeBox(self), WholeBox(self)
         for box, name in (
             (self._first, self.tr("First frame")),
             (self._last, self.tr("Last frame")),
         ):
             box.setRange(0, _LARGEST_FRAME)
+            tell_beside(box)
             box.setMaximumWidth(_FRAME_LETTERS * self.fontMetrics().averageCharWidth())
             box.setAccessibleName(name)
         line.addWidget(self._first)

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QSpinBox,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -20,6 +19,7 @@ from app.views.labelling.balance import BalanceBar
 from app.views.labelling.suggestions import SuggestionsList
 from app.views.look.theme import scaled_font
 from app.views.widgets.choices import ChoiceButtons
+from app.views.widgets.number_boxes import WholeBox, tell_beside
 from app.views.widgets.parts import Swatch, quiet
 from tracking.tracks import PART_NAMES
 
@@ -104,8 +104,9 @@ class PartsGrid(QWidget):
         line = QHBoxLayout()
         line.setContentsMargins(0, 0, 0, 0)
         line.addWidget(QLabel(self.tr("After the last, go on"), self))
-        self._step = QSpinBox(self)
+        self._step = WholeBox(self)
         self._step.setRange(0, _LONGEST_STEP)
+        tell_beside(self._step)
         self._step.setMaximumWidth(_STEP_LETTERS * self.fontMetrics().averageCharWidth())
         self._step.setAccessibleName(self.tr("Frames to go on after the last part"))
         self._step.setFocusPolicy(Qt.FocusPolicy.ClickFocus)

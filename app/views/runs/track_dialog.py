@@ -23,10 +23,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, PartsAsked
-from app.views.runs.number_boxes import WholeBox, why_refused
 from app.views.runs.parts_line import PartsLine
 from app.views.runs.settings_form import SettingsForm
 from app.views.runs.settings_search import SettingSearch
+from app.views.widgets.number_boxes import WholeBox, why_refused
 from app.views.widgets.parts import quiet
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording

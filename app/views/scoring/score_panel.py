@@ -7,7 +7,6 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QComboBox,
-    QDoubleSpinBox,
     QHBoxLayout,
     QLabel,
     QToolButton,
@@ -20,6 +19,7 @@ from app.views.look.icons import IconButton
 from app.views.scoring.error_signs import sign_icon
 from app.views.scoring.figures_table import FiguresTable
 from app.views.widgets.eliding_list import ElidingList
+from app.views.widgets.number_boxes import NumberBox, tell_beside
 from app.views.widgets.parts import Panel, quiet
 from tracking.scoring import ErrorKind
 
@@ -119,7 +119,8 @@ class ScorePanel(Panel):
         self._way = ElidingList(self.tr("How truth and result are paired"), self)
         self._way.addItems([self.tr("Boxes that overlap"), self.tr("Places on the floor")])
         self._way.activated.connect(lambda at: self.floor_chosen.emit(at == 1))
-        self._threshold = QDoubleSpinBox(self)
+        self._threshold = NumberBox(self)
+        tell_beside(self._threshold)
         self._threshold.setDecimals(2)
         self._threshold.setSingleStep(0.05)
         self._threshold.setKeyboardTracking(False)

@@ -3,9 +3,9 @@
 import pytest
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDoubleSpinBox, QSpinBox, QToolTip
 
-from app.views.runs.number_boxes import NumberBox, WholeBox
+from app.views.widgets.number_boxes import NumberBox, WholeBox, tell_beside
 
 C, GERMAN = QLocale.c(), QLocale(QLocale.Language.German)
 
@@ -163,3 +163,22 @@ def test_what_is_not_finite_cannot_be_pasted(field, kind, pasted):
     assert box.text() == before
     QTest.keyClick(box, Qt.Key.Key_Return)
     assert box.value() == 10
+
+
+def test_a_field_without_a_line_for_it_says_under_itself_what_it_refuses(field, qtbot):
+    box = field(WholeBox, 0, 99)
+    tell_beside(box)
+    QTest.keyClicks(box, "120")
+    assert (
+        QToolTip.text()
+        == "120 is out of range: whole numbers from 0 to 99 s. The nearest is taken."
+    )
+    QTest.keyClick(box, Qt.Key.Key_Backspace)
+    qtbot.waitUntil(lambda: not QToolTip.isVisible())
+    assert box.value() == 12
+
+
+def test_every_number_field_of_the_window_is_one_that_tells(window):
+    fields = window.findChildren(QSpinBox) + window.findChildren(QDoubleSpinBox)
+    assert len(fields) >= 6
+    assert all(isinstance(one, WholeBox | NumberBox) for one in fields)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QPoint, Signal
 from PySide6.QtGui import QValidator
-from PySide6.QtWidgets import QDoubleSpinBox, QSpinBox, QWidget
+from PySide6.QtWidgets import QDoubleSpinBox, QSpinBox, QToolTip, QWidget
 
 from app.presenters.words import tr
 
@@ -76,6 +76,19 @@ def why_refused(box: WholeBox | NumberBox, text: str) -> str:
     else:
         words = "{typed} is out of range: from {low:g} to {high:g}{unit}. {rest}"
     return tr(words, **known, rest=tr("The nearest is taken."))
+
+
+def tell_beside(box: WholeBox | NumberBox) -> None:
+    """Have a field say under itself, while it is typed into, why a number cannot be.
+
+    For fields without a line of their own for it.
+    """
+
+    def say(refused: str) -> None:
+        words = why_refused(box, refused) if refused else ""
+        QToolTip.showText(box.mapToGlobal(QPoint(0, box.height())), words, box)
+
+    box.typed.connect(say)
 
 
 def _watch(box: WholeBox | NumberBox) -> None:
