@@ -76,8 +76,9 @@ REPORTED = _clips(6101, _NEEDED)
 
 FIRST_FRESH = 6306
 
-FRESH = _clips(FIRST_FRESH, {scene: 2 * number for scene, number in _NEEDED.items()})
-"""Twice as many: with other seeds the share of people kept differs by some three in a hundred.
+FRESH = _clips(FIRST_FRESH, {scene: 4 * number for scene, number in _NEEDED.items()})
+"""Four times as many: of some eighty people the share kept differs by three in a hundred and more
+with other seeds.
 
 Nobody has looked at these, so goals are judged on them. Whoever changes a tracker, or anything
 it sees with, after they were measured, moves the first seed on, beyond all that were ever used:

@@ -117,15 +117,15 @@ def test_clips_reported_are_never_those_of_choosing_and_hold_people_enough() -> 
         assert not {clip.seed for clip in clips} & {clip.seed for clip in TUNED.of_scene[scene]}
 
 
-def test_fresh_clips_are_twice_as_many_as_those_reported_and_share_no_seed_with_others() -> None:
+def test_fresh_clips_are_four_times_as_many_and_share_no_seed_with_others() -> None:
     for scene, clips in FRESH.of_scene.items():
-        assert len(clips) == 2 * len(REPORTED.of_scene[scene])
+        assert len(clips) == 4 * len(REPORTED.of_scene[scene])
         seeds = {clip.seed for clip in clips}
         assert min(seeds) >= 6306
         assert not seeds & {clip.seed for clip in REPORTED.of_scene[scene]}
         assert not seeds & {clip.seed for clip in TUNED.of_scene[scene]}
-    assert len(FRESH.of_scene["indoor"]) == 6
-    assert len(FRESH.of_scene["ceiling"]) == 2
+    assert len(FRESH.of_scene["indoor"]) == 12
+    assert len(FRESH.of_scene["ceiling"]) == 4
 
 
 def _scored(kept: int, seed: int, of: int = 25, **others: float) -> dict[str, Any]:

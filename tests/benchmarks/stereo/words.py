@@ -12,7 +12,7 @@ How well people are followed by two eyes, measured and written by one command:
 
     python -m tests.benchmarks.stereo --report
 
-(three hours on one core, two of them to render the clips; `--only tables` and the like measure one
+(five hours on one core, four of them to render the clips; `--only tables` and the like measure one
 section anew; clips and runs are kept for as long as nothing they were made with changes). The
 figures stand in [stereo.json](stereo.json), everybody who was not kept among them. "Paper" are
 Kawashita and others 2012 and 2014, measured by their authors in scenes of their own that are not
@@ -108,8 +108,8 @@ GOALS = """
 ## Goals
 
 `stereo-joint` as it comes. Rows match by box, at an overlap of one half. "Fresh" are clips with
-seeds that nobody had looked at when they were measured, twice as many as of those measured often:
-once figures of them have been seen and a tracker is changed, later seeds take their place.
+seeds that nobody had looked at when they were measured, four times as many as of those measured
+often: once figures of them have been seen and a tracker is changed, later seeds take their place.
 "Detected" is the share of the people visible for a second who were matched in ten frames; visible
 means that at least three tenths of the person are seen, in every frame of that second. The error is
 the distance on the floor between track and truth, whose place is where the person stands.
