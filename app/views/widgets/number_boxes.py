@@ -83,10 +83,15 @@ def tell_beside(box: WholeBox | NumberBox) -> None:
 
     For fields without a line of their own for it.
     """
+    said = False
 
     def say(refused: str) -> None:
-        words = why_refused(box, refused) if refused else ""
-        QToolTip.showText(box.mapToGlobal(QPoint(0, box.height())), words, box)
+        nonlocal said
+        # Another field's or button's tip stays: this one is silent unless it spoke itself.
+        if refused or said:
+            words = why_refused(box, refused) if refused else ""
+            QToolTip.showText(box.mapToGlobal(QPoint(0, box.height())), words, box)
+        said = bool(refused)
 
     box.typed.connect(say)
 

@@ -1,7 +1,7 @@
 """Number fields take what people type, and never another number unsaid."""
 
 import pytest
-from PySide6.QtCore import QLocale, Qt
+from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDoubleSpinBox, QSpinBox, QToolTip
 
@@ -176,6 +176,10 @@ def test_a_field_without_a_line_for_it_says_under_itself_what_it_refuses(field, 
     QTest.keyClick(box, Qt.Key.Key_Backspace)
     qtbot.waitUntil(lambda: not QToolTip.isVisible())
     assert box.value() == 12
+    QToolTip.showText(QPoint(), "of a button", box)
+    box.setValue(13)
+    qtbot.wait(500)  # tips vanish after a while, not at once
+    assert QToolTip.text() == "of a button"
 
 
 def test_every_number_field_of_the_window_is_one_that_tells(window):
