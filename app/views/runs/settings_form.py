@@ -9,11 +9,9 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import (
     QApplication,
     QCheckBox,
-    QDoubleSpinBox,
     QGridLayout,
     QLabel,
     QLineEdit,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
@@ -230,14 +228,14 @@ class SettingsForm(QWidget):
         control = self._controls[field.name]
         if isinstance(control, QCheckBox):
             return control.isChecked()
-        if isinstance(control, QSpinBox | QDoubleSpinBox):
+        if isinstance(control, WholeBox | NumberBox):
             return control.value()
         return control.text() if isinstance(control, QLineEdit) else field.default
 
     def _default(self, field: SettingField) -> Any:
         """The default as the control can show it, rounded to its decimals."""
         control = self._controls[field.name]
-        if isinstance(control, QDoubleSpinBox):
+        if isinstance(control, NumberBox):
             return round(float(field.default), control.decimals())
         return field.default
 
