@@ -239,6 +239,15 @@ def test_a_broken_or_hostile_file_ends_in_one_line_that_names_it(tmp_path: Path,
     assert len(str(caught.value)) < 600
 
 
+@pytest.mark.parametrize("head", ["", "%YAML:1.0\n---\n", "%YAML:1.0\r\n---\r\n"])
+def test_a_broken_line_is_told_as_an_editor_numbers_it(tmp_path: Path, head: str) -> None:
+    path = tmp_path / "calibration.yaml"
+    path.write_bytes(f"{head}image_width: 640\nM1: 3\n\timage_height: 480\n".encode())
+    line = head.count("\n") + 3
+    with pytest.raises(CalibrationError, match=rf", line {line}\)"):
+        read_calibration([path])
+
+
 @given(st.binary(max_size=400))
 @settings(deadline=None, max_examples=60)
 def test_no_bytes_whatever_make_the_reader_fail_otherwise(

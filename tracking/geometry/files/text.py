@@ -50,8 +50,9 @@ def read_text(path: Path) -> str:
 def parse_yaml(text: str, where: Path) -> dict[str, Any]:
     """The top mapping of OpenCV FileStorage or plain YAML; OpenCV's matrices become arrays."""
     if text.startswith("%YAML"):
-        # OpenCV writes "%YAML:1.0", which is no YAML directive.
-        text = text.partition("\n")[2]
+        # OpenCV writes "%YAML:1.0", which is no YAML directive. Its line stays, so that lines are
+        # told as an editor numbers them.
+        text = "\n" + text.partition("\n")[2]
     try:
         content = yaml.load(text, _CappedLoader)
     except _BROKEN as error:
@@ -94,7 +95,7 @@ def _one_line(error: Exception) -> str:
     problem = getattr(error, "problem", None)
     mark = getattr(error, "problem_mark", None)
     text = " ".join(str(problem or error).split())[:120]
-    return f"{text}, line {mark.line + 2}" if mark is not None else text
+    return f"{text}, line {mark.line + 1}" if mark is not None else text
 
 
 class _CappedLoader(yaml.SafeLoader):
