@@ -37,6 +37,20 @@ def test_shirt_and_trousers_are_told_apart() -> None:
     assert lower[0].max() > 0.99
 
 
+def test_hues_count_by_how_strong_they_are_or_each_pixel_alike() -> None:
+    picture = clothes((178, 178, 255), (178, 178, 255))  # pale red
+    picture[16:40:12, 10:30] = picture[40:70:12, 10:30] = (255, 255, 0)  # a few lines of cyan
+    cyan = 90 * SETTINGS.hue_bins // 180
+    counted, weighed = (
+        colour_histograms(picture, labels(), [BOX], PeopleSettings(hue_by_saturation=by))[0][0]
+        for by in (False, True)
+    )
+    rows = picture[19:40, 20, 0] == 255  # of the upper body, whose topmost pixels are left out
+    np.testing.assert_allclose(counted[[0, cyan]], [1 - rows.mean(), rows.mean()], atol=0.01)
+    assert weighed[cyan] > 2 * counted[cyan]
+    np.testing.assert_allclose(weighed.sum(), 1.0, rtol=1e-6)
+
+
 def test_only_the_regions_own_pixels_count() -> None:
     region = labels()
     region[:, 20:] = 0

@@ -51,6 +51,7 @@ class Footage:
     manifest_text: str = ""
     own_manifest: bool = False
     calibration_text: str = ""
+    uneven_times_s: None = None
 
     def fingerprints(self) -> tuple[()]:
         """Of no files."""

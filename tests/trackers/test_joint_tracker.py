@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -51,6 +52,18 @@ def test_a_walker_is_placed_better_than_seen():
     assert ids(results) == {1}
     seen_m = noise_m * np.sqrt(np.pi / 2)
     assert error_m(results[20:], walker) < 0.8 * seen_m
+
+
+@pytest.mark.parametrize("odd_s", [0.001, 0.0, -0.02, 0.4], ids=["soon", "same", "back", "late"])
+def test_a_frame_at_an_odd_time_makes_nobody_forgotten(odd_s: float):
+    path = straight((-2, 5), (1, 0), 70)
+    path[37:45] = np.nan
+    own, tracked, moved_s = tracker(), [], 0.0
+    for each in observations([Walker(path)], 0, QUIET):
+        moved_s += odd_s - 1 / FPS if each.frame == 41 else 0.0
+        tracked.append(own.step(replace(each, time_s=each.time_s + moved_s)))
+    assert ids(tracked) == {1}
+    assert ids(tracked[50:]) == {1}
 
 
 def test_the_same_seed_gives_the_same_bytes():

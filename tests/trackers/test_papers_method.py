@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from itertools import permutations
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from people_on_a_floor import FPS, Errors, Walker, observations, straight, view
 
+from tracking.filtering import nearest_first
 from tracking.trackers import Observation, StepResult
 from tracking.trackers.stereo_colour import HalvesOfFirstFrames, StereoColourSettings
 from tracking.trackers.stereo_direction import MiddleUpdated, StereoDirectionSettings
@@ -88,7 +89,9 @@ class PlainMethod:
         total = math.dist(person.place, place)
         if total > self.settings.gate_m:
             return math.inf
-        for model, own in zip(person.colours, self.colours(seen, k), strict=True):
+        known = self.directed or person.matches >= self.settings.model_frames
+        colours = self.colours(seen, k) if known else []
+        for model, own in zip(person.colours, colours, strict=known):
             rho = sum(math.sqrt(float(p) * float(q)) for p, q in zip(model, own, strict=True))
             total += self.settings.colour_weight * math.sqrt(max(0.0, 1 - rho))
         return total + (self.turn(person, place) if self.directed else 0.0)
@@ -105,16 +108,18 @@ class PlainMethod:
         return settings.direction_weight * min(angle / settings.direction_threshold_rad, 1.0)
 
     def pairs(self, places: Sequence[list[float]], seen: Observation) -> dict[int, int]:
-        """Detection to person: as many pairs as can be, then the smallest total."""
+        """Detection to person: each takes the nearest, who has the smallest `D` of all first."""
         alone = [k for k in range(len(places)) if not seen.people.merged[k]]
-        choices = alone + [-1] * len(self.people)
-        best: tuple[int, float, dict[int, int]] = (0, 0.0, {})
-        for order in permutations(choices, len(self.people)):
-            pairs = {k: n for n, k in enumerate(order) if k >= 0}
-            total = sum(self.cost(self.people[n], places[k], seen, k) for k, n in pairs.items())
-            if total < math.inf and (-len(pairs), total) < best[:2]:
-                best = (-len(pairs), total, pairs)
-        return best[2]
+        choices = sorted(
+            (self.cost(person, places[k], seen, k), n, k)
+            for n, person in enumerate(self.people)
+            for k in alone
+        )
+        pairs: dict[int, int] = {}
+        for total, n, k in choices:
+            if total < math.inf and k not in pairs and n not in pairs.values():
+                pairs[k] = n
+        return pairs
 
     def weigh(
         self, pairs: dict[int, int], places: list[list[float]], seen: Observation, elapsed_s: float
@@ -211,6 +216,37 @@ def test_the_batched_steps_are_those_of_the_plain_method(settings):
         places = np.array([person.place for person in expected]).reshape(-1, 2)
         own = np.column_stack((result.tracks["x"], result.tracks["y"]))
         np.testing.assert_allclose(own, places, atol=2e-3)
+
+
+def test_whom_a_detection_costs_least_has_it_though_the_total_be_larger():
+    cost = np.array([[0.03, 0.7], [0.56, 1.29]])
+    nearest = nearest_first(cost, np.ones((2, 2), bool))
+    assert list(zip(nearest.track, nearest.detection, strict=True)) == [(0, 0), (1, 1)]
+    np.testing.assert_allclose(nearest.margin, [0.0, 0.0])
+    gated = nearest_first(cost, cost < 0.6)
+    assert list(zip(gated.track, gated.detection, strict=True)) == [(0, 0)]
+    np.testing.assert_allclose(gated.margin, [0.53])
+    for shape in ((0, 0), (0, 2), (2, 0)):
+        assert len(nearest_first(np.zeros(shape), np.ones(shape, bool)).track) == 0
+
+
+def test_colours_count_once_the_model_is_made_of_the_first_frames():
+    results = told(replace(COLOUR, model_frames=5), 0)
+    colour = [np.isfinite(result.associations["colour"]) for result in results[:8]]
+    assert [bool(each.any()) for each in colour] == [False] * 5 + [True] * 3
+    early = results[3].associations
+    np.testing.assert_allclose(early["total"], early["distance"], rtol=1e-6)
+
+
+def test_two_frames_of_one_time_move_nobody():
+    seen = list(observations(crossing(), 3, MISTAKES))[:30]
+    twice = [*seen[:20], *(replace(each, frame=each.frame + 1) for each in seen[19:])]
+    twice[20] = replace(twice[20], time_s=twice[19].time_s)
+    twice[21] = replace(twice[21], time_s=twice[19].time_s - 0.01)
+    tracker = PaperTracker(view(), COLOUR, HalvesOfFirstFrames(COLOUR), 0)
+    places = [np.column_stack([tracker.step(each).tracks[n] for n in "xy"]) for each in twice]
+    assert all(np.isfinite(each).all() for each in places)
+    assert max(np.hypot(*(new - old).T).max() for old, new in pairwise(places)) < 0.3
 
 
 def test_an_id_is_given_at_the_first_sighting_and_ends_after_a_set_time():

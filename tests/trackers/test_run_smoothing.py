@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from people_on_a_floor import FPS, straight, view
 
 from tracking.geometry import View
-from tracking.trackers import smoothed, smoothing
+from tracking.trackers import smoothed, smoothing, tracker_named
 from tracking.tracks import Run
 from tracking.tracks.columns import DETECTION_COLUMNS, TRACK_COLUMNS, empty
 from tracking.tracks.run import Particles
@@ -97,6 +97,15 @@ def test_the_run_itself_its_particles_and_detections_are_not_touched():
     found = smoothed(run, VIEW, FPS)
     assert all((run.tracks[name] == column).all() for name, column in before.items())
     assert replace(found, tracks=run.tracks) == run
+
+
+@pytest.mark.parametrize("name", ["stereo-colour", "stereo-direction"])
+def test_a_run_as_published_stays_as_it_was_live(name: str):
+    run = replace(run_of(astray(walk(), slice(40, 60))), tracker=name)
+    published = replace(run, settings={"smooth": True, "paper": True})
+    finish = tracker_named(name).finish
+    assert finish(published, VIEW, FPS, None) is published
+    assert places(finish(run, VIEW, FPS, None)) == pytest.approx(places(run_of(walk())), abs=0.005)
 
 
 def test_a_clean_track_stays_as_it_is():

@@ -10,6 +10,7 @@ from tracking.filtering.association import (
     associate,
     cheapest_pairs,
     margins,
+    nearest_first,
 )
 from tracking.filtering.clouds import cloud_shapes
 from tracking.filtering.direction import direction_cost, turning_angle
@@ -65,6 +66,7 @@ __all__ = [
     "margins",
     "mean_states",
     "move",
+    "nearest_first",
     "no_clouds",
     "out_of_hiding",
     "particle_counts",

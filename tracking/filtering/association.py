@@ -39,6 +39,26 @@ def associate(cost: Floats, allowed: NDArray[np.bool_], left_out: float | Floats
     return Association(track, detection, margins(cost, allowed, track, detection))
 
 
+def nearest_first(cost: Floats, allowed: NDArray[np.bool_]) -> Association:
+    """One pair after the other, the cheapest of those that are left first.
+
+    Each track takes the detection that costs it least ([Kawashita2012] eq. 5); the source leaves
+    open who has one that is the cheapest for several, and here it is whom it costs least. The
+    total may be more than that of `associate`: the margins are 0 there.
+
+    Args:
+        cost: (tracks, detections) total D. allowed: the same shape; False is never a pair.
+    """
+    left = np.where(allowed, cost, np.inf)
+    pairs: list[tuple[int, int]] = []
+    while left.size and np.isfinite(cheapest := left.min()):
+        row, column = np.argwhere(left == cheapest)[0].tolist()
+        pairs.append((row, column))
+        left[row], left[:, column] = np.inf, np.inf
+    track, detection = np.array(sorted(pairs), np.intp).reshape(-1, 2).T
+    return Association(track, detection, np.maximum(margins(cost, allowed, track, detection), 0.0))
+
+
 def cheapest_pairs(
     cost: Floats, allowed: NDArray[np.bool_], left_out: float | Floats
 ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

@@ -37,7 +37,8 @@ def colour_histograms(
 
     [Kawashita2012] takes hue histograms from two rectangles placed from the region's centre,
     [Kawashita2014] hue and saturation from the region's middle, its edge being unreliable. Only the
-    region's own pixels count. Each pixel weighs as much as it is colourful: grey has no hue.
+    region's own pixels count. Unlike there, each weighs as much in the hue as it is colourful,
+    since grey has none; `hue_by_saturation` off, they are counted.
 
     Args:
         picture: (height, width, 3) uint8, blue, green, red.
@@ -55,7 +56,8 @@ def colour_histograms(
     level = saturation.astype(np.intp) * settings.saturation_bins // 256
     both = hue_bin * settings.saturation_bins + level
     # The upper bodies' histograms, then the lower ones'.
-    half, weight = region + count * below, saturation.astype(np.float64) + 1
+    half = region + count * below
+    weight = saturation.astype(np.float64) + 1 if settings.hue_by_saturation else None
     halves = _histograms(half, hue_bin, weight, (2 * count, bins))
     middle = _histograms(region, both, None, (count, bins * settings.saturation_bins))
     return halves[:count], halves[count:], middle

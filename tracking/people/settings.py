@@ -67,3 +67,10 @@ class PeopleSettings:
     saturation_bins: int = setting(
         4, "", (1, 16), "the same for how strong a colour is, from grey to full"
     )
+    hue_by_saturation: bool = setting(
+        True,
+        "",
+        None,
+        "the stronger its colour, the more a spot of somebody's clothes counts; off: each counts "
+        "alike, and grey ones as red",
+    )

@@ -11,6 +11,7 @@ import numpy as np
 import tracking
 from tracking.pipeline.spool import IN_MEMORY_BYTES, Spool
 from tracking.pipeline.spooled import SpooledTable
+from tracking.pipeline.ticks import finished, ticks_of
 from tracking.recording import Recording
 from tracking.trackers import (
     ASSOCIATION_COLUMNS,
@@ -145,7 +146,8 @@ class KeptSteps:
         if not settings.get("smooth") or recording.view is None:
             return run
         given = resume.last(_TIED_S) if resume is not None else None
-        return tracker_named(tracker).finish(run, recording.view, recording.fps, given)
+        finish = tracker_named(tracker).finish
+        return finished(finish, run, recording.view, recording.fps, given, ticks_of(recording))
 
     def _settle(self) -> None:
         """Put what waits into the tables."""

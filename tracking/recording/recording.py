@@ -99,6 +99,11 @@ class Recording:
         """A fingerprint of each source, in the order of `sources`."""
         return tuple(fingerprint(source.name, source.files) for source in self._eyes.sources)
 
+    @property
+    def uneven_times_s(self) -> NDArray[np.float64] | None:
+        """(frame_count,) increasing seconds of the frames; None where they come evenly."""
+        return self._times_s
+
     def time_s(self, number: int) -> float:
         """Seconds from the first frame to the given one."""
         return number / self.fps if self._times_s is None else float(self._times_s[number])

@@ -20,6 +20,7 @@ from tracking.trackers.protocol import Perception, Tracker
 from tracking.trackers.smoothing import smoothed
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
 from tracking.trackers.spheroid import finished as spheroid_finished
+from tracking.trackers.stereo_paper import finished as stereo_finished
 from tracking.trackers.three_part import (
     ThreePartSettings,
     WholeBodySettings,
@@ -83,6 +84,7 @@ _BUILT = (
         needs_calibration=True,
         settings_type=stereo_direction.StereoDirectionSettings,
         build=stereo_direction.build,
+        finish=stereo_finished,
     ),
     TrackerSpec(
         name="stereo-colour",
@@ -92,6 +94,7 @@ _BUILT = (
         needs_calibration=True,
         settings_type=stereo_colour.StereoColourSettings,
         build=stereo_colour.build,
+        finish=stereo_finished,
     ),
     TrackerSpec(
         name="spheroid",

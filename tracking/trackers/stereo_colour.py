@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,11 @@ class StereoColourSettings(StereoTrackerSettings):
     """Settings of `stereo-colour`."""
 
     paper: bool = setting(
-        False, "", None, "follow people exactly as the paper does, without what was added to it"
+        False,
+        "",
+        None,
+        "follow people exactly as the paper does, without what was added to it: colours are "
+        "counted as there, and nothing is smoothed",
     )
     particles: int = setting(
         700,
@@ -68,6 +72,10 @@ class HalvesOfFirstFrames:
         share = np.where(matches < self.settings.model_frames, 1.0 / (matches + 1), 0.0)
         return model + share.astype(np.float32)[:, None, None] * (seen - model)
 
+    def complete(self, matches: NDArray[np.int32]) -> NDArray[np.bool_]:
+        """(people,) whose first frames are over: before, the paper compares no colours."""
+        return np.asarray(matches >= self.settings.model_frames)
+
     def direction(self, people: Population, measured: Floats) -> Floats:
         """The walking direction is no cue of this paper's: NaN for all pairs."""
         return np.full((len(people), len(measured)), np.nan)
@@ -81,6 +89,8 @@ def build(
     recording: Recording, settings: StereoColourSettings, seed: int
 ) -> tuple[StereoPerception, StereoTracker | PaperTracker]:
     """Perception and tracker at their start."""
-    perception, view = perception_and_view(recording, settings)
     follow = PaperTracker if settings.paper else StereoTracker
+    if settings.paper:
+        settings = replace(settings, people=replace(settings.people, hue_by_saturation=False))
+    perception, view = perception_and_view(recording, settings)
     return perception, follow(view, settings, HalvesOfFirstFrames(settings), seed)

@@ -27,6 +27,9 @@ class Cues(Protocol):
     ) -> NDArray[np.float32]:
         """Colour models (people, cues, bins) after one more match."""
 
+    def complete(self, matches: NDArray[np.int32]) -> NDArray[np.bool_]:
+        """Of whom, matched so often (people,), the colour model is what the paper compares with."""
+
     def direction(self, people: Population, measured: Floats) -> Floats:
         """Da of every pair (people, detections); NaN where a direction is missing."""
 
@@ -39,8 +42,8 @@ class Costs:
     """What each pair of a person and a detection would cost; all (people, detections).
 
     Attributes:
-        distance: Dd, m. colour: Dc, summed over the colour cues. direction: Da, NaN where left
-            out. total: D, which association makes smallest. allowed: inside the gate.
+        distance: Dd, m. colour: Dc, summed over the colour cues. direction: Da. Both NaN where
+            left out. total: D, which association makes smallest. allowed: inside the gate.
     """
 
     distance: Floats

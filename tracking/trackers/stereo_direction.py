@@ -21,7 +21,11 @@ class StereoDirectionSettings(WalkingSettings, StereoTrackerSettings):
     """Settings of `stereo-direction`."""
 
     paper: bool = setting(
-        False, "", None, "follow people exactly as the paper does, without what was added to it"
+        False,
+        "",
+        None,
+        "follow people exactly as the paper does, without what was added to it: nothing is "
+        "smoothed either",
     )
 
 

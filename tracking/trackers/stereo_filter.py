@@ -61,14 +61,16 @@ class StereoFilter(Generic[SettingsT, CuesT]):
     ) -> tuple[Population, float]:
         """The people as the frame before left them, and the seconds since; nobody at first.
 
+        No time has passed where a frame bears the time of one before it, or an earlier one.
+
         Args:
             colours: (detections, cues, bins), which say how colour models look.
         """
         if self._people is None:
             self._people = nobody(self._settings.particles, *colours.shape[1:])
             self._time_s = observation.time_s
-        elapsed_s = observation.time_s - self._time_s
-        self._time_s = observation.time_s
+        elapsed_s = max(observation.time_s - self._time_s, 0.0)
+        self._time_s = max(observation.time_s, self._time_s)
         return self._people, elapsed_s
 
 

@@ -7,36 +7,38 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.filtering import Association, associate, resample, weigh, weighted_mean
+from tracking.filtering import Association, nearest_first, resample, weigh, weighted_mean
 from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.births_and_ends import Newcomers, confirmed, started
 from tracking.trackers.population import Population, joined
 from tracking.trackers.protocol import StepResult
+from tracking.trackers.smoothing import smoothed
 from tracking.trackers.stereo_boxes import Bodies
 from tracking.trackers.stereo_cues import Costs, Cues, cue_values
 from tracking.trackers.stereo_filter import StereoFilter, predicted
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_settings import StereoTrackerSettings
 from tracking.trackers.stereo_update import aged
+from tracking.tracks.columns import Columns
+from tracking.tracks.run import Run
 
 Floats = NDArray[np.float64]
 Colours = NDArray[np.float32]
-_LEFT_OUT = 1e3
-"""More than any pair inside the gate costs: as many are paired as can be."""
 
 
 class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
     """Follows people as [Kawashita2012] and [Kawashita2014] do, with the `Cues` of either.
 
     Predict by the last movement, or while somebody is missed by the velocity of the last frames
-    they were matched in, with a spread that grows then; pair people and detections by the
-    smallest total of `D = Dd + Dc + Da`; weigh by the likelihood; resample. Everybody has an id
-    from the first sighting, and ends once missed for a set time. Regions of several people are
-    nobody's observation ([Kawashita2014] section 3.4).
+    they were matched in, with a spread that grows then; each person takes the detection with the
+    smallest `D = Dd + Dc + Da`; weigh by the likelihood; resample. Everybody has an id from the
+    first sighting, and ends once missed for a set time. Regions of several people are nobody's
+    observation ([Kawashita2014] section 3.4).
 
     What the papers leave open: a detection farther than `gate_m` from where a person is expected
-    is not theirs.
+    is not theirs, and one that is the nearest of several people goes to whom it is nearest. Two
+    frames of the same time say nothing of movement.
     """
 
     def __init__(self, view: View, settings: StereoTrackerSettings, cues: Cues, seed: int) -> None:
@@ -57,7 +59,7 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
         expected = self._predicted(before, elapsed_s)
         costs = paper_costs(expected, seen.position[:, :2], colours, self._cues, self._settings)
         allowed = costs.allowed & ~seen.merged
-        pairs = associate(costs.total, allowed, _LEFT_OUT)
+        pairs = nearest_first(costs.total, allowed)
         people, moved = self._weighed(expected, pairs, seen, colours, elapsed_s)
         people = self._cues.walked(people, elapsed_s)
         free = ~seen.merged
@@ -91,8 +93,9 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
         mine, measured = people.select(rows), seen.position[chosen, :2]
         weight = weigh(mine.particles, measured, np.full(len(rows), self._settings.sigma_near_m))
         position = weighted_mean(mine.particles, weight)
-        since_s = np.maximum(mine.missed_s + elapsed_s, 1e-6)[:, None]
-        movement = (position - mine.seen_at) / since_s
+        since_s = (mine.missed_s + elapsed_s)[:, None]
+        movement = self._moved[rows]
+        np.divide(position - mine.seen_at, since_s, out=movement, where=since_s > 0.0)
         kept = np.exp(-elapsed_s / self._settings.velocity_memory_s)
         share = np.maximum(1.0 / mine.matches, 1.0 - kept)[:, None]
         moved = self._moved.copy()
@@ -116,6 +119,17 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
         return kept.replace(particles=particles), moved[there]
 
 
+def finished(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
+    """The run smoothed from both ends; not with `paper`: there all comes from what came before.
+
+    Args:
+        view: the camera. fps: frames a second. given: see `smoothed`.
+    """
+    if run.settings.get("paper", False):
+        return run
+    return smoothed(run, view, fps, given)
+
+
 def paper_costs(
     people: Population,
     measured: Floats,
@@ -125,12 +139,16 @@ def paper_costs(
 ) -> Costs:
     """`D = Dd + Dc + Da`, the distance in metres; Dc by `colour_weight`, which is 1 in the papers.
 
+    Dc counts once somebody's colour model is complete, Da once there are directions.
+
     Args:
         people: predicted to this frame. measured: (detections, 2) m.
         colours: (detections, cues, bins).
     """
     distance, colour, direction = cue_values(people, measured, colours, cues)
-    total = distance + settings.colour_weight * colour + np.nan_to_num(direction)
+    colour[~cues.complete(people.matches)] = np.nan
+    told = settings.colour_weight * np.nan_to_num(colour) + np.nan_to_num(direction)
+    total = distance + told
     return Costs(distance, colour, direction, total, distance <= settings.gate_m)
 
 

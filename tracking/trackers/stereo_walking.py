@@ -109,6 +109,10 @@ class WalkingCues:
         share = np.maximum(1.0 / (matches + 1), 1.0 - self.settings.colour_memory)
         return share.astype(np.float32)
 
+    def complete(self, matches: NDArray[np.int32]) -> NDArray[np.bool_]:
+        """(people,) everybody from the first sighting on."""
+        return np.asarray(matches > 0)
+
     def direction(self, people: Population, measured: Floats) -> Floats:
         """Da of every pair: how much the way to each detection turns from the way walked."""
         return turning_cost(people, measured, self.settings)

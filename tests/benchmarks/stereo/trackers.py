@@ -125,7 +125,9 @@ def _seeing_alike(variants: Sequence[Variant]) -> Iterator[list[Variant]]:
     groups: dict[tuple[Any, ...], list[Variant]] = {}
     for variant in variants:
         chosen = variant.chosen()
-        seen_by = tuple(getattr(chosen, name) for name in _SEEN_BY)
+        # The papers' own methods see colours in their own way.
+        paper = getattr(chosen, "paper", False) and variant.tracker
+        seen_by = (paper, *(getattr(chosen, name) for name in _SEEN_BY))
         groups.setdefault(seen_by, []).append(variant)
     yield from groups.values()
 

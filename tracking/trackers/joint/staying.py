@@ -35,17 +35,18 @@ def hiding(people: Population, shown: Floats) -> Flags:
     return np.asarray((shown < _IN_VIEW) | (people.missed_s > _BY_CHANCE_S))
 
 
-def told(people: Population, shown: Floats, settings: JointSettings, elapsed_s: float) -> Flags:
+def told(people: Population, shown: Floats, settings: JointSettings, interval_s: float) -> Flags:
     """(people,) who is thought to be where they are predicted.
 
     Somebody who should be seen and is not may be anywhere: they are remembered only.
 
     Args:
         shown: (people,) share of each body expected to be in sight.
+        interval_s: between two frames, as they usually come.
     """
     hidden = shown < settings.hidden_below
     patience_s = np.where(hidden, settings.lost_hidden_s, settings.lost_after_s)
-    patience_s = np.minimum(patience_s, _TOLD_SHARE * people.matches * elapsed_s)
+    patience_s = np.minimum(patience_s, _TOLD_SHARE * people.matches * interval_s)
     return np.asarray(people.confirmed & (people.missed_s <= patience_s))
 
 
@@ -55,7 +56,7 @@ def staying(
     around: Bodies,
     settings: JointSettings,
     size: tuple[int, int],
-    elapsed_s: float,
+    interval_s: float,
 ) -> Flags:
     """(people,) who is followed or remembered on.
 
@@ -64,11 +65,12 @@ def staying(
 
     Args:
         box: (people, 4) px of their bodies. around: these a step off. size: of the picture.
+        interval_s: between two frames, as they usually come.
     """
     inside = share_in_view(box, size)
     at_the_edge = share_a_step_off(around, size) < _AT_THE_EDGE
     patience_s = np.where(at_the_edge, settings.lost_at_edge_s, settings.remember_s)
-    patience_s = np.minimum(patience_s, _REMEMBERED_SHARE * people.matches * elapsed_s)
+    patience_s = np.minimum(patience_s, _REMEMBERED_SHARE * people.matches * interval_s)
     patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)
     patience_s = np.where(inside < _OUT_OF_VIEW, 0.0, patience_s)
     return np.asarray(people.missed_s <= patience_s)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections import deque
+from statistics import median
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -36,6 +39,10 @@ _SURE = 20
 """Matches that somebody counts as who was corrected by people and is in view."""
 _SHORTEST_S = 1e-3
 """Between two frames."""
+_FRAMES_TIMED = 9
+"""The last frames of which the usual time between two is told."""
+_FAR_OFF = 2.0
+"""A time so many times as long or short as the usual one says nothing of the others."""
 
 
 class JointTracker(StereoFilter[JointSettings, JointCues]):
@@ -59,6 +66,7 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         super().__init__(view, settings, JointCues(settings), seed)
         self._telling = Telling.usual()
         self._noise = Noise.usual(settings)
+        self._intervals_s: deque[float] = deque(maxlen=_FRAMES_TIMED)
 
     def _gone_on(self, people: Population) -> Population:
         """The people to go on with: who was corrected and seen is sure to be somebody."""
@@ -70,6 +78,7 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         seen, settings, view = observation.people, self._settings, self._view
         colours, looks = self._cues.seen(seen), looks_of(seen)
         before, elapsed_s = self._begun(observation, colours)
+        interval_s = self._usual_interval_s(elapsed_s)
         expected = predicted(before, settings, elapsed_s, self._random)
         bodies, size = Bodies.at(expected.position, view), view.camera.size
         known = expected.missed_s < settings.lost_after_s
@@ -92,13 +101,24 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         bodies, around = here_and_a_step_off(people.position, view)
         people = outlined(people, pairs, alone, seen, elapsed_s, bodies)
         people = self._cues.walked(people, elapsed_s)
-        people = self._named(people, pairs, new, elapsed_s)
+        people = self._named(people, pairs, new, interval_s)
         box = bodies.boxes(people.outline)
-        there = told(people, shown, settings, elapsed_s)
+        there = told(people, shown, settings, interval_s)
         result = step_result(observation, people, box, pairs, alone, costs, view, there)
-        stay = staying(people, box, around, settings, size, elapsed_s)
+        stay = staying(people, box, around, settings, size, interval_s)
         self._people = self._carried(people.select(stay), Newcomers(seen, colours, free))
         return result
+
+    def _usual_interval_s(self, elapsed_s: float) -> float:
+        """Seconds that one match stands for: since the frame before, unless that is unusual.
+
+        Frames that were not recorded, or two that follow each other at once, do not change for
+        how long somebody matched in so many frames has been seen.
+        """
+        usual_s = median(self._intervals_s or (elapsed_s,))
+        if elapsed_s > 0.0:
+            self._intervals_s.append(elapsed_s)
+        return elapsed_s if usual_s / _FAR_OFF <= elapsed_s <= usual_s * _FAR_OFF else usual_s
 
     def _judged(
         self,
@@ -138,11 +158,11 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         self._noise = self._noise.learnt(offset, place, measured, self._settings)
 
     def _named(
-        self, people: Population, pairs: Association, new: Floats, elapsed_s: float
+        self, people: Population, pairs: Association, new: Floats, interval_s: float
     ) -> Population:
         """Newcomers seen for long enough have the id of somebody lost, or the next one."""
         settings = self._settings
-        enough = round(settings.confirm_s / max(elapsed_s, _SHORTEST_S))
+        enough = round(settings.confirm_s / max(interval_s, _SHORTEST_S))
         enough = max(settings.confirm_matches, enough)
         fresh = people.track[pairs.track] == 0
         fresh &= people.matches[pairs.track] >= enough
