@@ -1,4 +1,9 @@
-"""Curves through what was measured of many tracks at once, from the past and the future."""
+"""Curves through what was measured of many tracks at once, from the past and the future.
+
+Standard term: fixed-interval smoothing (H. E. Rauch, F. Tung, C. T. Striebel: Maximum Likelihood
+Estimates of Linear Dynamic Systems, 1965), robust by weights that are found again in rounds
+(S. Geman, D. E. McClure: Statistical Methods for Tomographic Image Reconstruction, 1987).
+"""
 
 from __future__ import annotations
 
@@ -60,8 +65,8 @@ def smooth_paths(values: Floats, weight: Floats, chains: Chains, memory: float) 
         values: (n, k) measured. weight: (n,) from 0, not measured, to 1.
         memory: frames over which a turn is spread.
 
-    What Rauch, Tung and Striebel's smoother gives for constant velocity disturbed by white
-    noise, as one banded system.
+    What Rauch, Tung and Striebel's smoother gives for a velocity that is a random walk, changed
+    at the rows only, as one banded system.
     """
     count = len(values)
     values = _bridged(values, weight, chains)

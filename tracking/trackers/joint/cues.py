@@ -1,4 +1,7 @@
-"""What is seen and learnt of each person's looks and way."""
+"""What is seen and learnt of each person's looks and way.
+
+Standard term: the update of the appearance model, an exponentially weighted mean.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,9 @@
-"""How well every detection suits every person, and what it would mean to be missed."""
+"""How well every detection suits every person, and what it would mean to be missed.
+
+Standard term: the increments of track scores, log-likelihood ratios (S. Blackman, R. Popoli:
+Design and Analysis of Modern Tracking Systems, 1999). Where we differ: there is no false-alarm
+density beside the birth density, and places follow Student's t.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +39,8 @@ class Evidence:
     """In nats, against the detection being of somebody new; less is likelier.
 
     Attributes:
-        match: (people, detections). missed: (people,). allowed: (people, detections).
+        match: (people, detections), minus the log-likelihood ratio of each pair.
+        missed: (people,), `-ln(1 - P_D)`. allowed: (people, detections), the gate.
         distance: (people, detections) m.
     """
 
@@ -72,7 +78,10 @@ def place_density(offset: Floats, spread: Floats, sigma: Floats) -> Floats:
 
 
 def arrivals(seen: Detections, settings: JointSettings, elapsed_s: float, view: View) -> Floats:
-    """(detections,) log of how many new people are expected a m² in this frame, there."""
+    """(detections,) log of how many new people are expected a m² in this frame, there.
+
+    Standard term: the birth density (new-target density); it covers false alarms, too.
+    """
     width, height = view.camera.size
     box = seen.box
     right, bottom = width - box[:, 0] - box[:, 2], height - box[:, 1] - box[:, 3]
@@ -85,7 +94,8 @@ def arrivals(seen: Detections, settings: JointSettings, elapsed_s: float, view: 
 def found_share(people: Population, shown: Floats, settings: JointSettings) -> Floats:
     """(people,) how likely each is detected, by the share of the body in sight.
 
-    Newcomers may be nobody: the less often they were seen, the likelier.
+    Standard term: the detection probability. Newcomers may be nobody: the less often they were
+    seen, the likelier.
     """
     share = np.clip((shown - _HIDDEN) / (_SHOWN - _HIDDEN), _FAINT, 1.0 - settings.overlooked)
     return np.asarray(share * (people.matches + 1.0) / (people.matches + _DOUBT))

@@ -1,4 +1,8 @@
-"""The best explanation of a frame: who is which detection, who is missed, who is new."""
+"""The best explanation of a frame: who is which detection, who is missed, who is new.
+
+Standard term: global nearest neighbour (GNN) data association, a 2-D assignment problem (H. W.
+Kuhn: The Hungarian Method for the Assignment Problem, 1955).
+"""
 
 from __future__ import annotations
 

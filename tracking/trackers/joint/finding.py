@@ -1,4 +1,7 @@
-"""Newcomers who are somebody lost before: found again by where they may have walked and looks."""
+"""Newcomers who are somebody lost before: found again by where they may have walked and looks.
+
+Standard term: re-identification of coasted tracks, by log-likelihood ratios.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,7 @@ def found_again(
 
     Args:
         ready: rows of newcomers about to get an id; all were seen in this frame.
-        new: (ready,) log of how many new people are expected a m² where each began.
+        new: (ready,) log of how many new people are expected a m² where each is seen now.
     """
     lost = np.flatnonzero(people.confirmed & (people.missed_s >= _LEAST_MISSED_S))
     if len(lost) == 0 or len(ready) == 0:

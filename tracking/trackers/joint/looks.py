@@ -1,4 +1,7 @@
-"""What people look like: colours, lightness of clothes and height, and how much they tell."""
+"""What people look like: colours, lightness of clothes and height, and how much they tell.
+
+Standard term: an appearance model, compared by a log-likelihood ratio of same against different.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,9 @@
-"""How people move: at a velocity that changes at random, known as well as it was measured."""
+"""How people move: at a velocity that changes at random, known as well as it was measured.
+
+Standard term: the constant-velocity model with continuous white noise of acceleration, whose
+process noise intensity is `agility` (Y. Bar-Shalom, X. R. Li, T. Kirubarajan: Estimation with
+Applications to Tracking and Navigation, 2001).
+"""
 
 from __future__ import annotations
 

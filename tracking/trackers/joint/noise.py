@@ -1,4 +1,7 @@
-"""How far off detections are in this footage, learnt while it is tracked."""
+"""How far off detections are in this footage, learnt while it is tracked.
+
+Standard term: the measurement noise, estimated from the innovations of sure matches.
+"""
 
 from __future__ import annotations
 

@@ -11,7 +11,11 @@ from tracking.trackers.stereo_walking import WalkingSettings
 
 @dataclass(frozen=True, slots=True)
 class JointSettings(WalkingSettings, StereoFilterSettings):
-    """Settings of `stereo-joint`."""
+    """Settings of `stereo-joint`.
+
+    Standard terms: `agility` is the process noise intensity, `new_at_edge` and `new_within` are
+    birth rates, `overlooked` is what the detection probability in full view lacks of 1.
+    """
 
     confirm_s: float = setting(
         0.1,

@@ -1,4 +1,7 @@
-"""Who is told of, who is only remembered, and who has gone."""
+"""Who is told of, who is only remembered, and who has gone.
+
+Standard term: track management: tracks that are reported, coasted, deleted.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,6 @@ _IN_VIEW, _BY_CHANCE_S = 0.5, 0.4
 """Who shows so much of themselves is missed by chance, and for no longer."""
 _AT_THE_EDGE = 0.55
 """Who has less of themselves in the picture a step further off stands at its edge."""
-"""Share of a body inside the picture below which somebody not seen may be leaving it."""
 _OUT_OF_VIEW = 0.35
 """Share of a body inside the picture below which somebody not seen has left it."""
 

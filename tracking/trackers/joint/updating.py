@@ -1,4 +1,7 @@
-"""What a match changes of the people, in the joint tracker."""
+"""What a match changes of the people, in the joint tracker.
+
+Standard term: the measurement update of a particle filter, with a Kalman filter's for velocity.
+"""
 
 from __future__ import annotations
 

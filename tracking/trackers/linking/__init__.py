@@ -1,4 +1,14 @@
-"""Runs looked over as a whole: one id for each person, however often they were lost."""
+"""Runs looked over as a whole: one id for each person, however often they were lost.
+
+Standard term: offline tracklet linking, in stages as in C. Huang, B. Wu, R. Nevatia: Robust Object
+Tracking by Hierarchical Association of Detection Responses, 2008. Where we differ: tracklets are
+pieces of a tracker's tracks, cut where it is doubtful who goes on; how they look is learnt from
+the run itself; where people enter and leave follows from the camera. See `docs/stereo-joint.md`.
+
+Where no source stands beside a constant, it was chosen on rendered clips: tuning clips with seeds
+60xx, later also clips with seeds from 6301 on that had been reported before. Which clip decided
+which number is not recorded.
+"""
 
 from tracking.trackers.linking.linked import linked
 

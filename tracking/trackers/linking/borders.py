@@ -1,4 +1,7 @@
-"""Where people come and go: cheap at the picture's edges, dear within, less so behind others."""
+"""Where people come and go: cheap at the picture's edges, dear within, less so behind others.
+
+Standard term: the birth density of tracks, and the probability that they end.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""What links between tracklets cost, looks aside."""
+"""What links between tracklets cost, looks aside.
+
+Standard term: the negative log-likelihood ratio of one person against an exit and an entry.
+"""
 
 from __future__ import annotations
 

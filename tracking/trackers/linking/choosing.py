@@ -1,4 +1,8 @@
-"""Which tracklets follow each other: one choice for the whole recording, the least costly."""
+"""Which tracklets follow each other: one choice for the whole recording, the least costly.
+
+Standard term: minimum-weight bipartite matching, sparse (R. Jonker, A. Volgenant: A Shortest
+Augmenting Path Algorithm for Dense and Sparse Linear Assignment Problems, 1987; SciPy's).
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Where a track may go on as somebody else: there it is cut, to be linked anew."""
+"""Where a track may go on as somebody else: there it is cut, to be linked anew.
+
+Standard term: track splitting, where identity switches are likely.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Predicted rows where somebody is out of sight between two places where they were seen."""
+"""Predicted rows where somebody is out of sight between two places where they were seen.
+
+Standard term: linear interpolation of gaps.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Who could not be seen on the way because others stood in front."""
+"""Who could not be seen on the way because others stood in front.
+
+Standard term: occlusion reasoning.
+"""
 
 from __future__ import annotations
 

@@ -19,7 +19,8 @@ class Links:
 
     Attributes:
         end, start: (k,) the tracklet left and the one gone on with.
-        cost: (k,) by what is known without looks, less the cost of two different people.
+        cost: (k,) by what is known without looks, less the cost of two different people, in nats:
+            minus the log-likelihood ratio of one person.
     """
 
     end: Rows

@@ -1,4 +1,8 @@
-"""How alike people look, weighed by how much looks tell in this recording."""
+"""How alike people look, weighed by how much looks tell in this recording.
+
+Standard term: the log-likelihood ratio of probabilistic linear discriminant analysis (S. Ioffe:
+Probabilistic Linear Discriminant Analysis, 2006). Where we differ: it is weakened and bounded.
+"""
 
 from __future__ import annotations
 

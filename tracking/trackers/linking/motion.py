@@ -1,4 +1,8 @@
-"""How likely people walk from the end of one tracklet to the beginning of another."""
+"""How likely people walk from the end of one tracklet to the beginning of another.
+
+Standard term: a mixture of two motion models, constant velocity disturbed by white noise and a
+velocity that is forgotten; `_WALKING` is the process noise intensity.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Rows where somebody was detected already before the tracker was sure of them, or still after."""
+"""Rows where somebody was detected already before the tracker was sure of them, or still after.
+
+Standard term: track extension, backwards and forwards.
+"""
 
 from __future__ import annotations
 

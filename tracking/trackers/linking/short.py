@@ -1,4 +1,7 @@
-"""Tracklets of few rows put in where they fit."""
+"""Tracklets of few rows put in where they fit.
+
+Standard term: greedy association, after the optimal one of the long tracklets.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""Pieces of tracks in which nothing is doubtful, and how they begin and end."""
+"""Pieces of tracks in which nothing is doubtful, and how they begin and end.
+
+Standard term: tracklets; their ends are states with a covariance, fitted by least squares with a
+prior on speed.
+"""
 
 from __future__ import annotations
 
