@@ -35,8 +35,8 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         0.1,
         "",
         (0.0, 5.0),
-        "how much better a sighting must suit one person than the next to be theirs, in nats (1 "
-        "nat: 2.7 times as likely); higher: fewer swapped ids, more gaps",
+        "how much better a sighting must suit one person than the next to be theirs (0.1: a nat, "
+        "2.7 times as likely); higher: fewer swapped ids, more gaps",
     )
     agility: float = setting(
         1.0,
