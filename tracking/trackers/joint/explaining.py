@@ -33,7 +33,8 @@ def explained(
         least_margin: nats.
 
     Returns the pairs, with margins in `NAT`, and the detections that nobody has but somebody new
-    may have.
+    may have. Margins are of `match` alone: what it costs or saves that somebody else is missed is
+    left out of them, and the hazards of the review are fitted to them as they are.
     """
     columns = np.flatnonzero(usable)
     match, allowed = evidence.match[:, columns], evidence.allowed[:, columns]
