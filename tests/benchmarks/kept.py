@@ -11,6 +11,7 @@ import hashlib
 import io
 import os
 from collections.abc import Iterable, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -23,7 +24,7 @@ from tracking.tracks import Columns
 LIBRARIES = f"numpy {np.__version__}, OpenCV {cv2.__version__}"
 """Whose arithmetic is in every clip and every run."""
 
-RENDERING = ("geometry/**/*.py", "synthesis/**/*.py")
+_RENDERING = ("geometry/**/*.py", "synthesis/**/*.py")
 """Rooms that clips are rendered with."""
 
 Tables = Mapping[str, Columns]
@@ -76,6 +77,17 @@ def keep(path: Path, tables: Tables) -> None:
     part = path.with_suffix(f".{os.getpid()}.part")
     part.write_bytes(image.getvalue())
     part.replace(path)
+
+
+@cache
+def rendering(*said: str) -> str:
+    """A short hash over whatever clips are rendered with: sources and libraries.
+
+    Args:
+        said: all else that they depend on and that their own names do not tell.
+    """
+    told = "\0".join((sources_of(_RENDERING), LIBRARIES, *said))
+    return hashlib.sha256(told.encode()).hexdigest()[:8]
 
 
 def sources_of(rooms: Iterable[str]) -> str:

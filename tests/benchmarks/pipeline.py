@@ -11,24 +11,26 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from tests.benchmarks.kept import rendering
 from tests.benchmarks.peers import Obvious, Primitives
+from tests.benchmarks.rendered import Clip, folder_of
 from tracking.pipeline import Tracking, track
 from tracking.recording import StereoFrame, open_recording
-from tracking.synthesis import render_recording
 
-SCENE, PEOPLE, SECONDS, SEED = "square", 16, 12.0, 1
+CLIP = Clip("square", 1, 12.0, 16)
 """A scene of sixteen people, of whom fifteen or all are in view in the frames that count."""
 PARTICLES = 500
 """Of each person: what the default tracker has, too."""
-_KEPT = Path(tempfile.gettempdir()) / f"trackwright-benchmark-{SCENE}-{PEOPLE}-{SEED}"
+_KEPT = Path(tempfile.gettempdir()) / "trackwright-benchmark"
 _IN_VIEW = range(14, 17)
 
 
 def recording() -> Path:
-    """The benchmark's recording; rendered once and kept in the system's temporary folder."""
-    if not (_KEPT / "truth.txt").is_file():
-        render_recording(_KEPT, SCENE, SECONDS, PEOPLE, SEED)
-    return _KEPT
+    """The benchmark's recording, kept in the system's temporary folder.
+
+    It is rendered anew where anything it was rendered with has changed.
+    """
+    return folder_of(CLIP, _KEPT / rendering())
 
 
 @dataclass(slots=True)

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import hashlib
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 
 from platformdirs import user_cache_path
 
-from tests.benchmarks.kept import LIBRARIES, RENDERING, sources_of
+from tests.benchmarks.kept import rendering as rendered_with
 from tests.benchmarks.parts import scenes
 from tests.benchmarks.parts.scenes import ELSEWHERE
 from tracking.synthesis import SCENES, SceneSpec, render_recording
@@ -94,8 +92,6 @@ def folder_of(clip: Clip, kept: Path | None = None) -> Path:
     return folder
 
 
-@cache
 def rendering() -> str:
-    """A short hash over whatever clips are rendered with: sources, scenes and libraries."""
-    said = f"{sources_of(RENDERING)}\0{LIBRARIES}\0{FPS}\0".encode()
-    return hashlib.sha256(said + Path(scenes.__file__).read_bytes()).hexdigest()[:8]
+    """A short hash over whatever clips are rendered with, scenes and the frame rate among it."""
+    return rendered_with(str(FPS), Path(scenes.__file__).read_text(encoding="utf-8"))

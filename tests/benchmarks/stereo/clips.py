@@ -5,11 +5,9 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
-from hashlib import sha256
 from pathlib import Path
 
-from tests.benchmarks.kept import LIBRARIES, RENDERING, sources_of
+from tests.benchmarks.kept import rendering
 from tests.benchmarks.rendered import Clip, folder_of
 from tracking.synthesis import SCENES, Circumstances
 
@@ -95,9 +93,3 @@ def folder(clip: Clip, kept: Path | None = None) -> Path:
     that is named are taken as they are.
     """
     return folder_of(clip, kept or KEPT / rendering())
-
-
-@cache
-def rendering() -> str:
-    """A short hash over whatever clips are rendered with."""
-    return sha256(f"{sources_of(RENDERING)}\0{LIBRARIES}".encode()).hexdigest()[:8]
