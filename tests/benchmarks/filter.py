@@ -56,7 +56,7 @@ def filter_ms(people: int, particles: int) -> float:
     spread, sigma = np.full(people, _SPREAD_M), np.full(people, _SIGMA_M)
     position, taken = start, []
     for measured in detections:
-        begun = time.thread_time()
+        begun = time.process_time()
         crowd = move(crowd, velocity * _ELAPSED_S, spread, random)
         expected = position + velocity * _ELAPSED_S
         distance = np.linalg.norm(measured[None] - expected[:, None], axis=2)
@@ -67,8 +67,8 @@ def filter_ms(people: int, particles: int) -> float:
         weight = weigh(crowd, seen, sigma)
         position = weighted_mean(crowd, weight)
         crowd = resample(crowd, weight, random)
-        taken.append(1000.0 * (time.thread_time() - begun))
-    return float(np.median(taken[_WARM:]))
+        taken.append(time.process_time() - begun)
+    return _usual_ms(taken)
 
 
 def _walkers(
@@ -89,9 +89,9 @@ def _detected(start: Floats, velocity: Floats, random: np.random.Generator) -> F
 
 
 def stonesoup_ms(people: int) -> float | None:
-    """The mean time Stone Soup's GNN tracker takes for a frame of the same detections.
+    """The median time Stone Soup's GNN tracker takes for a frame of the same detections.
 
-    None where it is not installed, which is told.
+    Over the same frames as `filter_ms`. None where it is not installed, which is told.
     """
     if not STONESOUP_GNN.peer.installed:
         print(STONESOUP_GNN.peer.absent, file=sys.stderr)
@@ -104,7 +104,12 @@ def stonesoup_ms(people: int) -> float | None:
     seen[:, SEEN.index("x") : SEEN.index("y") + 1] = detections.reshape(-1, 2)
     clips = {"walkers": (len(detections), 1.0 / _ELAPSED_S, seen)}
     (followed,) = STONESOUP_GNN.follow(clips, [chosen_settings("crossing")[STONESOUP_GNN.name]])
-    return 1000.0 * followed["walkers"][1] / len(detections)
+    return _usual_ms(followed["walkers"][1])
+
+
+def _usual_ms(taken_s: NDArray[np.float64] | Sequence[float]) -> float:
+    """The median of frames' times, in ms, once everybody is followed."""
+    return float(1000.0 * np.median(taken_s[_WARM:]))
 
 
 def tracker_ms(people: int) -> float:
@@ -123,9 +128,9 @@ def tracker_ms(people: int) -> float:
     tracker = JointTracker(view(), settings, seed=0)
     taken = []
     for observation in observations(walkers):
-        begun = time.thread_time()
+        begun = time.process_time()
         tracker.step(observation)
-        taken.append(1000.0 * (time.thread_time() - begun))
+        taken.append(1000.0 * (time.process_time() - begun))
     return float(np.median(taken[_TRACKER_WARM:]))
 
 
@@ -147,7 +152,7 @@ def measure() -> dict[str, float | None]:
     whole step of `stereo-joint`, 500 particles each, run columns made. `us_per_...`: slopes of
     straight lines through those, and `..._off_the_line` how far the farthest is from its line, as
     a share of the longest time. `vs_stonesoup`: `ms` over the time of Stone Soup's GNN tracker
-    for a frame of the same detections; None where it is not installed.
+    for the same detections, both the median of the same frames; None where it is not installed.
     """
     by_people = {n: filter_ms(n, _PARTICLES) for n in _NUMBERS_OF_PEOPLE}
     by_particles = {n: filter_ms(_PEOPLE, n) for n in _NUMBERS_OF_PARTICLES}

@@ -18,8 +18,8 @@ from tests.peers.following import read_followed, write_detections
 Seen = tuple[int, float, NDArray[np.float64]]
 """Frames, frames a second, and (n, 8) detections; see `following.SEEN`."""
 
-Followed = tuple[NDArray[np.float64], float]
-"""(n, 4) rows by `following.FOLLOWED`, and the seconds of processor time they took."""
+Followed = tuple[NDArray[np.float64], NDArray[np.float64]]
+"""(n, 4) rows by `following.FOLLOWED`, and (frames,) seconds of processor time."""
 
 Settings = Mapping[str, Any]
 

@@ -37,30 +37,38 @@ def read_detections(path):
 
 
 def write_followed(path, results):
-    """Write {name: ((n, 4) by `FOLLOWED`, seconds of processor time)}, a list of such."""
+    """Write {name: ((n, 4) by `FOLLOWED`, (frames,) seconds of processor time)}, a list of such."""
     names = [list(one) for one in results]
     arrays = {
         f"{number}/{at}": np.asarray(one[name][0], float).reshape(-1, len(FOLLOWED))
         for number, one in enumerate(results)
         for at, name in enumerate(one)
     }
-    seconds = [[one[name][1] for name in one] for one in results]
+    seconds = {
+        f"{number}/{at}/seconds": np.asarray(one[name][1], float)
+        for number, one in enumerate(results)
+        for at, name in enumerate(one)
+    }
     with Path(path).open("wb") as stream:
-        np.savez(stream, names=np.array(json.dumps([names, seconds])), **arrays)
+        np.savez(stream, names=np.array(json.dumps(names)), **arrays, **seconds)
 
 
 def read_followed(path):
     """Read what `write_followed` wrote."""
     with np.load(path, allow_pickle=False) as archive:
-        names, seconds = json.loads(str(archive["names"]))
         return [
-            {name: (archive[f"{number}/{at}"], seconds[number][at]) for at, name in enumerate(one)}
-            for number, one in enumerate(names)
+            {
+                name: (archive[f"{number}/{at}"], archive[f"{number}/{at}/seconds"])
+                for at, name in enumerate(one)
+            }
+            for number, one in enumerate(json.loads(str(archive["names"])))
         ]
 
 
 def follow(start, seen, frames, fps, settings):
-    """One tracker over one clip: rows and the processor time it took.
+    """One tracker over one clip: rows and the seconds of processor time that each frame took.
+
+    What it takes to set the tracker up is left out.
 
     Args:
         start: (settings, frames a second) -> a function that takes a frame's number and its
@@ -69,13 +77,14 @@ def follow(start, seen, frames, fps, settings):
     if not settings["with_merged"]:
         seen = seen[seen[:, 7] == 0]
     at = np.searchsorted(seen[:, 0], np.arange(frames + 1))
-    numbers, rows = {}, []
-    begun = time.process_time()
+    numbers, rows, taken = {}, [], []
     step = start(settings, fps)
     for frame in range(frames):
+        begun = time.process_time()
         for name, (x, y) in step(frame, seen[at[frame] : at[frame + 1]]):
             rows.append((frame, numbers.setdefault(name, len(numbers) + 1), float(x), float(y)))
-    return np.array(rows).reshape(-1, len(FOLLOWED)), time.process_time() - begun
+        taken.append(time.process_time() - begun)
+    return np.array(rows).reshape(-1, len(FOLLOWED)), np.array(taken)
 
 
 def main(starts):

@@ -64,7 +64,7 @@ def figures_of(clips: Sequence[Clip], followed: Mapping[str, Followed]) -> Figur
     match = FloorMatch(RADIUS_M)
     scores = [score(clip.truth, _table(followed[clip.name][0]), match) for clip in clips]
     told = combined(scores)
-    seconds = sum(followed[clip.name][1] for clip in clips)
+    seconds = sum(float(followed[clip.name][1].sum()) for clip in clips)
     return Figures(
         id_switches=told.clear.id_switches,
         people=told.people.detected,
