@@ -41,8 +41,8 @@ _WIDEST_PX = 800
 _PROTECTED_MARGIN_PX = 8
 _NEARER_PX = 0.5
 """People's disparity is at least so much larger than that of the scene behind them."""
-_UPDATES_PER_SCENE = 9
-"""Updates of the backgrounds between two looks at how far away they are."""
+_UPDATES_PER_SCENE = 8
+"""How far away the backgrounds are is looked at with their first update and every so many on."""
 
 
 class StereoPerception:
@@ -218,17 +218,18 @@ class StereoPerception:
     def remember(self, left: Subtraction, right: Subtraction | None, people: Detections) -> None:
         """Let the backgrounds of eyes that see follow what was seen, except where people are."""
         protected: tuple[Mask | None, Mask | None] = (None, None)
-        if self._backgrounds[0].update_is_due:
+        due = self._backgrounds[0].update_is_due
+        if due:
             protected = self._protected(people, left.mask.shape)
-            self._updates += 1
         for eye, seen, mask in zip(self._backgrounds, (left, right), protected, strict=True):
             if seen is None:
                 eye.skip()
             else:
                 eye.update(seen, mask)
-        if self._updates % _UPDATES_PER_SCENE == 1:
+        if due:
+            if self._updates % _UPDATES_PER_SCENE == 0:
+                self._learn_scene()
             self._updates += 1
-            self._learn_scene()
 
     def _learn_scene(self) -> None:
         self._stereo.learn_scene(*(_grey(eye.background) for eye in self._backgrounds))
