@@ -12,6 +12,7 @@ from tracking.scoring.matching import BoxMatch
 from tracking.scoring.pairs import EPS
 from tracking.scoring.table import Flags, Floats, Integers, ScoringTable
 from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap
+from tracking.tracks.boxes import common_px2
 
 _AREAS_PX2 = ((0.0, 32.0**2), (32.0**2, 96.0**2), (96.0**2, 1e5**2))
 _LENGTHS = ((0.0, 3.0), (3.0, 10.0), (10.0, 1e5))
@@ -115,7 +116,7 @@ def _outside(value: Floats, least: float, most: float) -> Flags:
 def _strong(comparison: Comparison, truth: _Whole, result: _Whole) -> _Strong:
     """The overlaps of whole tracks: shared area of all boxes over covered area."""
     rows = comparison.pairs.rows
-    shared_px2 = _shared_px2(comparison.truth.box[rows.truth], comparison.result.box[rows.result])
+    shared_px2 = common_px2(comparison.truth.box[rows.truth], comparison.result.box[rows.result])
     couple, of_pair = np.unique(comparison.couple, return_inverse=True)
     person, track = np.divmod(couple, max(1, comparison.identities))
     shared = np.bincount(of_pair, shared_px2, minlength=len(couple))
@@ -127,14 +128,6 @@ def _strong(comparison: Comparison, truth: _Whole, result: _Whole) -> _Strong:
         track_, person_ = int(strong.track[number]), int(strong.person[number])
         strong.overlap[number] = _in_order_of_frames(comparison, track_, person_)
     return strong
-
-
-def _shared_px2(a: Floats, b: Floats) -> Floats:
-    """(k,) area of the boxes' intersections."""
-    low = np.maximum(a[:, :2], b[:, :2])
-    high = np.minimum(a[:, :2] + a[:, 2:], b[:, :2] + b[:, 2:])
-    across, down = np.maximum(high - low, 0).T
-    return np.asarray(across * down)
 
 
 def _doubtful(strong: _Strong) -> Integers:
@@ -153,7 +146,7 @@ def _in_order_of_frames(comparison: Comparison, track: int, person: int) -> floa
     frames, at_a, at_b = np.intersect1d(
         truth.frame[a], result.frame[b], assume_unique=True, return_indices=True
     )
-    shared = _shared_px2(truth.box[a[at_a]], result.box[b[at_b]])
+    shared = common_px2(truth.box[a[at_a]], result.box[b[at_b]])
     alone_a, alone_b = np.delete(np.arange(len(a)), at_a), np.delete(np.arange(len(b)), at_b)
     covered = np.concatenate(
         [area_b[at_b] + area_a[at_a] - shared, area_a[alone_a], area_b[alone_b]]

@@ -11,6 +11,7 @@ from tracking.filtering import Association
 from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.population import Population
+from tracking.tracks.boxes import common_px2
 
 Floats = NDArray[np.float64]
 _ACROSS = (np.arange(6) + 0.5) / 6
@@ -173,10 +174,7 @@ def expected_visibility(
 
 def overlap(box: Floats) -> Floats:
     """The largest share of each box that it has in common with another one: (people,)."""
-    low, high = box[:, :2], box[:, :2] + box[:, 2:]
-    side = np.minimum(high[:, None], high[None]) - np.maximum(low[:, None], low[None])
-    np.maximum(side, 0.0, out=side)
-    common = side[..., 0] * side[..., 1]
+    common = common_px2(box[:, None], box[None])
     np.fill_diagonal(common, 0.0)
     area = np.maximum(box[:, 2] * box[:, 3], _NO_SIDE)
     return np.asarray((common / area[:, None]).max(axis=1, initial=0.0))

@@ -16,6 +16,7 @@ from tracking.trackers.resuming import Resume, is_apart, is_seen, only
 from tracking.trackers.stereo_boxes import Bodies
 from tracking.trackers.stereo_cues import Cues
 from tracking.trackers.stereo_settings import StereoFilterSettings
+from tracking.tracks.boxes import overlaps
 from tracking.tracks.columns import Columns
 
 Floats = NDArray[np.float64]
@@ -148,19 +149,10 @@ def _matched(rows: Columns, seen: Detections) -> tuple[Indices, Indices]:
     offset = np.column_stack((rows["x"], rows["y"]))[:, None] - seen.position[None, :, :2]
     away_m = np.hypot(offset[..., 0], offset[..., 1])
     box = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
-    shared = _overlap(box, seen.box)
+    shared = overlaps(box[:, None], seen.box[None])
     near = ((away_m <= _NEAR_M) | (shared >= _OVERLAP)) & ~seen.merged
     pairs = associate(away_m + 1.0 - shared, near, _LEFT_OUT)
     return pairs.track, pairs.detection
-
-
-def _overlap(one: Floats, other: Floats) -> Floats:
-    """(n, m) intersection over union of all pairs of boxes."""
-    low = np.maximum(one[:, None, :2], other[None, :, :2])
-    high = np.minimum((one[:, :2] + one[:, 2:])[:, None], (other[:, :2] + other[:, 2:])[None])
-    common = np.prod(np.clip(high - low, 0.0, None), axis=2)
-    area = np.prod(one[:, 2:], axis=1)[:, None] + np.prod(other[:, 2:], axis=1)[None]
-    return np.asarray(common / np.maximum(area - common, 1e-9))
 
 
 def _mean(colours: Colours) -> Colours:

@@ -12,6 +12,7 @@ from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.population import Population
 from tracking.trackers.stereo_boxes import MIDDLE_M, Bodies
+from tracking.tracks.boxes import common_px2
 
 Floats = NDArray[np.float64]
 _INSIDE = 0.5
@@ -88,11 +89,7 @@ def shared_regions(
 
 def _share_inside(box: Floats, region: Floats) -> Floats:
     """(people, regions) the share of each box that lies in each region."""
-    low = np.maximum(box[:, None, :2], region[None, :, :2])
-    high = np.minimum(
-        box[:, None, :2] + box[:, None, 2:], region[None, :, :2] + region[None, :, 2:]
-    )
-    common = np.prod(np.clip(high - low, 0.0, None), axis=2)
+    common = common_px2(box[:, None], region[None])
     return np.asarray(common / np.prod(box[:, 2:], axis=1)[:, None])
 
 

@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QRectF, QSizeF
 
+from tracking.tracks.boxes import common_px2
+
 Floats = NDArray[np.float64]
 _GAP_PX = 14.0
 _HIDING = 12.0
@@ -69,9 +71,4 @@ def _sides(rects: Sequence[QRectF]) -> Floats:
 
 def _hidden(places: Floats, others: Floats) -> Floats:
     """(n,) square pixels of the others, (m, 4), that each place, (n, 4), covers."""
-    low = np.maximum(places[:, None, :2], others[None, :, :2])
-    high = np.minimum(
-        places[:, None, :2] + places[:, None, 2:], others[None, :, :2] + others[None, :, 2:]
-    )
-    sides = np.maximum(high - low, 0.0)
-    return np.asarray((sides[..., 0] * sides[..., 1]).sum(axis=1))
+    return np.asarray(common_px2(places[:, None], others[None]).sum(axis=1))

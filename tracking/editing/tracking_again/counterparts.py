@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.tracks import Columns, row_keys
+from tracking.tracks.boxes import overlaps
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -60,16 +61,6 @@ def off(one: Places, other: Places, metres: float, overlap: float) -> Floats:
         shared = overlaps(one.box[unknown], other.box[unknown])
         on_floor[unknown] = (1.0 - shared) / (1.0 - overlap)
     return on_floor
-
-
-def overlaps(one: Floats, other: Floats) -> Floats:
-    """(n,) intersection over union of pairs of boxes (n, 4); 0 where it cannot be said."""
-    low = np.maximum(one[:, :2], other[:, :2])
-    high = np.minimum(one[:, :2] + one[:, 2:], other[:, :2] + other[:, 2:])
-    common = np.clip(high - low, 0.0, None).prod(axis=1)
-    union = one[:, 2:].prod(axis=1) + other[:, 2:].prod(axis=1) - common
-    share = np.divide(common, union, out=np.zeros(len(union)), where=union > 0)
-    return np.asarray(np.nan_to_num(share))
 
 
 def counterparts(one: Places, other: Places) -> Indices:

@@ -8,6 +8,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.tracks.boxes import common_px2
+
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Integers = NDArray[np.int64]
@@ -78,8 +80,5 @@ def encounters(
 
 def _common(one: Floats, other: Floats) -> Floats:
     """(n,) the share of the smaller box that two boxes (n, 4) have in common."""
-    low = np.maximum(one[:, :2], other[:, :2])
-    high = np.minimum(one[:, :2] + one[:, 2:], other[:, :2] + other[:, 2:])
-    common = np.prod(np.clip(high - low, 0.0, None), axis=1)
     smaller = np.minimum(np.prod(one[:, 2:], axis=1), np.prod(other[:, 2:], axis=1))
-    return np.asarray(common / np.maximum(smaller, 1e-9))
+    return np.asarray(common_px2(one, other) / np.maximum(smaller, 1e-9))

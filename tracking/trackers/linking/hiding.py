@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.linking.seen import BODY_M, SIDES, Floats, Integers
+from tracking.tracks.boxes import common_px2
 from tracking.tracks.columns import Columns
 
 Rows = NDArray[np.intp]
@@ -58,8 +59,6 @@ def _covered(tracks: Columns, place: Floats, frame: Integers, own: Integers, vie
         in_front = near_m[row] < range_m[left] - _BEHIND_M
         in_front &= (tracks["track"][row, None] != own[left]).all(axis=1)
         left, row = left[in_front], row[in_front]
-        low = np.maximum(body[left, :2], box[row, :2])
-        high = np.minimum(body[left, :2] + body[left, 2:], box[row, :2] + box[row, 2:])
-        common = np.prod(np.clip(high - low, 0.0, None), axis=1)
+        common = common_px2(body[left], box[row])
         covered[left] += np.nan_to_num(common / np.prod(body[left, 2:], axis=1))
     return covered

@@ -15,6 +15,7 @@ from scipy.optimize import linear_sum_assignment
 from tracking.geometry import View
 from tracking.trackers.linking.filling import expect_visibility
 from tracking.trackers.linking.seen import SIDES, Flags, Floats, may_have_walked
+from tracking.tracks.boxes import overlaps
 from tracking.tracks.columns import TRACK_COLUMNS, Columns, typed
 from tracking.tracks.run import Run
 
@@ -99,21 +100,12 @@ def _suiting(
 ) -> tuple[Rows, Rows]:
     """Who goes on as which detection of a frame, by how much boxes have in common."""
     place, box = _places(seen, detection), _boxes(seen, detection)
-    common = _overlap(ends.box[near], box)
+    common = overlaps(ends.box[near, None], box[None])
     for k, (end, time_s) in enumerate(zip(near.tolist(), elapsed_s.tolist(), strict=True)):
         common[k, ~may_have_walked(place - ends.place[end], place, time_s)] = 0.0
     one, other = linear_sum_assignment(common, maximize=True)
     good = common[one, other] >= _OVERLAP
     return near[one[good]], detection[other[good]]
-
-
-def _overlap(one: Floats, other: Floats) -> Floats:
-    """(n, m) what boxes (n, 4) and (m, 4) have in common, as a share of both together."""
-    low = np.maximum(one[:, None, :2], other[None, :, :2])
-    high = np.minimum((one[:, :2] + one[:, 2:])[:, None], (other[:, :2] + other[:, 2:])[None])
-    common = np.prod(np.clip(high - low, 0.0, None), axis=2)
-    both = np.prod(one[:, 2:], axis=1)[:, None] + np.prod(other[:, 2:], axis=1)[None] - common
-    return np.asarray(np.nan_to_num(common / np.where(both > 0, both, np.nan)))
 
 
 def _with(run: Run, row: Rows, detection: Rows, view: View) -> Run:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.three_part.followed import Flags, Floats
+from tracking.tracks.boxes import common_px2
 
 _ROUND = 0.95
 """An inner rectangle's size, as a share of the half extent of the part it lies in: a part whose
@@ -95,9 +96,7 @@ def share_inside(box: Floats, size: tuple[int, int]) -> Floats:
 
 def covered_shares(box: Floats, other: Floats) -> Floats:
     """(people, others) the share of each box (people, 4) that lies in each other box."""
-    low = np.maximum(box[:, None, :2], other[None, :, :2])
-    high = np.minimum((box[:, :2] + box[:, 2:])[:, None], (other[:, :2] + other[:, 2:])[None])
-    common = np.prod(np.clip(high - low, 0.0, None), axis=2)
+    common = common_px2(box[:, None], other[None])
     return np.asarray(common / np.maximum(np.prod(box[:, 2:], axis=1)[:, None], 1e-9))
 
 
