@@ -17,7 +17,7 @@ from tracking.foreground.difference import (
 )
 from tracking.foreground.first_look import OtherLook, commonest_look, commonest_looks
 from tracking.foreground.gain import brightness_ratio
-from tracking.foreground.local_light import change_of_light, patches_of_light
+from tracking.foreground.local_light import MUCH_CHANGED, change_of_light, patches_of_light
 from tracking.foreground.settings import ForegroundSettings
 
 Picture = NDArray[np.uint8]
@@ -36,8 +36,6 @@ of people who walk by keep still for less, and less light is told from people an
 _PATCHES_EVERY = 2
 """Updates of the background between two looks for such patches."""
 _NOISE_AT_FIRST = 2.0
-_MUCH_CHANGED = 0.2
-"""Where more of the picture differs than this, light is suspected before people are."""
 _OPENING = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
 
@@ -129,10 +127,10 @@ class BackgroundModel:
             self._start(smooth)
         self._follow_exposure(smooth)
         mask, differs = self._compared(smooth)
-        if differs > _MUCH_CHANGED and self._took_light(smooth, mask):
+        if differs > MUCH_CHANGED and self._took_light(smooth, mask):
             mask, differs = self._compared(smooth)
         changed = differs > self._settings.scene_change
-        self._explained = differs < _MUCH_CHANGED
+        self._explained = differs < MUCH_CHANGED
         if changed or not _within(self._exposure, _READABLE_EXPOSURE):
             return Subtraction(smooth, self._background, np.zeros(mask.shape, np.uint8), True)
         return Subtraction(smooth, self._background, mask, False)

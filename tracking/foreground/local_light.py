@@ -15,6 +15,8 @@ Flags = NDArray[np.bool_]
 Floats = NDArray[np.float32]
 Box = tuple[slice, slice]
 
+MUCH_CHANGED = 0.2
+"""Where more of the picture differs than this, light is suspected before people are."""
 _COARSE = 4
 """Patches are looked for in every so-manieth pixel."""
 _SHARE = 0.3

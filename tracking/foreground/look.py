@@ -20,9 +20,9 @@ _TEXTURE_FULL = 0.12
 """Change of the logarithm of the ratio of light, per pixel, that no shadow shows."""
 _HUE_FULL = 0.06
 """Distance in the plane of hue and saturation, as shares of light, that no shadow shows."""
-_DARK_OFFSET = 6
+DARK_OFFSET = 6
 """Grey levels added before a ratio is taken, so that noise in the dark does not count."""
-_LOGARITHM = np.log(np.arange(256, dtype=np.float32) + _DARK_OFFSET)
+_LOGARITHM = np.log(np.arange(256, dtype=np.float32) + DARK_OFFSET)
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +147,7 @@ def _share_of(values: cv2.typing.MatLike, full: float) -> Scores:
 def _shares_of_light(picture: Picture) -> tuple[Scores, Scores]:
     """Blue's and red's."""
     blue, green, red = (
-        np.asarray(channel, np.float32) + np.float32(_DARK_OFFSET) for channel in cv2.split(picture)
+        np.asarray(channel, np.float32) + np.float32(DARK_OFFSET) for channel in cv2.split(picture)
     )
     light = cv2.add(cv2.add(blue, green), red)
     return (

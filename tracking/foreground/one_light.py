@@ -10,14 +10,12 @@ from numpy.typing import NDArray
 
 from tracking.foreground.difference import largest_difference
 from tracking.foreground.gain import brightness_ratio
-from tracking.foreground.local_light import change_of_light
+from tracking.foreground.local_light import MUCH_CHANGED, change_of_light
 
 Picture = NDArray[np.uint8]
 
 _DIFFERS = 16
 """Grey levels by which a pixel is another."""
-_MUCH_CHANGED = 0.2
-"""Where more of the picture differs than this, light is suspected before people are."""
 _SAME_EXPOSURE = 0.03
 """Ratios of brightness so close to 1 are noise and people."""
 
@@ -43,7 +41,7 @@ def _in_light_of(usual: Picture, picture: Picture) -> Picture:
     if abs(brighter - 1) > _SAME_EXPOSURE:
         picture = np.asarray(cv2.convertScaleAbs(picture, alpha=1 / brighter), np.uint8)
     differs = largest_difference(picture, usual) > _DIFFERS
-    if differs.mean() < _MUCH_CHANGED:
+    if differs.mean() < MUCH_CHANGED:
         return picture
     change = change_of_light(usual, picture, differs.view(np.uint8) * np.uint8(255))
     if change is None:

@@ -6,13 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.foreground.background import Subtraction
+from tracking.foreground.look import DARK_OFFSET
 
 Floats = NDArray[np.float32]
 
 _FEWEST_PIXELS = 150
 _MEMORY = 0.9
-_DARK_OFFSET = 6
-"""Grey levels added before a ratio is taken, so that noise in the dark does not count."""
 _APART = 0.06
 """Share of the light by which a colour may miss those between full light and full shade."""
 _DEPTHS = (0.12, 1.2)
@@ -60,4 +59,4 @@ class ShadeColour:
 def _ratio(seen: Subtraction, v: NDArray[np.intp], u: NDArray[np.intp]) -> Floats:
     """(n, 3) light of the picture over that of the background."""
     now, usual = (eye[v, u].astype(np.float32) for eye in (seen.picture, seen.background))
-    return (now + _DARK_OFFSET) / (usual + _DARK_OFFSET)
+    return (now + DARK_OFFSET) / (usual + DARK_OFFSET)

@@ -25,6 +25,7 @@ from tracking.people.finder import PeopleFinder
 from tracking.people.observation import Observation, Overlays
 from tracking.people.one_eye import OneEye
 from tracking.people.settings import PeopleSettings
+from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
 from tracking.stereo import (
     STEP,
@@ -36,8 +37,6 @@ from tracking.stereo import (
 
 Mask = NDArray[np.uint8]
 
-_WIDEST_PX = 800
-"""Wider pictures are shrunk by a whole number before anything is done with them."""
 _PROTECTED_MARGIN_PX = 8
 _NEARER_PX = 0.5
 """People's disparity is at least so much larger than that of the scene behind them."""
@@ -77,7 +76,7 @@ class StereoPerception:
         people: PeopleSettings | None = None,
     ) -> None:
         self._rectification = rectification
-        self._shrink = -(-rectification.size[0] // _WIDEST_PX)
+        self._shrink = shrink_of(rectification.size[0])
         _require_size(rectification.size, self._shrink, stereo or StereoSettings())
         lines = SightLines(rectification, self._shrink)
         self._backgrounds = (BackgroundModel(fps, foreground), BackgroundModel(fps, foreground))
@@ -190,9 +189,7 @@ class StereoPerception:
 
     def _working(self, eye: Image) -> Image:
         """An eye at the working scale, with three channels."""
-        if self._shrink > 1:
-            size = (eye.shape[1] // self._shrink, eye.shape[0] // self._shrink)
-            eye = np.asarray(cv2.resize(eye, size, interpolation=cv2.INTER_AREA), np.uint8)
+        eye = shrunk(eye, self._shrink)
         if eye.ndim == 2:
             eye = np.asarray(cv2.cvtColor(eye, cv2.COLOR_GRAY2BGR), np.uint8)
         return eye

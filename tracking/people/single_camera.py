@@ -24,12 +24,11 @@ from tracking.people.observation import Observation, Overlays
 from tracking.people.regions_of_people import people_regions
 from tracking.people.settings import PeopleSettings
 from tracking.people.standing import Standing
+from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
 
 Mask = NDArray[np.uint8]
 
-_WIDEST_PX = 800
-"""Wider pictures are shrunk by a whole number before people are looked for."""
 _NEAREST = cv2.INTER_NEAREST
 _PROTECTED = np.ones((17, 17), np.uint8)
 """Round people the background is not learnt."""
@@ -77,7 +76,7 @@ class SingleCameraPerception:
         eye = frame.left
         seen = self._background.subtract(self._working(eye))
         shadow = self._shadows.shadows(seen)
-        standing = Standing(self._view, _shrink(eye), self._settings)
+        standing = Standing(self._view, shrink_of(eye.shape[1]), self._settings)
         regions = people_regions(self._kinds(seen, shadow), standing)
         known = self._view is not None
         regions = without_ghosts(regions, seen.picture, seen.background, floor_known=known)
@@ -117,16 +116,8 @@ class SingleCameraPerception:
 
     def _working(self, eye: Image) -> Image:
         """The eye at the working scale."""
-        shrink = _shrink(eye)
-        if shrink == 1:
-            return eye
-        size = (eye.shape[1] // shrink, eye.shape[0] // shrink)
-        return np.asarray(cv2.resize(eye, size, interpolation=cv2.INTER_AREA), np.uint8)
+        return shrunk(eye, shrink_of(eye.shape[1]))
 
     def _overlays(self, mask: Mask, shadow: Mask, eye: Image) -> Overlays:
         shown = np.where(shadow == 255, np.uint8(127), mask)
         return Overlays(in_full(shown, eye.shape), None)
-
-
-def _shrink(eye: Image) -> int:
-    return -(-int(eye.shape[1]) // _WIDEST_PX)

@@ -16,10 +16,10 @@ from tracking.trackers.stereo_settings import StereoFilterSettings
 
 Floats = NDArray[np.float64]
 
-_PATIENCE_S = 0.15
+PATIENCE_S = 0.15
 """How long a newcomer may go unseen before it is taken for noise."""
 _AT_THE_EDGE = 0.75
-_OUT_OF_VIEW = 0.35
+OUT_OF_VIEW = 0.35
 """Share of a body inside the picture below which somebody not seen has left it."""
 
 
@@ -110,6 +110,6 @@ def still_there(
     patience_s = np.where(inside < _AT_THE_EDGE, settings.lost_at_edge_s, settings.lost_after_s)
     hidden = expected_visibility(people, box, size) < settings.hidden_below * inside
     patience_s = np.where(hidden, settings.lost_hidden_s, patience_s)
-    patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)
-    left = inside < _OUT_OF_VIEW
+    patience_s = np.where(people.confirmed, patience_s, PATIENCE_S)
+    left = inside < OUT_OF_VIEW
     return np.asarray((people.missed_s == 0.0) | ((people.missed_s <= patience_s) & ~left))

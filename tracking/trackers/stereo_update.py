@@ -26,7 +26,8 @@ from tracking.trackers.stereo_sharing import Shared
 Floats = NDArray[np.float64]
 _SCATTERED_SHARE = 0.01
 """Below this share of particles that carry weight, the cloud has lost its person."""
-_FASTEST_M_PER_S = 3.0
+FASTEST_M_PER_S = 3.0
+"""Of people who walk; who runs is followed by where they are seen."""
 _BODY_M = 0.3
 _CONFIDENCE_MEMORY_S = 0.5
 
@@ -188,5 +189,5 @@ def _velocity(people: Population, measured: Floats, since_s: Floats, memory_s: f
     gain = np.maximum(new, settled) / np.maximum(since_s, 1e-3)
     velocity = people.velocity + gain[:, None] * (measured - people.position)
     speed = np.hypot(velocity[:, 0], velocity[:, 1])
-    slower = np.minimum(1.0, _FASTEST_M_PER_S / np.maximum(speed, 1e-9))
+    slower = np.minimum(1.0, FASTEST_M_PER_S / np.maximum(speed, 1e-9))
     return np.asarray(velocity * slower[:, None])

@@ -13,11 +13,9 @@ from numpy.typing import NDArray
 from tracking.filtering import move
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.population import Population
+from tracking.trackers.stereo_update import FASTEST_M_PER_S
 
 Floats = NDArray[np.float64]
-
-FASTEST_M_PER_S = 3.0
-"""Of people who walk; who runs is followed by where they are seen."""
 
 
 def predicted(

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.trackers.births_and_ends import OUT_OF_VIEW, PATIENCE_S
 from tracking.trackers.joint.edges import share_a_step_off
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.population import Population
@@ -16,16 +17,12 @@ from tracking.trackers.stereo_boxes import Bodies, share_in_view
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
 
-_PATIENCE_S = 0.15
-"""How long a newcomer may go unseen before it is taken for noise."""
 _TOLD_SHARE, _REMEMBERED_SHARE = 1.0, 3.0
 """Nobody is told of, or remembered, for longer than so many times as they were seen."""
 _IN_VIEW, _BY_CHANCE_S = 0.5, 0.4
 """Who shows so much of themselves is missed by chance, and for no longer."""
 _AT_THE_EDGE = 0.55
 """Who has less of themselves in the picture a step further off stands at its edge."""
-_OUT_OF_VIEW = 0.35
-"""Share of a body inside the picture below which somebody not seen has left it."""
 
 
 def hiding(people: Population, shown: Floats) -> Flags:
@@ -73,6 +70,6 @@ def staying(
     at_the_edge = share_a_step_off(around, size) < _AT_THE_EDGE
     patience_s = np.where(at_the_edge, settings.lost_at_edge_s, settings.remember_s)
     patience_s = np.minimum(patience_s, _REMEMBERED_SHARE * people.matches * interval_s)
-    patience_s = np.where(people.confirmed, patience_s, _PATIENCE_S)
-    patience_s = np.where(inside < _OUT_OF_VIEW, 0.0, patience_s)
+    patience_s = np.where(people.confirmed, patience_s, PATIENCE_S)
+    patience_s = np.where(inside < OUT_OF_VIEW, 0.0, patience_s)
     return np.asarray(people.missed_s <= patience_s)

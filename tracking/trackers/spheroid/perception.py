@@ -20,6 +20,7 @@ from tracking.foreground import (
 )
 from tracking.geometry import FlatView, View
 from tracking.people import Detections, Observation, Overlays
+from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
 
 Picture = NDArray[np.uint8]
@@ -80,7 +81,7 @@ class SpheroidPerception:
         foreground: ForegroundSettings | None = None,
         ramp_settings: RampSettings | None = None,
     ) -> None:
-        self.flat = FlatView(view, -(-view.camera.width // _WIDEST_PX))
+        self.flat = FlatView(view, shrink_of(view.camera.width))
         self.camera = CameraWatch(fps)
         self._background = BackgroundModel(fps, foreground)
         self._shadows = ShadowWeights()
@@ -160,11 +161,7 @@ class SpheroidPerception:
 
     def _working(self, eye: Image) -> Image:
         """The eye at the working scale."""
-        shrink = self.flat.shrink
-        if shrink == 1:
-            return eye
-        size = (eye.shape[1] // shrink, eye.shape[0] // shrink)
-        return np.asarray(cv2.resize(eye, size, interpolation=cv2.INTER_AREA), np.uint8)
+        return shrunk(eye, self.flat.shrink)
 
     def _overlays(self, mask: Picture, weight: Picture, eye: Image) -> Overlays:
         shown = mask.copy()
