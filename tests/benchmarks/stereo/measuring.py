@@ -17,6 +17,7 @@ from tests.benchmarks.stereo.trackers import Seen, runs_over
 from tests.benchmarks.stereo.truth import Truth, truth_of, visible_for
 from tracking.scoring import (
     BoxMatch,
+    FloorMatch,
     Score,
     ScoringTable,
     combined,
@@ -31,6 +32,9 @@ OfScene = Mapping[str, Sequence[Clip]]
 
 _KINDS = ("detected", "kept", "detected_by_place", "kept_by_place", "not_kept")
 """Of people; "by place" where only tracks count that stand nearer to them than to anybody else."""
+
+FLOOR_M = 0.5
+"""Within which rows match where boxes do not count."""
 
 SCORES = ("tracking_accuracy", "MOTA", "IDF1", "HOTA", "id_switches")
 _COUNTS = ("people_kept", "people_detected", "misses", "false_positives", "truth_rows")
@@ -103,17 +107,21 @@ def _flat(values: Figures) -> Figures:
 
 
 def _scored(folders: Sequence[Path]) -> Figures:
-    scores, visible, detected = [], 0, 0
+    scores, by_floor, visible, detected = [], [], 0, 0
     for place in folders:
         truth = truth_of(place)
-        tracks = runs_over(place, [OURS])[OURS].tracks
-        examined = examine(truth.table, ScoringTable.from_columns(tracks), BoxMatch(0.5))
+        tracks = ScoringTable.from_columns(runs_over(place, [OURS])[OURS].tracks)
+        examined = examine(truth.table, tracks, BoxMatch(0.5))
         scores.append(score_of(examined))
+        by_floor.append(score_of(examine(truth.table, tracks, FloorMatch(FLOOR_M))))
         seen = visible_for(truth, VISIBLE_S)
         found = {one.person for one in per_person_of(examined) if one.followed.detected}
         visible, detected = visible + len(seen), detected + len(seen & found)
     return {
         **figures_of(combined(scores)),
+        "by_floor": figures_of(combined(by_floor)),
+        "kept_by_clip": [score.as_json()["people_kept"] for score in scores],
+        "detected_by_clip": [score.as_json()["people_detected"] for score in scores],
         "visible": visible,
         "visible_detected": detected,
         "clips": [place.name for place in folders],

@@ -14,7 +14,8 @@ How well people are followed by two eyes, measured and written by one command:
 
 (five hours on one core, four of them to render the clips; `--only tables` and the like measure one
 section anew; clips and runs are kept for as long as nothing they were made with changes). The
-figures stand in [stereo.json](stereo.json), everybody who was not kept among them. "Paper" are
+figures stand in [stereo.json](stereo.json), everybody who was not kept in the clips measured often
+among them. "Paper" are
 Kawashita and others 2012 and 2014, measured by their authors in scenes of their own that are not
 public; ours are rendered with the same camera heights, tilts and resolution, so that truth is exact
 and everybody can repeat them. Settings were chosen on clips with other seeds.
@@ -24,8 +25,9 @@ after each change, so that they are no longer unseen and flatter. *Fresh* ones (
 {FIRST_FRESH} on) nobody had looked at when they were measured: goals are judged on them, and
 trackers are chosen by them.
 
-A person is *kept*, as in the papers, while the id given at the first detection stays the same until
-the person leaves, and no other person bears it. Boxes match at an overlap (IoU) of one half.
+A person is *kept*, as in the papers, if the id given at the first detection stays: every match of
+the person bears it, nobody else bore it before or between, and it is matched in at least half of
+the person's frames from the first match on. Boxes match at an overlap (IoU) of one half.
 "Tracking accuracy" is the share of the people detected who are kept. Behind it, in brackets, stands
 Wilson's 95 % interval: it is wide with some forty people, and so were the papers'.
 """
@@ -107,9 +109,16 @@ Who is kept, and IDF1, scene by scene:
 GOALS = """
 ## Goals
 
-`stereo-joint` as it comes. Rows match by box, at an overlap of one half. "Fresh" are clips with
-seeds that nobody had looked at when they were measured, four times as many as of those measured
-often: once figures of them have been seen and a tracker is changed, later seeds take their place.
+`stereo-joint` as it comes. Goals are judged with rows that match by box, at an overlap of one half;
+"by floor" they match on the floor, within {floor_m:g} m, as with `score --match floor`. Boxes are
+stricter: two that cover each other may be taken one for the other in a frame or two, which then
+counts as a lost id, though both tracks stand where their people do.
+
+"Fresh" are clips with seeds that nobody had looked at when they were measured, four times as many
+as of those measured often: once figures of them have been seen and a tracker is changed, later
+seeds take their place. The intervals take each person by itself; people of a clip share its crowds,
+so that the true ones are wider.
+
 "Detected" is the share of the people visible for a second who were matched in ten frames; visible
 means that at least three tenths of the person are seen, in every frame of that second. The error is
 the distance on the floor between track and truth, whose place is where the person stands.
