@@ -121,7 +121,11 @@ LEFT = '[left]\nsource = "a.mp4"\n'
         (LEFT + f"[ground]\nheight = 1{'0' * 400}\ntilt = 30\n", "height must be a number"),
         ('[left]\nsource = "a\\u0000.mp4"\n', "zero character"),
         (LEFT + '[calibration]\nfile = "a\\u0000"\n', "one file name"),
-        ("[left\n", "not readable as TOML"),
+        ("[left\n", "not readable as TOML.*; correct it there$"),
+        ("fps = 0\n" + LEFT, "fps must be more than 0 and at most 10000 frames a second"),
+        ("fps = 1e99\n" + LEFT, "fps must be more than 0 and at most 10000 frames a second"),
+        (LEFT + "[ground]\nheight = 1e99\ntilt = 30\n", "in metres, at most 1000"),
+        (LEFT + "[ground]\nheight = 3e5\ntilt = 30\n", "height is 300000 m; give"),
         ("a = " + "[" * 5000, "not readable as TOML"),
     ],
 )

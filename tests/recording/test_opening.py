@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from math import inf, nan
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +27,7 @@ from tracking.recording import (
     OpenOptions,
     open_from_manifest,
     open_recording,
+    parse_manifest,
     write_manifest,
 )
 
@@ -172,6 +174,27 @@ def test_options_overrule_the_manifest(tmp_path: Path) -> None:
         assert recording.ground.tilt_deg == 45
         assert (recording.ground.height_m, recording.ground.roll_deg) == (2, 3)
         assert recording.fps == 50
+
+
+@pytest.mark.parametrize("fps", [nan, -1.0, 0.0, 1e99, inf])
+def test_a_rate_no_camera_has_is_refused_among_the_options_as_in_the_manifest(
+    tmp_path: Path, fps: float
+) -> None:
+    video = write_video(tmp_path / "v.mp4", range(3))
+    wanted = "fps must be more than 0 and at most 10000 frames a second$"
+    with pytest.raises(RecordingError, match=f"^--{wanted}"):
+        open_recording(video, OpenOptions(fps=fps))
+    with pytest.raises(RecordingError, match=f"^recording.toml: {wanted}"):
+        parse_manifest(f'fps = {fps!r}\n[left]\nsource = "v.mp4"\n', "recording.toml", "v")
+
+
+@pytest.mark.parametrize("height_m", [1e99, 3e5, 1000.5, nan, 0.0])
+def test_a_camera_higher_than_any_is_refused_among_the_options(
+    tmp_path: Path, height_m: float
+) -> None:
+    video = write_video(tmp_path / "v.mp4", range(3))
+    with pytest.raises(CalibrationError, match="give the camera's height above the floor"):
+        open_recording(video, OpenOptions(height_m=height_m, tilt_deg=30.0))
 
 
 def test_half_a_floor_among_the_options_is_refused(tmp_path: Path) -> None:

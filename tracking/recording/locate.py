@@ -148,7 +148,7 @@ def _with_options(found: Located, options: OpenOptions) -> Located:
     manifest = found.manifest
     changed = replace(
         manifest,
-        fps=options.fps or manifest.fps,
+        fps=options.rate(manifest.fps),
         layout=options.layout or manifest.layout,
         first=options.first or manifest.first,
         ground=options.ground(manifest.ground),

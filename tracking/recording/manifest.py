@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import math
 import os
 import tomllib
 from collections.abc import Mapping
@@ -14,6 +13,7 @@ from typing import Any, TypeVar
 from tracking.errors import CalibrationError, OutputError, RecordingError
 from tracking.geometry import Ground
 from tracking.recording.eyes import MOST_LAG, Layout, Side
+from tracking.recording.limits import checked_fps, checked_ground
 
 MANIFEST_NAME = "recording.toml"
 FORMAT = 1
@@ -96,7 +96,7 @@ def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
     try:
         content = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
-        raise RecordingError(f"{where}: not readable as TOML ({error})") from error
+        raise RecordingError(f"{where}: not readable as TOML ({error}); correct it there") from error
     table = _Table(content, where)
     if table.get("format", int, FORMAT) != FORMAT:
         raise RecordingError(
@@ -181,8 +181,11 @@ class _Table:
 
     def error(self, key: str, problem: str) -> RecordingError:
         """What is wrong with a key."""
-        place = f"[{self._section}] {key}" if self._section else key
-        return RecordingError(f"{self._where}: {place} {problem}")
+        return RecordingError(f"{self.place(key)} {problem}")
+
+    def place(self, key: str) -> str:
+        """Where a key stands, for messages."""
+        return f"{self._where}: " + (f"[{self._section}] {key}" if self._section else key)
 
 
 _KIND_NAMES: Mapping[type, str] = {
@@ -234,9 +237,7 @@ def _right_lag(table: _Table) -> int | None:
 
 def _fps(table: _Table) -> float | None:
     fps: float | None = table.get("fps", float, None)
-    if fps is not None and not (math.isfinite(fps) and 0 < fps <= 10_000):
-        raise table.error("fps", "must be more than 0 frames a second")
-    return fps
+    return None if fps is None else checked_fps(fps, table.place("fps"))
 
 
 def _calibration(table: _Table) -> tuple[str, ...]:
@@ -264,7 +265,7 @@ def _ground(table: _Table) -> Ground | None:
         if key not in section:
             raise section.error(key, "is missing; give height in metres and tilt in degrees")
     try:
-        return Ground(
+        return checked_ground(
             section.get("height", float, 0.0),
             section.get("tilt", float, 0.0),
             section.get("roll", float, 0.0),

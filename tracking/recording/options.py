@@ -8,6 +8,7 @@ from pathlib import Path
 from tracking.errors import RecordingError
 from tracking.geometry import Ground
 from tracking.recording.eyes import Layout, Side
+from tracking.recording.limits import checked_fps, checked_ground
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +19,7 @@ class OpenOptions:
         left, right: a video, an image folder or a glob of images for each eye.
         calibration: the calibration file, or a pair of files.
         height_m, tilt_deg, roll_deg: where the floor is; see `Ground`.
-        fps: frames a second; it counts, whatever the recording says.
+        fps: frames a second; it counts, whatever the recording says. See `rate`.
         layout: how both eyes lie in one video.
         first: the eye on the left or at the top of it.
         allow_outside: a manifest may name files outside its folder.
@@ -40,6 +41,7 @@ class OpenOptions:
 
         Raises:
             RecordingError: one of height and tilt is given and the other one is not known.
+            CalibrationError: no camera stands like that.
         """
         if self.height_m is None and self.tilt_deg is None and self.roll_deg is None:
             return told
@@ -53,4 +55,12 @@ class OpenOptions:
                 "ground: the floor needs both the camera's height and its tilt; give --height "
                 "and --tilt"
             )
-        return Ground(height, tilt, roll if self.roll_deg is None else self.roll_deg)
+        return checked_ground(height, tilt, roll if self.roll_deg is None else self.roll_deg)
+
+    def rate(self, told: float | None) -> float | None:
+        """Frames a second, the option's in place of what the recording says.
+
+        Raises:
+            RecordingError: the option is out of range.
+        """
+        return told if self.fps is None else checked_fps(self.fps, "--fps")
