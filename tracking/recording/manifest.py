@@ -96,7 +96,9 @@ def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
     try:
         content = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
-        raise RecordingError(f"{where}: not readable as TOML ({error}); correct it there") from error
+        raise RecordingError(
+            f"{where}: not readable as TOML ({error}); correct it there"
+        ) from error
     table = _Table(content, where)
     if table.get("format", int, FORMAT) != FORMAT:
         raise RecordingError(
