@@ -9,7 +9,7 @@ from typing import Any
 
 import typer
 
-from app.cli.destination import check_file, check_no_session
+from app.cli.destination import check_file, check_text_replaced
 from app.cli.drawn import line_of, refuse_repeated, region_of
 from app.cli.option_groups import InPicture, OnFloor
 from app.cli.output import print_json, say
@@ -105,7 +105,7 @@ def counts_as_json(counts: Counts) -> dict[str, Any]:
 
 def _check_csv(csv: Path) -> None:
     check_file(csv)
-    check_no_session(csv, "--csv")
+    check_text_replaced(csv, "--csv")
 
 
 def _places(session: Session, named: Places) -> Places:

@@ -6,9 +6,10 @@ import shutil
 import tempfile
 from pathlib import Path
 
-from tracking.errors import OutputError
+from tracking.errors import FormatError, OutputError
 
 _RESERVE = 8 << 20
+_LOOKED_AT_BYTES = 8 << 10
 
 
 def check_file(path: Path, needed_bytes: int = 0) -> None:
@@ -48,34 +49,50 @@ def check_folder(folder: Path, needed_bytes: int = 0) -> None:
 
 
 def check_replaced(path: Path, replaceable: str) -> None:
-    """Refuse to lose an HDF5 file that is of another kind than what takes its place.
+    """Refuse to lose what is neither text nor HDF5 of the kind that takes its place.
 
     Args:
         replaceable: root attribute `format` of what may be replaced.
 
     Raises:
-        OutputError: what stands there is, say, a session.
+        OutputError: what stands there is, say, a session or a video; FormatError where it cannot
+            be read.
     """
-    if path.exists() and (held := _held_at(path)) not in (None, replaceable):
-        what = held.rpartition("-")[2] or "HDF5 file"
-        raise OutputError(_would_be_lost(path, what, "-o"))
+    if path.is_file() and (held := _held_at(path)) != replaceable:
+        if held is not None:
+            raise OutputError(_would_be_lost(path, _kind_of(held), "-o"))
+        _check_is_text(path, "-o")
 
 
-def check_no_session(path: Path, option: str = "-o") -> None:
-    """Refuse to lose a session to a table.
+def check_text_replaced(path: Path, option: str = "-o") -> None:
+    """Refuse to lose what is not text, as a session or a video, to what is exported.
 
     Args:
-        option: with which the table is named.
+        option: with which the export is named.
 
     Raises:
-        OutputError: what stands there is a session; FormatError where it cannot be read.
+        OutputError: what stands there is no text; FormatError where it cannot be read.
     """
-    if path.exists() and is_session(path):
-        raise OutputError(_would_be_lost(path, "session", option))
+    if path.is_file():
+        if is_session(path):
+            raise OutputError(_would_be_lost(path, "a session", option))
+        _check_is_text(path, option)
+
+
+def _check_is_text(path: Path, option: str) -> None:
+    """Refuse a file with a zero byte near its beginning, which text has none of."""
+    try:
+        with path.open("rb") as stream:
+            start = stream.read(_LOOKED_AT_BYTES)
+    except OSError as error:
+        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    if b"\0" in start:
+        why = _would_be_lost(path, "not a text file", option)
+        raise OutputError(f"{why}, or remove the file first")
 
 
 def _would_be_lost(path: Path, what: str, option: str) -> str:
-    return f"{path} is a {what} and would be lost; choose another name with {option}"
+    return f"{path} is {what} and would be lost; choose another name with {option}"
 
 
 def is_session(path: Path) -> bool:
@@ -86,6 +103,12 @@ def is_session(path: Path) -> bool:
     from tracking.formats import is_hdf5  # brings h5py, too
 
     return is_hdf5(path)
+
+
+def _kind_of(held: str) -> str:
+    """What a file is that says it is that, as a sentence needs it; see `_held_at`."""
+    what = held.rpartition("-")[2]
+    return "a file of samples" if what == "samples" else f"a {what}" if what else "an HDF5 file"
 
 
 def _held_at(path: Path) -> str | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from contextlib import closing
 from pathlib import Path
 
-from app.cli.destination import check_file, check_no_session, check_replaced
+from app.cli.destination import check_file, check_replaced, check_text_replaced
 from app.cli.output import print_json, progress, say
 from app.presenters.files.exporting import exported
 from app.presenters.files.opening import known_recordings
@@ -30,7 +30,7 @@ def run_export(path: Path, out: Path, name: str, run: int | None, *, as_json: bo
         return
     wanted, write = _format_to_write(name)
     check_file(out)
-    check_no_session(out)
+    check_text_replaced(out)
     with closing(Session.open(path)) as session:
         tracks = exported(session, run, _view(session) if wanted.in_camera else None)
     with progress(f"Writing {out.name}") as report:
@@ -76,7 +76,10 @@ def _export_parts(path: Path, out: Path, name: str, run: int | None, *, as_json:
     if run is not None:
         raise OutputError(f"{name} belong to the corrected tracks; leave --run out")
     check_file(out)
-    check_replaced(out, HDF5_FORMAT)
+    if name == "labels":
+        check_text_replaced(out)
+    else:
+        check_replaced(out, HDF5_FORMAT)
     with closing(Session.open(path)) as session:
         if name == "labels":
             labels = list(session.labels.parts.values())

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from app.cli.destination import check_file, check_no_session
+from app.cli.destination import check_file, check_text_replaced
 from app.cli.output import print_json, progress
 from tracking.editing import Entry, History
 from tracking.session import log_as_json, read_history, write_log_csv
@@ -24,7 +24,7 @@ def run_log(path: Path, csv: Path | None, *, as_json: bool) -> None:
         sys.stdout.writelines(lines)
         return
     check_file(csv)
-    check_no_session(csv, "--csv")
+    check_text_replaced(csv, "--csv")
     history = read_history(path)
     with progress("writing the log") as told:
         write_log_csv(history, csv, told)

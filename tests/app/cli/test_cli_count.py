@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import shutil
 from collections.abc import Callable
 from contextlib import closing
 from dataclasses import replace
@@ -207,6 +208,17 @@ def test_a_session_is_not_lost_under_the_csv(trackwright: Trackwright, session: 
     assert status == 1
     assert "would be lost" in said
     assert session.read_bytes() == before
+
+
+def test_a_video_is_not_lost_under_the_csv(
+    trackwright: Trackwright, made: Path, footage: Path, tmp_path: Path
+) -> None:
+    video = Path(shutil.copy(footage / "left.mp4", tmp_path / "victim.mp4"))
+    before = video.read_bytes()
+    status, _, said = trackwright("count", made, "--line", GATE, "--csv", video)
+    assert (status, said.count("\n")) == (1, 1)
+    assert "choose another name with --csv, or remove the file first" in said
+    assert video.read_bytes() == before
 
 
 def test_a_csv_that_cannot_be_written_is_told_before_the_work(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import shutil
 from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import replace
@@ -193,6 +194,22 @@ def test_a_session_is_not_lost_to_a_detector_or_samples(
         status, _, err = trackwright(*words)
         assert (status, "would be lost" in err) == (1, True)
     assert session.read_bytes() == before
+
+
+def test_a_video_is_not_lost_to_a_detector_or_what_is_exported_of_parts(
+    trackwright: Trackwright, labelled: Path, tmp_path: Path
+) -> None:
+    video = tmp_path / "victim.h5"
+    video.write_bytes(bytes(9000))
+    other = Path(shutil.copy(video, tmp_path / "victim.mp4"))
+    for words in (
+        ["train", labelled, "-o", video],
+        ["export", labelled, "-o", video, "--format", "samples"],
+        ["export", labelled, "-o", other, "--format", "labels"],
+    ):
+        status, _, err = trackwright(*words)
+        assert (status, "would be lost" in err) == (1, True)
+    assert video.read_bytes() == other.read_bytes() == bytes(9000)
 
 
 def test_labels_go_out_and_come_in_again(
