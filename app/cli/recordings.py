@@ -7,7 +7,7 @@ from pathlib import Path
 import typer
 
 from app.cli.option_groups import Bare
-from tracking.errors import RecordingError
+from tracking.errors import RecordingError, SessionError
 from tracking.formats import begins_as_hdf5
 from tracking.recording import OpenOptions, Recording, open_recording
 
@@ -19,16 +19,29 @@ def opened(path: Path | None, bare: Bare, instead: str = "") -> Recording:
         instead: what else can be done with a session, after the place of its path.
 
     Raises:
-        RecordingError, CalibrationError: it cannot be opened, or is a session.
+        RecordingError, CalibrationError: it cannot be opened, or is a session or other HDF5.
         typer.BadParameter: no recording is named, or a right eye alone.
     """
     place = path or bare.left
     if place is None:
         raise typer.BadParameter("name a recording, or its eyes with --left and --right")
     if _is_hdf5(place):
-        to_do = "name the recording it is of" + (f", or {instead} {place}" if instead else "")
-        raise RecordingError(f"{place} is a session, not a recording", to_do)
+        raise _refusal(place, instead)
     return open_recording(place, options_of(bare))
+
+
+def _refusal(place: Path, instead: str) -> RecordingError:
+    """What is told of an HDF5 file in the place of a recording."""
+    from tracking.session.reading import check_file  # longer to import than a recording to open
+
+    try:
+        check_file(place)
+    except SessionError:
+        return RecordingError(
+            f"{place} is an HDF5 file, neither a recording nor a session", "name a recording"
+        )
+    to_do = "name the recording it is of" + (f", or {instead} {place}" if instead else "")
+    return RecordingError(f"{place} is a session, not a recording", to_do)
 
 
 def _is_hdf5(place: Path) -> bool:

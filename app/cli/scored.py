@@ -87,10 +87,10 @@ def scored_range(text: str | None, *tracks: Tracks) -> tuple[int, int] | None:
     """
     count = frame_count(*tracks)
     frames = typed_range(text, count)
-    if frames is not None and not 0 <= frames[0] < frames[1] <= count:
+    if text is not None and frames is not None and not 0 <= frames[0] < frames[1] <= count:
         raise SettingsError(
-            f"frames {frames[0]}:{frames[1]} are in neither result nor truth: "
-            f"choose a range within 0:{count}"
+            f"--frames {text.strip()}: from frame {max(frames[0], count)} on there is nothing in "
+            f"result or truth; choose a range within 0:{count}"
         )
     return frames
 

@@ -158,7 +158,9 @@ def test_some_frames_are_measured_as_if_there_were_no_others(
         ("all", "frames 'all' are not A:B"),
         ("5:5", "frames 5:5 holds no frames"),
         ("9:3", "frames 9:3 holds no frames"),
-        ("15:21", "choose a range within 0:20"),
+        ("15:29", "15:29: from frame 20 on there is nothing in result or truth; choose a range "),
+        ("25:29", "from frame 25 on there is nothing in result or truth"),
+        ("25:", "choose a range within 0:20"),
     ],
 )
 def test_frames_that_are_not_there_are_told(

@@ -86,6 +86,16 @@ def test_a_session_in_the_place_of_a_recording_is_told_with_what_to_name(
     assert f"--again {session}" in err
 
 
+def test_other_hdf5_in_the_place_of_a_recording_is_not_called_a_session(
+    trackwright: Trackwright, tmp_path: Path
+) -> None:
+    hollow = tmp_path / "hollow.h5"
+    h5py.File(hollow, "w").close()
+    status, out, err = trackwright("track", hollow, "-o", tmp_path / "s.h5")
+    assert (status, out, err.count("\n")) == (1, "", 1)
+    assert f"{hollow} is an HDF5 file, neither a recording nor a session; name a recording" in err
+
+
 def test_a_session_of_bare_videos_opens_whole(
     trackwright: Trackwright, recording: Path, tmp_path: Path, own_folder: Path
 ) -> None:
@@ -250,6 +260,22 @@ def test_a_session_is_not_overwritten_by_an_export(trackwright: Trackwright, ses
     assert status == 1
     assert "would be lost" in err
     assert session.read_bytes() == before
+
+
+def test_an_export_replaces_text_and_no_video(
+    trackwright: Trackwright, session: Path, footage: Path, tmp_path: Path
+) -> None:
+    video = tmp_path / "victim.mp4"
+    before = (footage / "left.mp4").read_bytes()
+    video.write_bytes(before)
+    status, out, err = trackwright("export", session, "-o", video, "--format", "mot")
+    assert (status, out, err.count("\n")) == (1, "", 1)
+    assert f"{video} is not a text file and would be lost; choose another name with -o, or" in err
+    assert video.read_bytes() == before
+    text = tmp_path / "t.txt"
+    text.write_text("an older export\n")
+    assert trackwright("export", session, "-o", text, "--format", "mot")[0] == 0
+    assert "older" not in text.read_text()
 
 
 def test_an_unknown_format_is_told(trackwright: Trackwright, made: Path, tmp_path: Path) -> None:
