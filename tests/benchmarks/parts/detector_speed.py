@@ -5,8 +5,8 @@
 
 from __future__ import annotations
 
+import argparse
 import os
-import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -78,11 +78,21 @@ def _microseconds(work: Callable[[], object]) -> float:
 
 def main() -> None:
     """Print the figures."""
+    named = _asked().detector
     for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
         os.environ[variable] = "1"
-    named = sys.argv[1:]
-    for name, value in measure(load_detector(Path(named[0])) if named else None).items():
+    for name, value in measure(None if named is None else load_detector(named)).items():
         print(f"{name:<18} {value:.3g}")
+
+
+def _asked() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="python -m tests.benchmarks.parts.detector_speed",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("detector", nargs="?", type=Path, metavar="DETECTOR.h5", help="to measure")
+    return parser.parse_args()
 
 
 if __name__ == "__main__":

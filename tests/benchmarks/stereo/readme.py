@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import argparse
 from pathlib import Path
 
 from tests.benchmarks.pages import Figures, Page, table
@@ -59,6 +60,16 @@ def with_passage(text: str, figures: Figures) -> str:
     return f"{before}{BEGIN}\n\n{passage(figures)}\n\n{END}{after}"
 
 
-if __name__ == "__main__":
+def main() -> None:
+    """Put the passage into README; nothing is asked but for help."""
+    argparse.ArgumentParser(
+        prog="python -m tests.benchmarks.stereo.readme",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    ).parse_args()
     told = with_passage(README.read_text(encoding="utf-8"), Page("stereo").figures())
     README.write_text(told, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

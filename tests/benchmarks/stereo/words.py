@@ -138,9 +138,10 @@ PEERS = """
 The same detections for everybody. Rows match by place, on the floor within {radius:g} m, and not by
 box as above, so that a clip may have other figures here. The others get places and boxes, no
 colours, with settings chosen as well as we could on other seeds for each kind of clip (`python -m
-tests.benchmarks.tracker_peers.choosing`), while ours keep one setting for all. "As they come" are
-rows told frame by frame, as the others tell theirs; "finished" is the run looked over as a whole,
-as our tracker comes. Time is processor time of following alone.
+tests.benchmarks.tracker_peers.choosing crossing`, or `rendered --recordings CLIP...`), while ours
+keep one setting for all. "As they come" are rows told frame by frame, as the others tell theirs;
+"finished" is the run looked over as a whole, as our tracker comes. Time is processor time of
+following alone.
 """
 
 KINDS = {
