@@ -194,8 +194,14 @@ class Files(QObject):
     # tracking
 
     def _tell_of_tracking(self, lines: Sequence[str], passes: bool) -> None:
-        """How it went; what warns of something stays until it is closed."""
-        self._window.notice.say("\n".join(lines), passing=passes)
+        """How it went; what warns of something stays until closed, or another run is corrected."""
+        session = self.session
+        run = session.adopted_run if session is not None else None
+
+        def holds() -> bool:
+            return session is None or session.adopted_run == run
+
+        self._window.notice.say("\n".join(lines), passing=passes, holds=holds)
 
     def ask_track(self) -> None:
         """Ask for tracker and settings, then put it to work; corrected tracks are not touched."""

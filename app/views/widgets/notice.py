@@ -19,6 +19,11 @@ _READ_S = 4.0
 """After this time a passing word has been read by whoever goes on working."""
 
 
+def _always() -> bool:
+    """What is said whatever becomes of the rest."""
+    return True
+
+
 class NoticeBar(QFrame):
     """One message across a window, hidden while there is none.
 
@@ -35,6 +40,7 @@ class NoticeBar(QFrame):
         super().__init__(parent)
         self._said = ""
         self._do: Callable[[], object] | None = None
+        self._holds: Callable[[], bool] = _always
         self._settles = False
         self._said_s = 0.0
         self._page: QWidget | None = None
@@ -140,12 +146,14 @@ class NoticeBar(QFrame):
         *,
         is_error: bool = False,
         passing: bool = False,
+        holds: Callable[[], bool] = _always,
     ) -> None:
         """Show a message, with a button where there is something to `do` about it.
 
-        One that is `passing` goes by itself after a minute, or when it is to `give_way`.
+        One that is `passing` goes by itself after a minute, or when it is to `give_way`; any goes
+        once it `holds` no more.
         """
-        self._do, self._said_s = do, time.monotonic()
+        self._do, self._said_s, self._holds = do, time.monotonic(), holds
         self._settles = (is_error or passing) and do is None
         if passing:
             self._passing.start()
@@ -169,6 +177,11 @@ class NoticeBar(QFrame):
         What offers a button stays: it is still to be answered.
         """
         if self._settles:
+            self.hide()
+
+    def take_back_untrue(self) -> None:
+        """Something is another by now: what holds no more goes, whatever it is."""
+        if not self.isHidden() and not self._holds():
             self.hide()
 
     def give_way(self) -> None:

@@ -44,8 +44,9 @@ class RefusalNotice:
         self._refused = said
 
     def settle(self) -> None:
-        """Take back what was told where something was edited since, or may be typed by now."""
+        """Take back what holds no more, or was told before an edit, or until one may type."""
         self._settle_passing()
+        self._notice.take_back_untrue()
         if self._edits() != self._told_after or self._may_type_now:
             self._notice.settle()
 

@@ -168,6 +168,19 @@ def test_a_result_for_a_session_without_any_says_that_it_is_to_be_saved(opened, 
     assert opened.notice._passing.isActive()
 
 
+def test_which_run_is_corrected_is_told_until_another_one_is(opened, tiny_run, qtbot):
+    desk = opened.desk
+    desk.document.take_session(Session.create(desk.document.recording, [tiny_run]))
+    desk.document.begin_live()
+    desk.live.ended = Ended.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
+    desk.live.notes = ("Lobby: are the eyes swapped?",)
+    desk.tracking.add_run(tiny_run)
+    opened.bring_up_to_date()
+    assert "Kept as run 1, and its tracks are the ones to correct now" in opened.notice.text
+    desk.comparing.correct(0)
+    qtbot.waitUntil(lambda: opened.notice.text == "")
+
+
 def test_the_views_follow_the_tracker_until_the_playhead_is_moved(opened, qtbot):
     desk = opened.desk
     desk.tracking.track("stereo-direction", frames=(20, 60))
