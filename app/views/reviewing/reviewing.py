@@ -365,6 +365,11 @@ class Reviewing(QObject):
                 "No tracker was at work: nothing is suspected of the people drawn so far. "
                 "W or Ins draws another one."
             )
+        if not self._document.session.tracks.track_ids:
+            return tr("Nobody is tracked"), tr(
+                "There is nothing to review. Track again with other settings, or correct another "
+                "run: Ctrl+R lists them. W or Ins draws a person."
+            )
         return tr("Nothing left to look at"), tr(
             "Every suspicion is decided. Watch what is not reviewed yet, or score the tracks."
         )

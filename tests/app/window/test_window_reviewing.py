@@ -16,6 +16,7 @@ from app.views.reviewing.review_panel import ReviewPanel
 from tracking.editing import plan_rename
 from tracking.recording import open_recording
 from tracking.session import Session
+from tracking.tracks import SIGNAL_COLUMNS, TRACK_COLUMNS, empty
 
 Key = Qt.Key
 _CTRL, _SHIFT, _ALT = (
@@ -299,3 +300,18 @@ def test_the_list_can_be_narrowed_sorted_and_clicked(desk, window, qtbot):
 def test_the_queue_is_empty_again_once_the_recording_is_closed(desk, window):
     window.files.close_without_asking()
     assert window.workspace.review._model.rowCount() == 0
+
+
+def test_where_nobody_is_tracked_there_is_nothing_to_review(
+    window, qtbot, tiny_recording, tiny_run
+):
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    desk = window.desk
+    nobody = replace(tiny_run, tracks=empty(TRACK_COLUMNS), signals=empty(SIGNAL_COLUMNS))
+    desk.document.take_session(Session.create(desk.document.recording, [nobody]))
+    desk.reviewing.refresh()
+    panel = window.workspace.review
+    qtbot.waitUntil(lambda: panel._title.text() == "Nobody is tracked")
+    assert "nothing to review" in panel._text.text()
+    assert "decided" not in panel._text.text()
