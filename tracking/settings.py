@@ -43,6 +43,15 @@ class SettingField:
     help: str
     odd: bool = False
 
+    @property
+    def title(self) -> str:
+        """The name in words, without its stage and the unit's suffix."""
+        name = self.name.rpartition(".")[2]
+        unit = self.unit.replace("/", "_").lower()
+        if unit and name.endswith(f"_{unit}"):
+            name = name.removesuffix(f"_{unit}")
+        return name.replace("_", " ").capitalize()
+
 
 def settings_fields(settings_type: type) -> list[SettingField]:
     """Every setting of a settings dataclass, those of nested stages with dotted names."""

@@ -115,6 +115,16 @@ def test_swapped_eyes_are_told(recording: Recording, rendered: Path):
         assert "are the eyes swapped?" in tracking.notes[0]
 
 
+def test_a_changed_setting_that_leaves_no_distance_is_told_first(recording: Recording):
+    texts = {"particles": "100", "stereo.nearest_m": "20", "people.body_width_m": "0.6"}
+    settings = parse_settings(TRACKERS["stereo-joint"], texts)
+    with track(recording, settings=settings) as tracking:
+        list(tracking)
+    (note,) = tracking.notes
+    assert "Nearest is 20 m, is that right? If so, are the eyes swapped" in note
+    assert "Body" not in note
+
+
 def test_eyes_in_their_places_give_no_note(recording: Recording):
     with track(recording, settings=FAST, frames=(40, 60)) as tracking:
         list(tracking)

@@ -14,10 +14,13 @@ from tracking.errors import SettingsError
 from tracking.geometry import Ground, Rectification
 from tracking.recording import Recording, StereoFrame
 from tracking.stereo import SightLines
+from tracking.trackers import changed_settings, settings_fields, settings_values
 
 Floats = NDArray[np.float64]
 Picture = NDArray[np.uint8]
 
+_MATCHING = "stereo."
+"""Settings of how the eyes are matched begin so; all are numbers with a unit."""
 _WIDTH_PX = 400
 """Pictures are shrunk to less than this: a glance is enough."""
 _WINDOW_PX = 11
@@ -72,6 +75,19 @@ def require_sense(settings: Mapping[str, Any]) -> None:
             f"settings stereo.nearest_m={nearest:g} and stereo.farthest_m={farthest:g} leave "
             "nothing between them: give a nearest_m that is less than farthest_m"
         )
+
+
+def changed_matching(tracker: str, settings: Any) -> str:
+    """Settings of how the eyes are matched that are not the tracker's defaults, in words.
+
+    What a person is to look like (`people.*`) changes no distance, and is not among them.
+    """
+    changed = changed_settings(tracker, settings_values(settings))
+    return ", ".join(
+        f"{field.title} is {changed[field.name]:g} {field.unit}"
+        for field in settings_fields(type(settings))
+        if field.name.startswith(_MATCHING) and field.name in changed
+    )
 
 
 def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:

@@ -12,7 +12,7 @@ import numpy as np
 from tracking.errors import SettingsError
 from tracking.people import EyesWatch, RangedShare, first_lag
 from tracking.pipeline.kept import KeptSteps
-from tracking.pipeline.set_up import doubt_of, require_sense
+from tracking.pipeline.set_up import changed_matching, doubt_of, require_sense
 from tracking.recording import Instants, Recording, StereoFrame
 from tracking.trackers import (
     Observation,
@@ -179,10 +179,10 @@ class Tracking:
         """What is told where hardly anything that moves has a distance; "": it has one."""
         if self._followed or not self._spec.needs_stereo or not self._ranged.is_too_small:
             return ""
-        return (
-            f"{self._recording.name}: no distance for what moves: are the eyes swapped, or is the "
-            "calibration of other cameras?"
-        )
+        eyes = "are the eyes swapped, or is the calibration of other cameras?"
+        changed = changed_matching(self._spec.name, self._settings)
+        asked = f"{changed}, is that right? If so, {eyes}" if changed else eyes
+        return f"{self._recording.name}: no distance for what moves: {asked}"
 
     def _work(self) -> Generator[StepResult]:
         timed = self._stages.timed

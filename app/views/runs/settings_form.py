@@ -130,7 +130,7 @@ class SettingsForm(QWidget):
         for field in self._fields:
             is_changed, label = field.name in changed, self._labels[field.name]
             label.setFont(scaled_font(self.font(), 1.0, bold=is_changed))
-            title = _title(field)
+            title = field.title
             label.setText(f"\u2022 {title}" if is_changed else title)
             shown = _said(field.default, _unit(field))
             said = self.tr("Changed; as it comes: {0}").format(shown)
@@ -158,7 +158,7 @@ class SettingsForm(QWidget):
         fold: FoldButton | None = None,
     ) -> None:
         control = self._control(field)
-        title = _title(field)
+        title = field.title
         words = _words(field)
         letter = self.fontMetrics().averageCharWidth()
         control.setMinimumWidth(14 * letter)
@@ -258,15 +258,6 @@ def _said(value: object, unit: str) -> str:
 def _unit(field: SettingField) -> str:
     """The unit behind a number."""
     return f" {field.unit}" if field.unit else ""
-
-
-def _title(field: SettingField) -> str:
-    """The name in words, without the unit's suffix: the control itself shows the unit."""
-    name = field.name.rpartition(".")[2]
-    unit = field.unit.replace("/", "_").lower()
-    if unit and name.endswith(f"_{unit}"):
-        name = name.removesuffix(f"_{unit}")
-    return name.replace("_", " ").capitalize()
 
 
 def _decimals(*values: float) -> int:
