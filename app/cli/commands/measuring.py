@@ -73,8 +73,8 @@ def review(
     order: Annotated[
         Literal["yield", "worth", "likelihood", "time"],
         typer.Option(
-            help="Yield finds most for the time watched; worth is likelihood times what would be"
-            " wrong."
+            help="Yield finds most for the time watched; worth, as in the window, is likelihood"
+            " times how much would be wrong; likelihood, that something is."
         ),
     ] = "yield",
     most: Annotated[

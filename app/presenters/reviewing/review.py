@@ -176,7 +176,7 @@ class ReviewQueue:
         if self.kind not in {suspicion.kind for suspicion in self._open}:
             self.kind = ""
         wanted = [one for one in self._open if self.kind in ("", one.kind)]
-        self._shown = ranked(wanted, "time" if self.order is Order.TIME else "worth")
+        self._shown = ranked(wanted, self.order.value)
         self._items = tuple(self._item(suspicion) for suspicion in self._shown)
 
     def _item(self, suspicion: Suspicion) -> ReviewItem:

@@ -10,7 +10,7 @@ from tracking.review import SuspicionKey
 
 
 class Order(Enum):
-    """What stands first in the queue."""
+    """What stands first in the queue: names and values are those of `tracking.review.ranked`."""
 
     WORTH = "worth"
     TIME = "time"

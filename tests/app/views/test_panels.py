@@ -25,6 +25,14 @@ def test_the_review_queue_says_why_it_is_empty(qtbot, dark):
     assert panel._list.isHidden()
 
 
+def test_an_order_of_the_queue_is_called_as_on_the_command_line(qtbot, dark):
+    panel = ReviewPanel()
+    qtbot.addWidget(panel)
+    orders = panel._orders
+    said = {orders.itemText(at): orders.itemData(at) for at in range(orders.count())}
+    assert said == {"by worth": "worth", "by time": "time"}
+
+
 @pytest.mark.parametrize(
     "kind", [TrackPanel, HistoryPanel, EditPanel, ReviewPanel, DifferencesPanel]
 )
