@@ -58,7 +58,7 @@ def check_replaced(path: Path, replaceable: str) -> None:
         OutputError: what stands there is, say, a session or a video; FormatError where it cannot
             be read.
     """
-    if path.is_file() and (held := _held_at(path)) != replaceable:
+    if path.is_file() and (held := held_at(path)) != replaceable:
         if held is not None:
             raise OutputError(_would_be_lost(path, _kind_of(held), "-o"))
         _check_is_text(path, "-o")
@@ -74,8 +74,9 @@ def check_text_replaced(path: Path, option: str = "-o") -> None:
         OutputError: what stands there is no text; FormatError where it cannot be read.
     """
     if path.is_file():
-        if is_session(path):
-            raise OutputError(_would_be_lost(path, "a session", option))
+        if (held := held_at(path)) is not None or is_session(path):
+            what = "a session" if held is None else _kind_of(held)
+            raise OutputError(_would_be_lost(path, what, option))
         _check_is_text(path, option)
 
 
@@ -106,12 +107,12 @@ def is_session(path: Path) -> bool:
 
 
 def _kind_of(held: str) -> str:
-    """What a file is that says it is that, as a sentence needs it; see `_held_at`."""
+    """What a file is that says it is that, as a sentence needs it; see `held_at`."""
     what = held.rpartition("-")[2]
     return "a file of samples" if what == "samples" else f"a {what}" if what else "an HDF5 file"
 
 
-def _held_at(path: Path) -> str | None:
+def held_at(path: Path) -> str | None:
     """What an HDF5 file says it is, "" where it says nothing; None for any other file."""
     import h5py  # takes longer to import than most commands take
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import typer
 
+from app.cli.destination import held_at
 from app.cli.option_groups import Bare
 from tracking.errors import RecordingError, SessionError
 from tracking.formats import begins_as_hdf5
@@ -32,11 +33,15 @@ def opened(path: Path | None, bare: Bare, instead: str = "") -> Recording:
 
 def _refusal(place: Path, instead: str) -> RecordingError:
     """What is told of an HDF5 file in the place of a recording."""
-    from tracking.session.reading import check_file  # longer to import than a recording to open
+    # Longer to import than a recording to open.
+    from tracking.session.layout import FORMAT
+    from tracking.session.reading import check_file
 
     try:
         check_file(place)
-    except SessionError:
+    except SessionError as error:
+        if held_at(place) == FORMAT:  # damaged, or of a newer version: its own words tell
+            return RecordingError(str(error))
         return RecordingError(
             f"{place} is an HDF5 file, neither a recording nor a session", "name a recording"
         )

@@ -71,6 +71,6 @@ class PeopleSettings:
         True,
         "",
         None,
-        "the stronger its colour, the more a spot of somebody's clothes counts; off: each counts "
-        "alike, and grey ones as red",
+        "the stronger its colour, the more a spot of somebody's clothes counts; off, or with "
+        "paper: each counts alike, and grey ones as red",
     )

@@ -11,7 +11,7 @@ import numpy as np
 import tracking
 from tracking.pipeline.spool import IN_MEMORY_BYTES, Spool
 from tracking.pipeline.spooled import SpooledTable
-from tracking.pipeline.ticks import finished, ticks_of
+from tracking.pipeline.ticks import Ticks, finished
 from tracking.recording import Recording
 from tracking.trackers import (
     ASSOCIATION_COLUMNS,
@@ -147,7 +147,7 @@ class KeptSteps:
             return run
         given = resume.last(_TIED_S) if resume is not None else None
         finish = tracker_named(tracker).finish
-        return finished(finish, run, recording.view, recording.fps, given, ticks_of(recording))
+        return finished(finish, run, recording.view, recording.fps, given, Ticks.of(recording))
 
     def _settle(self) -> None:
         """Put what waits into the tables."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -11,30 +11,69 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.recording import Recording
-from tracking.tracks import Columns, Run
+from tracking.tracks import Columns, Particles, Run
 
 Finish = Callable[[Run, View, float, Columns | None], Run]
-Ticks = NDArray[np.int64]
 
 _LONGEST_S = 20.0
 """Between two frames; more is as much: nobody is waited for so long, and times may be nonsense."""
+_SHORT_PERCENT = 10
+"""A tick is as long as frames follow each other where they follow soonest, save for few."""
+_MOST_A_FRAME = 4
+"""Ticks for each frame at the recording's rate; where frames come in bursts, these are shorter."""
+_MOST_EMPTY = 100
+"""Ticks for each frame on average; beyond, times are taken for nonsense."""
 _TABLES = ("tracks", "detections", "associations", "signals", "parts")
 
 
-def ticks_of(recording: Recording) -> Ticks | None:
-    """(frame_count,) when each frame came, in frames at the recording's rate, increasing.
+@dataclass(frozen=True, slots=True, eq=False)
+class Ticks:
+    """When frames came.
 
-    None where they come evenly, or too far apart to be counted. Each frame has a tick of its own,
-    so that two that follow each other at once are a frame apart.
+    Attributes:
+        of_frame: (frame_count,) increasing numbers of ticks from 0; each frame has its own, so that
+            two that follow each other at once are a tick apart.
+        rate_hz: ticks a second.
     """
-    times_s = recording.uneven_times_s
-    if times_s is None:
-        return None
-    between_s = np.diff(times_s, prepend=times_s[:1]).clip(0.0, _LONGEST_S)
-    number = np.arange(len(times_s))
-    nearest = np.rint(np.cumsum(between_s) * recording.fps).astype(np.int64)
-    ticks = np.asarray(np.maximum.accumulate(nearest - number) + number)
-    return ticks if ticks[-1] <= np.iinfo(np.int32).max else None
+
+    of_frame: NDArray[np.int64]
+    rate_hz: float
+
+    @classmethod
+    def of(cls, recording: Recording) -> Ticks | None:
+        """The ticks of a recording; None where frames come evenly, or too far apart to count."""
+        times_s = recording.uneven_times_s
+        if times_s is None or len(times_s) < 2:
+            return None
+        between_s = np.diff(times_s).clip(0.0, _LONGEST_S)
+        shortest_s = float(np.percentile(between_s, _SHORT_PERCENT))
+        most_hz = _MOST_A_FRAME * recording.fps
+        rate_hz = min(max(1.0 / max(shortest_s, 1.0 / most_hz), recording.fps), most_hz)
+        number = np.arange(len(times_s))
+        nearest = np.rint(np.concatenate(((0.0,), np.cumsum(between_s))) * rate_hz)
+        if nearest[-1] > _MOST_EMPTY * len(number):
+            return None
+        ahead = np.maximum.accumulate(nearest.astype(np.int64) - number)
+        return cls(ahead + number, rate_hz)
+
+    def told(self, table: Columns) -> Columns:
+        """The rows of a table at the ticks of their frames."""
+        return {**table, "frame": self.of_frame[table["frame"]].astype(table["frame"].dtype)}
+
+    def recorded(self, table: Columns) -> Columns:
+        """The rows at ticks when a frame was recorded, at these frames."""
+        frame = np.searchsorted(self.of_frame, table["frame"])
+        nearest = self.of_frame[np.minimum(frame, len(self.of_frame) - 1)]
+        rows = np.flatnonzero(nearest == table["frame"])
+        own = {name: column[rows] for name, column in table.items()}
+        return {**own, "frame": frame[rows].astype(table["frame"].dtype)}
+
+    def told_particles(self, particles: Particles) -> Particles:
+        """The particles by tick; none at ticks without a frame."""
+        tick = np.arange(self.of_frame[-1] + 2)
+        frame = np.searchsorted(self.of_frame, tick)
+        start = particles.start[np.minimum(frame, len(particles.start) - 1)]
+        return Particles(start, particles.columns)
 
 
 def finished(
@@ -47,33 +86,27 @@ def finished(
     frame to the next one, whenever that came.
 
     Args:
-        given: rows of earlier frames that stand fast. ticks: of the recording, see `ticks_of`.
+        given: rows of earlier frames that stand fast. ticks: of the recording, if there are any.
     """
-    if ticks is None or len(run.tracklets.columns["track"]):
-        return finish(run, view, fps, given)
     first, stop = run.frames
-    even = _with_tables(run, lambda table: _at_ticks(table, ticks))
-    if stop > first:
-        even = replace(even, frames=(int(ticks[first]), int(ticks[stop - 1]) + 1))
-    found = finish(even, view, fps, None if given is None else _at_ticks(given, ticks))
-    found = _with_tables(found, lambda table: _recorded(table, ticks))
-    return replace(found, frames=run.frames)
+    if ticks is None or stop <= first or len(run.tracklets.columns["track"]):
+        return finish(run, view, fps, given)
+    even = replace(
+        _with_tables(run, ticks.told),
+        frames=(int(ticks.of_frame[first]), int(ticks.of_frame[stop - 1]) + 1),
+        particles=ticks.told_particles(run.particles),
+        part_particles=ticks.told_particles(run.part_particles),
+    )
+    found = finish(even, view, ticks.rate_hz, None if given is None else ticks.told(given))
+    return replace(
+        _with_tables(found, ticks.recorded),
+        frames=run.frames,
+        particles=Particles(run.particles.start, found.particles.columns),
+        part_particles=Particles(run.part_particles.start, found.part_particles.columns),
+    )
 
 
 def _with_tables(run: Run, changed: Callable[[Columns], Columns]) -> Run:
     """The run with the tables that tell frames changed."""
     tables: dict[str, Any] = {name: changed(getattr(run, name)) for name in _TABLES}
     return replace(run, **tables)
-
-
-def _at_ticks(table: Columns, ticks: Ticks) -> Columns:
-    """The same rows at the ticks of their frames."""
-    return {**table, "frame": ticks[table["frame"]].astype(table["frame"].dtype)}
-
-
-def _recorded(table: Columns, ticks: Ticks) -> Columns:
-    """The rows at ticks when a frame was recorded, at these frames."""
-    frame = np.searchsorted(ticks, table["frame"])
-    rows = np.flatnonzero(ticks[np.minimum(frame, len(ticks) - 1)] == table["frame"])
-    own = {name: column[rows] for name, column in table.items()}
-    return {**own, "frame": frame[rows].astype(table["frame"].dtype)}

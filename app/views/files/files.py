@@ -199,7 +199,7 @@ class Files(QObject):
         run = session.adopted_run if session is not None else None
 
         def holds() -> bool:
-            return session is None or session.adopted_run == run
+            return session is None or (self.session is session and session.adopted_run == run)
 
         self._window.notice.say("\n".join(lines), passing=passes, holds=holds)
 

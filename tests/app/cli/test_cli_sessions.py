@@ -94,6 +94,11 @@ def test_other_hdf5_in_the_place_of_a_recording_is_not_called_a_session(
     status, out, err = trackwright("track", hollow, "-o", tmp_path / "s.h5")
     assert (status, out, err.count("\n")) == (1, "", 1)
     assert f"{hollow} is an HDF5 file, neither a recording nor a session; name a recording" in err
+    with h5py.File(hollow, "a") as file:
+        file.attrs.update(format="trackwright-session", format_version="99.0")
+    status, _, err = trackwright("track", hollow, "-o", tmp_path / "s.h5")
+    assert (status, err.count("\n")) == (1, 1)
+    assert "made by a newer trackwright; update to open it" in err
 
 
 def test_a_session_of_bare_videos_opens_whole(

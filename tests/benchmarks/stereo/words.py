@@ -112,7 +112,8 @@ GOALS = """
 `stereo-joint` as it comes. Goals are judged with rows that match by box, at an overlap of one half;
 "by floor" they match on the floor, within {floor_m:g} m, as with `score --match floor`. Boxes are
 stricter: two that cover each other may be taken one for the other in a frame or two, which then
-counts as a lost id, though both tracks stand where their people do.
+counts as a lost id, though both tracks stand where their people do. Counting by floor was added
+once the fresh clips' figures by box were known.
 
 "Fresh" are clips with seeds that nobody had looked at when they were measured, four times as many
 as of those measured often: once figures of them have been seen and a tracker is changed, later

@@ -25,8 +25,6 @@ from tracking.recording.frame import Image, StereoFrame
 
 Picture = NDArray[np.uint8]
 
-_WIDEST_PX = 800
-"""Wider pictures are shrunk by a whole number before anything is done with them."""
 _SMOOTHED = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 _SHADOW = 100
 """Weight below which foreground is shown as a shadow."""
