@@ -123,7 +123,7 @@ def held_at(path: Path) -> str | None:
             return None
         with h5py.File(path, "r", locking=False) as file:
             return str(file.attrs.get("format", ""))
-    except (OSError, RuntimeError, ValueError):
+    except (OSError, RuntimeError, TypeError, ValueError):  # TypeError: of no kind Python has
         return ""
 
 

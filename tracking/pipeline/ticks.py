@@ -1,4 +1,4 @@
-"""Frames that come unevenly, counted in ticks of even time for whoever looks a run over."""
+"""Frames that others are missing between, counted in ticks for whoever looks a run over."""
 
 from __future__ import annotations
 
@@ -17,44 +17,33 @@ Finish = Callable[[Run, View, float, Columns | None], Run]
 
 _LONGEST_S = 20.0
 """Between two frames; more is as much: nobody is waited for so long, and times may be nonsense."""
-_SHORT_PERCENT = 10
-"""A tick is as long as frames follow each other where they follow soonest, save for few."""
-_MOST_A_FRAME = 4
-"""Ticks for each frame at the recording's rate; where frames come in bursts, these are shorter."""
-_MOST_EMPTY = 100
-"""Ticks for each frame on average; beyond, times are taken for nonsense."""
+_MOST = 10_000_000
+"""Ticks; more are nonsense, or no time in which to look for anybody."""
 _TABLES = ("tracks", "detections", "associations", "signals", "parts")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ticks:
-    """When frames came.
+    """When frames came, counted so that frames missing between two are made up for.
 
     Attributes:
-        of_frame: (frame_count,) increasing numbers of ticks from 0; each frame has its own, so that
-            two that follow each other at once are a tick apart.
-        rate_hz: ticks a second.
+        of_frame: (frame_count,) increasing numbers of ticks from 0, as many a second as the
+            recording has frames. Each frame has its own: where they follow each other sooner than
+            usual, they are a tick apart, too, as whoever counts rows expects.
     """
 
     of_frame: NDArray[np.int64]
-    rate_hz: float
 
     @classmethod
     def of(cls, recording: Recording) -> Ticks | None:
         """The ticks of a recording; None where frames come evenly, or too far apart to count."""
-        times_s = recording.uneven_times_s
-        if times_s is None or len(times_s) < 2:
+        times_s, fps = recording.uneven_times_s, recording.fps
+        if times_s is None:
             return None
-        between_s = np.diff(times_s).clip(0.0, _LONGEST_S)
-        shortest_s = float(np.percentile(between_s, _SHORT_PERCENT))
-        most_hz = _MOST_A_FRAME * recording.fps
-        rate_hz = min(max(1.0 / max(shortest_s, 1.0 / most_hz), recording.fps), most_hz)
-        number = np.arange(len(times_s))
-        nearest = np.rint(np.concatenate(((0.0,), np.cumsum(between_s))) * rate_hz)
-        if nearest[-1] > _MOST_EMPTY * len(number):
-            return None
-        ahead = np.maximum.accumulate(nearest.astype(np.int64) - number)
-        return cls(ahead + number, rate_hz)
+        between_s = np.diff(times_s).clip(0.0, max(_LONGEST_S, 1.0 / fps))
+        steps = np.maximum(np.rint(between_s * fps).astype(np.int64), 1)
+        of_frame = np.concatenate(([0], np.cumsum(steps)))
+        return cls(of_frame) if of_frame[-1] <= _MOST else None
 
     def told(self, table: Columns) -> Columns:
         """The rows of a table at the ticks of their frames."""
@@ -81,9 +70,9 @@ def finished(
 ) -> Run:
     """The run looked over by a tracker's `finish`, which takes frames for even time.
 
-    Where they are not, it sees ticks for frames, and rows that it adds where no frame was recorded
-    are left out again. Runs with tracklets are seen as they are: points are followed from one
-    frame to the next one, whenever that came.
+    Where some are missing, it sees ticks for frames, and rows that it adds where no frame was
+    recorded are left out again. Runs with tracklets are seen as they are: points are followed from
+    one frame to the next one, whenever that came.
 
     Args:
         given: rows of earlier frames that stand fast. ticks: of the recording, if there are any.
@@ -97,7 +86,7 @@ def finished(
         particles=ticks.told_particles(run.particles),
         part_particles=ticks.told_particles(run.part_particles),
     )
-    found = finish(even, view, ticks.rate_hz, None if given is None else ticks.told(given))
+    found = finish(even, view, fps, None if given is None else ticks.told(given))
     return replace(
         _with_tables(found, ticks.recorded),
         frames=run.frames,

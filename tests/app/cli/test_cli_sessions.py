@@ -99,6 +99,11 @@ def test_other_hdf5_in_the_place_of_a_recording_is_not_called_a_session(
     status, _, err = trackwright("track", hollow, "-o", tmp_path / "s.h5")
     assert (status, err.count("\n")) == (1, 1)
     assert "made by a newer trackwright; update to open it" in err
+    with h5py.File(hollow, "w") as file:  # of a kind that NumPy has not
+        h5py.h5a.create(file.id, b"format", h5py.h5t.UNIX_D32LE, h5py.h5s.create(h5py.h5s.SCALAR))
+    status, _, err = trackwright("track", hollow, "-o", tmp_path / "s.h5")
+    assert (status, err.count("\n")) == (1, 1)
+    assert "neither a recording nor a session" in err
 
 
 def test_a_session_of_bare_videos_opens_whole(

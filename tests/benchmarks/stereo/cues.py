@@ -95,8 +95,8 @@ def happened(rows: Sequence[Figures]) -> str:
 
 
 def words_used(figures: Figures) -> tuple[str, ...]:
-    """What goes wrong in the sentences, in the order of `reasons.WHAT`."""
+    """What goes wrong in the sentences, and what a cue decides, in the order of `reasons.WHAT`."""
     used = {
         row["what"] for _, _, _, with_it in _without_gain(figures) for row in with_it["not_kept"]
     }
-    return tuple(what for what in reasons.WHAT if what in used)
+    return tuple(what for what in reasons.WHAT if what in used or what in _DECIDED)
