@@ -37,14 +37,14 @@ def _refusal(place: Path, instead: str) -> RecordingError:
     from tracking.session.layout import FORMAT
     from tracking.session.reading import check_file
 
-    try:
-        check_file(place)
-    except SessionError as error:
-        if held_at(place) == FORMAT:  # damaged, or of a newer version: its own words tell
-            return RecordingError(str(error))
+    if held_at(place) != FORMAT:
         return RecordingError(
             f"{place} is an HDF5 file, neither a recording nor a session", "name a recording"
         )
+    try:
+        check_file(place)
+    except SessionError as error:  # damaged, or of a newer version
+        return RecordingError(str(error))
     to_do = "name the recording it is of" + (f", or {instead} {place}" if instead else "")
     return RecordingError(f"{place} is a session, not a recording", to_do)
 

@@ -30,13 +30,22 @@ class Asked:
     data: Path
 
 
-def asked(subject: str, description: str, sections: Sequence[str]) -> Asked:
-    """Read the command line."""
-    parser = argparse.ArgumentParser(
-        prog=f"python -m tests.benchmarks.{subject}",
+def parser_of(module: str, description: str | None) -> argparse.ArgumentParser:
+    """A parser without arguments yet, whose help is the module's docstring as it stands.
+
+    Args:
+        module: below `tests.benchmarks`.
+    """
+    return argparse.ArgumentParser(
+        prog=f"python -m tests.benchmarks.{module}",
         description=description,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
+
+
+def asked(subject: str, description: str, sections: Sequence[str]) -> Asked:
+    """Read the command line."""
+    parser = parser_of(subject, description)
     page = f"docs/results/{subject}.md"
     parser.add_argument("--report", action="store_true", help=f"measure and write {page}")
     parser.add_argument("--rewrite", action="store_true", help="write it from what was measured")

@@ -182,17 +182,22 @@ def test_samples_are_exported_by_the_ending(
     assert ".libsvm" in err
 
 
+def _would_be_lost(trackwright: Trackwright, labelled: Path, hdf5: Path, text: Path) -> None:
+    """A detector and samples are refused in the place of one file, labels in that of another."""
+    for words in (
+        ["train", labelled, "-o", hdf5],
+        ["export", labelled, "-o", hdf5, "--format", "samples"],
+        ["export", labelled, "-o", text, "--format", "labels"],
+    ):
+        status, _, err = trackwright(*words)
+        assert (status, "would be lost" in err) == (1, True)
+
+
 def test_a_session_is_not_lost_to_a_detector_or_samples(
     trackwright: Trackwright, labelled: Path, session: Path
 ) -> None:
     before = session.read_bytes()
-    for words in (
-        ["train", labelled, "-o", session],
-        ["export", labelled, "-o", session, "--format", "samples"],
-        ["export", labelled, "-o", session, "--format", "labels"],
-    ):
-        status, _, err = trackwright(*words)
-        assert (status, "would be lost" in err) == (1, True)
+    _would_be_lost(trackwright, labelled, session, session)
     assert session.read_bytes() == before
 
 
@@ -202,13 +207,7 @@ def test_a_video_is_not_lost_to_a_detector_or_what_is_exported_of_parts(
     video = tmp_path / "victim.h5"
     video.write_bytes(bytes(9000))
     other = Path(shutil.copy(video, tmp_path / "victim.mp4"))
-    for words in (
-        ["train", labelled, "-o", video],
-        ["export", labelled, "-o", video, "--format", "samples"],
-        ["export", labelled, "-o", other, "--format", "labels"],
-    ):
-        status, _, err = trackwright(*words)
-        assert (status, "would be lost" in err) == (1, True)
+    _would_be_lost(trackwright, labelled, video, other)
     assert video.read_bytes() == other.read_bytes() == bytes(9000)
 
 

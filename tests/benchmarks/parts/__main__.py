@@ -15,6 +15,8 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
+from tests.benchmarks.asking import parser_of
+
 _DOCS = Path(__file__).parents[3] / "docs"
 SECTIONS = ("rates", "crouching", "equalisation", "detector", "real", "speed")
 
@@ -38,11 +40,7 @@ def main() -> None:
 
 
 def _asked() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="python -m tests.benchmarks.parts",
-        description=__doc__,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+    parser = parser_of("parts", __doc__)
     parser.add_argument("--report", action="store_true", help="measure and write docs/results.md")
     parser.add_argument("--rewrite", action="store_true", help="write it from docs/results.json")
     parser.add_argument("--only", nargs="+", choices=SECTIONS, help="these sections anew")

@@ -16,6 +16,7 @@ from sklearn.pipeline import Pipeline
 from sklearn.preprocessing import FunctionTransformer
 from sklearn.svm import SVC
 
+from tests.benchmarks.asking import parser_of
 from tracking.failure import Detector, Machine, built_in_detector, load_detector
 
 PEOPLE = 15
@@ -86,11 +87,7 @@ def main() -> None:
 
 
 def _asked() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="python -m tests.benchmarks.parts.detector_speed",
-        description=__doc__,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+    parser = parser_of("parts.detector_speed", __doc__)
     parser.add_argument("detector", nargs="?", type=Path, metavar="DETECTOR.h5", help="to measure")
     return parser.parse_args()
 

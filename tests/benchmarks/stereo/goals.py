@@ -47,7 +47,7 @@ ACCURACY = Goal(
     "Tracking accuracy", lambda row: float(row["tracking_accuracy"]), ACCURACY_GOALS.get
 )
 BY_FLOOR = Goal(
-    "Tracking accuracy by floor",
+    "Tracking accuracy by floor, counted since those by box were known",
     lambda row: float(row["by_floor"]["tracking_accuracy"]),
     ACCURACY_GOALS.get,
 )

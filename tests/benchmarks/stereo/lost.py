@@ -12,7 +12,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-from tests.benchmarks.asking import one_core
+from tests.benchmarks.asking import one_core, parser_of
 
 
 def main() -> None:
@@ -56,11 +56,7 @@ def counted(everybody: list[Any]) -> list[str]:
 
 
 def _asked() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="python -m tests.benchmarks.stereo.lost",
-        description=__doc__,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+    parser = parser_of("stereo.lost", __doc__)
     parser.add_argument("clips", nargs="+", type=Path, metavar="CLIP", help="folder of a clip")
     parser.add_argument("--tracker", default="stereo-joint", help="in the catalogue")
     parser.add_argument(

@@ -5,9 +5,9 @@
 
 from __future__ import annotations
 
-import argparse
 from pathlib import Path
 
+from tests.benchmarks.asking import parser_of
 from tests.benchmarks.pages import Figures, Page, table
 from tests.benchmarks.stereo import choice, goals
 from tests.benchmarks.stereo.shares import said_interval
@@ -62,11 +62,7 @@ def with_passage(text: str, figures: Figures) -> str:
 
 def main() -> None:
     """Put the passage into README; nothing is asked but for help."""
-    argparse.ArgumentParser(
-        prog="python -m tests.benchmarks.stereo.readme",
-        description=__doc__,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    ).parse_args()
+    parser_of("stereo.readme", __doc__).parse_args()
     told = with_passage(README.read_text(encoding="utf-8"), Page("stereo").figures())
     README.write_text(told, encoding="utf-8")
 

@@ -164,7 +164,7 @@ def test_it_is_said_in_words_what_is_met_on_fresh_clips_and_whether_the_others_f
     page = report.writers()["goals"](_goals())
     assert "20 of 25 people were kept, 0.800 (0.61 to 0.91)" in page
     assert "Tracking accuracy: met in none of 1 scene; missed in lobby, 2.4 m, 30 degrees" in page
-    assert "Tracking accuracy by floor: met in the only scene." in page
+    assert "by floor, counted since those by box were known: met in the only scene." in page
     assert "IDF1: met in the only scene." in page
     assert "more than chance explains" in report.writers()["goals"](_goals(18))
     assert "may be chance" in report.writers()["goals"](_goals(24))
