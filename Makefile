@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench results results-parts results-stereo results-spheroid results-flow detector kills long model peers scorers interchange pictures lock clean
+.PHONY: help demo test format bench results results-parts results-stereo results-spheroid results-flow detector kills power-cuts failed-calls two-programs mutants hostile soak long memory interrupts model peers scorers interchange pictures lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -58,11 +58,35 @@ results-flow: $(STAMP) ## docs/results/flow.md: counted passages and sums (half 
 detector: $(STAMP) ## the built-in failure detector: rendered, tracked, labelled from truth, trained (ten minutes)
 	$(BIN)/python -m tests.benchmarks.parts.detector
 
-kills: $(STAMP) ## kill the window 1,000 times while tracks are corrected in it: nothing may be lost (20 minutes)
-	$(BIN)/python -m tests.sweeps.kill
+kills: $(STAMP) ## kill programs that correct a session 2,000 times: nothing may be lost (half an hour)
+	$(BIN)/python -m tests.sweeps.kills
+
+power-cuts: $(STAMP) ## 500 power cuts replayed from recorded writes: nothing may be lost (ten minutes, needs strace)
+	$(BIN)/python -m tests.sweeps.power_cuts
+
+failed-calls: $(STAMP) ## each system call of saving, importing and exporting fails once (hours, needs strace)
+	$(BIN)/python -m tests.sweeps.failed_calls
+
+two-programs: $(STAMP) ## two programs on one session whose lock is removed by hand, 500 times (fifteen minutes)
+	$(BIN)/python -m tests.sweeps.two_programs
+
+mutants: $(STAMP) ## damaged files of each kind through the real command, 10,000 of each (days)
+	$(BIN)/python -m tests.sweeps.mutants
+
+hostile: $(STAMP) ## 200 files and folders made to harm, each through the real command (five minutes)
+	$(BIN)/python -m tests.sweeps.hostile
+
+soak: $(STAMP) ## 10,000 steps of correcting in the real window (an hour)
+	$(BIN)/python -m tests.sweeps.soak
 
 long: $(STAMP) ## track 100,000 frames and watch the memory: below 1 GiB (half an hour to an hour)
 	$(BIN)/python -m tests.sweeps.long_run
+
+memory: $(STAMP) ## open and close a session 200 times in the window: memory must not grow (20 minutes)
+	QT_QPA_PLATFORM=offscreen $(BIN)/python -m tests.sweeps.open_close
+
+interrupts: $(STAMP) ## interrupt the window 100 times at random moments (half an hour)
+	$(BIN)/python -m tests.sweeps.interrupts
 
 model: $(STAMP) ## sessions against a plain list of states, 10,000 runs of 50 steps (two hours)
 	$(BIN)/python -m tests.sweeps.model

@@ -12,6 +12,8 @@ import typer
 
 from app.cli.commands import program
 from app.cli.failure import MISUSED, told
+from app.cli.output import say
+from app.interrupts import end_at_once
 
 NOT_BUILT = ("batch",)
 """Commands that are announced; typing one is answered with a line of its own."""
@@ -21,6 +23,8 @@ _MISUSE: type[Exception] = next(
 """What all wrong arguments raise; typer has no name for it that all its versions share."""
 _THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS")
 """What NumPy's matrix products read, when NumPy is imported, and the processes begun from here."""
+_OPENCV_LOG = "OPENCV_LOG_LEVEL"
+"""What OpenCV reads when it is imported, here and in the processes begun from here."""
 
 
 def main() -> None:
@@ -28,9 +32,13 @@ def main() -> None:
     # The matrices here are small: shared out among threads, their products cost many times more.
     for variable in _THREADS:
         os.environ.setdefault(variable, "1")
+    # Our own notes tell of broken pictures; OpenCV's warnings would stand amid them.
+    os.environ.setdefault(_OPENCV_LOG, "SILENT")
     # A polite request to end leaves no more behind than Ctrl+C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    sys.exit(run(sys.argv[1:]))
+    status = run(sys.argv[1:])
+    end_at_once()  # what is to be kept is on disk
+    sys.exit(status)
 
 
 def run(arguments: Sequence[str]) -> int:
@@ -38,7 +46,7 @@ def run(arguments: Sequence[str]) -> int:
     debug = "--debug" in arguments
     words = [word for word in arguments if word != "--debug"]
     if words and words[0] in NOT_BUILT:
-        print(f"trackwright: {words[0]} is not built yet", file=sys.stderr)
+        say(f"trackwright: {words[0]} is not built yet")
         return MISUSED
     return told(lambda: _obey(words), debug=debug)
 
@@ -50,7 +58,7 @@ def _obey(words: list[str]) -> None:
     except typer.Abort as stop:
         raise KeyboardInterrupt from stop
     except _MISUSE as misuse:
-        print(f"trackwright: {_told_of(misuse)}", file=sys.stderr)
+        say(f"trackwright: {_told_of(misuse)}")
         raise SystemExit(MISUSED) from misuse
     raise SystemExit((status or 0) if words else MISUSED)
 

@@ -43,12 +43,20 @@ class SessionError(TrackwrightError):
     """A session file cannot be read or written."""
 
 
+class UnsafeFileError(SessionError):
+    """A file or folder beside a session is not one that this program would have made there."""
+
+
 class EditError(TrackwrightError):
     """An edit does not apply to the tracks as they are."""
 
 
 class FormatError(TrackwrightError):
     """A file of another format cannot be read or written."""
+
+
+class UnitUnsaidError(FormatError):
+    """A text does not say the unit of its lengths; whoever knows it may state it."""
 
 
 class CountingError(TrackwrightError):

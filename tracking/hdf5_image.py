@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tracking.owned_files import SAFE_FLAGS
+
 if TYPE_CHECKING:
     from h5py import Dataset
 
@@ -31,9 +33,8 @@ class Hdf5Image:
 
     def __init__(self, path: Path) -> None:
         """Make the file. Raises OSError where that fails."""
-        flags = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | getattr(os, "O_BINARY", 0)
         self._path = path
-        self._handle = os.open(path, flags, 0o644)
+        self._handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | SAFE_FLAGS, 0o666)
         self._at = self._size = 0
         self._pages: dict[int, bytearray] = {}
         self._held: list[tuple[int, int]] = []

@@ -1,15 +1,38 @@
-"""Output files that appear whole or not at all."""
+"""Output files and folders that appear whole or not at all.
+
+A file takes the place of another one at once: a new one is written beside it under a hidden name
+that nothing had, put on the disk, and renamed. So nothing is ever written through what stood
+there: only a regular file is replaced, and keeps its permissions; a link, a pipe or a device is
+refused.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import os
-import tempfile
+import secrets
+import shutil
+import stat
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO, TextIO
 
 from tracking.errors import OutputError
+from tracking.owned_files import SAFE_FLAGS, kind_of, sync_folder
+
+_NAME_KEPT = 50
+"""Letters of a file's name in that of its unfinished one, which must not get too long."""
+_PERMISSIONS = 0o777
+"""Of a file's mode: a new one never runs as its owner (setuid), whatever stood there."""
+_PRIVATE = 0o600
+"""Of a file while it is written: what it takes the place of may be for nobody else."""
+_PRIVATE_FOLDER = 0o700
+"""Of a folder meanwhile."""
+_ANOTHER_PLACE = "choose another place with -o"
+_ANOTHER_FOLDER = "choose another place"
+"""Some commands are told their folder without an option."""
 
 
 def replace_with(path: Path, data: bytes) -> None:
@@ -19,8 +42,6 @@ def replace_with(path: Path, data: bytes) -> None:
     """
     with part_of(path) as part, part.open("wb") as stream:
         stream.write(data)
-        stream.flush()
-        os.fsync(stream.fileno())
 
 
 @contextmanager
@@ -31,15 +52,14 @@ def replacing(path: Path) -> Iterator[TextIO]:
     by an error or an interruption; what stood at `path` before stays as it was.
 
     Raises:
-        OutputError: the folder is missing or not writable, the disk is full, `path` is a folder.
+        OutputError: the folder is missing or not writable, the disk is full, `path` is a folder, a
+            link, a pipe or a device.
     """
     with (
         part_of(path) as part,
         part.open("w", encoding="utf-8", newline="\n") as stream,
     ):
         yield stream
-        stream.flush()
-        os.fsync(stream.fileno())
 
 
 @contextmanager
@@ -47,40 +67,141 @@ def replacing_bytes(path: Path) -> Iterator[BinaryIO]:
     """A file of bytes that takes the place of `path` in the end; see `replacing`."""
     with part_of(path) as part, part.open("wb") as stream:
         yield stream
-        stream.flush()
-        os.fsync(stream.fileno())
 
 
 @contextmanager
 def part_of(path: Path) -> Iterator[Path]:
     """The hidden file beside `path` that takes its place in the end; see `replacing`.
 
-    For libraries that write a file of their own; it is there already, and empty.
+    For libraries that write a file of their own; it is there already, and empty. It is put on the
+    disk here, and then its name, so that neither is lost to a power cut.
+    """
+    check_target(path)
+    part = _part_name(path)
+    try:
+        allowed = _new_file(part)
+        yield part
+        _sync(part)
+        part.chmod(_permissions(path, allowed))
+        part.replace(path)
+        sync_folder(path.parent)
+    except OSError as error:
+        raise _told(path, error.strerror or str(error)) from error
+    finally:
+        with contextlib.suppress(OSError):
+            part.unlink(missing_ok=True)
+
+
+@contextmanager
+def replacing_folder(path: Path) -> Iterator[Path]:
+    """A new folder that takes the place of `path` when the block ends without an error.
+
+    Until then everything goes to a hidden folder beside it, which is removed when the block is
+    left by an error or an interruption, and so are folders above it that were made for it. Only an
+    empty folder is replaced, and keeps its permissions; a new one has those of the user's umask.
+
+    Raises:
+        OutputError: something but an empty folder is at `path`, or it cannot be written.
+    """
+    _check_folder(path)
+    missing = [each for each in (path.parent, *path.parent.parents) if not each.exists()]
+    part = _part_name(path)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        part.mkdir()
+        allowed = stat.S_IMODE(part.stat().st_mode)
+        part.chmod(_PRIVATE_FOLDER)
+        yield part
+        _finish_folder(part, path, allowed)
+    except OSError as error:
+        raise _told(path, error.strerror or str(error), _ANOTHER_FOLDER) from error
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+        with contextlib.suppress(OSError):  # one with something in it stays, and those above it
+            for folder in missing:
+                folder.rmdir()
+
+
+def _check_folder(path: Path) -> None:
+    try:
+        found = kind_of(path)
+        held = found == "a folder" and any(path.iterdir())
+    except FileNotFoundError:
+        return
+    except OSError as error:
+        raise _told(path, error.strerror or str(error), _ANOTHER_FOLDER) from error
+    if found != "a folder":
+        raise OutputError(f"{path} is {found}, and a folder is written", _ANOTHER_FOLDER)
+    if held:
+        raise OutputError(f"{path} is not an empty folder", "choose one that is new")
+
+
+def _finish_folder(part: Path, path: Path, allowed: int) -> None:
+    """Put all of a folder on the disk, then its name; allowed: the mode of a new one."""
+    for folder, _, files in os.walk(part, topdown=False):
+        for name in files:
+            _sync(Path(folder) / name)
+        sync_folder(Path(folder))
+    there = path.is_dir()
+    part.chmod(stat.S_IMODE(os.lstat(path).st_mode) if there else allowed)
+    if sys.platform == "win32" and there:
+        path.rmdir()  # a rename takes an empty folder's place elsewhere
+    part.rename(path)
+    sync_folder(path.parent)
+
+
+def check_target(path: Path) -> None:
+    """Refuse to put a file in the place of anything but a regular file.
+
+    Raises OutputError where `path` is a folder, a link, a pipe or a device, or cannot be looked at.
     """
     try:
-        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+        found = kind_of(path)
+    except FileNotFoundError:
+        return
     except OSError as error:
-        raise _told(path, error) from error
-    os.close(handle)
-    part = Path(name)
+        raise _told(path, error.strerror or str(error)) from error
+    if found == "a link":
+        raise OutputError(
+            f"cannot write {path}: it is a link, which is not written through",
+            "name the file it leads to, or remove the link",
+        )
+    if found != "a file":
+        raise _told(path, f"it is {found}")
+
+
+def _part_name(path: Path) -> Path:
+    return path.with_name(f".{path.name[:_NAME_KEPT]}.{secrets.token_hex(8)}.part")
+
+
+def _new_file(path: Path) -> int:
+    """Make a file that was not there, for the user alone; gives the mode the umask asks for."""
+    handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | SAFE_FLAGS, 0o666)
     try:
-        yield part
-        part.chmod(0o666 & ~_umask())
-        part.replace(path)
-    except OSError as error:
-        raise _told(path, error) from error
+        allowed = os.fstat(handle).st_mode & _PERMISSIONS
+        if sys.platform != "win32":
+            os.fchmod(handle, allowed & _PRIVATE)  # while it is empty
+        return allowed
     finally:
-        part.unlink(missing_ok=True)
+        os.close(handle)
 
 
-def _umask() -> int:
-    """The process's mask for new files; can only be read by setting it."""
-    mask = os.umask(0o077)
-    os.umask(mask)
-    return mask
+def _permissions(path: Path, allowed: int) -> int:
+    """Who may read and write the new file: as the one it replaces; without one, as allowed."""
+    try:
+        return os.lstat(path).st_mode & _PERMISSIONS
+    except FileNotFoundError:
+        return allowed
 
 
-def _told(path: Path, error: OSError) -> OutputError:
-    """The system's complaint as one line about the file the user asked for."""
-    reason = error.strerror or str(error)
-    return OutputError(f"cannot write {path}: {reason}; choose another place with -o")
+def _sync(path: Path) -> None:
+    handle = os.open(path, os.O_RDWR | SAFE_FLAGS)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _told(path: Path, reason: str, advice: str = _ANOTHER_PLACE) -> OutputError:
+    """A complaint, as the system's, as one line about the file the user asked for."""
+    return OutputError(f"cannot write {path}: {reason}", advice)

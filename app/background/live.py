@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import logging
 import threading
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from app.presenters.explaining import explain
 from app.presenters.runs.ended import Ended
+from app.presenters.words import unstopped
 from app.tracking_process import TrackerProcess, TrackingRequest
 from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
@@ -29,8 +32,8 @@ class LiveTracker(QObject):
     A thread here only waits for what it says: the interpreter belongs to the window. Results come
     in order: `tracked(results)` carries a tuple of `StepResult`. At the end, or once stopped,
     `finished(run)` carries the run over the frames that were tracked (None where there were none),
-    the very same as `pipeline.track` makes; `failed(error)` comes instead where the tracker could
-    not go on.
+    the very same as `pipeline.track` makes. Where the tracker could not go on it comes, too, and
+    `ended` tells why; `failed(error)` comes instead where nothing can be kept.
 
     Attributes:
         kept: the steps so far, those not told of yet among them; may be read on any thread.
@@ -95,7 +98,8 @@ class LiveTracker(QObject):
             run = self._track()
         except Exception as error:
             problem = error
-        self._ended.emit(run, problem)
+            run = None if self._closed.is_set() else self._run_so_far(error)
+        self._ended.emit(run, None if run is not None else problem)
 
     def _track(self) -> Run | None:
         for batch in self._process.batches():
@@ -107,13 +111,22 @@ class LiveTracker(QObject):
         first, stop = self.kept.frames
         if first == stop:
             return None
+        return self._told_of(self.kept.run(*self._run_asked()), "")
+
+    def _run_so_far(self, error: Exception) -> Run | None:
+        """What is kept of a tracker that could not go on; None: nothing."""
+        run = self.kept.run_so_far(*self._run_asked())
+        return None if run is None else self._told_of(run, unstopped(explain(error)))
+
+    def _run_asked(self) -> tuple[str, Mapping[str, Any], int, Recording, Resume | None]:
         asked = self._request
-        run = self.kept.run(
-            asked.tracker, asked.settings, asked.seed, self._recording, asked.resume
-        )
-        on_the_way = self.kept.parts("tracks", first, stop)
-        self.ended = Ended.of(run, on_the_way, self._asked)
-        return replace(run, notes=self.notes)
+        return asked.tracker, asked.settings, asked.seed, self._recording, asked.resume
+
+    def _told_of(self, run: Run, why: str) -> Run:
+        """The run with what is told of it; why: it ended early, "": it did not."""
+        on_the_way = self.kept.parts("tracks", *self.kept.frames)
+        self.ended = Ended.of(run, on_the_way, self._asked, why)
+        return replace(run, notes=(*self.notes, *([self.ended.early] if why else [])))
 
     def _make_room(self, _batch: object) -> None:
         """The window has taken a batch."""

@@ -5,7 +5,8 @@ from __future__ import annotations
 from contextlib import closing
 from pathlib import Path
 
-from app.cli.output import print_json, print_table
+from app.cli.output import print_json, print_line, print_table
+from app.cli.sessions import opened_session
 from app.presenters.comparing.agreement import refuse_other_recording
 from tracking.scoring import (
     Agreement,
@@ -16,7 +17,7 @@ from tracking.scoring import (
     ScoringTable,
     agreement,
 )
-from tracking.session import RecordingReference, Session
+from tracking.session import RecordingReference
 
 _LISTED = 20
 
@@ -44,7 +45,7 @@ def _how(match: str, radius_m: float) -> Match:
 
 
 def _of_session(path: Path) -> tuple[ScoringTable, RecordingReference]:
-    with closing(Session.open(path)) as session:
+    with closing(opened_session(path)) as session:
         return ScoringTable.from_columns(session.tracks.columns()), session.recording
 
 
@@ -61,7 +62,7 @@ def _print(found: Agreement) -> None:
     )
     for one in found.disagreements[:_LISTED]:
         who = f"{one.track_a or 'nobody'} here, {one.track_b or 'nobody'} there"
-        print(f"frames {one.start} to {one.end - 1}: {who}")
+        print_line(f"frames {one.start} to {one.end - 1}: {who}")
     left = len(found.disagreements) - _LISTED
     if left > 0:
-        print(f"and {left} more; --json lists all")
+        print_line(f"and {left} more; --json lists all")

@@ -12,7 +12,16 @@ import typer
 from app.cli.destination import check_file, check_text_replaced
 from app.cli.drawn import line_of, refuse_repeated, region_of
 from app.cli.option_groups import InPicture, OnFloor
-from app.cli.output import print_json, say
+from app.cli.output import (
+    STDOUT,
+    print_json,
+    print_line,
+    refuse_two_documents,
+    say,
+    shown,
+    text_at,
+)
+from app.cli.sessions import opened_session
 from app.presenters.files.exporting import exported_tracks
 from tracking.counting import (
     Counts,
@@ -54,10 +63,11 @@ def run_count(
     *,
     as_json: bool,
 ) -> None:
-    """Print the counts; with csv the steps go into that file."""
-    if csv is not None:
+    """Print the counts; with csv the steps go into that file, or with - to stdout alone."""
+    refuse_two_documents(csv, "--csv", as_json=as_json)
+    if csv is not None and csv != STDOUT:
         _check_csv(csv)
-    with closing(Session.open(path)) as session:
+    with closing(opened_session(path)) as session:
         recording = session.recording
         places = _places(session, named)
         columns = exported_tracks(session, run)
@@ -77,12 +87,16 @@ def run_count(
             raise CountingError(f"{path}: {error.reason}", error.to_do) from error
     _say_what(places, run)
     if csv is not None:
-        write_counts(csv, counts)
+        with text_at(csv) as place:
+            write_counts(place, counts)
         say(f"{len(counts.steps)} steps of {settings.step_s:g} s: {csv}")
+    if csv == STDOUT:
+        return
     if as_json:
         print_json(counts_as_json(counts))
     else:
-        print("\n".join(_lines_of(counts)))
+        for line in _lines_of(counts):
+            print_line(line)
 
 
 def places_named(floor: OnFloor, picture: InPicture) -> Places:
@@ -156,13 +170,14 @@ def _region_row(one: Occupancy) -> tuple[str, ...]:
 
 def _table(headings: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
     """Names to the left, numbers to the right."""
-    widths = [max(len(row[column]) for row in (headings, *rows)) for column in range(len(headings))]
+    lines = [[shown(cell) for cell in row] for row in (headings, *rows)]
+    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return [
         "  ".join(
             [row[0].ljust(widths[0])]
             + [cell.rjust(width) for cell, width in zip(row[1:], widths[1:], strict=True)]
         )
-        for row in (headings, *rows)
+        for row in lines
     ]
 
 

@@ -7,12 +7,13 @@ from contextlib import closing
 from pathlib import Path
 
 from app.cli.destination import check_folder, nearest_folder
-from app.cli.display import has_display
+from app.cli.display import has_display, why_no_window
 from app.cli.option_groups import Order
-from app.cli.output import print_json, print_table, progress, say
+from app.cli.output import print_json, print_lines, print_table, progress, say
 from app.cli.scored import score_of
-from app.cli.track import has_work, save_session, tracked
+from app.cli.track import has_work, keeping_what_was_tracked, save_session, tracked
 from app.cli.tracks import tracks_at, truth_at
+from app.interrupts import ending_at_once
 from app.presenters.files.demonstration import Demonstration
 from tracking.recording import open_recording
 from tracking.scoring import Score
@@ -29,7 +30,10 @@ def run_demo(out: Path | None, *, gui: bool, as_json: bool) -> None:
     with progress("making the recording") as advance:
         demo.make(advance)
     if gui and not as_json and has_display():
-        raise SystemExit(_show(demo))
+        why_not = why_no_window()
+        if not why_not:
+            raise SystemExit(_show(demo))
+        say(f"no window: {why_not}")
     session = _session(demo.recording, demo.session)
     score = score_of(tracks_at(session), truth_at(demo.recording))
     picture = _picture(session, demo.picture)
@@ -38,7 +42,8 @@ def run_demo(out: Path | None, *, gui: bool, as_json: bool) -> None:
 
 def _show(demo: Demonstration) -> int:
     """The window, playing: on what somebody has worked on, else tracking the recording anew."""
-    from app.views.application import run
+    with ending_at_once():
+        from app.views.application import run
 
     worked_on = demo.session.exists() and _is_worked_on(demo.session)
     shown = demo.session if worked_on else demo.recording
@@ -53,7 +58,9 @@ def _session(recording: Path, place: Path) -> Path:
         return place
     check_folder(place.parent, _BYTES)
     with open_recording(recording) as footage:
-        save_session(footage, tracked(footage, Order(), place.parent), place)
+        with keeping_what_was_tracked(footage, place):
+            run = tracked(footage, Order(), place.parent)
+        save_session(footage, run, place)
     return place
 
 
@@ -65,9 +72,10 @@ def _is_worked_on(place: Path) -> bool:
 def _picture(session: Path, place: Path) -> Path:
     """The real window on the session, drawn without a screen."""
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
-    from PySide6.QtCore import qInstallMessageHandler
+    with ending_at_once():
+        from PySide6.QtCore import qInstallMessageHandler
 
-    from app.views.application import picture
+        from app.views.application import picture
 
     before = qInstallMessageHandler(_pass_on)
     try:
@@ -88,4 +96,4 @@ def _print(recording: Path, session: Path, picture: Path, score: Score, *, as_js
         print_json({**paths, "score": score.as_json()})
         return
     print_table([("recording", recording), ("session", session), ("picture", picture)])
-    print(score.as_text())
+    print_lines(score.as_text())

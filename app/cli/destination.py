@@ -7,6 +7,8 @@ import tempfile
 from pathlib import Path
 
 from tracking.errors import FormatError, OutputError
+from tracking.owned_files import real_path
+from tracking.replacing import check_target
 
 _RESERVE = 8 << 20
 _LOOKED_AT_BYTES = 8 << 10
@@ -15,11 +17,17 @@ _LOOKED_AT_BYTES = 8 << 10
 def check_file(path: Path, needed_bytes: int = 0) -> None:
     """Refuse a file that could not be written in the end.
 
+    A link passes where what it leads to does, as a session may be named by one; `check_replaced`
+    and `check_text_replaced` refuse it for all else.
+
     Raises:
-        OutputError: it is a folder, or its folder is missing, not writable or too full.
+        OutputError: it is a folder, a pipe or a device, or its folder is missing, not writable or
+            too full.
     """
+    path = real_path(path)
     if path.is_dir():
         raise OutputError(f"{path} is a folder; name a file in it")
+    check_target(path)
     check_folder(path.parent, needed_bytes)
 
 
@@ -55,9 +63,10 @@ def check_replaced(path: Path, replaceable: str) -> None:
         replaceable: root attribute `format` of what may be replaced.
 
     Raises:
-        OutputError: what stands there is, say, a session or a video; FormatError where it cannot
-            be read.
+        OutputError: what stands there is, say, a session, a video or a link; FormatError where it
+            cannot be read.
     """
+    check_target(path)
     if path.is_file() and (held := held_at(path)) != replaceable:
         if held is not None:
             raise OutputError(_would_be_lost(path, _kind_of(held), "-o"))
@@ -71,8 +80,9 @@ def check_text_replaced(path: Path, option: str = "-o") -> None:
         option: with which the export is named.
 
     Raises:
-        OutputError: what stands there is no text; FormatError where it cannot be read.
+        OutputError: what stands there is no text, or a link; FormatError where it cannot be read.
     """
+    check_target(path)
     if path.is_file():
         if (held := held_at(path)) is not None or is_session(path):
             what = "a session" if held is None else _kind_of(held)
@@ -113,17 +123,16 @@ def _kind_of(held: str) -> str:
 
 
 def held_at(path: Path) -> str | None:
-    """What an HDF5 file says it is, "" where it says nothing; None for any other file."""
-    import h5py  # takes longer to import than most commands take
+    """What an HDF5 file says it is, "" where it says nothing; None for any other file.
 
-    from tracking.formats import begins_as_hdf5
+    Nothing of the file is given to the HDF5 library here: a program of its own looks into it.
+    """
+    from tracking.formats import begins_as_hdf5  # h5py takes longer to import than most commands
+    from tracking.untrusted import named_format
 
     try:
-        if not begins_as_hdf5(path):
-            return None
-        with h5py.File(path, "r", locking=False) as file:
-            return str(file.attrs.get("format", ""))
-    except (OSError, RuntimeError, TypeError, ValueError):  # TypeError: of no kind Python has
+        return named_format(path) if begins_as_hdf5(path) else None
+    except OSError:
         return ""
 
 

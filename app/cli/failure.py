@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 import traceback
@@ -11,11 +12,26 @@ from pathlib import Path
 
 import platformdirs
 
-from tracking.errors import TrackwrightError
+from app.cli.output import say
+from app.interrupts import INTERRUPTED, STOPPED
+from tracking.errors import SettingsError, TrackwrightError
 
-DONE, FAILED, MISUSED, INTERRUPTED = 0, 1, 2, 130
+
+class EndedEarlyError(Exception):
+    """Long work that could not go on, for a reason of its own that is its cause.
+
+    Attributes:
+        kept: what of it was kept, and where; "": nothing.
+    """
+
+    def __init__(self, what: str, kept: str = "") -> None:
+        """What ended, and when: it begins the line that is told."""
+        super().__init__(what)
+        self.kept = kept
+
+
+DONE, FAILED, MISUSED = 0, 1, 2
 _LOG_BYTES = 1 << 20
-_STOPPED = "interrupted; nothing half-done was kept"
 
 
 def told(work: Callable[[], object], *, debug: bool) -> int:
@@ -27,33 +43,41 @@ def told(work: Callable[[], object], *, debug: bool) -> int:
             sys.stdout.flush()
     except SystemExit as stop:
         if stop.code == INTERRUPTED:  # what Typer makes of Ctrl+C
-            return _line(_STOPPED, INTERRUPTED)
+            return _line(STOPPED, INTERRUPTED)
         return stop.code if isinstance(stop.code, int) else DONE if stop.code is None else FAILED
     except KeyboardInterrupt:
-        return _line(_STOPPED, INTERRUPTED)
+        return _line(STOPPED, INTERRUPTED)
     except BrokenPipeError:
         # Whoever read our output has gone; say no more, also not when Python closes stdout.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return FAILED
-    except TrackwrightError as error:
-        _shown(debug)
-        return _line(str(error), FAILED)
-    except MemoryError:
-        _shown(debug)
-        return _line("not enough memory; try a shorter range of frames", FAILED)
     except Exception as error:
         _shown(debug)
-        place = _logged()
-        return _line(
-            f"this is a bug in trackwright: {type(error).__name__}: {error}; "
-            f"please report it with {place}",
-            FAILED,
-        )
+        # What was typed is no name, setting or value there is; all else is the input's fault.
+        return _line(_reason(error), MISUSED if isinstance(error, SettingsError) else FAILED)
     return DONE
 
 
+def _reason(error: BaseException) -> str:
+    """What went wrong and what to do about it; the traceback of a bug is kept."""
+    if isinstance(error, EndedEarlyError):
+        why = f"{error}: {_reason(error.__cause__)}" if error.__cause__ else str(error)
+        return f"{why}; {error.kept}" if error.kept else why
+    if isinstance(error, TrackwrightError):
+        return str(error)
+    if isinstance(error, MemoryError):
+        return "not enough memory; try a shorter range of frames"
+    if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
+        return f"{error.filename}: the name is too long for a file; give a shorter one"
+    place = _logged(error)
+    return (
+        f"this is a bug in trackwright: {type(error).__name__}: {error}; please report it with "
+        f"{place}"
+    )
+
+
 def _line(message: str, status: int) -> int:
-    print(f"trackwright: {' '.join(message.split())}", file=sys.stderr)
+    say(f"trackwright: {' '.join(message.split())}")
     return status
 
 
@@ -62,14 +86,15 @@ def _shown(debug: bool) -> None:
         traceback.print_exc()
 
 
-def _logged() -> str:
+def _logged(error: BaseException) -> str:
     """Keep the traceback of a bug; says where, or how to see it."""
     log = Path(platformdirs.user_log_dir("trackwright", appauthor=False)) / "errors.log"
     try:
         log.parent.mkdir(parents=True, exist_ok=True)
         mode = "a" if log.exists() and log.stat().st_size < _LOG_BYTES else "w"
         with log.open(mode, encoding="utf-8") as stream:
-            stream.write(f"{datetime.now(UTC).isoformat()}\n{traceback.format_exc()}\n")
+            trace = "".join(traceback.format_exception(error))
+            stream.write(f"{datetime.now(UTC).isoformat()}\n{trace}\n")
     except OSError:
         return "what --debug prints"
     return str(log)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from contextlib import closing
 from pathlib import Path
 
-from app.cli.output import print_json
+from app.cli.output import print_json, print_line
 from tracking.editing import plan_label_part
 from tracking.errors import SessionError
 from tracking.formats import read_part_labels
@@ -15,7 +15,7 @@ from tracking.session import Session, labels_in_place
 def run_import_labels(path: Path, into: Path, author: str | None, *, as_json: bool) -> None:
     """Take a table of labels into a session as one edit, and save it.
 
-    Raises FormatError with the line of a label that cannot be meant, SessionError where the
+    Raises FormatError with the line of an invalid label, SessionError where the
     session cannot be changed.
     """
     with closing(Session.open(into)) as session:
@@ -32,4 +32,4 @@ def run_import_labels(path: Path, into: Path, author: str | None, *, as_json: bo
     if as_json:
         print_json(counts)
     else:
-        print(f"{len(new)} new labels of {len(given)} in {into}")
+        print_line(f"{len(new)} new labels of {len(given)} in {into}")

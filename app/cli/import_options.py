@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from app.cli import completions
+
 Tracks = Annotated[Path, typer.Argument(help="A file of tracks made elsewhere.")]
 Footage = Annotated[
     Path | None, typer.Option("--recording", "-r", help="The recording they are of.")
@@ -21,11 +23,19 @@ Into = Annotated[
 ]
 FileFormat = Annotated[
     str | None,
-    typer.Option("--format", help="Of the file.", show_default="told by content"),
+    typer.Option(
+        "--format",
+        help="Of the file.",
+        show_default="told by content",
+        autocompletion=completions.read_formats,
+    ),
 ]
 TakeGood = Annotated[
     bool,
     typer.Option("--take-good", help="Take the good rows also where others are bad."),
+]
+Report = Annotated[
+    bool, typer.Option("--report", help="List the rows that are invalid, and why, on stderr.")
 ]
 Thin = Annotated[
     float | None,

@@ -1,4 +1,4 @@
-"""`import`: tracks made elsewhere into a session, with a report of rows that cannot be meant.
+"""`import`: tracks made elsewhere into a session, with a report of invalid rows.
 
 The file is read before anything is opened or made for it, and before what takes long to load: a
 file that cannot be taken is refused at once.
@@ -6,18 +6,19 @@ file that cannot be taken is refused at once.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import typer
 
 from app.cli.option_groups import Bare
-from app.cli.output import print_json, progress, say
+from app.cli.output import progress, say, shown
 from tracking.errors import FormatError
-from tracking.formats import BadRow, Filmed, Imported, TrackFormat, format_named, format_of
+from tracking.formats import BadRow, Filmed, Imported, Stated, TrackFormat, format_named, format_of
 from tracking.progress import Progress, no_progress
 
 _MOST_SHOWN = 20
@@ -35,8 +36,9 @@ class Order:
         recording, eyes: what the tracks are of, for a new session. out: that session.
         into: a session that is there already, instead.
         thin_px: thin dense tracks within this tolerance. as_new: with new ids.
+        unit: of a text that does not say its own, as `eyes.fps` is; None: it does.
         only_people: leave out what is none. take_good: take the good rows where others are bad.
-        force: replace a session with corrections.
+        force: replace a session with corrections. report: list the rows that are invalid.
     """
 
     tracks: Path
@@ -45,11 +47,13 @@ class Order:
     eyes: Bare
     out: Path | None
     into: Path | None
+    unit: str | None = None
     thin_px: float | None = None
     as_new: bool = False
     only_people: bool = False
     take_good: bool = False
     force: bool = False
+    report: bool = False
 
 
 def run_import(order: Order, *, as_json: bool) -> None:
@@ -61,7 +65,8 @@ def run_import(order: Order, *, as_json: bool) -> None:
     """
     _check_whereto(order)
     source = Source(order, _format_of(order), as_json)
-    found = source.read(Filmed())
+    # Where boxes are told in percent, the recording is asked first how large pictures are.
+    found = None if source.format.in_percent else source.read(Filmed())
     from app.cli.imported_session import into_new_session, into_session  # take long to load
 
     if order.into is not None:
@@ -71,7 +76,9 @@ def run_import(order: Order, *, as_json: bool) -> None:
 
 
 def _check_whereto(order: Order) -> None:
-    """A session knows its recording and its place."""
+    """Refuse options that exclude each other: a session knows its recording and its place."""
+    if order.thin_px is not None and not 0 < order.thin_px < math.inf:  # NaN, too
+        raise typer.BadParameter("give pixels above 0", param_hint="--thin")
     if order.into is None:
         if order.out is None:
             raise typer.BadParameter(
@@ -87,10 +94,32 @@ def _check_whereto(order: Order) -> None:
 
 
 def _format_of(order: Order) -> TrackFormat:
-    named = format_of(order.tracks) if order.format is None else format_named(order.format)
-    if named.read is None:
-        raise FormatError(f"{named.title} is only written; import another format")
-    return named
+    """The format that is named, else told by content.
+
+    Raises FormatError where nothing tells it, BadParameter where none of that name is read, or it
+    has a unit of its own.
+    """
+    found = _format_asked(order)
+    if order.unit is not None and not found.unit_unsaid:
+        raise typer.BadParameter(
+            f"{found.title} has a unit of its own; leave it out", param_hint="--unit"
+        )
+    return found
+
+
+def _format_asked(order: Order) -> TrackFormat:
+    if order.format is None:
+        return _readable(format_of(order.tracks))
+    try:
+        return _readable(format_named(order.format))
+    except FormatError as error:
+        raise typer.BadParameter(str(error), param_hint="--format") from error
+
+
+def _readable(found: TrackFormat) -> TrackFormat:
+    if found.read is None:
+        raise FormatError(f"{found.title} is only written; import another format")
+    return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +137,7 @@ class Source:
     def read(self, filmed: Filmed) -> Imported:
         """The tracks of the file. Raises FormatError where they cannot be taken."""
         read = self.format.read
+        filmed = replace(filmed, stated=Stated(self.order.unit or "", self.order.eyes.fps))
         if read is None:
             raise FormatError(f"{self.format.title} is only written; import another format")
         with self._watched() as report:
@@ -124,20 +154,19 @@ class Source:
         return progress(f"Reading {path.name}") if is_long else nullcontext(no_progress)
 
     def refuse_bad_rows(self, rows: Sequence[BadRow], count: int) -> None:
-        """Tell the bad rows and refuse the file; nothing where there are none, or they may be.
+        """Refuse a file with invalid rows, unless the valid ones alone are asked for.
 
-        Raises FormatError, which names the first one.
+        Raises FormatError, which names the first one; with --report all are listed before.
         """
         if not count or self.order.take_good:
             return
-        if self.as_json:
-            print_json(self.report(rows, count) | {"session": None})
-        elif count > 1:
+        if self.order.report:
             show_bad_rows(self.order.tracks, rows, count)
-        many, first = ("1 row", "in") if count == 1 else (f"{count} rows", "the first in")
+        many, first = ("1 row is", "in") if count == 1 else (f"{count} rows are", "the first in")
         raise FormatError(
-            f"{self.order.tracks}: {many} cannot be meant, {first} {rows[0].place}: "
+            f"{self.order.tracks}: {many} invalid, {first} {rows[0].place}: "
             f"{rows[0].reason}; correct the file, or add --take-good to take the others"
+            + ("" if count == 1 or self.order.report else ", --report to list all")
         )
 
     def report(self, rows: Sequence[BadRow], count: int) -> dict[str, Any]:
@@ -156,9 +185,10 @@ def show_bad_rows(path: Path, rows: Sequence[BadRow], count: int) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    table = Table("place", "reason", title=f"{count} rows of {path.name} cannot be meant")
+    rows_told = "1 invalid row" if count == 1 else f"{count} invalid rows"
+    table = Table("place", "reason", title=Text(shown(f"{rows_told} of {path.name}")))
     for row in rows[:_MOST_SHOWN]:
-        table.add_row(Text(row.place), Text(row.reason))
+        table.add_row(Text(shown(row.place)), Text(shown(row.reason)))
     Console(stderr=True).print(table)
     if count > _MOST_SHOWN:
         say(f"and {count - _MOST_SHOWN} more; --json tells the first {len(rows)} of all")

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from app.cli.destination import check_file
 from app.cli.import_tracks import Source, show_bad_rows
-from app.cli.output import print_json, progress, say
+from app.cli.output import print_json, print_line, progress, say
 from app.cli.recordings import opened
 from app.cli.track import refuse_to_lose
 from app.presenters.files.opening import known_recordings, remember_place
@@ -29,7 +29,7 @@ from tracking.session import (
 from tracking.tracks import TrackTable
 
 
-def into_new_session(source: Source, read: Imported, out: Path) -> None:
+def into_new_session(source: Source, read: Imported | None, out: Path) -> None:
     """Make a session of the tracks, and tell what is in it."""
     order = source.order
     with opened(order.recording, order.eyes) as recording:
@@ -42,7 +42,7 @@ def into_new_session(source: Source, read: Imported, out: Path) -> None:
     _tell(source, found, out, changed=True)
 
 
-def into_session(source: Source, read: Imported, into: Path) -> None:
+def into_session(source: Source, read: Imported | None, into: Path) -> None:
     """Take the tracks into a session that is there, as one edit, and tell what that was."""
     with closing(Session.open(into)) as session:
         if session.read_only:
@@ -70,11 +70,13 @@ def _filmed(session: Session) -> Filmed:
         return Filmed(footage.frame_count, footage.fps, footage.size)
 
 
-def _fitted(source: Source, read: Imported, filmed: Filmed, table: TrackTable | None) -> Importable:
+def _fitted(
+    source: Source, read: Imported | None, filmed: Filmed, table: TrackTable | None
+) -> Importable:
     """The tracks, as the recording's; rows beyond it are bad like any other."""
     order = source.order
-    if source.format.in_camera and filmed.view is not None:
-        read = source.read(filmed)  # now places can be told
+    if read is None or (source.format.in_camera and filmed.view is not None):
+        read = source.read(filmed)  # now places, or boxes, can be told
     wish = ImportWish(order.thin_px, order.as_new, order.only_people)
     thins = progress("Thinning") if wish.thin_px is not None else nullcontext(no_progress)
     with thins as report:
@@ -88,13 +90,17 @@ def _fitted(source: Source, read: Imported, filmed: Filmed, table: TrackTable | 
 def _tell(source: Source, found: Importable, session: Path, *, changed: bool) -> None:
     """What was imported; changed: whether it was news."""
     rows, thinned = len(found.rows["frame"]), found.thinned
+    if found.bad_count and source.order.report:
+        show_bad_rows(source.order.tracks, found.bad_rows, found.bad_count)
     if source.as_json:
         said = {"session": str(session), "tracks": found.tracks, "rows": rows, "changed": changed}
         bad = source.report(found.bad_rows, found.bad_count)
         print_json({**said, **bad, "thinned": asdict(thinned), "notes": list(found.notes)})
         return
     if found.bad_count:
-        show_bad_rows(source.order.tracks, found.bad_rows, found.bad_count)
+        left_out = "1 row is" if found.bad_count == 1 else f"{found.bad_count} rows are"
+        more = "" if source.order.report else "; --report lists them"
+        say(f"note: {left_out} invalid and left out{more}")
     tracks = "1 track" if found.tracks == 1 else f"{found.tracks} tracks"
     say(f"{source.format.title}: {tracks}, {rows} rows")
     if thinned.tracks:
@@ -102,4 +108,4 @@ def _tell(source: Source, found: Importable, session: Path, *, changed: bool) ->
         say(f"{thinned.tracks} tracks thinned: {boxes}")
     if not changed:
         say("the session says so already; nothing was changed")
-    print(session)
+    print_line(session)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from app.cli.display import has_display
+from app.cli.display import why_no_window
 from app.cli.option_groups import Bare
 from app.cli.recordings import options_of
+from app.interrupts import ending_at_once
 from app.presenters.files.opening import open_path
 from tracking.errors import OutputError
 from tracking.recording import OpenOptions
@@ -21,15 +22,17 @@ def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
         recording: where a session's recording is by now, if it has moved.
 
     Raises:
-        OutputError: there is no display.
+        OutputError: no window can be opened here.
         RecordingMissing: the session's recording is not at `recording`.
     """
     options = options_of(bare)
     if path is not None and recording is not None:
         _note_place(path, recording, options)
-    if not has_display():
-        raise OutputError("no display to open a window on; use info, track or demo --no-gui")
-    from app.views.application import run
+    why_not = why_no_window()
+    if why_not:
+        raise OutputError(f"{why_not}. Without a window: info, track, demo --no-gui")
+    with ending_at_once():
+        from app.views.application import run
 
     raise SystemExit(run(path or bare.left, options))
 

@@ -11,7 +11,7 @@ from typing import Annotated, Any, get_type_hints
 
 import typer
 
-from app.cli import options
+from app.cli import completions, options
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,11 +48,17 @@ class Order:
     """
 
     tracker: Annotated[
-        str | None, typer.Option(help="Its name.", show_default="best for the recording")
+        str | None,
+        typer.Option(
+            help="Its name.",
+            show_default="best for the recording",
+            autocompletion=completions.trackers,
+        ),
     ] = None
-    setting: Annotated[list[str] | None, typer.Option("--set", help="KEY=VALUE, see trackers.")] = (
-        None
-    )
+    setting: Annotated[
+        list[str] | None,
+        typer.Option("--set", help="KEY=VALUE, see trackers.", autocompletion=completions.settings),
+    ] = None
     frames: Annotated[
         str | None, typer.Option(help="A:B, from 0, B not included.", show_default="all")
     ] = None

@@ -85,7 +85,11 @@ Roll = Annotated[
 ]
 Fps = Annotated[
     float | None,
-    typer.Option("--fps", help="Frames a second, for images.", rich_help_panel=_BARE),
+    typer.Option(
+        "--fps",
+        help="Frames a second, for images and for tracks as text without it.",
+        rich_help_panel=_BARE,
+    ),
 ]
 Layout = Annotated[
     Literal["side-by-side", "top-bottom"] | None,
@@ -102,4 +106,8 @@ Outside = Annotated[
         help="Follow paths out of the recording's folder.",
         rich_help_panel=_BARE,
     ),
+]
+Unit = Annotated[
+    Literal["m", "cm"] | None,
+    typer.Option("--unit", help="Of lengths in tracks as text that does not say it."),
 ]

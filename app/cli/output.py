@@ -1,14 +1,103 @@
-"""What commands print: results on stdout, everything else on stderr."""
+"""What commands print: results on stdout, everything else on stderr.
+
+Words of people and files are shown on a terminal as they are written, never obeyed by it: this is
+the one place that prints.
+"""
 
 from __future__ import annotations
 
 import json
+import shutil
 import sys
-from collections.abc import Iterator, Sequence
+import tempfile
+import unicodedata
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
+import typer
+
 from tracking.progress import Progress
+
+STDOUT = Path("-")
+"""Stands for stdout where a command asks for a file of text to make."""
+_HELD_BYTES = 16 << 20
+"""Of a document that is not complete yet, before it is put on a disk."""
+_JOINERS = "\u200c\u200d"
+"""Invisible letters that scripts and emoji need; they neither move nor hide anything."""
+
+
+def shown(text: object) -> str:
+    r"""A text on one line in which nothing commands the terminal.
+
+    Control characters, line ends, marks that turn the direction of writing, and halves of broken
+    file names are shown as Python writes them: `\x1b`, `\n`, `\u202e`, `\udcff`.
+    """
+    return "".join(sign if _is_harmless(sign) else _escaped(sign) for sign in str(text))
+
+
+def _is_harmless(sign: str) -> bool:
+    return sign.isprintable() or sign in _JOINERS or unicodedata.category(sign) == "Zs"
+
+
+def _escaped(sign: str) -> str:
+    return sign.encode("unicode_escape", "surrogatepass").decode("ascii")
+
+
+def print_line(text: object = "") -> None:
+    """A line on stdout."""
+    print(shown(text))
+
+
+def print_lines(text: str) -> None:
+    """A text of several lines on stdout; names in it are `shown` by whoever puts them there."""
+    for line in text.split("\n"):
+        print_line(line)
+
+
+def print_pieces(pieces: Iterable[str]) -> None:
+    """A JSON document on stdout, made piece by piece: nothing of it where one cannot be made."""
+    with tempfile.SpooledTemporaryFile(_HELD_BYTES, "w+", encoding="ascii") as whole:
+        whole.writelines(pieces)
+        whole.seek(0)
+        shutil.copyfileobj(whole, sys.stdout)
+
+
+def print_file(path: Path) -> None:
+    """A text file on stdout: byte for byte, but shown line by line where that is a terminal."""
+    if sys.stdout.isatty():
+        with path.open(encoding="utf-8", errors="surrogateescape") as text:
+            for line in text:
+                print_line(line.rstrip("\n"))
+        return
+    sys.stdout.flush()
+    with path.open("rb") as stream:
+        shutil.copyfileobj(stream, sys.stdout.buffer)
+    sys.stdout.buffer.flush()
+
+
+@contextmanager
+def text_at(out: Path, ending: str = ".csv") -> Iterator[Path]:
+    """Where to write a text that is asked for at `out`; what is written for - goes to stdout.
+
+    Args:
+        ending: of the file that is written for stdout, which is gone afterwards.
+    """
+    if out != STDOUT:
+        yield out
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder) / f"stdout{ending}"
+        yield place
+        print_file(place)
+
+
+def refuse_two_documents(out: Path | None, option: str, *, as_json: bool) -> None:
+    """Raises BadParameter where a text and a JSON document are both to go to stdout."""
+    if as_json and out == STDOUT:
+        reason = "- and --json cannot both go to stdout; name a file or leave --json out"
+        raise typer.BadParameter(reason, param_hint=option)
 
 
 def print_json(document: Any) -> None:
@@ -20,12 +109,12 @@ def print_table(rows: Sequence[tuple[str, object]]) -> None:
     """Names and values on stdout, one below the other."""
     width = max((len(name) for name, _ in rows), default=0)
     for name, value in rows:
-        print(f"{name:<{width}}  {value}")
+        print_line(f"{name:<{width}}  {value}")
 
 
-def say(message: str) -> None:
+def say(message: object) -> None:
     """A line on stderr."""
-    print(message, file=sys.stderr, flush=True)
+    print(shown(message), file=sys.stderr, flush=True)
 
 
 @contextmanager
@@ -39,7 +128,8 @@ def progress(what: str) -> Iterator[Progress]:
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
     from rich.progress import Progress as Bar
 
-    columns = (TextColumn(what), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    name = TextColumn("{task.description}", markup=False)
+    columns = (name, BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(what, total=None)
+        task = bar.add_task(shown(what), total=None)
         yield lambda done, total: bar.update(task, completed=done, total=total)

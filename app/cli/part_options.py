@@ -7,9 +7,9 @@ from contextlib import closing
 from pathlib import Path
 
 from app.cli.option_groups import Order
+from app.cli.sessions import opened_session
 from tracking.errors import SessionError, SettingsError
 from tracking.failure import load_detector
-from tracking.session import Session
 from tracking.trackers import TrackerSpec, occluders_as_setting, settings_fields
 
 
@@ -17,7 +17,7 @@ def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
     """KEY=VALUE of all settings the order names, by --set or by an option of their own.
 
     Raises:
-        SettingsError: the tracker has no such setting.
+        SettingsError: the tracker has no such setting, or there is no such detector.
         FormatError: the detector cannot be read.
         SessionError: the occluders' session cannot be read, or nothing is drawn in it.
     """
@@ -32,8 +32,18 @@ def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
     return tuple(texts)
 
 
+def refuse_missing_detector(name: str) -> None:
+    """Refuse a detector that is named, by an option or a setting, and is not there.
+
+    Raises SettingsError; "" names none.
+    """
+    if name.strip() and not Path(name.strip()).exists():
+        raise SettingsError(f"{name.strip()}: there is no such detector; check the path")
+
+
 def _named(order: Order) -> Iterator[tuple[str, str]]:
     if order.detector is not None:
+        refuse_missing_detector(str(order.detector))
         load_detector(order.detector)  # told before any work where it cannot be read
         yield "detector", str(order.detector)
     if order.occluders is not None:
@@ -41,7 +51,7 @@ def _named(order: Order) -> Iterator[tuple[str, str]]:
 
 
 def _drawn_in(path: Path) -> str:
-    with closing(Session.open(path)) as session:
+    with closing(opened_session(path)) as session:
         occluders = session.labels.occluders
     if not occluders:
         raise SessionError(f"{path}: no occluders are drawn in it; draw some or leave it out")

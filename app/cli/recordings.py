@@ -8,9 +8,10 @@ import typer
 
 from app.cli.destination import held_at
 from app.cli.option_groups import Bare
-from tracking.errors import RecordingError, SessionError
+from tracking.errors import CalibrationError, RecordingError, SessionError
 from tracking.formats import begins_as_hdf5
 from tracking.recording import OpenOptions, Recording, open_recording
+from tracking.recording.limits import checked_fps, checked_ground
 
 
 def opened(path: Path | None, bare: Bare, instead: str = "") -> Recording:
@@ -60,6 +61,7 @@ def options_of(bare: Bare) -> OpenOptions:
     """The same for the library."""
     if bare.right is not None and bare.left is None:
         raise typer.BadParameter("a right eye needs a left one", param_hint="--right")
+    _check_numbers(bare)
     return OpenOptions(
         left=bare.left,
         right=bare.right,
@@ -72,3 +74,20 @@ def options_of(bare: Bare) -> OpenOptions:
         first=bare.first,
         allow_outside=bare.allow_outside,
     )
+
+
+def _check_numbers(bare: Bare) -> None:
+    """Raises BadParameter for a rate or a place that no camera has."""
+    try:
+        if bare.fps is not None:
+            checked_fps(bare.fps, "it")
+    except RecordingError as error:
+        raise typer.BadParameter(str(error), param_hint="--fps") from error
+    placed = {"height": bare.height, "tilt": bare.tilt, "roll": bare.roll}
+    usual = {"height": 1.0, "tilt": 0.0, "roll": 0.0}
+    for name, value in placed.items():
+        if value is not None:
+            try:
+                checked_ground(*(usual | {name: value}).values())
+            except CalibrationError as error:
+                raise typer.BadParameter(str(error), param_hint=f"--{name}") from error

@@ -6,7 +6,7 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
-from app.cli.output import print_json, say
+from app.cli.output import print_json, print_line, say
 from tracking.errors import SessionError
 from tracking.recording.wording import counted
 from tracking.session import (
@@ -34,7 +34,7 @@ def run_restore(path: Path, number: int, *, only_list: bool, as_json: bool) -> N
     if as_json:
         print_json({"restored": number, "session": str(path), "edits": edits})
     else:
-        print(path)
+        print_line(path)
 
 
 def _restored(path: Path, number: int) -> Session:
@@ -64,9 +64,9 @@ def _print(path: Path, *, as_json: bool) -> None:
         print_json([_facts(generation) for generation in kept])
         return
     for generation in kept:
-        print(_line(generation))
+        print_line(_line(generation))
     if not kept:
-        print("no older generation is kept yet; every save keeps the one before it")
+        print_line("no older generation is kept yet; every save keeps the one before it")
 
 
 def _facts(generation: Generation) -> dict[str, Any]:

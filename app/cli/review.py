@@ -7,14 +7,14 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from app.cli.output import print_json, progress
+from app.cli.output import print_json, print_line, progress
+from app.cli.sessions import opened_session
 from tracking.review import Suspicion, find_suspicions, open_suspicions, ranked
-from tracking.session import Session
 
 
 def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> None:
     """Print the suspicions that nobody has decided yet."""
-    with closing(Session.open(path)) as session, progress("looking through the tracks") as told:
+    with closing(opened_session(path)) as session, progress("looking through the tracks") as told:
         fps, labels = session.recording.fps, session.labels
         found = find_suspicions(
             session.tracks,
@@ -24,15 +24,29 @@ def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> No
             progress=told,
             size=session.recording.size,
         )
-    left = open_suspicions(found, labels, fps)
+        left = open_suspicions(found, labels, fps, session.tracks)
     shown = ranked(left, order)[:most]
     if as_json:
         entries = [_entry(one, fps) for one in shown]
         print_json({"found": len(found), "open": len(left), "suspicions": entries})
         return
-    print(f"{'frame':>8}  {'sure':>4}  {'rows':>6}  what may be wrong (what would put it right)")
+    if not shown:
+        print_line(_nothing(len(found)))
+        return
+    print_line(
+        f"{'frame':>8}  {'sure':>4}  {'rows':>6}  what may be wrong (what would put it right)"
+    )
     for one in shown:
-        print(f"{one.frame:>8}  {one.likelihood:4.0%}  {one.cost:>6.0f}  {one.text} ({one.fix})")
+        print_line(
+            f"{one.frame:>8}  {one.likelihood:4.0%}  {one.cost:>6.0f}  {one.text} ({one.fix})"
+        )
+
+
+def _nothing(found: int) -> str:
+    """What is said where no suspicion is left."""
+    if not found:
+        return "Nothing is suspected."
+    return f"Nothing is left to look at: all {found} suspicions are decided or reviewed."
 
 
 def _entry(suspicion: Suspicion, fps: float) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.cli.destination import check_folder, nearest_folder
-from app.cli.output import print_json, say
+from app.cli.output import print_json, print_line, print_lines, say
 from app.cli.score_measuring import Asked, measured_by, yardstick_of
 from app.cli.score_printing import document_of, text_of
 from app.cli.sequences import paired
@@ -14,8 +14,9 @@ def run_score(asked: Asked, *, as_json: bool) -> None:
     """Print the measures, and write a report where one is asked for.
 
     Raises:
-        FormatError, SessionError: a file cannot be read, or has nothing to be matched by.
-        SettingsError: no results belong to the truths, or a range is none.
+        FormatError, SessionError: a file cannot be read, has nothing to be matched by, or no
+            results belong to the truths.
+        SettingsError: a range is none.
         OutputError: the report cannot be written where it is asked for.
     """
     if asked.report is not None:
@@ -35,6 +36,7 @@ def run_score(asked: Asked, *, as_json: bool) -> None:
         document = document_of(asked, pairing, measured)
         print_json(document if page is None else document | {"report": str(page)})
     else:
-        print(text_of(asked, pairing, measured))
+        print_lines(text_of(asked, pairing, measured))
         if page is not None:
-            print(f"\n{page}")
+            print_line()
+            print_line(page)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import typer
@@ -15,6 +15,7 @@ from app.cli.score_passages import with_passages
 from app.cli.scored import Loaded, loaded, part_rates, tell_oddities, tell_unlike
 from app.cli.sequences import Pairing
 from tracking.errors import FormatError, SettingsError
+from tracking.formats import Stated
 from tracking.scoring import BoxMatch, Conventions, FloorMatch, Score, check_distances
 from tracking.scoring.parts import Rates
 from tracking.scoring.report import (
@@ -43,6 +44,7 @@ class Asked:
         per_person: a row each. lines: over which passages are counted; none: those in sessions.
         report: a folder; None: none.
         allow_outside: a recording outside of its session's folder may be opened.
+        stated: what is said of texts of places that do not say it.
     """
 
     results: tuple[Path, ...]
@@ -57,6 +59,7 @@ class Asked:
     lines: tuple[CountingLine, ...] = ()
     report: Path | None = None
     allow_outside: bool = False
+    stated: Stated = field(default_factory=Stated)
 
     @property
     def is_detailed(self) -> bool:
@@ -128,7 +131,7 @@ def measured_by(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> list[Me
     with _progress(asked, pairing) as told:
         for name, truth in pairing.truths.items():
             files = {result: found[name] for result, found in pairing.results.items()}
-            one = loaded(name, truth, files, asked.frames)
+            one = loaded(name, truth, files, asked.frames, asked.stated)
             tell_oddities(one)
             with _footage(asked, one) as (subject, why_none):
                 for result in files:

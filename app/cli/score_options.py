@@ -48,6 +48,9 @@ Distances = Annotated[
         " and 10 and more.",
     ),
 ]
+Fps = Annotated[
+    float | None, typer.Option(help="Frames a second, for tracks as text that does not say it.")
+]
 PerPerson = Annotated[
     bool, typer.Option("--per-person", help="A row for each person of the truth.")
 ]

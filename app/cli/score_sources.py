@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from pathlib import Path
 
 from app.cli.tracks import Tracks
 from tracking.errors import TrackwrightError
 from tracking.scoring.report import Source
+
+_MANIFEST = "recording.toml"
 
 _SAME_RATE = 1e-3
 """Relative; files round the rate of frames."""
@@ -43,10 +46,29 @@ def _differences(truth: Source, result: Source) -> Iterator[str]:
         yield f"{result.fps:g} and {truth.fps:g} frames a second"
 
 
+def size_of_recording_at(paths: Iterable[Path]) -> tuple[int, int] | None:
+    """Width and height in pixels of the first recording that is among paths, or that files are in.
+
+    None where there is none that can be opened: what needs it says so.
+    """
+    from tracking.recording import open_recording  # brings what reads pictures
+
+    for path in paths:
+        folder = path if path.is_dir() else path.parent
+        if not (folder / _MANIFEST).is_file():
+            continue
+        try:
+            with open_recording(folder) as recording:
+                return recording.size
+        except TrackwrightError:
+            continue
+    return None
+
+
 def _manifest_beside(tracks: Tracks) -> tuple[str | None, float | None]:
     """Name and rate of frames of the recording in whose folder a text stands."""
     folder = tracks.path.parent
-    if not (folder / "recording.toml").is_file():
+    if not (folder / _MANIFEST).is_file():
         return None, None
     from tracking.recording import read_manifest  # brings what reads pictures
 

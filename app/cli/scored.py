@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.cli.output import say
 from app.cli.ranges import typed_range
-from app.cli.score_sources import disagreement, source_of
-from app.cli.tracks import Tracks, part_truth_beside, tracks_at, truth_at
+from app.cli.score_sources import disagreement, size_of_recording_at, source_of
+from app.cli.tracks import Tracks, is_in_percent, part_truth_beside, tracks_at, truth_at
 from tracking.errors import SettingsError
+from tracking.formats import Filmed, Stated
 from tracking.scoring import Match, Score, ScoringTable, score
 from tracking.scoring.parts import Rates, judge, rates_of, read_part_truth, tracked_parts
 from tracking.scoring.report import Footage, Subject
@@ -34,18 +35,24 @@ class Loaded:
     frames: tuple[int, int] | None
 
 
-def loaded(name: str, truth: Path, results: Mapping[str, Path], frames: str | None) -> Loaded:
+def loaded(
+    name: str,
+    truth: Path,
+    results: Mapping[str, Path],
+    frames: str | None,
+    stated: Stated | None = None,
+) -> Loaded:
     """Read one sequence.
 
     Args:
         frames: A:B as typed; None: all.
+        stated: what the user says of texts of places that do not say it.
 
     Raises:
         FormatError, SessionError: a file cannot be read.
         SettingsError: there are no such frames.
     """
-    true = truth_at(truth)
-    found = {result: tracks_at(path) for result, path in results.items()}
+    true, found = _read(truth, results, Filmed(stated=stated or Stated()))
     everything = (true, *found.values())
     chosen = scored_range(frames, *everything)
     start, stop = chosen or (0, frame_count(*everything))
@@ -62,6 +69,23 @@ def loaded(name: str, truth: Path, results: Mapping[str, Path], frames: str | No
         {result: source_of(tracks) for result, tracks in found.items()},
     )
     return Loaded(subject, true, found, chosen)
+
+
+def _read(
+    truth: Path, results: Mapping[str, Path], filmed: Filmed
+) -> tuple[Tracks, dict[str, Tracks]]:
+    """Truth and results; boxes in percent last, as the others tell how large pictures are."""
+    sides = (None, *results)  # the truth first
+    paths = {side: truth if side is None else results[side] for side in sides}
+    in_percent = {side for side, path in paths.items() if is_in_percent(path)}
+    read: dict[str | None, Tracks] = {}
+    for side in sorted(sides, key=in_percent.__contains__):
+        if side in in_percent and filmed.size_px is None:
+            known = (each.size_px for each in read.values() if each.size_px is not None)
+            size_px = next(known, None) or size_of_recording_at(paths.values())
+            filmed = replace(filmed, size_px=size_px)
+        read[side] = (truth_at if side is None else tracks_at)(paths[side], filmed)
+    return read[None], {result: read[result] for result in results}
 
 
 def score_of(result: Tracks, truth: Tracks, match: Match | None = None) -> Score:
@@ -129,8 +153,8 @@ def tell_oddities(one: Loaded) -> None:
             say(f"note: {tracks.path}: {note}")
     if not one.subject.truth.counted.any():
         say(
-            f"note: {one.truth.path} has nobody in these frames: the truth is empty, what is "
-            "tracked counts as false alarms, and shares of truth are 0"
+            f"note: {one.truth.path} has nobody in these frames: everybody tracked counts as a "
+            "false alarm, and shares of the ground truth are 0"
         )
     for name, tracks in one.results.items():
         if not len(one.subject.results[name]):

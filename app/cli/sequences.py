@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from tracking.errors import SettingsError
-from tracking.formats import TRACK_ENDINGS
+from tracking.errors import FormatError
+from tracking.formats import FORMATS, TRACK_ENDINGS
 
 RESULT, TRUTH = "result.txt", "truth.txt"
 _CHALLENGE = Path("gt") / "gt.txt"
@@ -37,16 +37,17 @@ class Pairing:
 def paired(results: Sequence[Path], truth: Path) -> Pairing:
     """Put results to truths.
 
-    A folder with truth.txt or gt/gt.txt in it is one truth, one with result.txt one result; any
-    other folder holds sequences: files, or such folders, that are named after them.
+    A folder with truth.txt or gt/gt.txt in it is one truth, one with result.txt one result, and one
+    of a format that keeps a file a frame is one file of tracks. Any other folder holds sequences:
+    files, or such folders, that are named after them.
 
     Raises:
-        SettingsError: one is missing, no names agree, or folders and files do not go together.
+        FormatError: one is missing, no names agree, or folders and files do not go together.
     """
     for path in (*results, truth):
         if not path.exists():
-            raise SettingsError(f"cannot read {path}: No such file or directory; check the path")
-    if truth.is_dir() and _truth_in(truth) is None:
+            raise FormatError(f"cannot read {path}: No such file or directory; check the path")
+    if truth.is_dir() and _truth_in(truth) is None and not _is_tracks(truth):
         return _batch(results, truth)
     names = _short_names(results)
     single = {name: _result_at(path) for name, path in zip(names, results, strict=True)}
@@ -58,10 +59,10 @@ def paired(results: Sequence[Path], truth: Path) -> Pairing:
 def _batch(results: Sequence[Path], truth: Path) -> Pairing:
     truths = _sequences(truth, truths=True)
     if not truths:
-        raise SettingsError(
+        raise FormatError(
             f"{truth} has no {TRUTH}, nor folders or files of sequences; name a truth"
         )
-    folders = [path for path in results if path.is_dir() and not (path / RESULT).is_file()]
+    folders = [path for path in results if path.is_dir() and _result_in(path) is None]
     files = [path for path in results if path not in folders]
     found = [_sequences(folder, truths=False) for folder in folders]
     if files:  # all of them together are one result
@@ -70,7 +71,7 @@ def _batch(results: Sequence[Path], truth: Path) -> Pairing:
     by_name = dict(zip(_short_names(folders), found, strict=True))
     shared = sorted(set(truths).intersection(*by_name.values()))
     if not shared:
-        raise SettingsError(_nothing_shared(truth, truths, by_name))
+        raise FormatError(_nothing_shared(truth, truths, by_name))
     return Pairing(
         {name: truths[name] for name in shared},
         {result: {name: found[name] for name in shared} for result, found in by_name.items()},
@@ -82,16 +83,23 @@ def _batch(results: Sequence[Path], truth: Path) -> Pairing:
 def _sequences(folder: Path, *, truths: bool) -> dict[str, Path]:
     """The sequences of a folder by name; of a file and a folder of one name truths take that."""
     if not folder.is_dir():
-        raise SettingsError(f"{folder} is no folder; name one with a file each sequence")
+        raise FormatError(f"{folder} is no folder; name one with a file each sequence")
     inner = folder / _DATA
     if not truths and inner.is_dir():
         folder = inner
     entries = sorted(each for each in folder.iterdir() if not each.name.startswith("."))
     files = [each for each in entries if each.is_file() and each.suffix.lower() in TRACK_ENDINGS]
-    held = ((each, _truth_in(each) if truths else _result_in(each)) for each in entries)
+    held = ((each, _sequence_in(each, truths=truths)) for each in entries)
     inside = _called((_printable(each.name), path) for each, path in held if path is not None)
     named = _by_name([each for each in files if not (truths and _name_of(each) in inside)])
     return {**inside, **named}
+
+
+def _sequence_in(folder: Path, *, truths: bool) -> Path | None:
+    """The tracks of one sequence in a folder; None where it holds none."""
+    if not truths:
+        return _result_in(folder)
+    return _truth_in(folder) or (folder if _is_tracks(folder) else None)
 
 
 def _by_name(files: Sequence[Path]) -> dict[str, Path]:
@@ -103,7 +111,7 @@ def _called(named: Iterable[tuple[str, Path]]) -> dict[str, Path]:
     found: dict[str, Path] = {}
     for name, path in named:
         if name in found:
-            raise SettingsError(f"{found[name]} and {path} are both called {name}; remove one")
+            raise FormatError(f"{found[name]} and {path} are both called {name}; remove one")
         found[name] = path
     return found
 
@@ -117,8 +125,19 @@ def _truth_in(folder: Path) -> Path | None:
     return folder / _CHALLENGE if (folder / _CHALLENGE).is_file() else None
 
 
-def _result_in(folder: Path) -> Path | None:
-    return folder / RESULT if (folder / RESULT).is_file() else None
+def _result_in(path: Path) -> Path | None:
+    """The tracks of a folder that holds one result; the folder itself where it is that."""
+    if (path / RESULT).is_file():
+        return path / RESULT
+    return path if _is_tracks(path) else None
+
+
+def _is_tracks(path: Path) -> bool:
+    """Whether a folder is one file of tracks, of a format that keeps a file a frame."""
+    return path.is_dir() and any(
+        each.recognises_folder is not None and each.recognises_folder(path)
+        for each in FORMATS.values()
+    )
 
 
 def _result_at(path: Path) -> Path:
@@ -127,7 +146,7 @@ def _result_at(path: Path) -> Path:
         return path
     found = _result_in(path)
     if found is None:
-        raise SettingsError(
+        raise FormatError(
             f"{path} is a folder and the truth is one sequence; name a session or a file, "
             "or a folder of truths"
         )

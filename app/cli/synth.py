@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.cli.destination import check_folder, nearest_folder
-from app.cli.output import print_json, progress
+from app.cli.output import print_json, print_line, progress
 from tracking.progress import Progress
 from tracking.synthesis import Circumstances, check_seconds, render_recording
 
@@ -53,7 +53,7 @@ def run_synth(out: Path, request: SynthRequest, *, as_json: bool) -> None:
     if as_json:
         print_json({"recording": str(folder)})
     else:
-        print(folder)
+        print_line(folder)
 
 
 @contextlib.contextmanager

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
-from contextlib import closing
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing, contextmanager
 from dataclasses import replace
+from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
 from app.cli.destination import check_file, is_session
+from app.cli.failure import EndedEarlyError
 from app.cli.option_groups import Bare, Order
-from app.cli.output import print_json, progress, say
-from app.cli.part_options import settings_texts
+from app.cli.output import print_json, print_line, progress, say
+from app.cli.part_options import refuse_missing_detector, settings_texts
 from app.cli.ranges import typed_range
 from app.cli.recordings import opened
 from app.presenters.files.opening import remember_place
-from tracking.errors import OutputError, SessionError, SettingsError
+from tracking.errors import OutputError, SessionError, SettingsError, TrackwrightError
 from tracking.pipeline import Tracking, track
 from tracking.recording import Recording
 from tracking.session import IMPORTED, Session
@@ -31,6 +33,8 @@ def run_track(
     path: Path | None, bare: Bare, out: Path, order: Order, *, force: bool, as_json: bool
 ) -> None:
     """Track and print where the session is."""
+    if order.tracker is not None:  # a wrong name or setting is told before anything is opened
+        settings_of(tracker_named(order.tracker), order)
     with opened(path, bare, "go on from it with track --again") as recording:
         check_file(out, recording.frame_count * BYTES_A_FRAME)
         refuse_to_lose(out, force=force)
@@ -39,7 +43,8 @@ def run_track(
         if order.tracker is None and (unused := _unused(recording)):
             say(f"note: {unused}")
         began_s = time.perf_counter()
-        run = tracked(recording, order, out.parent)
+        with keeping_what_was_tracked(recording, out):
+            run = tracked(recording, order, out.parent)
         rate = (run.frames[1] - run.frames[0]) / (time.perf_counter() - began_s)
         save_session(recording, run, out)
     people = len(set(run.tracks["track"].tolist()))
@@ -51,7 +56,7 @@ def run_track(
         say(f"{run.tracker}: {tracks}, {rate:.1f} frames a second")
         if not people and not set(run.notes).difference(recording.notes):
             say(_nobody(run.tracker))
-        print(out)
+        print_line(out)
 
 
 def _unused(recording: Recording) -> str:
@@ -94,27 +99,86 @@ def tracked(recording: Recording, order: Order, spool: Path) -> Run:
         RecordingError, CalibrationError: the tracker cannot work on this recording.
     """
     spec = tracker_named(order.tracker or best_tracker(recording))
-    settings = parsed_settings(spec, settings_texts(spec, order))
+    settings = settings_of(spec, order)
     frames = typed_range(order.frames, recording.frame_count)
     with track(recording, spec.name, settings, order.seed, frames, spool=spool) as work:
         return run_of(work, recording, f"tracking with {spec.name}")
 
 
 def run_of(work: Tracking, recording: Recording, what: str) -> Run:
-    """The run of a tracker at work, to its end, with a progress bar; what is odd is told."""
+    """The run of a tracker at work, to its end, with a progress bar; what is odd is told.
+
+    Raises TrackerEndedError where it could not go on after some frames, from what went wrong.
+    """
     told = recording.notes
     with progress(what) as advance:
         start, stop = work.frames
-        for result in work:
-            if work.doubt and work.done == 1:  # at once: the rest may be in vain
-                say(f"note: {work.doubt}")
-            advance(result.frame + 1 - start, stop - start)
-        run = work.run()
+        try:
+            for result in work:
+                if work.doubt and work.done == 1:  # at once: the rest may be in vain
+                    say(f"note: {work.doubt}")
+                advance(result.frame + 1 - start, stop - start)
+            run = work.run()
+        except Exception as error:
+            if (run_so_far := work.run_so_far()) is None:
+                raise
+            raise TrackerEndedError(run_so_far, work.frames) from error
     notes = tuple(note for note in (*work.notes, *recording.notes) if note not in told)
     for note in notes:
         if note != work.doubt:
             say(f"note: {note}")
     return replace(run, notes=notes)
+
+
+class TrackerEndedError(EndedEarlyError):
+    """A tracker that could not go on; its cause says why.
+
+    Attributes:
+        run: over the frames until then; a note in it tells that it ended.
+    """
+
+    def __init__(self, run: Run, asked: tuple[int, int]) -> None:
+        """asked: the half-open range of frames that was to be tracked."""
+        (first, end), (start, stop) = run.frames, asked
+        super().__init__(f"{run.tracker} ended after {end - first} of {stop - start} frames")
+        self.run = replace(run, notes=(str(self),))
+
+
+@contextmanager
+def keeping_what_was_tracked(
+    recording: Recording, out: Path, save: Callable[[Run, Path], None] | None = None
+) -> Iterator[None]:
+    """Keep the frames that were tracked where the tracker within cannot go on.
+
+    Args:
+        out: the session that was to be made. What is kept stands beside it under a free name, so
+            that nobody takes a part for the whole.
+        save: makes a session of the run at a place; None: a new one of it alone.
+
+    Raises EndedEarlyError, which says where it is kept, from what went wrong.
+    """
+    try:
+        yield
+    except TrackerEndedError as ended:
+        place = _free_name(out)
+        try:
+            if save is None:
+                save_session(recording, ended.run, place)
+            else:
+                save(ended.run, place)
+        except TrackwrightError as error:
+            kept = f"what it tracked could not be kept: {error}"
+        else:
+            first, end = ended.run.frames
+            kept = f"frames {first}:{end} are kept in {place}"
+        raise EndedEarlyError(str(ended), kept) from ended.__cause__
+
+
+def _free_name(out: Path) -> Path:
+    """Beside a session that was to be made, a name that nothing has."""
+    numbers = chain([""], (f"-{number}" for number in count(2)))
+    places = (out.with_name(f"{out.stem}-partial{number}{out.suffix}") for number in numbers)
+    return next(place for place in places if not place.exists())
 
 
 def save_session(recording: Recording, run: Run, out: Path) -> None:
@@ -167,9 +231,20 @@ def has_work(session: Session) -> bool:
     return len(session.history) > 0
 
 
+def settings_of(spec: TrackerSpec, order: Order) -> Any:
+    """The tracker's settings as the order has them.
+
+    Raises SettingsError: there is no such setting or value, or no such file of a detector;
+    FormatError, SessionError: a file that is named cannot be read.
+    """
+    return parsed_settings(spec, settings_texts(spec, order))
+
+
 def parsed_settings(spec: TrackerSpec, texts: Sequence[str]) -> Any:
     """The tracker's settings with those typed as KEY=VALUE; raises `SettingsError`."""
-    return parse_settings(spec, _pairs(texts))
+    pairs = _pairs(texts)
+    refuse_missing_detector(pairs.get("detector", ""))
+    return parse_settings(spec, pairs)
 
 
 def _pairs(texts: Sequence[str]) -> dict[str, str]:

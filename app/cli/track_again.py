@@ -13,9 +13,16 @@ import typer
 
 from app.cli.destination import check_file
 from app.cli.option_groups import Bare, Onward, Order
-from app.cli.output import print_json, say
+from app.cli.output import print_json, print_line, say
 from app.cli.part_options import settings_texts
-from app.cli.track import BYTES_A_FRAME, parsed_settings, refuse_to_lose, run_of
+from app.cli.track import (
+    BYTES_A_FRAME,
+    keeping_what_was_tracked,
+    parsed_settings,
+    refuse_to_lose,
+    run_of,
+    settings_of,
+)
 from app.presenters.files.opening import open_path, remember_place
 from tracking.editing import Change, Difference, differences, plan_take
 from tracking.errors import EditError, RecordingError, SessionError, SettingsError
@@ -94,10 +101,13 @@ def run_track_again(
     """Track again, print what would change, and with `accept` take it."""
     if order.frames is not None:
         raise typer.BadParameter("tracking again takes --from and --until", param_hint="--frames")
+    if order.tracker is not None:  # a wrong name or setting is told before anything is opened
+        settings_of(tracker_named(order.tracker), order)
     with _opened(request) as (session, recording):
         _check_place(session, recording, request, force=force)
         began_s = time.perf_counter()
-        run = _tracked_again(session, recording, request, order)
+        with _keeping(session, recording, request):
+            run = _tracked_again(session, recording, request, order)
         rate = (run.frames[1] - run.frames[0]) / (time.perf_counter() - began_s)
         found = differences(
             session.tracks, session.labels, session.history, run, run.frames, fps=recording.fps
@@ -113,9 +123,7 @@ def run_track_again(
 @contextmanager
 def _opened(request: TrackAgainRequest) -> Iterator[tuple[Session, Recording]]:
     if request.session.suffix.lower() != ".h5":
-        raise SettingsError(
-            f"{request.session} is no session; make one with track -o NAME.h5 first"
-        )
+        raise SessionError(f"{request.session} is no session; make one with track -o NAME.h5 first")
     if request.recording is not None and not request.recording.exists():
         raise RecordingError(f"there is nothing at {request.recording}; check the path")
     options = OpenOptions(allow_outside=request.allow_outside)
@@ -228,6 +236,25 @@ def _keep(
     return _saved(session, recording, run, change) if request.accept else None
 
 
+@contextmanager
+def _keeping(session: Session, recording: Recording, request: TrackAgainRequest) -> Iterator[None]:
+    """Where the tracker cannot go on: its run beside the others in a copy of the session.
+
+    The session tracked from stays as it is; where nothing was to be kept, nothing is.
+    """
+    if request.out is None and not request.accept:
+        yield
+        return
+
+    def save(run: Run, place: Path) -> None:
+        _copy(session, place)
+        with closing(Session.open(place)) as copy:
+            _saved(copy, recording, run, None)
+
+    with keeping_what_was_tracked(recording, request.out or request.session, save):
+        yield
+
+
 def _saved(session: Session, recording: Recording, run: Run, change: Change | None) -> Path:
     session.add_run(run, adopt=False)
     if change is not None:
@@ -274,7 +301,7 @@ def _tell(
     say(f"{run.tracker}: frames {run.frames[0]} to {run.frames[1] - 1}, {rate:.1f} frames a second")
     for each in found:
         stays = "  (protected, stays as it is)" if each.protected else ""
-        print(f"frames {each.start} to {each.end - 1}: {each.text}{stays}")
+        print_line(f"frames {each.start} to {each.end - 1}: {each.text}{stays}")
     if not found:
         say("nothing would change" if change is None else "nothing changes by much")
     if change is not None:

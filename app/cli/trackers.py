@@ -7,7 +7,7 @@ import sys
 import textwrap
 from typing import Any
 
-from app.cli.output import print_json
+from app.cli.output import print_json, print_line, print_lines
 from tracking.trackers import TRACKERS, SettingField, TrackerSpec, settings_fields, tracker_named
 
 
@@ -19,10 +19,12 @@ def run_trackers(name: str | None, *, as_json: bool) -> None:
         return
     for number, spec in enumerate(shown):
         source = f" [{spec.paper}]" if spec.paper else ""
-        print("\n" * (number > 0) + f"{spec.name}  {spec.title}{source}")
-        print(f"  needs: {', '.join(_needs(spec)) or 'one camera'}")
+        if number:
+            print_line()
+        print_line(f"{spec.name}  {spec.title}{source}")
+        print_line(f"  needs: {', '.join(_needs(spec)) or 'one camera'}")
         for field in settings_fields(spec.settings_type):
-            print(_line(field))
+            print_lines(_line(field))
 
 
 def _as_json(spec: TrackerSpec) -> dict[str, Any]:

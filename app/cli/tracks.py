@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.cli.destination import is_session
+from app.cli.sessions import opened_session
 from tracking.errors import FormatError
 from tracking.formats import FORMATS, Filmed, TrackFormat, format_of, measurable
 from tracking.tracks import Columns, CountingLine
@@ -62,45 +63,56 @@ class FollowedParts:
     fps: float
 
 
-def tracks_at(path: Path) -> Tracks:
+def tracks_at(path: Path, filmed: Filmed | None = None) -> Tracks:
     """The tracks of a session (as corrected) or of a file of tracks, told apart by content.
+
+    A folder of a format that keeps a file a frame is one file of tracks.
+
+    Args:
+        filmed: what is known of the recording, and what the user says of a text of places.
 
     Raises:
         FormatError, SessionError: it is neither, or cannot be read.
     """
-    if path.is_dir():
-        raise FormatError(f"{path} is a folder; name a session or a file of tracks in it")
     kind = _format_of(path)
+    if kind is None and path.is_dir():
+        raise FormatError(f"{path} is a folder; name a session or a file of tracks in it")
     if kind is None and is_session(path):
         return _of_session(path)
     # What nobody knows is read as MOT text, which says what is wrong with it.
-    return _of_file(path, kind or FORMATS["mot"])
+    return _of_file(path, kind or FORMATS["mot"], filmed or Filmed())
 
 
-def truth_at(path: Path) -> Tracks:
+def truth_at(path: Path, filmed: Filmed | None = None) -> Tracks:
     """The same, where a recording's folder stands for its truth.
 
     Raises:
         FormatError: there is no truth in the folder.
     """
-    if not path.is_dir():
-        return tracks_at(path)
-    if not (path / _TRUTH).is_file():
+    if (path / _TRUTH).is_file():
+        return _of_file(path / _TRUTH, FORMATS["mot"], Filmed())
+    if path.is_dir() and _format_of(path) is None:
         raise FormatError(f"{path} has no {_TRUTH}; name a session or a file of tracks as truth")
-    return _of_file(path / _TRUTH, FORMATS["mot"])
+    return tracks_at(path, filmed)
+
+
+def is_in_percent(path: Path) -> bool:
+    """Whether it is a file of tracks whose boxes are told in percent of the pictures."""
+    kind = _format_of(path)
+    return kind is not None and kind.in_percent and not (path / _TRUTH).is_file()
 
 
 def _format_of(path: Path) -> TrackFormat | None:
-    """The format of a file of tracks; None for sessions and what nobody knows."""
+    """The format of a file or folder of tracks; None for sessions and what nobody knows."""
     try:
         return format_of(path)
     except FormatError:
         return None
 
 
-def _of_file(path: Path, kind: TrackFormat) -> Tracks:
-    """The tracks of a file. Raises FormatError also where a single row cannot be meant."""
-    found = measurable(path, kind, Filmed())
+def _of_file(path: Path, kind: TrackFormat, filmed: Filmed) -> Tracks:
+    """The tracks of a file. Raises FormatError also where a single row is invalid."""
+    found = measurable(path, kind, filmed)
     if found.bad_count:
         first = found.bad_rows[0]
         raise FormatError(f"{path}, {first.place}: {first.reason}; correct or remove the row")
@@ -117,9 +129,9 @@ def _of_file(path: Path, kind: TrackFormat) -> Tracks:
 
 
 def _of_session(path: Path) -> Tracks:
-    from tracking.session import Session, corrected_parts
+    from tracking.session import corrected_parts
 
-    with closing(Session.open(path)) as session:
+    with closing(opened_session(path)) as session:
         footage, parts = session.recording, corrected_parts(session)
         followed = FollowedParts(parts, footage.size, footage.fps) if len(parts["frame"]) else None
         run, columns = session.corrected_run, session.tracks.columns()

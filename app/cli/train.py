@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import typer
 
 from app.cli.destination import check_file, check_folder, check_replaced, nearest_folder
 from app.cli.mistakes import pictures_of
-from app.cli.output import print_json, progress, say
+from app.cli.output import print_json, print_line, progress, say
 from app.cli.taught import all_taught
 from tracking.errors import OutputError, TrainingError
 from tracking.failure import (
@@ -23,6 +24,8 @@ from tracking.failure import (
 from tracking.failure.detector_layout import FORMAT
 
 _ENDINGS = (".h5", ".hdf5")
+MOST_FALSE_ALARMS = 0.5
+"""With more of them a detector tells less than a tossed coin."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +76,11 @@ def run_train(request: TrainRequest, *, as_json: bool) -> None:
 def _check(request: TrainRequest) -> None:
     """Refuse what could not be written in the end, or would be lost."""
     if request.out.suffix.lower() not in _ENDINGS:
-        raise OutputError(f"{request.out}: a detector's name ends in .h5; rename it with -o")
+        reason = f"a detector's name ends in .h5: give {request.out.stem or 'NAME'}.h5"
+        raise typer.BadParameter(reason, param_hint="--out")
+    if not 0 <= request.false_alarms <= MOST_FALSE_ALARMS:  # NaN, too
+        reason = f"{request.false_alarms} is not from 0 to {MOST_FALSE_ALARMS}"
+        raise typer.BadParameter(reason, param_hint="--false-alarms")
     check_file(request.out)
     check_replaced(request.out, FORMAT)
     if request.report is not None:
@@ -103,6 +110,6 @@ def _print(made: Trained, request: TrainRequest, page: Path | None, *, as_json: 
             f"warning: no better than chance: {names}; do not track with this detector before "
             "labels were looked over, or more parts labelled"
         )
-    print(request.out)
+    print_line(request.out)
     if page is not None:
-        print(page)
+        print_line(page)

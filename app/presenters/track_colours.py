@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from heapq import heappop, heappush
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,16 +58,37 @@ class TrackColours:
     ) -> TrackColours:
         """Colours of a session: of the run's tracks first, which are the same at each opening.
 
+        seen: see `of_run`.
+        """
+        if run is not None:
+            return cls.of_run(run, seen).and_of(table)
+        return (cls() if seen is None else seen).and_of(table)
+
+    @classmethod
+    def of_run(cls, run: Run, seen: TrackColours | None = None) -> TrackColours:
+        """Colours of a run's tracks.
+
         `seen`: those its ids had while the tracker worked. They keep them, unless two who are
         seen together in the finished run look alike: then who has fewer rows has another.
         """
-        colours = cls() if seen is None else seen.copy()
-        if run is not None:
-            meetings = meetings_of(run.tracks)
-            if seen is not None:
-                colours._tell_apart(run.tracks, meetings)
-            colours._settle(meetings)
-        return colours.and_of(table)
+        colours, meetings = cls() if seen is None else seen.copy(), meetings_of(run.tracks)
+        if seen is not None:
+            colours._tell_apart(run.tracks, meetings)
+        colours._settle(meetings)
+        return colours
+
+    @classmethod
+    def kept(cls, places: Mapping[int, int]) -> TrackColours:
+        """Colours as they were kept: see `places`; what is no place of the palette is left out."""
+        colours = cls()
+        known = range(len(TRACK_COLOURS))
+        colours._place = {track: place for track, place in places.items() if place in known}
+        return colours
+
+    @property
+    def places(self) -> Mapping[int, int]:
+        """Place in the palette of each id that was given a colour; it follows what is given."""
+        return MappingProxyType(self._place)
 
     def copy(self) -> TrackColours:
         """The same colours; what is given to either from now on the other has not."""

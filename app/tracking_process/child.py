@@ -63,16 +63,18 @@ def _track(request: TrackingRequest, answers: IO[bytes], stop: threading.Event) 
     with request.open() as recording, request.begin(recording) as tracking:
         batch: list[StepResult] = []
         sent_s = time.monotonic()
-        for result in tracking:
-            batch.append(result)
-            if stop.is_set():
-                break
-            if time.monotonic() - sent_s >= _BATCH_EVERY_S:
-                send(answers, Kind.STEPS, packed_steps(batch))
-                batch, sent_s = [], time.monotonic()
-        send(answers, Kind.STEPS, packed_steps(batch))
-        if tracking.notes:
-            send(answers, Kind.NOTES, packed_notes(tracking.notes))
+        try:
+            for result in tracking:
+                batch.append(result)
+                if stop.is_set():
+                    break
+                if time.monotonic() - sent_s >= _BATCH_EVERY_S:
+                    send(answers, Kind.STEPS, packed_steps(batch))
+                    batch, sent_s = [], time.monotonic()
+        finally:  # what was tracked is kept, also where the tracker cannot go on
+            send(answers, Kind.STEPS, packed_steps(batch))
+            if tracking.notes:
+                send(answers, Kind.NOTES, packed_notes(tracking.notes))
 
 
 if __name__ == "__main__":

@@ -48,7 +48,18 @@ class Kind(Enum):
 
 
 class TrackerBug(Exception):  # noqa: N818 - a report of what went wrong in the child
-    """Something nobody expected went wrong in the child; the text is its traceback."""
+    """Something nobody expected went wrong in the child.
+
+    The text is the last line of the child's traceback; the whole of it is a note of the exception,
+    which stands in logs.
+    """
+
+    @classmethod
+    def of(cls, trace: str) -> TrackerBug:
+        """A bug by its traceback."""
+        bug = cls(next(reversed(trace.strip().splitlines()), ""))
+        bug.add_note(trace)
+        return bug
 
 
 def send(pipe: IO[bytes], kind: Kind, payload: bytes = b"") -> None:
@@ -112,7 +123,7 @@ def unpacked_error(payload: bytes) -> Exception:
     """The error again."""
     said = json.loads(payload)
     if not said["error"]:
-        return TrackerBug(said["message"])
+        return TrackerBug.of(said["message"])
     kind = getattr(tracking.errors, said["error"], TrackwrightError)
     error: Exception = kind(said["message"], said["to_do"])
     return error

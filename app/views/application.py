@@ -12,7 +12,6 @@ from types import TracebackType
 
 from PySide6.QtCore import (
     QCoreApplication,
-    QEvent,
     QEventLoop,
     QLockFile,
     QSettings,
@@ -20,16 +19,18 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QApplication
 
+from app.memory import map_large_blocks
 from app.presenters import words
 from app.presenters.files import opening
 from app.views.look.icons import application_icon
 from app.views.look.theme import Look, apply_look
 from app.views.widgets.remembered import Remembered
-from app.views.window.ending import EndBySignal
+from app.views.window.ending import EndBySignal, EndSignals, take_down
 from app.views.window.look_choice import look_of
 from app.views.window.main_window import MainWindow
 from tracking.errors import OutputError, RecordingError
 from tracking.recording import OpenOptions
+from tracking.replacing import part_of
 
 _log = logging.getLogger(__name__)
 _PATIENCE_MS = 60_000
@@ -50,20 +51,25 @@ def run(
         play: play at once, and track what has no tracks yet.
         save_at: the place that is proposed for the session.
     """
+    map_large_blocks()
     remembered = Remembered()
     application = start_application(remembered)
+    signals = EndSignals(application)  # before the first widget
     window = MainWindow(remembered)
     _catch_bugs(window)
-    EndBySignal(window)
+    EndBySignal(signals, window)
     alone = QLockFile(str(opening.window_lock()))
     left_open = remembered.left_open if alone.tryLock(0) else ()
     first = path or next(iter(left_open), None)
-    if first is not None:
-        if first.resolve() in left_open:
-            window.files.greet_after_crash()
-        window.files.open_path(first, options=options, play=play, save_at=save_at)
-    window.show()
-    return application.exec()
+    try:
+        if first is not None:
+            if first.resolve() in left_open:
+                window.files.greet_after_crash()
+            window.files.open_path(first, options=options, play=play, save_at=save_at)
+        window.show()
+        return application.exec()
+    finally:
+        take_down(window)
 
 
 def start_application(remembered: Remembered) -> QApplication:
@@ -98,6 +104,7 @@ def picture(
 
     Raises:
         TrackwrightError: it cannot be opened, or the picture cannot be written.
+        KeyboardInterrupt: a signal asked for the end meanwhile.
     """
     with borrowed_window(theme or Look.SYSTEM.value, size) as window:
         show_document(window, session_path, frame)
@@ -112,16 +119,20 @@ def borrowed_window(look: str, size: tuple[int, int]) -> Iterator[MainWindow]:
         path = str(Path(folder) / "settings.ini")
         remembered = Remembered(QSettings(path, QSettings.Format.IniFormat))
         remembered.set_text("look", look)
-        start_application(remembered)
+        application = start_application(remembered)
+        interrupts: list[None] = []
+        signals = EndSignals(application)
+        signals.arrived.connect(lambda: interrupts.append(None))
+        signals.arrived.connect(application.quit)  # whoever waits for the window waits no more
         window = MainWindow(remembered)
         window.resize(*size)
         try:
             yield window
         finally:
-            window.files.close_without_asking()
-            window.close()
-            window.deleteLater()
-            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+            take_down(window)
+            signals.close()
+            if interrupts:
+                raise KeyboardInterrupt
 
 
 def save_picture(window: MainWindow, out_png: Path) -> None:
@@ -130,9 +141,11 @@ def save_picture(window: MainWindow, out_png: Path) -> None:
     Raises:
         OutputError: it cannot be written.
     """
-    wait_until(lambda: not window.work.busy)
-    if not window.grab().save(str(out_png), "PNG"):
-        raise OutputError(f"{out_png}: the picture cannot be written; choose another folder")
+    if not wait_until(lambda: not window.work.busy):
+        raise OutputError(f"{out_png}: the window did not come to rest; try again")
+    with part_of(out_png) as part:
+        if not window.grab().save(str(part), "PNG"):
+            raise OutputError(f"cannot write {out_png}: the picture cannot be made")
 
 
 def show_document(window: MainWindow, path: Path, frame: int | None = None) -> None:

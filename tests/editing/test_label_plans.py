@@ -35,6 +35,7 @@ from tracking.editing import (
 )
 from tracking.errors import EditError
 from tracking.tracks import (
+    CORRECTED_COLUMNS,
     CountingLine,
     Labels,
     Occluder,
@@ -44,6 +45,7 @@ from tracking.tracks import (
     ReviewedRange,
     TrackTable,
     Verdict,
+    empty,
 )
 
 BOX = (10.0, 20.0, 30.0, 40.0)
@@ -272,6 +274,22 @@ def test_several_tracks_are_marked_and_unmarked_at_once() -> None:
         ReviewedRange(7, 10, 20),
     )
     assert made(labels, plan_unmark_reviewed(labels, 0, 0, 100)) == Labels()
+
+
+def test_only_frames_in_which_a_track_has_rows_are_marked() -> None:
+    seen = np.array([*range(10, 20), *range(30, 35)], np.int32)
+    columns = empty(CORRECTED_COLUMNS)
+    rows = {name: np.zeros(len(seen), column.dtype) for name, column in columns.items()}
+    table = TrackTable({**rows, "frame": seen, "track": np.full(len(seen), 4, np.int32)})
+    change = plan_mark_reviewed(Labels(), 4, 0, 100, table)
+    assert change.after.labels.reviewed == (ReviewedRange(4, 10, 20), ReviewedRange(4, 30, 35))
+    assert change.text == "Mark track 4 as reviewed in frames 10 to 34"
+    everybody = plan_mark_reviewed(Labels(), 0, 0, 100, table)
+    assert everybody.after.labels.reviewed == (ReviewedRange(0, 0, 100),)
+    with pytest.raises(EditError, match="track 4: no boxes in frames 20 to 29"):
+        plan_mark_reviewed(Labels(), 4, 20, 30, table)
+    with pytest.raises(EditError, match="9"):
+        plan_mark_reviewed(Labels(), 9, 0, 100, table)
 
 
 def test_an_edit_of_reviewed_ranges_names_only_those_it_changes() -> None:

@@ -76,7 +76,7 @@ def test_what_does_not_count_is_a_crowd(tmp_path: Path) -> None:
     made = dict(table([(0, 1), (0, 2), (0, 3)], [(0, 0, 2, 2)] * 3).columns())
     made["confidence"] = np.array([0.0, 0.25, np.nan], np.float32)
     path = tmp_path / "t.json"
-    back = through(COCO, path, Exported.of_table(TrackTable(made)))
+    back = through(COCO, path, Exported.of_table(TrackTable(made), dont_cares=True))
     rows = json.loads(path.read_text())["annotations"]
     assert [row["iscrowd"] for row in rows] == [1, 0, 0]
     assert back.columns["confidence"].tolist()[:2] == [0.0, 0.25]
@@ -100,10 +100,16 @@ def test_members_may_come_in_any_order(tmp_path: Path) -> None:
     assert import_coco(path, Filmed()).columns["frame"].tolist() == [0, 0, 30]
 
 
+def test_tracks_are_read_where_datumaro_and_cvat_write_them(tmp_path: Path) -> None:
+    rows = annotation(track_id=None, attributes={"track_id": 8, "occluded": False})
+    found = import_coco(written(tmp_path, annotations=rows), Filmed())
+    assert found.columns["track"].tolist() == [2, 7, 7, 8]
+
+
 def test_ids_from_zero_are_all_kept_but_zero(tmp_path: Path) -> None:
     found = import_coco(written(tmp_path, annotations=annotation(track_id=0)), Filmed())
     assert found.columns["track"].tolist() == [2, 7, 7, 8]
-    assert "track 0" in found.notes[0]
+    assert (found.track_of_zero, found.notes) == (8, ())
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,8 @@ from tests.pace import spent
 from tracking.errors import FormatError
 from tracking.formats.cvat import CVAT
 from tracking.formats.cvat_reading import import_cvat
-from tracking.formats.cvat_track import MOST_EMPTY, MOST_FILLED
+from tracking.formats.cvat_track import MOST_EMPTY
+from tracking.formats.filled_rows import MOST_FILLED
 from tracking.formats.reading import Filmed
 from tracking.formats.writing import Exported
 from tracking.tracks import Source, TrackLabel, TrackTable
@@ -231,6 +232,24 @@ def test_keyframes_that_stand_for_more_rows_than_any_footage_are_refused(tmp_pat
     far = [track(n, box(0), box(MOST_FILLED - 1)) for n in range(1, 4)]
     with pytest.raises(FormatError, match="stand for more than"):
         import_cvat(written(tmp_path, *far), Filmed())
+
+
+def test_a_file_of_many_tracks_with_few_far_keyframes_is_refused_before_it_is_read_through(
+    tmp_path: Path,
+) -> None:
+    far = (track(n, box(0), box(1199)) for n in range(20_000))
+    meta = META.replace("100<", "1200<").replace("99<", "1199<")
+    path = written(tmp_path, *far, meta=meta)
+    parts: list[float] = []
+    with pytest.raises(FormatError, match=f"more than {MOST_FILLED} boxes between them"):
+        import_cvat(path, Filmed(), lambda done, size: parts.append(done / size))
+    assert max(parts) < 0.5
+
+
+def test_no_row_is_filled_beyond_the_recording(tmp_path: Path) -> None:
+    far = track(1, box(5), box(9_000_000))
+    found = import_cvat(written(tmp_path, far), Filmed(frames=8))
+    assert found.columns["frame"].tolist() == [5, 6, 7, 9_000_000]
 
 
 def test_a_file_of_tracks_without_boxes_is_refused_soon(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from made_tracks import FLOOR, assert_same, known_rows, table, through, tracks
 
 from tracking.errors import FormatError
+from tracking.formats import Stated, format_of
 from tracking.formats.floor_text import PEDPY_TEXT, PETRACK, import_floor_text
 from tracking.formats.reading import Filmed, Imported
 from tracking.formats.track_format import TrackFormat
@@ -27,10 +28,14 @@ def exported(made: TrackTable = WALK, **known: Any) -> Exported:
     return Exported.of_table(made, **{"fps": 12.5, "name": "yard", **known})
 
 
-def read(folder: Path, text: str) -> Imported:
+def written(folder: Path, text: str) -> Path:
     path = folder / "tracks.txt"
     path.write_text(text, encoding="utf-8")
-    return import_floor_text(path, Filmed())
+    return path
+
+
+def read(folder: Path, text: str) -> Imported:
+    return import_floor_text(written(folder, text), Filmed())
 
 
 @BOTH
@@ -121,9 +126,62 @@ def test_the_last_unit_holds(tmp_path: Path, comments: str, scale: float) -> Non
     assert found.fps == 16
 
 
+@pytest.mark.parametrize("fps", ["0", "1e9"])
+def test_an_invalid_frame_rate_is_told(tmp_path: Path, fps: str) -> None:
+    found = read(tmp_path, HEADER.replace("25", fps) + "1 0 1 1 1\n")
+    assert found.fps is None
+    assert f"{fps} frames a second, which is invalid" in found.notes[0]
+
+
 def test_what_says_no_unit_is_refused(tmp_path: Path) -> None:
     with pytest.raises(FormatError, match="does not say its unit"):
         read(tmp_path, "# framerate: 25\n1 0 1 1 1\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("1 43 79.035 774.009 183.02\n1 44 79.1 764.5 183.02\n", "pedpy-txt"),
+        ("1\t0\t2.15\t-2.66\n", "pedpy-txt"),
+        ("# geometry: hall.xml\n\n# PersID Frame X Y Z\n1 0 2.15 2.66 1.7\n", "pedpy-txt"),
+        ("# PeTrack project: hall.pet\n# id frame x y z\n1 0 215 266 170\n", "petrack"),
+    ],
+)
+def test_a_text_without_a_unit_is_told_and_read_with_what_the_user_states(
+    tmp_path: Path, text: str, name: str
+) -> None:
+    path = written(tmp_path, text)
+    assert format_of(path).name == name
+    with pytest.raises(FormatError, match="--unit m or --unit cm"):
+        import_floor_text(path, Filmed())
+    metres = import_floor_text(path, Filmed(stated=Stated("m")))
+    found = import_floor_text(path, Filmed(stated=Stated("cm", 12.5)))
+    np.testing.assert_allclose(found.columns["x"] * 100, metres.columns["x"])
+    assert (found.fps, metres.fps, found.notes) == (12.5, None, ())
+
+
+def test_what_a_text_says_itself_counts_and_that_is_noted(tmp_path: Path) -> None:
+    path = written(tmp_path, f"{HEADER}1 0 5 5 1\n")
+    found = import_floor_text(path, Filmed(stated=Stated("cm", 12.5)))
+    assert (found.columns["x"].tolist(), found.fps) == ([5], 25)
+    assert found.notes == (
+        "the file says m itself; cm is passed over",
+        "the file says 25 frames a second itself; 12.5 is passed over",
+    )
+
+
+@pytest.mark.parametrize(
+    "text", ["1 0.5 0.5 0.1 0.2\n", "1 2\n3 4\n", "1 2 3 4 5 6 7 8 9 10\n", "a b c d\n", "# m\n"]
+)
+def test_other_rows_of_numbers_are_no_places(tmp_path: Path, text: str) -> None:
+    with pytest.raises(FormatError, match="no format known here"):
+        format_of(written(tmp_path, text))
+
+
+@pytest.mark.parametrize(("unit", "fps"), [("ft", None), ("m", 0.0), ("m", -5.0), ("m", 1e9)])
+def test_what_cannot_be_stated_is_refused(unit: str, fps: float | None) -> None:
+    with pytest.raises(FormatError):
+        Stated(unit, fps)
 
 
 @pytest.mark.parametrize(
@@ -154,8 +212,10 @@ def test_a_bad_row_is_told_by_its_line(tmp_path: Path, row: str, reason: str) ->
         (HEADER + "1 0 1 1 1\n", True),
         (HEADER, True),
         ("# x/m\n\n1\t0\t1.5\t2\n", True),
-        ("1 0 1 1 1\n", False),
-        ("# a comment\n1 0 1 1 1\n", False),
+        ("1 0 1 1 1\n", True),
+        ("# a comment\n1 0 1 1 1\n", True),
+        ("# a comment\n1 0.5 1 1 1\n", False),
+        ("# a comment\n", False),
         ("# framerate: 25\n1,1,1,1,1,1\n", False),
         ("# framerate: 25\nname: x\n", False),
     ],

@@ -48,6 +48,9 @@ WRITTEN = {
     "pedpy-h5": "written-archive.h5.txt",
     "jupedsim-h5": "written-jupedsim.h5.txt",
     "jupedsim-sqlite": "written-jupedsim.sql",
+    "label-studio": "written-label-studio.json",
+    "x-anylabeling": "written-xanylabeling.txt",
+    "viame": "written-viame.csv",
 }
 
 
@@ -62,6 +65,9 @@ def written(folder: Path, format_: str) -> str:
     elif format_.endswith("-sqlite"):
         with closing(sqlite3.connect(path)) as database:
             text = "\n".join(database.iterdump()) + "\n"
+    elif path.is_dir():
+        files = sorted(path.iterdir())
+        text = "".join(f"{file.name}\n{file.read_text(encoding='utf-8')}" for file in files)
     else:
         text = path.read_text(encoding="utf-8")
     return text.replace(tracking.__version__, "VERSION")
@@ -93,7 +99,7 @@ def rows_read(name: str, format_: str, columns: tuple[str, ...]) -> list[tuple[f
     found = format_of(KEPT / name)
     assert found.name == format_
     assert found.read is not None
-    imported = found.read(KEPT / name, Filmed())
+    imported = found.read(KEPT / name, Filmed(size_px=(640, 480)))
     assert imported.bad_count == 0
     lists = (imported.columns[column].tolist() for column in ("frame", "track", *columns))
     return list(zip(*lists, strict=True))
@@ -144,7 +150,101 @@ def test_centimetres_of_the_archive_are_read() -> None:
     ]
 
 
-@pytest.mark.parametrize("format_", ["cvat", "coco", "pedpy-txt", "petrack"])
+def test_own_files_of_petrack_are_read() -> None:
+    # Everybody has number 0 there: people are counted in their order.
+    assert rows_read("petrack-v5.trc", "petrack-trc", ("left", "top", "confidence")) == [
+        (3, 1, 10.5, 20.25, 1),
+        (4, 1, 11, 20.5, pytest.approx(0.79)),
+        (5, 1, 12.5, 21, 1),
+        (5, 2, 300, -4.5, pytest.approx(0.95)),
+    ]
+    assert rows_read("petrack-v1.trc", "petrack-trc", ("left", "top")) == [
+        (0, 1, 10, 20),
+        (1, 1, 11, 21),
+    ]
+    read = FORMATS["petrack-trc"].read
+    assert read is not None
+    said = {"comment": "carries a bag", "height_cm": "172.5", "marker": "17"}
+    assert read(KEPT / "petrack-v5.trc", Filmed()).labels == {1: TrackLabel(attributes=said)}
+
+
+def test_the_csv_of_sleap_is_read() -> None:
+    # track_0 is id 1 as in SLEAP's HDF5, though it comes second.
+    assert rows_read("sleap.csv", "sleap", BOX) == [
+        (0, 1, 30, 40, 0, 0),
+        (0, 2, 10, 20, 4, 30),
+        (2, 1, 31, 39, 4.5, 2),
+    ]
+
+
+def test_the_csv_of_viame_is_read() -> None:
+    assert rows_read("viame.csv", "viame", (*BOX, "confidence", "visibility")) == [
+        (0, 5, 10, 20, 30, 40, 0.75, 1),
+        (1, 4, 100.5, 50, 39.5, 101.25, 0.25, 1),
+        (1, 5, 11, 20, 30, 40, 0.5, 0),
+    ]
+    read = FORMATS["viame"].read
+    assert read is not None
+    found = read(KEPT / "viame.csv", Filmed())
+    assert found.fps == 12.5
+    assert found.labels == {
+        4: TrackLabel(attributes={"class": "dog"}),
+        5: TrackLabel("Zoë Quill", {"bag": "yes"}),
+    }
+
+
+@pytest.mark.parametrize("name", ["xanylabeling", "xanylabeling/frame_00010.json"])
+def test_a_folder_of_x_anylabeling_is_read(name: str) -> None:
+    assert format_of(KEPT / name).name == "x-anylabeling"
+    read = FORMATS["x-anylabeling"].read
+    assert read is not None
+    found = read(KEPT / name, Filmed())
+    columns = (*BOX, "confidence")
+    rows = [found.columns[each].tolist() for each in ("frame", "track", *columns)]
+    np.testing.assert_equal(
+        list(zip(*rows, strict=True)),
+        [
+            (2, 3, 10, 20, 30, 40, 0.5),
+            (2, 4, 100, 45.5, 20, 34.5, 0),  # around a polygon, and difficult: not counted
+            (10, 3, 12, 20, 30, 40, NAN),  # two corners, as before version 2.2
+        ],
+    )
+    assert found.size_px == (640, 480)
+    assert found.labels[3] == TrackLabel("Zoë", {"bag": "yes"})
+    assert [note for note in found.notes if note.startswith("1 ")] == [
+        "1 shape without group id is left out",
+        "1 point or line is left out",
+    ]
+
+
+def test_a_task_of_label_studio_is_read() -> None:
+    # Percent of 640 x 480. The second region is turned by a quarter round its corner.
+    assert rows_read("label-studio.json", "label-studio", (*BOX, "source")) == [
+        (0, 4, 272, 240, pytest.approx(48), 64, PERSON),
+        (1, 5, 64, 120, 32, 240, PERSON),
+        (2, 5, 80, 120, 32, 240, BETWEEN),
+        (3, 5, 96, 120, 32, 240, PERSON),  # not enabled: it is still shown, then out of view
+        (10, 5, 320, 120, 64, 240, PERSON),
+        (11, 5, 320, 120, 64, 240, BETWEEN),  # holds until framesCount
+    ]
+    read = FORMATS["label-studio"].read
+    assert read is not None
+    found = read(KEPT / "label-studio.json", Filmed(size_px=(640, 480)))
+    assert (found.frames, found.fps) == (12, 25)
+    assert found.labels == {4: TrackLabel(attributes={"class": "Dog"}), 5: TrackLabel("Zoë")}
+
+
+def test_the_smaller_json_of_label_studio_is_read() -> None:
+    assert rows_read("label-studio-min.json", "label-studio", (*BOX, "source")) == [
+        (1, 1, 64, 120, 32, 240, PERSON),
+        (2, 1, 64, 120, 32, 240, BETWEEN),
+        (3, 1, 64, 120, 32, 240, BETWEEN),
+    ]
+
+
+@pytest.mark.parametrize(
+    "format_", ["cvat", "coco", "pedpy-txt", "petrack", "label-studio", "viame"]
+)
 def test_what_was_written_is_told_by_its_content(format_: str) -> None:
     assert format_of(KEPT / WRITTEN[format_]).name == format_
 

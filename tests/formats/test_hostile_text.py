@@ -71,7 +71,7 @@ def test_reading_ends_where_too_many_rows_are_bad(
     tmp_path: Path, name: str, good: bytes, bad: bytes
 ) -> None:
     message = refused(tmp_path, good + bad * (FEW_BAD + 5), name)
-    assert f"more than {FEW_BAD} rows cannot be meant, the first in line" in message
+    assert f"more than {FEW_BAD} invalid rows, the first in line" in message
 
 
 def test_of_many_bad_rows_some_are_kept_and_all_counted(tmp_path: Path) -> None:
@@ -115,7 +115,7 @@ def test_reading_says_how_far_it_is_and_is_cancelled(tmp_path: Path, name: str) 
         (f"{MAX_FRAME + 1},1,1,1,5,5", "frame number"),
         ("-7,1,1,1,5,5", "frame number"),
         ("1e300,1,1,1,5,5", "frame number"),
-        ("1,3000000000,1,1,5,5", "id is not a positive"),
+        ("1,3000000000,1,1,5,5", "id is too large"),
         ("1,1,nan,1,5,5", "finite"),
         ("1,1,1,1e400,5,5", "finite"),
         ("1,1,1,1,5," + "9" * 300, "outside any image"),

@@ -45,10 +45,8 @@ def test_labels_of_the_benchmark_are_read(tmp_path: Path) -> None:
     assert_allclose([rows["x"], rows["y"]], [[2, np.nan], [10, np.nan]], atol=1e-9)
     assert rows["visibility"].tolist() == [0.5, 1]
     assert found.labels == {2: TrackLabel(attributes={"class": "Car"})}
-    assert found.notes == (
-        "1 regions nobody cares about (DontCare) are left out",
-        "track 0 of the file is track 3 here: ids are positive",
-    )
+    assert found.notes == ("1 regions nobody cares about (DontCare) are left out",)
+    assert found.track_of_zero == 3
 
 
 def test_without_a_camera_places_are_left_out_and_that_is_told(tmp_path: Path) -> None:
@@ -88,12 +86,12 @@ def test_what_is_written_byte_for_byte(tmp_path: Path) -> None:
         visibility=[1.0, 0.4, np.nan],
     )
     labels = {9: TrackLabel(attributes={"class": "bicycle"})}
-    exported = Exported.of_table(made, labels=labels, size_px=(640, 480), counts_in_full=True)
+    exported = Exported.of_table(made, labels=labels, size_px=(640, 480), ground_truth=True)
     back = through(KITTI, tmp_path / "t.txt", exported)
     assert (tmp_path / "t.txt").read_bytes() == (
         b"0 3 Pedestrian 0 0 -10 0 1.5 10 21.5 -1 -1 -1 -1000 -1000 -1000 -10\n"
-        b"0 9 Misc 1 1 -10 -5 0 15 20 -1 -1 -1 -1000 -1000 -1000 -10\n"
-        b"7 3 Pedestrian 0 3 -10 0 0 1 1 -1 -1 -1 -1000 -1000 -1000 -10\n"
+        b"0 9 Misc 0 1 -10 -5 0 15 20 -1 -1 -1 -1000 -1000 -1000 -10\n"
+        b"7 3 Pedestrian 0 0 -10 0 0 1 1 -1 -1 -1 -1000 -1000 -1000 -10\n"
     )
     assert back.labels == {9: TrackLabel(attributes={"class": "Misc"})}
 

@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError, OutputError
-from tracking.formats import format_named, read_mot, write_mot
+from tracking.formats import format_named, format_of, read_mot, write_mot
 
 BOX = ("left", "top", "width", "height")
 
@@ -55,6 +55,38 @@ def test_rows_are_sorted_by_frame_and_keep_their_order_within_it(tmp_path: Path)
     assert columns["track"].tolist() == [4, 9, 3]
 
 
+def test_an_id_of_0_is_a_label_like_others(tmp_path: Path) -> None:
+    columns = read_mot(written(tmp_path, "1,0,1,1,5,5\n1,7,9,9,5,5\n"))
+    assert columns["track"].tolist() == [0, 7]
+
+
+def test_lines_that_begin_with_a_hash_are_comments(tmp_path: Path) -> None:
+    text = "# tracker 1.2\n#frame,id,left,top,width,height\n1,3,1,1,5,5\n# end\n2,3,1,1,5,5\n"
+    path = written(tmp_path, text)
+    assert format_of(path).name == "mot"
+    assert read_mot(path)["frame"].tolist() == [0, 1]
+
+
+def test_a_comment_may_stand_behind_a_row(tmp_path: Path) -> None:
+    path = written(tmp_path, "1,3,1,1,5,5 # sure, at last\n2,3,1,1,5,5\n")
+    assert format_of(path).name == "mot"
+    assert read_mot(path)["frame"].tolist() == [0, 1]
+
+
+@pytest.mark.parametrize("divider", [" ", "\t", ";", " ; "])
+def test_rows_without_commas_are_told_to_want_them(tmp_path: Path, divider: str) -> None:
+    path = written(tmp_path, divider.join("133456") + "\n")
+    with pytest.raises(FormatError, match="wants them"):
+        read_mot(path)
+    with pytest.raises(FormatError, match="put commas between"):
+        format_of(path)
+
+
+def test_an_id_that_is_too_large_is_told_as_that(tmp_path: Path) -> None:
+    with pytest.raises(FormatError, match="the id is too large"):
+        read_mot(written(tmp_path, f"1,{2**40},1,1,5,5\n"))
+
+
 @pytest.mark.parametrize("text", ["", "\n\n", "﻿"])
 def test_an_empty_text_has_no_rows(tmp_path: Path, text: str) -> None:
     assert len(read_mot(written(tmp_path, text))["frame"]) == 0
@@ -72,8 +104,9 @@ def test_an_empty_text_has_no_rows(tmp_path: Path, text: str) -> None:
         ("1,1,1,1,5,5\n0,2,1,1,5,5\n", 2, "frame number"),
         ("-3,1,1,1,5,5\n", 1, "frame number"),
         ("99999999999,1,1,1,5,5\n", 1, "frame number"),
-        ("1,-1,1,1,5,5\n", 1, "id is not a positive"),
-        ("1,0,1,1,5,5\n", 1, "id is not a positive"),
+        ("1,-1,1,1,5,5\n", 1, "id is not 0 or a positive"),
+        ("1,2147483648,1,1,5,5\n", 1, "id is too large"),
+        ("# made by hand\n1,1,1,1,5\n", 2, "5 values"),
         ("1.5,1,1,1,5,5\n", 1, "whole numbers"),
         ("1,1,1,1,5e9,5\n", 1, "outside any image"),
         ("1,1,1,1,-5,5\n", 1, "negative size"),

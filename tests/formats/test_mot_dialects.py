@@ -51,7 +51,7 @@ def test_boxes_come_back_from_rows_with_classes(tmp_path: Path, made: TrackTable
 
 
 def test_world_columns_byte_for_byte(tmp_path: Path) -> None:
-    MOT.write(tmp_path / "t.txt", Exported.of_table(TWO, counts_in_full=True), no_progress)  # type: ignore[misc] # it writes
+    MOT.write(tmp_path / "t.txt", Exported.of_table(TWO, ground_truth=True), no_progress)  # type: ignore[misc] # it writes
     assert (tmp_path / "t.txt").read_bytes() == (
         b"1,3,1,2.5,10,20,1,-1,-1,-1\n5,7,-1,1,5,5,1,1,-0.9999999999999999,0\n"
     )
@@ -60,7 +60,7 @@ def test_world_columns_byte_for_byte(tmp_path: Path) -> None:
 def test_classes_and_visibility_byte_for_byte(tmp_path: Path) -> None:
     seen = table([(0, 3), (0, 9), (1, 3)], [(0, 0, 5, 5)] * 3, visibility=[0.25, 1.0, np.nan])
     labels = {9: TrackLabel(attributes={"class": "car"})}
-    exported = Exported.of_table(seen, labels=labels, counts_in_full=True)
+    exported = Exported.of_table(seen, labels=labels, ground_truth=True)
     MOT16.write(tmp_path / "t.txt", exported, no_progress)  # type: ignore[misc] # it writes
     assert (tmp_path / "t.txt").read_bytes() == (
         b"1,3,1,1,5,5,1,1,0.25\n1,9,1,1,5,5,0,3,1\n2,3,1,1,5,5,1,1,1\n"

@@ -77,7 +77,10 @@ def test_who_cancels_keeps_the_old_file_and_no_part_of_the_new_one(
     tmp_path: Path, name: str, stop: BaseException
 ) -> None:
     path = tmp_path / "t"
-    path.write_bytes(b"old")
+    if FORMATS[name].is_folder:
+        path.mkdir()
+    else:
+        path.write_bytes(b"old")
 
     def report(_done: int, _total: int) -> None:
         raise stop
@@ -88,7 +91,11 @@ def test_who_cancels_keeps_the_old_file_and_no_part_of_the_new_one(
     exported = Exported.of_table(made, frames=2, fps=10.0, size_px=(64, 48))
     with pytest.raises(type(stop)):
         write(path, exported, report)
-    assert [file.read_bytes() for file in tmp_path.iterdir()] == [b"old"]
+    assert [*tmp_path.iterdir()] == [path]
+    if FORMATS[name].is_folder:
+        assert not any(path.iterdir())
+    else:
+        assert path.read_bytes() == b"old"
 
 
 def test_frames_are_whole_however_the_pieces_fall() -> None:
@@ -104,9 +111,11 @@ def test_tracks_come_one_after_the_other_with_their_rows_by_frame() -> None:
     assert all(found["frame"].tolist() == list(range(20)) for _, found in tracks)
 
 
-def test_truth_counts_in_full_but_for_what_it_does_not_count() -> None:
+def test_only_what_does_not_count_has_confidence_0() -> None:
     made = table([(0, 1), (0, 2)])
     rows = {**made.columns(), "confidence": np.array([0.0, 0.4], np.float32)}
-    for dont_cares, expected in ((False, [1, 1]), (True, [0, 1])):
-        exported = Exported(rows, counts_in_full=True, dont_cares=dont_cares)
-        assert next(exported.pieces())["confidence"].tolist() == expected
+    for dont_cares, counted, least in ((False, [True, True], 1e-6), (True, [False, True], 0)):
+        exported = Exported(rows, dont_cares=dont_cares)
+        piece = next(exported.pieces())
+        assert exported.counted(piece).tolist() == counted
+        assert exported.confidence(piece).tolist() == pytest.approx([least, 0.4])

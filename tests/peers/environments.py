@@ -101,6 +101,21 @@ DATUMARO = Peer("datumaro", ("datumaro==1.13.12",))
 PYCOCOTOOLS = Peer("pycocotools", ("pycocotools==2.0.11",))
 JUPEDSIM = Peer("jupedsim", ("jupedsim==1.4.2",))
 SLEAP_IO = Peer("sleap-io", ("sleap-io==0.9.5",))
+LABEL_STUDIO = Peer("label-studio-sdk", ("label-studio-sdk==2.1.2",))
+# What its files need of it; it asks for the runtimes of models, too.
+X_ANYLABELING = Peer(
+    "x-anylabeling",
+    (
+        *("PyQt6==6.9.1", "PyQt6-Qt6==6.9.2", "numpy==2.4.6", "scipy==1.17.1", "pillow==13.0.0"),
+        *("opencv-contrib-python-headless==5.0.0.93", "pillow-heif==1.8.1", "PyYAML==6.0.3"),
+        *("importlib_metadata==10.2.0", "jsonlines==4.0.0", "natsort==8.4.0", "tqdm==4.70.1"),
+        *("termcolor==3.3.0", "requests==2.34.2", "matplotlib==3.11.2", "shapely==2.2.0"),
+        *("psutil==7.2.2", "darkdetect==0.8.0", "Markdown==3.11.3", "qimage2ndarray==1.10.0"),
+        *("cryptography==50.0.2", "json_repair==0.64.6", "pyclipper==1.4.0", "openai==3.54.0"),
+        *("tokenizers==0.23.3", "lapx==0.11.1", "socksio==1.0.0"),
+    ),
+    alone=("x-anylabeling-cvhub==4.2.1",),
+)
 
 # They follow the same detections; norfair and motpy are older than NumPy 2.
 _OLD_NUMPY = ("numpy==1.26.4", "scipy==1.15.3")
@@ -111,6 +126,6 @@ TRACKERS = Peer("trackers", ("trackers==2.6.1", "supervision==0.31.2", *_NEW_NUM
 STONESOUP = Peer("stonesoup", ("stonesoup==1.9.1", *_NEW_NUMPY))
 
 SCORERS = (TRACKEVAL, MOTMETRICS, MOTRICS)
-OTHER_TOOLS = (DATUMARO, PYCOCOTOOLS, JUPEDSIM, SLEAP_IO)
+OTHER_TOOLS = (DATUMARO, PYCOCOTOOLS, JUPEDSIM, SLEAP_IO, LABEL_STUDIO, X_ANYLABELING)
 FOLLOWERS = (NORFAIR, MOTPY, TRACKERS, STONESOUP)
 PEERS = {peer.name: peer for peer in (*SCORERS, *OTHER_TOOLS, *FOLLOWERS)}

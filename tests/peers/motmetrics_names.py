@@ -11,7 +11,7 @@ NAMES: dict[str, Callable[[Score], float]] = {
     "num_objects": lambda s: s.clear.truth_rows,
     "num_predictions": lambda s: s.clear.result_rows,
     "num_unique_objects": lambda s: s.truth_people,
-    "num_matches": lambda s: s.clear.matches - s.clear.id_switches,
+    "num_matches": lambda s: s.as_json()["matches"],
     "num_switches": lambda s: s.clear.id_switches,
     "num_detections": lambda s: s.clear.matches,
     "num_false_positives": lambda s: s.clear.false_positives,

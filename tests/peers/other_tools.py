@@ -26,6 +26,21 @@ def datumaro(path: str) -> Rows:
     ]
 
 
+def datumaro_coco(path: str) -> Rows:
+    """Boxes of the JSON in `annotations`, by the track in their attributes."""
+    from pathlib import Path
+
+    from datumaro.components.dataset import Dataset
+
+    folder = Path(path).parent.parent
+    (folder / "images").mkdir(exist_ok=True)
+    return [
+        [item.attributes["id"] - 1, box.attributes["track_id"], *box.get_bbox()]
+        for item in Dataset.import_from(str(folder), "coco_instances")
+        for box in item.annotations
+    ]
+
+
 def pycocotools(path: str) -> Rows:
     """Annotations by image."""
     from pycocotools.coco import COCO
@@ -52,37 +67,55 @@ def jupedsim(path: str) -> Rows:
 
 
 def sleap_io(path: str) -> Rows:
-    """Made-up instances, written to the path; what boxes are around their nodes."""
+    """Made-up instances, written to the path; what boxes are around their nodes.
+
+    The path's ending says what is written: an analysis as HDF5 (`.h5`) or CSV, or a project
+    (`.slp`); in half of them nobody has a track.
+    """
     import numpy as np
     import sleap_io as sio
 
     random = np.random.default_rng(zlib.crc32(path.encode()))
+    tracked = bool(random.random() < 0.5)
     skeleton = sio.Skeleton(["head", "left", "right"])
     tracks = [sio.Track(f"person {at}") for at in range(4)]
     video = sio.Video("none.mp4")
     frames, rows = [], []
+    ids: dict[int, int] = {}  # CSV has names alone: their order counts
     for frame in range(30):
-        instances = []
+        instances: list[Any] = []
         for number, track in enumerate(tracks, start=1):
             points = random.normal(200, 50, (3, 2))
             points[random.random(3) < 0.3] = np.nan
             seen = points[np.isfinite(points[:, 0])]
             if random.random() < 0.3 or not len(seen):
                 continue
+            own = track if tracked else None
             instances.append(
-                sio.PredictedInstance.from_numpy(points, skeleton=skeleton, track=track, score=0.5)
+                sio.PredictedInstance.from_numpy(points, skeleton=skeleton, track=own, score=0.5)
             )
+            if not tracked:
+                number = len(instances)
+            elif path.endswith(".csv"):
+                number = ids.setdefault(number, len(ids) + 1)
             low, high = seen.min(axis=0), seen.max(axis=0)
             rows.append([frame, number, *low.tolist(), *(high - low).tolist()])
         frames.append(sio.LabeledFrame(video=video, frame_idx=frame, instances=instances))
     preset = ("matlab", "standard")[len(rows) % 2]
-    labels = sio.Labels(frames, videos=[video], skeletons=[skeleton], tracks=tracks)
-    sio.save_analysis_h5(labels, path, preset=preset)
+    known = tracks if tracked else []
+    labels = sio.Labels(frames, videos=[video], skeletons=[skeleton], tracks=known)
+    if path.endswith(".slp"):
+        sio.save_slp(labels, path)
+    elif path.endswith(".csv"):
+        sio.save_csv(labels, path, format="sleap")
+    else:
+        sio.save_analysis_h5(labels, path, preset=preset)
     return rows
 
 
 TOOLS = {
     "datumaro": datumaro,
+    "datumaro-coco": datumaro_coco,
     "pycocotools": pycocotools,
     "jupedsim": jupedsim,
     "sleap-io": sleap_io,

@@ -7,6 +7,7 @@ import pytest
 from drawn_people import SIZE, floor, with_person, with_shadow
 from numpy.typing import NDArray
 
+from tracking.geometry import Camera, Ground, View
 from tracking.people import Observation, SingleCameraPerception
 from tracking.people.ghosts import without_ghosts
 from tracking.people.parts import part_regions, ycbcr
@@ -75,6 +76,20 @@ def test_somebody_who_stands_still_does_not_melt_into_the_background() -> None:
     found = seen(*[standing] * 150)
     assert len(found.people) == 1
     assert found.people.box[0, 3] > 110
+
+
+@pytest.mark.parametrize("tilt_deg", [0.0, -4.0])
+def test_what_is_seen_above_the_horizon_stands_on_no_floor(tilt_deg: float) -> None:
+    camera = Camera(np.array([[300, 0, 160], [0, 300, 120], [0, 0, 1.0]]), np.zeros(5), 320, 240)
+    perception = SingleCameraPerception(FPS, View(camera, Ground(1.5, tilt_deg)))
+    perception.learn([StereoFrame(0, 0.0, floor(), None)])
+    picture = floor()
+    picture[20:70, 100:130] = (30, 30, 160)
+    # Beside it something reaches lower, and still ends above the horizon (row 120 where level).
+    picture[22:97, 126:132] = (120, 40, 30)
+    found = perception.observe(StereoFrame(0, 0.0, picture, None)).people
+    assert len(found) == 1
+    assert np.isfinite(found.box).all()
 
 
 def test_what_somebody_left_behind_in_the_background_is_nobody() -> None:

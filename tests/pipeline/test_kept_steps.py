@@ -9,7 +9,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from tracking.errors import OutputError
 from tracking.pipeline import KeptSteps
+from tracking.pipeline.spool import Spool
 from tracking.trackers import StepResult
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
@@ -153,3 +155,47 @@ def test_tables_of_a_long_run_stay_on_the_disk_and_read_as_arrays(tmp_path: Path
 def test_the_starts_of_nothing_kept_are_all_the_first():
     run = KeptSteps(first=30).run("made up", {}, 7, RECORDING)
     assert run.particles.start.tolist() == [0] * (RECORDING.frame_count + 1)
+
+
+def test_what_finds_no_room_is_lost_as_a_whole_and_what_was_settled_is_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    steps = KeptSteps(tmp_path, in_memory=0)
+    steps.add(STEPS[:64])
+    written, usual = [], Spool._write
+
+    def full_after_ten(spool: Spool, *asked: object) -> None:
+        written.append(asked)
+        if len(written) > 10:
+            raise OutputError("the disk is full")
+        usual(spool, *asked)
+
+    monkeypatch.setattr(Spool, "_write", full_after_ten)
+    steps.add(STEPS[64:])
+    with pytest.raises(OutputError, match="full"):
+        made(steps)
+    assert steps.frames == (FIRST, FIRST + 64)
+    run = steps.run_so_far("made up", {}, 7, RECORDING)
+    kept = KeptSteps()
+    kept.add(STEPS[:64])
+    wanted = made(kept)
+    assert run.frames == (FIRST, FIRST + 64)
+    assert_same(run.tracks, wanted.tracks)
+    assert_same(run.detections, wanted.detections)
+    assert run.particles.start.tolist() == wanted.particles.start.tolist()
+    assert len(run.particles.columns["x"]) == len(wanted.particles.columns["x"])
+
+
+def test_of_a_tracker_that_found_nothing_nothing_is_kept():
+    assert KeptSteps(first=30).run_so_far("made up", {}, 7, RECORDING) is None
+
+
+def test_where_finishing_fails_the_tracks_stay_as_they_were_given():
+    steps = KeptSteps()
+    steps.add(STEPS)
+    filmed = SimpleNamespace(frame_count=100, view="no view at all", fps=20.0)
+    with pytest.raises(AttributeError):
+        steps.run("flow", {"smooth": True}, 7, filmed)
+    run = steps.run_so_far("flow", {"smooth": True}, 7, filmed)
+    assert run.frames == (FIRST, FIRST + FRAMES)
+    assert_same(run.tracks, made(steps).tracks)

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tracking.review import Suspicion, open_suspicions, ranked
-from tracking.tracks import Labels, ReviewedRange, Verdict
+from tracking.tracks import (
+    CORRECTED_COLUMNS,
+    Labels,
+    ReviewedRange,
+    TrackTable,
+    Verdict,
+    empty,
+)
 
 FPS = 20.0
 
@@ -47,6 +55,19 @@ def test_all_tracks_must_have_been_reviewed_at_that_frame() -> None:
     assert len(open_suspicions([suspicion()], one, FPS)) == 1
     assert open_suspicions([suspicion()], both, FPS) == ()
     assert open_suspicions([suspicion()], everybody, FPS) == ()
+
+
+def test_a_track_that_was_lost_before_counts_as_reviewed_up_to_its_last_row() -> None:
+    columns = empty(CORRECTED_COLUMNS)
+    frame = np.array([*range(80, 95), *range(100, 120)], np.int32)
+    rows = {name: np.zeros(len(frame), column.dtype) for name, column in columns.items()}
+    track = np.where(frame < 95, 1, 2).astype(np.int32)
+    table = TrackTable({**rows, "frame": frame, "track": track})
+    lost = [suspicion("lost")]
+    both = labels(reviewed=(ReviewedRange(1, 80, 95), ReviewedRange(2, 100, 120)))
+    early = labels(reviewed=(ReviewedRange(1, 80, 90), ReviewedRange(2, 100, 120)))
+    assert open_suspicions(lost, both, FPS, table) == ()
+    assert len(open_suspicions(lost, early, FPS, table)) == 1
 
 
 def test_without_labels_everything_is_open() -> None:

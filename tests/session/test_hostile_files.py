@@ -19,7 +19,7 @@ from tracking.errors import SessionError, TrackwrightError
 from tracking.session import Session, describe
 from tracking.session.inspection import inspect
 from tracking.session.seal import holds as is_sealed
-from tracking.untrusted import Refused, limit
+from tracking.untrusted import DAMAGED, Refused, limit, verdicts_of
 
 
 @pytest.fixture
@@ -275,6 +275,47 @@ def test_an_edit_in_the_log_that_is_none_is_told_when_it_is_undone(copy: Path) -
         session.undo()
     assert state_of(session) == before
     session.close()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no such timers there")
+def test_a_file_in_which_the_library_loops_is_refused_at_once(copy: Path) -> None:
+    loop = (
+        "import sys; from tracking.untrusted import say_verdicts\n"
+        "def look(path):\n"
+        "    while True: pass\n"
+        "say_verdicts(look)\n"
+    )
+    program = copy.with_name("loop.py")
+    program.write_text(loop)
+    before = resource_seconds()
+    assert "cannot be read safely" in verdicts_of(str(program), "session", [copy])[0]["refused"]
+    assert resource_seconds() - before < 5
+
+
+def resource_seconds() -> float:
+    """Processor time of all programs that this one waited for."""
+    import resource
+
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="what is taken is read from /proc")
+def test_text_that_a_small_file_multiplies_is_refused(copy: Path) -> None:
+    program = copy.with_name("fill.py")
+    program.write_text(
+        "from tracking.untrusted import say_verdicts\n"
+        "say_verdicts(lambda path: len(bytearray(200 << 20)))\n"
+    )
+    assert verdicts_of(str(program), "session", [copy]) == [{"refused": DAMAGED}]
+
+
+def test_a_manifest_of_many_megabytes_in_a_session_is_refused(
+    copy: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    spoiled(copy, lambda file: replaced(file, "recording/manifest", data="#" * (2 << 20)))
+    monkeypatch.setattr("tracking.session.reading.check_file", in_this_process)
+    refused(copy, "more text at recording/manifest")
 
 
 def test_spoiled_bytes_never_end_in_anything_but_an_error(

@@ -24,7 +24,7 @@ def left_by_a_crash(session: Session, folder: Path) -> Path:
     """The session as a program leaves it that ends before its first edit, journal and all."""
     assert session.path is not None
     assert session._store is not None
-    assert session._store.journal().origin is not None  # waits until it is made
+    assert session._store.journal is not None  # waits until it is made
     folder.mkdir()
     shutil.copy(session.path, folder)
     shutil.copytree(companions(session.path), folder / companions(session.path).name)
@@ -53,7 +53,7 @@ def test_the_first_edit_makes_no_file(
         session.save()
         session = session.restore(1)
     assert session._store is not None
-    assert session._store.has_journal
+    assert session._store.journal is not None
     forbid_new_journals(monkeypatch)
     edit(session)
     session.close(discard=True)

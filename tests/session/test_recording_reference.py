@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -87,6 +88,27 @@ def test_a_place_the_user_names_is_not_told_again(path: Path) -> None:
     place_of(session, moved)
     assert session.notes == ()
     session.close()
+
+
+def test_a_session_copied_with_its_recording_opens_the_copy_beside_it(
+    path: Path, tmp_path: Path
+) -> None:
+    known = KnownRecordings(tmp_path / "own")
+    reopened(path).open_recording(known=known).close()  # where this user had it last
+    shutil.copytree(path.parent, tmp_path / "copy")
+    with reopened(tmp_path / "copy" / "s.h5").open_recording(known=known) as recording:
+        assert recording.path == tmp_path / "copy" / "recording"
+
+
+def test_a_session_copied_alone_opens_the_recording_where_this_user_had_it(
+    path: Path, tmp_path: Path
+) -> None:
+    known = KnownRecordings(tmp_path / "own")
+    reopened(path).open_recording(known=known).close()
+    (tmp_path / "copy").mkdir()
+    copy = Path(shutil.copy(path, tmp_path / "copy" / "s.h5"))
+    with reopened(copy).open_recording(known=known) as recording:
+        assert recording.path == path.parent / "recording"
 
 
 def test_a_recording_that_is_gone_is_said(path: Path) -> None:

@@ -75,7 +75,7 @@ def test_no_step_of_saving_harms_the_old_file(
 
     monkeypatch.setattr(os, step, full)
     if step == "link":  # a disk without second names gets a copy; then that fails
-        monkeypatch.setattr("shutil.copyfile", full)
+        monkeypatch.setattr("shutil.copyfileobj", full)
     with pytest.raises(OutputError, match="no space"):
         session.save()
     monkeypatch.undo()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import stat
 from pathlib import Path
 
 import h5py
@@ -11,8 +12,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from made_up_sessions import make_session
+from made_up_sessions import edit, make_session
 
+from tracking.editing import plan_rename
 from tracking.errors import SessionError
 from tracking.session import Session, layout, reading, seal
 from tracking.session.inspection import inspect
@@ -101,7 +103,54 @@ def test_a_key_that_others_may_read_is_none(copy, tmp_path, monkeypatch):
     monkeypatch.setattr(seal, "user_data_path", lambda *_, **__: tmp_path / "shared")
     assert seal.seal(0, [], [])
     (tmp_path / "shared" / "seal.key").chmod(0o644)
-    assert seal.seal(0, [], []) == b""
+    session = make_session(tmp_path / "folder")
+    session.close()
+    assert not seal.holds(session.path)
+    assert not seal.is_changed(session.path)
+
+
+@pytest.mark.parametrize("left", [b"", b"short", bytes(32), b"x" * 33, None])
+def test_what_a_power_cut_left_of_a_key_is_no_key_and_a_new_one_is_made(
+    left, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(seal, "user_data_path", lambda *_, **__: tmp_path)
+    file = tmp_path / "seal.key"
+    os.mkfifo(file) if left is None else file.write_bytes(left)
+    if left is not None:
+        file.chmod(0o600)
+    session = make_session(tmp_path / "folder")
+    session.close()
+    assert seal.holds(session.path)
+    assert len(file.read_bytes()) == seal.KEY_BYTES
+    assert any(file.read_bytes())
+    assert sorted(tmp_path.glob("*.tmp")) == []
+
+
+def test_nobody_makes_seals_with_a_key_of_zeros(tmp_path, monkeypatch):
+    monkeypatch.setattr(seal, "user_data_path", lambda *_, **__: tmp_path)
+    (tmp_path / "seal.key").write_bytes(bytes(32))
+    (tmp_path / "seal.key").chmod(0o600)
+    monkeypatch.setattr(seal, "_is_key", lambda key: len(key) == seal.KEY_BYTES)
+    forged = tmp_path / "forged.h5"
+    forged.write_bytes(seal.seal(0, [], []))
+    assert seal.holds(forged)
+    monkeypatch.undo()
+    monkeypatch.setattr(seal, "user_data_path", lambda *_, **__: tmp_path)
+    assert not seal.holds(forged)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no folder is synced there")
+def test_a_key_is_on_the_disk_for_good_before_it_is_used(tmp_path, monkeypatch):
+    monkeypatch.setattr(seal, "user_data_path", lambda *_, **__: tmp_path)
+    synced, sync = [], os.fsync
+
+    def noted(handle):
+        synced.append((stat.S_ISDIR(os.fstat(handle).st_mode), (tmp_path / "seal.key").exists()))
+        sync(handle)
+
+    monkeypatch.setattr(os, "fsync", noted)
+    assert seal.seal(0, [], [])
+    assert synced == [(False, False), (True, True)]
 
 
 def test_where_no_key_can_be_kept_sessions_are_saved_without_a_seal(tmp_path, monkeypatch):
@@ -125,3 +174,69 @@ def test_a_seal_made_for_other_columns_counts_for_nothing(copy, name, monkeypatc
     monkeypatch.setattr(layout, name, other)
     monkeypatch.setattr(seal, "_rules", seal._rules.__wrapped__)
     assert not seal.holds(copy)
+
+
+def flipped(path: Path, word: bytes) -> Path:
+    """The file with one bit of a word in it flipped."""
+    data = bytearray(path.read_bytes())
+    data[data.rindex(word) + 1] ^= 1
+    path.write_bytes(data)
+    return path
+
+
+@pytest.mark.parametrize("key", ["own", "another", "none"])
+@pytest.mark.parametrize("word", [b"Swap 1 and 2", b"red coat", b"Lobby, camera", b"stretches"])
+def test_a_flipped_bit_in_plain_text_is_told(word, key, tmp_path, monkeypatch):
+    monkeypatch.setattr(reading, "is_sealed", seal.holds)
+    if key == "none":
+        monkeypatch.setattr(seal, "_key", lambda **_: None)
+    session = make_session(tmp_path)
+    edit(session)
+    session.apply(plan_rename(session.tracks, session.labels, 1, "red coat"))
+    path = session.save()
+    session.close()
+    if key == "another":
+        monkeypatch.setattr(seal, "user_data_path", lambda *_, **__: tmp_path / "other")
+    for opening in (Session.open, Session.look_into):
+        whole = opening(path)
+        assert whole.notes == ()
+        whole.close()
+    flipped(path, word)
+    for opening in (Session.open, Session.look_into):
+        damaged = opening(path)
+        assert ["checksum does not hold" in note for note in damaged.notes] == [True]
+        damaged.close()
+
+
+def test_a_damaged_session_that_is_saved_again_is_news_no_more(copy, monkeypatch):
+    damaged = Session.open(flipped(copy, b"Lobby, camera"))
+    damaged.save()
+    damaged.close()
+    again = Session.open(copy)
+    assert again.notes == ()
+    again.close()
+
+
+def test_a_session_that_another_program_wrote_into_is_not_called_damaged(copy):
+    with h5py.File(copy, "a") as file:
+        file.attrs["remark"] = "mine"
+    session = Session.open(copy)
+    assert session.notes == ()
+    session.close()
+
+
+@pytest.mark.parametrize("table", [[(8, 4)], [(0, 1 << 62)], [(0, 8), (0, 8)] * 1000])
+def test_a_seal_of_stretches_that_can_be_none_takes_no_time(copy, table):
+    whole = copy.read_bytes()
+    stretches = b"".join(edge.to_bytes(8, "little") for pair in table for edge in pair)
+    count = len(table).to_bytes(8, "little")
+    copy.write_bytes(whole + stretches + bytes(64) + count + b"twseal01")
+    assert not seal.is_changed(copy)
+
+
+def test_a_file_of_more_than_any_structure_is_not_read_for_its_checksum(copy):
+    with copy.open("r+b") as file:
+        file.truncate(1 << 40)  # without a byte on the disk
+        file.seek(0, os.SEEK_END)
+        file.write(bytes(64 + 8) + b"twseal01")
+    assert not seal.is_changed(copy)

@@ -14,6 +14,7 @@ from tracking.editing import Change, State, plan_split
 from tracking.errors import OutputError, SessionError
 from tracking.session import Session
 from tracking.session.journal import Journal
+from tracking.session.journal_rows import numbered
 from tracking.session.saving import companions
 from tracking.session.store import Store
 
@@ -123,9 +124,13 @@ def test_one_recovered_edit_is_told_as_one(session: Session, tmp_path: Path) -> 
 
 
 def unfit(path: Path, number: int) -> Path:
-    """The session, with a step of its journal that does not fit."""
+    """The session, with a step of its journal that does not fit, though nothing damaged it."""
     with sqlite3.connect(companions(path) / "journal.sqlite") as journal:
         journal.execute("UPDATE steps SET before = '{', after = '{' WHERE number = ?", (number,))
+        origin = journal.execute("SELECT session, save FROM origin").fetchone()
+        rows = journal.execute("SELECT * FROM steps ORDER BY number").fetchall()
+        for row in numbered(rows, *origin):
+            journal.execute("UPDATE steps SET checksum = ? WHERE number = ?", (row[-1], row[0]))
     journal.close()
     return path
 

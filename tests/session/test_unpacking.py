@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import contextlib
 import zlib
 from pathlib import Path
 
@@ -67,6 +68,8 @@ def write_with_piece(path: Path, piece: bytes, skipped: int = 0) -> None:
         (b"no zlib at all", 0, "cannot be unpacked"),
         (b"x\x9c\x03\x00\x00\x00\x00\x01", 0, "unpacks to 0 bytes"),
         (bytes(8000), 3, "packed otherwise"),
+        (zlib.compress(bytes(8000))[:-4], 0, "does not end where it should"),
+        (zlib.compress(bytes(8000)) + b"more", 0, "does not end where it should"),
     ],
 )
 def test_a_damaged_piece_is_told_and_read_as_nothing(tmp_path, piece, skipped, said):
@@ -81,3 +84,18 @@ def test_a_piece_that_unpacks_to_far_too_much_is_not_unpacked_whole(tmp_path):
     write_with_piece(path, zlib.compress(bytes(50_000_000)))
     with pytest.raises(SessionError, match="unpacks to 8001 bytes"), opened(path) as file:
         read_columns(file["t"], {"x": np.dtype(np.float64)})
+
+
+def test_every_flipped_bit_of_a_piece_is_told_or_changes_nothing(tmp_path):
+    path = tmp_path / "s.h5"
+    values = np.linspace(5.39, 5.4, 1000)
+    values[10:] = values[10]
+    shuffled = np.ascontiguousarray(values.view(np.uint8).reshape(1000, 8).T).tobytes()
+    packed = zlib.compress(shuffled)
+    for bit in range(8 * len(packed)):
+        piece = bytearray(packed)
+        piece[bit // 8] ^= 1 << bit % 8
+        write_with_piece(path, bytes(piece))
+        with contextlib.suppress(SessionError), opened(path) as file:
+            read = read_columns(file["t"], {"x": np.dtype(np.float64)})["x"]
+            assert read[1000:2000].tolist() == values.tolist(), bit

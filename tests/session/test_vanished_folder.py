@@ -202,6 +202,7 @@ def test_a_folder_that_may_not_be_written_any_more_is_told(tmp_path: Path) -> No
     before, state = session.path.read_bytes(), state_of(session)
     for folder in (place, companions(session.path)):
         folder.chmod(0o555)
+        os.chown(folder, 65534, -1)
     os.seteuid(65534)
     try:
         with pytest.raises(OutputError, match="may not write there"):
@@ -213,6 +214,7 @@ def test_a_folder_that_may_not_be_written_any_more_is_told(tmp_path: Path) -> No
         os.seteuid(0)
         for folder in (place, companions(session.path)):
             folder.chmod(0o755)
+            os.chown(folder, 0, -1)
     assert (session.path.read_bytes(), state_of(session)) == (before, state)
     goes_on(session, tmp_path)
     shutil.rmtree(place)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import random
 from collections.abc import Callable
 from pathlib import Path
@@ -14,50 +13,48 @@ from PySide6.QtTest import QTest
 from app.views.application import start_application, wait_until
 from app.views.widgets.remembered import Remembered
 from app.views.window.main_window import MainWindow
+from tests.sweeps.session_state import state
 from tracking.session import Session
-from tracking.tracks import Labels, TrackTable
 
 _KEY = Qt.Key
 _CONTROL = Qt.KeyboardModifier.ControlModifier
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
-_PATIENCE_MS = 20_000
+_PATIENCE_MS = 300_000
+"""Machines are shared, and a sweep gets what others leave."""
 STEPS_BEFORE_GOING = 400
-
-
-def digest(tracks: TrackTable, labels: Labels) -> str:
-    """What edits can change, as a short text: equal for equal tracks and labels."""
-    seen = hashlib.sha256()
-    for name, column in tracks.columns().items():
-        seen.update(name.encode())
-        seen.update(column.tobytes())
-    said = (labels.occluders, labels.reviewed, labels.lines, labels.regions)
-    kept = (labels.tracks, labels.verdicts, labels.parts)
-    seen.update(repr((said, [[(key, of[key]) for key in sorted(of)] for of in kept])).encode())
-    return seen.hexdigest()
-
-
-def state(session: Session) -> str:
-    """The digest, and how many steps the log holds and how many of them are undone."""
-    undone = sum(entry.undone for entry in session.history)
-    return f"{digest(session.tracks, session.labels)} {len(session.history)} {undone}"
 
 
 class Editor:
     """Works in the window; `tell` hears the state of the session after every step."""
 
-    def __init__(self, session: Path, settings: Path, seed: int, tell: Callable[[str], None]):
+    def __init__(
+        self,
+        session: Path,
+        settings: Path,
+        seed: int,
+        tell: Callable[[str], None],
+        steps: int = STEPS_BEFORE_GOING,
+    ):
         remembered = Remembered(QSettings(str(settings), QSettings.Format.IniFormat))
         start_application(remembered)
         self._window = MainWindow(remembered)
         self._window.show()
         self._path, self._tell, self._chance = session, tell, random.Random(seed)
+        self._steps_to_go = steps
 
     def work(self) -> None:
         """Open the session and go on until the program is killed, or for a long while."""
         self._open()
-        for _ in range(STEPS_BEFORE_GOING):
+        for _ in range(self._steps_to_go):
             self._chance.choice(self._steps())()
             self._tell(state(self._session))
+
+    def close(self) -> None:
+        """Save, close the session and the window."""
+        self._save_and_wait()
+        self._press(_KEY.Key_W, _CONTROL)
+        wait_until(lambda: self._window.desk is None, _PATIENCE_MS)
+        self._window.close()
 
     @property
     def _session(self) -> Session:
@@ -140,10 +137,13 @@ class Editor:
         if self._chance.random() < 0.5:
             wait_until(lambda: not self._window.work.busy, _PATIENCE_MS)
 
+    def _save_and_wait(self) -> None:
+        self._save()
+        wait_until(lambda: not self._window.work.busy, _PATIENCE_MS)
+
     def _reopen(self) -> None:
         if self._chance.random() < 0.3:
-            self._save()
-            wait_until(lambda: not self._window.work.busy, _PATIENCE_MS)
+            self._save_and_wait()
             if not self._session.dirty:
                 self._press(_KEY.Key_W, _CONTROL)
                 wait_until(lambda: self._window.desk is None, _PATIENCE_MS)

@@ -1,8 +1,10 @@
 """Other tools read what is written here, and the other way round: `formats.py [CASES] [SEED]`.
 
 Each tool runs in an environment of its own, see `python -m tests.peers`. datumaro parses CVAT's
-XML, pycocotools the JSON, JuPedSim opens its SQLite files, and what sleap-io writes is read here.
-PedPy's part is in `make test`.
+XML and COCO's JSON, pycocotools the JSON, JuPedSim opens its SQLite files, and what sleap-io writes
+is read here. Label Studio's SDK shows its JSON and makes JSON_MIN of it, X-AnyLabeling makes MOT
+text of its folders and saves their files anew; what both write is read here, too. PedPy's part is
+in `make test`.
 """
 
 from __future__ import annotations
@@ -21,13 +23,25 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.peers.environments import DATUMARO, JUPEDSIM, PYCOCOTOOLS, SLEAP_IO, Peer
+from tests.peers.environments import (
+    DATUMARO,
+    JUPEDSIM,
+    LABEL_STUDIO,
+    PYCOCOTOOLS,
+    SLEAP_IO,
+    X_ANYLABELING,
+    Peer,
+)
 from tracking.formats import FORMATS
 from tracking.formats.reading import Filmed, with_all_columns
 from tracking.formats.writing import Exported, no_progress
 from tracking.tracks import TrackLabel, TrackTable
 
+_ANNOTATION = "annotation_tools.py"
 FRAMES, PEOPLE = 60, 12
+SIZE = (640, 480)
+_UNSEEN_PX = 0.0051
+"""Boxes that far off the straight way between keyframes are written as if on it."""
 BOX = ("left", "top", "width", "height")
 Rows = list[list[Any]]
 
@@ -79,7 +93,7 @@ def exported(made: TrackTable) -> Exported:
         second: TrackLabel("", {"class": "dog"}),
     }
     return Exported.of_table(
-        made, frames=FRAMES, fps=12.5, size_px=(640, 480), name="yard", labels=labels
+        made, frames=FRAMES, fps=12.5, size_px=SIZE, name="yard", labels=labels
     )
 
 
@@ -106,35 +120,85 @@ def check_written(
     peer: Peer,
     expected: Callable[[TrackTable], Rows],
     within: float = 1e-9,
+    tool: str = "",
 ) -> Callable[[Path, list[TrackTable]], Iterator[int]]:
-    """Says of cases written in a format which ones the tool reads otherwise."""
+    """Says of cases written in a format which ones the tool reads otherwise.
+
+    tool: its name in `other_tools.py`; "": as the peer's.
+    """
+    tool = tool or peer.name
 
     def check(folder: Path, made: list[TrackTable]) -> Iterator[int]:
-        write = FORMATS[format_].write
-        assert write is not None
-        places = [folder / peer.name / str(case) / file for case in range(len(made))]
-        for place, each in zip(places, made, strict=True):
-            place.parent.mkdir(parents=True)
-            write(place, exported(each), no_progress)
-        for case, found in enumerate(told_by(peer, places)):
+        places = written_in(format_, folder / tool, file, made)
+        for case, found in enumerate(told_by(peer, places, tool)):
             if not alike(found, expected(made[case]), within):
                 yield case
 
     return check
 
 
-def check_sleap(folder: Path, made: list[TrackTable]) -> Iterator[int]:
+def check_sleap(ending: str) -> Callable[[Path, list[TrackTable]], Iterator[int]]:
     """Says which cases that sleap-io wrote are read otherwise than it was told to write them."""
-    read = FORMATS["sleap"].read
-    assert read is not None
-    places = [folder / "sleap-io" / f"{case}.h5" for case in range(len(made))]
-    (folder / "sleap-io").mkdir()
-    for case, said in enumerate(told_by(SLEAP_IO, places)):
-        found = read(places[case], Filmed())
-        columns = found.columns
-        rows = zip(*(columns[name].tolist() for name in ("frame", "track", *BOX)), strict=True)
-        if not alike([list(row) for row in rows], said, 1e-9):
+
+    def check(folder: Path, made: list[TrackTable]) -> Iterator[int]:
+        places = [folder / "sleap-io" / f"{case}{ending}" for case in range(len(made))]
+        places[0].parent.mkdir(exist_ok=True)
+        for case, said in enumerate(told_by(SLEAP_IO, places, SLEAP_IO.name)):
+            if not alike(rows_read("sleap", places[case]), said, 1e-9):
+                yield case
+
+    return check
+
+
+def check_label_studio(folder: Path, made: list[TrackTable]) -> Iterator[int]:
+    """Says which cases Label Studio's SDK shows otherwise, or writes otherwise as JSON_MIN."""
+    places = written_in("label-studio", folder / LABEL_STUDIO.name, "task.json", made)
+    for case, shown in enumerate(told_by(LABEL_STUDIO, places, LABEL_STUDIO.name, _ANNOTATION)):
+        expected = boxed(made[case])
+        back = rows_read("label-studio", places[case].parent / "min" / "result.json")
+        tracks = sorted({row[1] for row in expected})  # JSON_MIN has no ids: their order counts
+        back = [[frame, tracks[track - 1], *box] for frame, track, *box in back]
+        if not (alike(shown, expected, _UNSEEN_PX) and alike(back, expected, _UNSEEN_PX)):
             yield case
+
+
+def check_x_anylabeling(folder: Path, made: list[TrackTable]) -> Iterator[int]:
+    """Says which cases X-AnyLabeling tells otherwise as MOT text, or saves otherwise."""
+    places = written_in("x-anylabeling", folder / X_ANYLABELING.name, "frames", made)
+    for case, told in enumerate(told_by(X_ANYLABELING, places, X_ANYLABELING.name, _ANNOTATION)):
+        expected = boxed(made[case])
+        back = rows_read("x-anylabeling", places[case].parent / "saved")
+        whole = [[*row[:2], *_in_whole_pixels(row[2:])] for row in expected]
+        if not (alike(told, whole, 0) and alike(back, expected, 1e-9)):
+            yield case
+
+
+def _in_whole_pixels(box: list[float]) -> list[int]:
+    """As X-AnyLabeling writes MOT text: edges within the picture, cut to whole pixels."""
+    (width, height), (left, top, wide, high) = SIZE, box
+    x0, x1 = (int(max(0, min(x, width - 1))) for x in (left, left + wide))
+    y0, y1 = (int(max(0, min(y, height - 1))) for y in (top, top + high))
+    return [x0, y0, x1 - x0, y1 - y0]
+
+
+def written_in(format_: str, folder: Path, file: str, made: list[TrackTable]) -> list[Path]:
+    """Where cases are written in a format, each in a folder of its own."""
+    write = FORMATS[format_].write
+    assert write is not None
+    places = [folder / str(case) / file for case in range(len(made))]
+    for place, each in zip(places, made, strict=True):
+        place.parent.mkdir(parents=True)
+        write(place, exported(each), no_progress)
+    return places
+
+
+def rows_read(format_: str, path: Path) -> Rows:
+    """frame, track and box of what is read here."""
+    read = FORMATS[format_].read
+    assert read is not None
+    columns = read(path, Filmed(size_px=SIZE)).columns
+    rows = zip(*(columns[name].tolist() for name in ("frame", "track", *BOX)), strict=True)
+    return [list(row) for row in rows]
 
 
 def alike(found: Rows, expected: Rows, within: float) -> bool:
@@ -144,9 +208,11 @@ def alike(found: Rows, expected: Rows, within: float) -> bool:
     return bool(np.allclose(sorted(found), sorted(expected), rtol=0, atol=within))
 
 
-def told_by(peer: Peer, places: list[Path]) -> list[Rows]:
+def told_by(
+    peer: Peer, places: list[Path], tool: str, script: str = "other_tools.py"
+) -> list[Rows]:
     """What a tool reads of files, or has written into them, in its own environment."""
-    rows: list[Rows] = json.loads(peer.run("other_tools.py", peer.name, *places).splitlines()[-1])
+    rows: list[Rows] = json.loads(peer.run(script, tool, *places).splitlines()[-1])
     return rows
 
 
@@ -155,11 +221,23 @@ CHECKS: dict[str, Callable[[Path, list[TrackTable]], Iterator[int]]] = {
     "datumaro parses CVAT's XML": check_written(
         "cvat", "annotations.xml", DATUMARO, boxed, within=0.0102
     ),
+    "datumaro parses the JSON, with tracks": check_written(
+        "coco",
+        "annotations/instances_yard.json",
+        DATUMARO,
+        boxed,
+        within=0.0102,
+        tool="datumaro-coco",
+    ),
     "pycocotools parses the JSON": check_written("coco", "tracks.json", PYCOCOTOOLS, boxed),
     "JuPedSim opens its SQLite files": check_written(
         "jupedsim-sqlite", "tracks.sqlite", JUPEDSIM, placed
     ),
-    "what sleap-io writes is read": check_sleap,
+    "the analysis sleap-io writes is read": check_sleap(".h5"),
+    "the project sleap-io writes is read": check_sleap(".slp"),
+    "the CSV sleap-io writes is read": check_sleap(".csv"),
+    "Label Studio's SDK shows its JSON, and JSON_MIN is read": check_label_studio,
+    "X-AnyLabeling reads its folder, and what it saves is read": check_x_anylabeling,
 }
 
 

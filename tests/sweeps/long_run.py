@@ -104,8 +104,8 @@ class Watched:
                 self._seen.append((time.monotonic() - self._begun_s, size))
 
 
-def resident_mb(pid: int) -> float:
-    """Of a process; 0 once it is gone."""
+def resident_mb(pid: int | str) -> float:
+    """Of a process, or of "self"; 0 once it is gone."""
     try:
         lines = Path(f"/proc/{pid}/status").read_text().splitlines()
     except OSError:

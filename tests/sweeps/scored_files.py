@@ -1,7 +1,8 @@
 """Scorers read the text files written here and say what we say: `scored_files.py [CASES] [SEED]`.
 
 TrackEval scores MOT text of both dialects and KITTI's labels from its own folders, with the
-`seqinfo.ini` written beside; py-motmetrics scores MOT text. See `python -m tests.peers`.
+`seqinfo.ini` written beside; py-motmetrics scores MOT text. Tracks of results count from 0.
+See `python -m tests.peers`.
 """
 
 from __future__ import annotations
@@ -28,6 +29,8 @@ from tracking.scoring import Conventions, Score, ScoringTable, score
 from tracking.tracks import Columns, TrackLabel, TrackTable
 
 FRAMES, PEOPLE, NEAR = 80, 10, 1e-9
+SIZE_PX = (1000, 1000)
+"""People walk over its edges."""
 BOX = ("left", "top", "width", "height")
 Figures = dict[str, float | list[float]]
 
@@ -64,6 +67,8 @@ def drawn(chance: np.random.Generator) -> tuple[Exported, Exported]:
         "x": start[0, person] / 100,
         "y": start[1, person] / 100,
     }
+    # How sure a tracker was of corrected rows: of ground truth they count in any case.
+    truth["confidence"] = chance.choice([0.0, 0.59, 1.0, np.nan], len(frame))
     seen = chance.random(len(frame)) < 0.9
     result = {name: column[seen] for name, column in truth.items()}
     result["left"] = result["left"] + chance.normal(0, 6, seen.sum())
@@ -74,7 +79,7 @@ def drawn(chance: np.random.Generator) -> tuple[Exported, Exported]:
         both = [(names == first) & later, (names == second) & later]
         names[both[0]], names[both[1]] = second, first
     return (
-        footage(frame, person, truth, counts_in_full=True),
+        footage(frame, person, truth, corrected=True),
         footage(frame[seen], names, result),
     )
 
@@ -87,9 +92,10 @@ def footage(
     if known:
         labels = {3: TrackLabel(attributes={"class": "reflection"})}
         labels[4] = TrackLabel(attributes={"class": "car"})
-    seen = np.ones(len(frame), np.float32)
+    # All that is said of people's visibility, and where nothing is.
+    seen = np.array([1.0, 0.5, 0.1, 0.0, np.nan], np.float32)[(frame // 8 + person) % 5]
     columns = with_all_columns({"frame": frame, "track": person + 1, "visibility": seen, **rows})
-    about = {"frames": FRAMES, "fps": 20.0, "name": "lobby", "labels": labels}
+    about = {"frames": FRAMES, "fps": 20.0, "size_px": SIZE_PX, "name": "lobby", "labels": labels}
     return Exported.of_table(TrackTable(in_order(columns)), **about, **known)
 
 
@@ -100,7 +106,17 @@ def written(folder: Path, pair: tuple[Exported, Exported], dialect: str, benchma
     (folder / "benchmark").write_text(benchmark)
     write(dialect, folder / "truth" / "lobby" / "gt" / "gt.txt", pair[0])
     # A tracker's eighth column is a class to TrackEval, whatever the benchmark.
-    write("mot16", folder / "trackers" / "ours" / "data" / "lobby.txt", pair[1])
+    result = folder / "trackers" / "ours" / "data" / "lobby.txt"
+    write("mot16", result, pair[1])
+    count_from_zero(result)
+
+
+def count_from_zero(path: Path) -> None:
+    """Give every track of a text the id before its own, as trackers do that count from 0."""
+    rows = [line.split(",") for line in path.read_text().splitlines()]
+    path.write_text(
+        "".join(",".join([row[0], str(int(row[1]) - 1), *row[2:]]) + "\n" for row in rows)
+    )
 
 
 def write(name: str, path: Path, exported: Exported) -> None:

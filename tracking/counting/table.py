@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
+from tracking.cells import cell_of
 from tracking.counting.counts import Counts, LineCount
 from tracking.counting.occupancy import Occupancy
 from tracking.replacing import replacing
@@ -17,6 +18,8 @@ HEADINGS = (
 )
 """Columns of the CSV. A step ends before its end; what does not apply or is unknown is empty."""
 
+_NAME = HEADINGS.index("name")
+"""The one column that holds a person's words."""
 Row = tuple[str, ...]
 
 
@@ -36,7 +39,8 @@ def write_counts(path: Path, counts: Counts) -> None:
     with replacing(path) as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(HEADINGS)
-        writer.writerows(rows_of(counts))
+        for row in rows_of(counts):
+            writer.writerow(cell_of(c) if at == _NAME else c for at, c in enumerate(row))
 
 
 def number_as_text(number: float) -> str:

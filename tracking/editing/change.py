@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,11 +15,12 @@ from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, Labels, TrackTable, empty
 
 Stretches = NDArray[np.int64]
+_NO_ROWS: Columns = MappingProxyType(empty(CORRECTED_COLUMNS))
 
 
 def no_rows() -> Columns:
-    """No rows of the corrected table."""
-    return empty(CORRECTED_COLUMNS)
+    """No rows of the corrected table; of the many changes that touch none, all share them."""
+    return _NO_ROWS
 
 
 def no_stretches() -> Stretches:

@@ -75,7 +75,7 @@ def plan_import(
             the other tool knows no keyframes.
         told: what it says of whole tracks. source: what it is called, as the log tells it.
         view: the left camera over its floor: whose box moved without a place goes along with it;
-            without a view that place is unknown.
+            without a view, or where the box has no height, that place is unknown.
         vouched: a tracker's row that the file calls a keyframe becomes a person's also where
             nothing else of it changed. Else it stays a tracker's: tools that know keyframes alone
             have to call every row of a tracker one.
@@ -147,10 +147,14 @@ def _dense_tracks(rows: Columns) -> list[int]:
 
 
 def on_the_floor(rows: Columns, view: View) -> Rows:
-    """Rows with places told from their boxes' feet, where they have none; see `body_positions`."""
+    """Rows with places told from their boxes' feet, where they have none; see `body_positions`.
+
+    A box without height is a point: it tells nothing of feet.
+    """
     placed = picked(rows, slice(None))
     boxes = boxes_of(placed)
-    lacking = np.flatnonzero(np.isnan(placed["x"]) & np.isfinite(boxes).all(axis=1))
+    whole = np.isfinite(boxes).all(axis=1) & (boxes[:, 3] > 0)
+    lacking = np.flatnonzero(np.isnan(placed["x"]) & whole)
     if len(lacking):
         heights = np.full(len(lacking), USUAL_HEIGHT_M)
         places = body_positions(view, boxes[lacking], heights)
@@ -212,7 +216,7 @@ def _keep_what_is_known(old: Rows, new: Rows, view: View | None, seen_as: SeenAs
     stays = np.logical_and.reduce([_near(old, new, name) for name in _PLACE])
     for name in _VELOCITY:
         new[name] = np.where(np.isnan(new[name]) & stays, old[name], new[name])
-    moved = np.flatnonzero(lacking & ~stands)
+    moved = np.flatnonzero(lacking & ~stands & (new["height"] > 0))
     if view is not None and len(moved):
         boxes = boxes_of(old)[moved]
         heights = body_heights(view, places_of(old)[moved], boxes)

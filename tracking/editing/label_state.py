@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Collection, Hashable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Protocol, TypeVar
@@ -88,13 +89,19 @@ def _exchanged(
     leaving, coming = set(out), set(into)
     if leaving == coming:
         return present
-    stay = set(present)
-    if not leaving <= stay:
-        raise EditError(f"the {what} are not what the edit was planned on")
-    stay -= leaving
-    if stay & coming:
-        raise EditError(f"the {what} are not what the edit was planned on")
-    return tuple(sorted(stay | coming))
+    # The labels are sorted: each is found by halves, as there may be thousands of them.
+    changed = list(present)
+    for label in leaving:
+        at = bisect_left(changed, label)
+        if at == len(changed) or changed[at] != label:
+            raise EditError(f"the {what} are not what the edit was planned on")
+        del changed[at]
+    for label in coming:
+        at = bisect_left(changed, label)
+        if at < len(changed) and changed[at] == label:
+            raise EditError(f"the {what} are not what the edit was planned on")
+        changed.insert(at, label)
+    return tuple(changed)
 
 
 def _verdicts_exchanged(

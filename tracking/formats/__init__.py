@@ -7,15 +7,16 @@ from tracking.formats.catalogue import (
     format_named,
     format_of,
 )
+from tracking.formats.losses import losses
 from tracking.formats.measurable import Measurable, measurable
 from tracking.formats.mot_reading import read_mot
 from tracking.formats.mot_writing import write_mot
 from tracking.formats.part_labels import GivenLabel, read_part_labels, write_part_labels
-from tracking.formats.reading import BadRow, Filmed, Imported
-from tracking.formats.samples import write_samples
+from tracking.formats.reading import BadRow, Filmed, Imported, Stated
+from tracking.formats.samples import sample_files, write_samples
 from tracking.formats.samples_reading import begins_as_hdf5, is_hdf5, read_samples, samples_at
 from tracking.formats.track_format import TrackFormat
-from tracking.formats.writing import Exported, as_truth
+from tracking.formats.writing import Exported
 from tracking.progress import no_progress
 from tracking.replacing import replacing
 
@@ -29,18 +30,20 @@ __all__ = [
     "GivenLabel",
     "Imported",
     "Measurable",
+    "Stated",
     "TrackFormat",
-    "as_truth",
     "begins_as_hdf5",
     "format_named",
     "format_of",
     "is_hdf5",
+    "losses",
     "measurable",
     "no_progress",
     "read_mot",
     "read_part_labels",
     "read_samples",
     "replacing",
+    "sample_files",
     "samples_at",
     "write_mot",
     "write_part_labels",

@@ -16,10 +16,14 @@ from tracking.formats.hdf5_tracks import why_refused
 from tracking.formats.idtracker import IDTRACKER
 from tracking.formats.jupedsim import JUPEDSIM_SQLITE
 from tracking.formats.kitti import KITTI
-from tracking.formats.mot import MOT, MOT16
+from tracking.formats.label_studio import LABEL_STUDIO
+from tracking.formats.mot import MOT, MOT16, lacks_commas
+from tracking.formats.petrack_trc import PETRACK_TRC
 from tracking.formats.samples_reading import begins_as_hdf5
 from tracking.formats.sleap import SLEAP
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
+from tracking.formats.viame import VIAME
+from tracking.formats.xanylabeling import X_ANYLABELING
 
 _ALL = (
     MOT,
@@ -28,8 +32,12 @@ _ALL = (
     CSV,
     CVAT,
     COCO,
+    LABEL_STUDIO,
+    X_ANYLABELING,
+    VIAME,
     PEDPY_TEXT,
     PETRACK,
+    PETRACK_TRC,
     PEDPY_HDF5,
     JUPEDSIM_HDF5,
     JUPEDSIM_SQLITE,
@@ -38,10 +46,13 @@ _ALL = (
 )
 
 FORMATS: Mapping[str, TrackFormat] = MappingProxyType({each.name: each for each in _ALL})
-"""In the order in which a file's content is asked about."""
+"""In the order in which they are listed."""
 
 READABLE: tuple[TrackFormat, ...] = tuple(each for each in _ALL if each.read is not None)
 """The formats that are read."""
+
+_AS_ASKED = sorted(READABLE, key=lambda each: each.by_numbers)
+"""In the order in which a file's content is asked about."""
 
 TRACK_ENDINGS: tuple[str, ...] = tuple(
     dict.fromkeys(ending for each in READABLE for ending in each.extensions)
@@ -68,7 +79,7 @@ def format_of(path: Path) -> TrackFormat:
         FormatError: it cannot be read, or is of none that is read here.
     """
     if path.is_dir():
-        raise FormatError(f"{path} is a folder; name the file with the tracks")
+        return _format_of_folder(path)
     if not path.is_file() and path.exists():
         raise FormatError(f"{path} is no file that can be read twice; save it first")
     try:
@@ -78,10 +89,21 @@ def format_of(path: Path) -> TrackFormat:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
     if not head.strip():
         raise FormatError(f"{path} is empty; name a file with tracks")
-    for each in READABLE:
+    for each in _AS_ASKED:
         if each.recognises(path, head):
             return each
     if begins_as_hdf5(path):
         raise FormatError(f"{path}{why_refused(path)}")
+    if lacks_commas(head):
+        raise FormatError(
+            f"{path} is of no format known here", "put commas between values if it is MOT text"
+        )
     known = ", ".join(each.name for each in READABLE)
     raise FormatError(f"{path} is of no format known here", f"choose one of: {known} (--format)")
+
+
+def _format_of_folder(path: Path) -> TrackFormat:
+    for each in READABLE:
+        if each.recognises_folder is not None and each.recognises_folder(path):
+            return each
+    raise FormatError(f"{path} is a folder; name the file with the tracks")

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError
 from tracking.formats.json_stream import elements_of
 from tracking.formats.label_text import label_of
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX, MAX_FRAME
 from tracking.progress import Progress, no_progress
 from tracking.tracks import LARGEST_NUMBER, TrackLabel
@@ -24,7 +24,6 @@ _START = re.compile(
     rb"(\xef\xbb\xbf)?\s*\{\s*"
     rb'"(info|licenses|videos|images|tracks|categories|annotations)"\s*:\s*[\[{]'
 )
-_FASTEST_FPS = 1e5
 _WIDEST_PX = 1 << 20
 _LARGEST = 1 << 62
 """A whole number beyond it is no measure of anything."""
@@ -114,10 +113,8 @@ class _File:
             self._kinds[number] = str(category.get("name", ""))
 
     def _take_annotations(self, at: int, row: Mapping[str, Any]) -> None:
-        said = row.get("track_id")
-        if said is None:
-            said = row.get("instance_id")
-            self._untracked += said is None
+        said = _track_said(row)
+        self._untracked += said is None
         track, image, box = _whole(said), _whole(row.get("image_id")), row.get("bbox")
         if track is None or image is None:
             self._reading.bad(f"annotations[{at}]", "its track_id or image_id is no whole number")
@@ -191,6 +188,14 @@ class _File:
         return labels
 
 
+def _track_said(row: Mapping[str, Any]) -> Any:
+    """Which track an annotation is of: as TAO, others, or CVAT and datumaro write it."""
+    attributes = row.get("attributes")
+    others = attributes if isinstance(attributes, dict) else {}
+    told = (row.get("track_id"), row.get("instance_id"), others.get("track_id"))
+    return next((one for one in told if one is not None), None)
+
+
 def _frame_of(image: Mapping[str, Any]) -> int | None:
     frame = _whole(image.get("frame_index", image.get("frame_id")))
     return frame if frame is not None and 0 <= frame < MAX_FRAME else None
@@ -205,7 +210,7 @@ def _confidence_of(row: Mapping[str, Any]) -> float:
 
 def _fps_of(known: Mapping[str, Any]) -> float | None:
     fps = known.get("fps")
-    if fps is None or not _is_number(fps) or not 0 < fps < _FASTEST_FPS:
+    if fps is None or not _is_number(fps) or not 0 < fps < FASTEST_FPS:
         return None
     return float(fps)
 

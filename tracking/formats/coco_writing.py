@@ -101,18 +101,21 @@ def _write_annotations(
         there = np.unique(rows["track"]).tolist()
         tracks.update(there)
         kind = {track: kinds[kind_of(exported.label(track))] for track in there}
-        lines = ",\n".join(_annotations(rows, kind, count + 1))
+        lines = ",\n".join(_annotations(rows, exported, kind, count + 1))
         stream.write(f"{',' if count and lines else ''}\n{lines}" if lines else "")
         count += int(np.count_nonzero(boxed))
     stream.write("\n],\n")
     return tracks
 
 
-def _annotations(rows: Columns, kind: dict[int, int], first: int) -> Iterator[str]:
+def _annotations(
+    rows: Columns, exported: Exported, kind: dict[int, int], first: int
+) -> Iterator[str]:
     whole = [rows[name].tolist() for name in ("frame", "track")]
-    numbers = [rows[name].tolist() for name in (*BOX, "confidence")]
-    for at, (frame, track, left, top, width, height, confidence) in enumerate(
-        zip(*whole, *numbers, strict=True), start=first
+    box = [rows[name].tolist() for name in BOX]
+    judged = [exported.confidence(rows).tolist(), exported.counted(rows).tolist()]
+    for at, (frame, track, left, top, width, height, confidence, counts) in enumerate(
+        zip(*whole, *box, *judged, strict=True), start=first
     ):
         # Stored with 32 bits; the digits beyond are noise of the conversion.
         score = "" if math.isnan(confidence) else f', "score": {confidence:.6g}'
@@ -120,7 +123,7 @@ def _annotations(rows: Columns, kind: dict[int, int], first: int) -> Iterator[st
             f'{{"id": {at}, "image_id": {frame + _FIRST_IMAGE}, "video_id": {_VIDEO}, '
             f'"track_id": {track}, "category_id": {kind[track]}, '
             f'"bbox": [{left!r}, {top!r}, {width!r}, {height!r}], "area": {width * height!r}, '
-            f'"iscrowd": {int(confidence == 0)}{score}}}'
+            f'"iscrowd": {int(not counts)}{score}, "attributes": {{"track_id": {track}}}}}'
         )
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -19,7 +18,7 @@ from tracking.errors import FormatError
 from tracking.formats.delimited import NumberRows, Piece, RowShape, pieces_of
 from tracking.formats.number_text import Block, lines_of, numbers, short_decimals, whole_numbers
 from tracking.formats.reading import Filmed, Imported, Reading
-from tracking.formats.track_format import TrackFormat
+from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.writing import Exported
 from tracking.progress import Progress, no_progress
 from tracking.replacing import replacing_bytes
@@ -54,7 +53,7 @@ def _export(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...
     """Write the table; how sure the tracker was stays as it was."""
     with replacing_bytes(path) as stream:
         stream.write(",".join(CORRECTED_COLUMNS).encode() + b"\n")
-        for piece in replace(exported, counts_in_full=False).pieces(report):
+        for piece in exported.pieces(report):
             stream.write(lines_of([_block(piece, name) for name in CORRECTED_COLUMNS]))
     return (path,)
 
@@ -145,4 +144,12 @@ def _block(rows: Columns, name: str) -> Block:
     return numbers(short_decimals(column) if column.dtype == np.float32 else column, b"")
 
 
-CSV = TrackFormat("csv", "CSV, the corrected table", (".csv",), _recognises, _import, _export)
+CSV = TrackFormat(
+    "csv",
+    "CSV, the corrected table",
+    (".csv",),
+    _recognises,
+    _import,
+    _export,
+    holds=frozenset(Content) - {Content.CLASSES, Content.NAMES, Content.NOTES},
+)

@@ -21,8 +21,17 @@ from __future__ import annotations
 
 from tracking.formats.cvat_reading import import_cvat, looks_like_cvat
 from tracking.formats.cvat_writing import export_cvat
-from tracking.formats.track_format import TrackFormat
+from tracking.formats.track_format import Content, TrackFormat
 
 CVAT = TrackFormat(
-    "cvat", "CVAT for video 1.1, XML", (".xml", ".zip"), looks_like_cvat, import_cvat, export_cvat
+    "cvat",
+    "CVAT for video 1.1, XML",
+    (".xml", ".zip"),
+    looks_like_cvat,
+    import_cvat,
+    export_cvat,
+    holds=frozenset(
+        (Content.BOXES, Content.VISIBILITY, Content.SOURCES, Content.CLASSES, Content.NAMES)
+    ),
+    needs=Content.BOXES,
 )

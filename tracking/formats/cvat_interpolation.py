@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.formats.filled_rows import held_until
 from tracking.tracks import Columns, Source
 
 SIDES = ("left", "top", "right", "bottom")
@@ -45,7 +46,9 @@ def between(frame: NDArray[Any], key_frames: NDArray[Any], key_boxes: Boxes) -> 
     return np.column_stack([np.interp(frame, key_frames, side) for side in key_boxes.T])
 
 
-def filled(rows: Columns, outside: Mask, step: int, last_frame: int) -> dict[str, NDArray[Any]]:
+def filled(
+    rows: Columns, outside: Mask, step: int, last_frame: int, frames: int | None = None
+) -> dict[str, NDArray[Any]]:
     """The rows CVAT shows of a track that is told by keyframes alone.
 
     From each keyframe in view to the next, and from the last one to the end of the task.
@@ -53,12 +56,13 @@ def filled(rows: Columns, outside: Mask, step: int, last_frame: int) -> dict[str
     Args:
         rows: (n,) `frame` ascending, `left, top, right, bottom`, `occluded`.
         outside: (n,) keyframes from which on the track is out of view.
-        step: frames between two of the task. last_frame: of the task.
+        step: frames between two of the task. last_frame: of the task. frames: of the recording,
+            beyond which nothing is filled; None: unknown.
 
     Returns: (m,) the same columns of all frames in view, and `key`: those that are keyframes.
     """
     frame = rows["frame"]
-    starts, stops = frame[~outside], np.append(frame[1:], max(last_frame, frame[-1]) + 1)[~outside]
+    starts, stops = frame[~outside], held_until(frame, last_frame + 1, frames)[~outside]
     shown = np.concatenate(
         [
             np.arange(start, stop, step)
@@ -76,7 +80,9 @@ def filled(rows: Columns, outside: Mask, step: int, last_frame: int) -> dict[str
     }
 
 
-def rows_filled(frame: NDArray[Any], outside: Mask, step: int, last_frame: int) -> int:
-    """How many rows `filled` makes."""
-    stops = np.append(frame[1:], max(last_frame, frame[-1]) + 1)
-    return int((-(-(stops - frame) // step))[~outside].sum())
+def rows_filled(
+    frame: NDArray[Any], outside: Mask, step: int, last_frame: int, frames: int | None
+) -> int:
+    """How many rows `filled` makes beside the keyframes themselves."""
+    held = held_until(frame, last_frame + 1, frames) - frame
+    return int((-(-held // step) - 1)[~outside].sum())

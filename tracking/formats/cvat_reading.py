@@ -37,19 +37,19 @@ def import_cvat(path: Path, filmed: Filmed, report: Progress = no_progress) -> I
     XML, or keyframes that stand for more rows than any footage has.
     """
     reading = Reading(path, report)
-    file = _File(reading)
+    file = _File(reading, filmed.frames)
     parse(path, file, MEMBER, report)
     file.check()
-    return file.tracks.imported(file.meta, filmed)
+    return file.tracks.imported()
 
 
 class _File:
     """Takes elements as they come; keeps rows alone."""
 
-    def __init__(self, reading: Reading) -> None:
+    def __init__(self, reading: Reading, frames: int | None) -> None:
         self._reading = reading
         self.meta = Meta()
-        self.tracks = FileTracks(reading)
+        self.tracks = FileTracks(reading, self.meta, frames)
         self._open: list[str] = []
         self._track: CvatTrack | None = None
         self._attribute = ""
@@ -104,7 +104,7 @@ class _File:
 
 
 def _row(track: CvatTrack, said: Mapping[str, str], line: int) -> str:
-    """Add a box to its track; says why it cannot be meant where it cannot."""
+    """Add a box to its track; says why it is invalid where it is."""
     frame = said.get("frame", "")
     if not (frame.isascii() and frame.isdigit() and len(frame) < _MOST_DIGITS):
         return f"the frame {frame[:20]!r} is not a whole number from 0 on"

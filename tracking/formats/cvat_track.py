@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import re
 from array import array
 from collections.abc import Mapping, Sequence
@@ -15,8 +14,9 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import SIDES, filled, rows_filled
 from tracking.formats.cvat_meta import Meta
+from tracking.formats.filled_rows import MOST_TRACKS, FilledRows
 from tracking.formats.label_text import label_of
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.reading import Imported, Reading
 from tracking.tracks import LARGEST_NUMBER, Source, TrackLabel
 
 BOX_NUMBERS = ("xtl", "ytl", "xbr", "ybr")
@@ -26,13 +26,8 @@ NAME = "name"
 AUTOMATIC = "auto"
 """The source of a track nobody corrected."""
 
-MOST_FILLED = 4_000_000
-"""Rows made between keyframes, in all: two hours of twenty people who never move."""
-MOST_TRACKS = 200_000
 MOST_EMPTY = 20_000
 """Tracks without boxes, unless as many have some."""
-_FILLED_A_KEYFRAME = 1000
-"""So many more for each keyframe."""
 
 _WHOLE = re.compile(r"\d{1,10}")
 _HIDDEN_BELOW = 0.5
@@ -92,8 +87,10 @@ class _Held:
 class FileTracks:
     """All tracks of a file."""
 
-    def __init__(self, reading: Reading) -> None:
-        self._reading = reading
+    def __init__(self, reading: Reading, meta: Meta, frames: int | None) -> None:
+        """meta: of the file, as far as it is read. frames: of the recording; None: unknown."""
+        self._reading, self._meta, self._frames = reading, meta, frames
+        self._filled = FilledRows(reading.path)
         self._held: list[_Held] = []
         self._met = 0
 
@@ -116,13 +113,12 @@ class FileTracks:
         elif track.has_rows:
             kept = _number(track.attributes.get(TRACK_ID, "")) or None
             columns = track.columns()
+            self._count_filled(columns, self._filled)
             self._held.append(_Held(kept, track.number, track.label, columns, track.automatic))
 
-    def imported(self, meta: Meta, filmed: Filmed) -> Imported:
+    def imported(self) -> Imported:
         """The tracks as this program has them."""
-        ids = self._ids()
-        ends = (meta.last_frame, None if filmed.frames is None else filmed.frames - 1)
-        parts = self._shown(meta.step, min((end for end in ends if end is not None), default=None))
+        meta, ids, parts = self._meta, self._ids(), self._shown()
         rows = _joined(parts, ids, [held.automatic for held in self._held])
         lines = rows.pop("line")
         return self._reading.imported(
@@ -153,37 +149,32 @@ class FileTracks:
             self._reading.notes.append("tracks that were made in CVAT got new ids")
         return ids
 
-    def _shown(self, step: int, last: int | None) -> list[dict[str, NDArray[Any]]]:
-        """The rows in view of each track."""
-        by_keyframes = [_is_told_by_keyframes(held.columns, step) for held in self._held]
-        self._check_size(by_keyframes, step, last)
+    def _shown(self) -> list[dict[str, NDArray[Any]]]:
+        """The rows in view of each track; raises FormatError where there are far too many."""
+        count = FilledRows(self._reading.path)  # anew: the meta may stand behind the tracks
+        by_keyframes = [self._count_filled(held.columns, count) for held in self._held]
         parts = []
         for held, is_filled in zip(self._held, by_keyframes, strict=True):
             rows, outside = held.columns, held.columns["outside"]
             if is_filled:
-                shown = filled(rows, outside, step, _end(rows, last))
+                shown = filled(rows, outside, self._meta.step, self._end(rows), self._frames)
                 parts.append({**shown, "line": _lines(rows, shown)})
             else:
                 parts.append({name: column[~outside] for name, column in rows.items()})
         return parts
 
-    def _check_size(self, by_keyframes: Sequence[bool], step: int, last: int | None) -> None:
-        """Raise FormatError where keyframes stand for more rows than there can be."""
-        told = list(itertools.compress((held.columns for held in self._held), by_keyframes))
-        most = MOST_FILLED + _FILLED_A_KEYFRAME * sum(len(rows["frame"]) for rows in told)
-        made = sum(
-            rows_filled(rows["frame"], rows["outside"], step, _end(rows, last)) for rows in told
-        )
-        if made > most:
-            raise FormatError(
-                f"{self._reading.path}: its keyframes stand for more than {most} boxes; "
-                "are its frame numbers right?"
-            )
+    def _count_filled(self, rows: Mapping[str, NDArray[Any]], count: FilledRows) -> bool:
+        """Whether a track is told by keyframes; the rows between them are counted then."""
+        step = self._meta.step
+        if not _is_told_by_keyframes(rows, step):
+            return False
+        count.add(rows_filled(rows["frame"], rows["outside"], step, self._end(rows), self._frames))
+        return True
 
-
-def _end(rows: Mapping[str, NDArray[Any]], last: int | None) -> int:
-    """The last frame of the task, or the track's where that is not known."""
-    return int(rows["frame"][-1]) if last is None else last
+    def _end(self, rows: Mapping[str, NDArray[Any]]) -> int:
+        """The last frame of the task or recording; the track's where neither is known."""
+        ends = (self._meta.last_frame, None if self._frames is None else self._frames - 1)
+        return min((end for end in ends if end is not None), default=int(rows["frame"][-1]))
 
 
 def _is_told_by_keyframes(rows: Mapping[str, NDArray[Any]], step: int) -> bool:

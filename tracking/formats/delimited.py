@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,6 +24,8 @@ LONGEST_LINE = 1 << 16
 MOST_ROWS = 20_000_000
 """Twice as many as the longest sessions have."""
 
+_DIVIDERS = re.compile(r"\s*;\s*|\s+")
+"""What other tables have in place of commas."""
 _PIECE_BYTES = 1 << 22
 _MOST_EMPTY = 100_000
 _FEW = 32
@@ -107,6 +110,7 @@ class RowShape:
         separator: one character.
         plain: makes lines what `float` reads between separators, the same number of lines. Raises
             ValueError where they hold something that is no number, though `float` takes it.
+        comment: it and what stands behind it in a line is no part of a row; "": there are none.
     """
 
     what: str
@@ -114,6 +118,13 @@ class RowShape:
     most: int
     separator: str = ","
     plain: Callable[[str], str] = unchanged
+    comment: str = ""
+
+    def row_in(self, line: str) -> str:
+        """What a line holds of a row: all but its comment; "" where that is nothing."""
+        if self.comment and self.comment in line:
+            line = line.partition(self.comment)[0]
+        return "" if line.isspace() else line
 
 
 class NumberRows:
@@ -133,8 +144,9 @@ class NumberRows:
         places: list[NDArray[np.int64]] = []
         rows = empty = 0
         for piece in pieces:
-            filled = [at for at, line in enumerate(piece.lines) if line and not line.isspace()]
-            lines = [piece.lines[at] for at in filled]
+            held = list(map(self._shape.row_in, piece.lines))
+            filled = [at for at, row in enumerate(held) if row]
+            lines = [held[at] for at in filled]
             numbers = np.array(filled, np.int64) + piece.first
             for table, first, stop in self._read(lines, numbers, 0, len(lines)):
                 tables.append(table)
@@ -193,6 +205,8 @@ class NumberRows:
         if not least <= count <= most:
             span = f"{least}" if least == most else f"{least} to {most}"
             reason = f"{_values(count)}; {self._shape.what} has {span} in a row"
+            if self._shape.separator == "," and least <= len(_DIVIDERS.split(line.strip())) <= most:
+                reason = f"no commas between values; {self._shape.what} wants them"
         elif self._width and count != self._width:
             reason = f"{_values(count)} where the rows before have {self._width}"
         elif reason := self._not_numbers(line):

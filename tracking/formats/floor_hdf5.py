@@ -23,7 +23,7 @@ import tracking
 from tracking.formats.floor_rows import Places, fps_of, on_floor, with_place
 from tracking.formats.hdf5_tracks import has_layout, number_of, opened
 from tracking.formats.reading import Filmed, Imported, Reading
-from tracking.formats.track_format import TrackFormat
+from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.writing import Exported
 from tracking.hdf5_image import Hdf5Image
 from tracking.progress import Progress, no_progress
@@ -154,6 +154,8 @@ PEDPY_HDF5 = TrackFormat(
     has_layout("pedpy-h5"),
     import_trajectory,
     export_archive,
+    holds=frozenset((Content.PLACES,)),
+    needs=Content.PLACES,
 )
 JUPEDSIM_HDF5 = TrackFormat(
     "jupedsim-h5",
@@ -162,4 +164,6 @@ JUPEDSIM_HDF5 = TrackFormat(
     has_layout("jupedsim-h5"),
     import_trajectory,
     export_jupedsim,
+    holds=frozenset((Content.PLACES,)),
+    needs=Content.PLACES,
 )

@@ -69,7 +69,7 @@ def fps_of(path: Path, exported: Exported) -> float:
 
 
 def with_place(rows: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
-    """Rows as read; one whose place is no number cannot be meant, and is marked so for the check.
+    """Rows as read; one whose place is no number is invalid, and is marked so for the check.
 
     NaN is what this program has for unknown, so it must not pass for a place.
     """

@@ -2,7 +2,8 @@
 
 Comments (`# framerate: 25 fps`, and last the columns, `# id frame x/m y/m z/m`), then rows of
 numbers divided by spaces. Frames count from 0, ids from 1 in what PeTrack writes; lengths are
-metres, or centimetres where the columns say `x/cm`. PeTrack's file has its own comments before the
+metres, or centimetres where the columns say `x/cm`. Older files say neither unit nor frame rate, or
+have no comments at all: then the user says them. PeTrack's file has its own comments before the
 columns and one person after the other. Further columns (PeTrack's direction of view, marker) are
 passed over, as is z: it may be a head's or a person's height; written it is 0, the floor.
 
@@ -21,13 +22,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.errors import FormatError
+from tracking.errors import UnitUnsaidError
 from tracking.formats.delimited import NumberRows, Piece, RowShape, pieces_of
 from tracking.formats.floor_rows import Places, fps_of, on_floor, with_place
 from tracking.formats.label_text import line
 from tracking.formats.number_text import constant, lines_of, numbers, whole_numbers
-from tracking.formats.reading import Filmed, Imported, Reading
-from tracking.formats.track_format import TrackFormat
+from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
+from tracking.formats.track_format import HEAD_BYTES, Content, TrackFormat
 from tracking.formats.writing import ROWS_AT_ONCE, Exported
 from tracking.progress import Progress, no_progress
 from tracking.replacing import replacing_bytes
@@ -43,9 +44,13 @@ _UNIT = re.compile(
 )
 _MEANT = re.compile(r"framerate|\bin c?m|x ?/|#", re.IGNORECASE)
 _ROW = re.compile(rb"\s*-?\d+(\.0*)?(\s+[-+]?[\d.]+([eE][-+]?\d+)?){3,39}\s*")
+_BARE_ROW = re.compile(rb"\s*\d+\s+\d+(\s+[-+]?[\d.]+([eE][-+]?\d+)?){2,3}\s*")
+"""Id, frame, x, y and mostly z: as older exports of PeTrack have them."""
 _MOST_COMMENTS = 10_000
-_FASTEST_FPS = 1e5
+_FIRST_LINES = 50
+"""So many rows tell a text without comments."""
 _PETRACK = b"# PeTrack"
+_METRES = {"m": 1.0, "cm": 0.01}
 
 
 def looks_like_petrack(_path: Path, head: bytes) -> bool:
@@ -54,7 +59,7 @@ def looks_like_petrack(_path: Path, head: bytes) -> bool:
 
 
 def looks_like_pedpy(path: Path, head: bytes) -> bool:
-    """Whether a text has comments of a frame rate or of a unit, then a row of numbers."""
+    """Whether a text has comments of a frame rate or of a unit, or id, frame and a place a row."""
     return not looks_like_petrack(path, head) and _is_floor_text(head)
 
 
@@ -65,23 +70,38 @@ def _is_floor_text(head: bytes) -> bool:
         comments += 1
     text = b"\n".join(lines[:comments]).decode("utf-8", "replace")
     if not (_FRAMERATE.search(text) or _UNIT.search(text)):
-        return False
+        whole = lines if len(head) < HEAD_BYTES else lines[:-1]
+        rows = [line for line in whole[comments:] if line.strip()][:_FIRST_LINES]
+        return bool(rows) and all(map(_BARE_ROW.fullmatch, rows))
     return comments == len(lines) or _ROW.fullmatch(lines[comments]) is not None
 
 
-def import_floor_text(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
-    """The tracks of a text. Raises FormatError where it does not say its unit, or is none."""
+def import_floor_text(path: Path, filmed: Filmed, report: Progress = no_progress) -> Imported:
+    """The tracks of a text.
+
+    What it says itself counts, whatever the user says; that is noted. Raises UnitUnsaidError where
+    nobody says its unit, FormatError where it is no such text.
+    """
     reading = Reading(path, report)
     comments = _Comments()
     table, lines = NumberRows(reading, _SHAPE).read(comments.passed_over(pieces_of(path, report)))
-    metres = comments.metres_of(path)
+    if comments.wrong_fps:
+        wrong = f"the file says {comments.wrong_fps[:20]} frames a second"
+        reading.notes.append(f"{wrong}, which is invalid and passed over")
+    unit = comments.unit_of(path, filmed.stated.unit)
+    fps = filmed.stated.fps if comments.fps is None else comments.fps
+    if filmed.stated.unit not in ("", unit):
+        reading.notes.append(f"the file says {unit} itself; {filmed.stated.unit} is passed over")
+    if filmed.stated.fps not in (None, fps):
+        own = f"the file says {fps:g} frames a second itself"
+        reading.notes.append(f"{own}; {filmed.stated.fps:g} is passed over")
     rows: dict[str, NDArray[Any]] = {
         "frame": table[:, 1],
         "track": reading.ids_from_zero(table[:, 0]),
-        "x": table[:, 2] * metres,
-        "y": table[:, 3] * metres,
+        "x": table[:, 2] * _METRES[unit],
+        "y": table[:, 3] * _METRES[unit],
     }
-    return reading.imported(with_place(rows), lambda row: f"line {lines[row]}", fps=comments.fps)
+    return reading.imported(with_place(rows), lambda row: f"line {lines[row]}", fps=fps)
 
 
 class _Comments:
@@ -89,6 +109,7 @@ class _Comments:
 
     def __init__(self) -> None:
         self.fps: float | None = None
+        self.wrong_fps = ""
         self._unit = ""
         self._first_row_seen = False
         self._count = 0
@@ -100,14 +121,16 @@ class _Comments:
             text = _AT_ENDS.sub("", _SPACES.sub(" ", "\n".join(rows)))
             yield Piece(piece.first, text.split("\n") if rows else [])
 
-    def metres_of(self, path: Path) -> float:
-        """How many metres one unit is."""
-        if not self._unit:
-            raise FormatError(
-                f"{path} does not say its unit; put '# id frame x/m y/m z/m' before its rows, or "
-                "x/cm y/cm where they are centimetres"
+    def unit_of(self, path: Path, stated: str) -> str:
+        """Of lengths, as the text or else the user says: "m" or "cm"."""
+        said = "cm" if self._unit.startswith("c") else "m" if self._unit else ""
+        if not said and not stated:
+            raise UnitUnsaidError(
+                f"{path} does not say its unit",
+                "say it with --unit m or --unit cm, or put '# id frame x/m y/m z/m' before its "
+                "rows, x/cm y/cm where they are centimetres",
             )
-        return 0.01 if self._unit.startswith("c") else 1.0
+        return said or stated
 
     def _row(self, line: str) -> str:
         if not line.startswith("#"):
@@ -121,7 +144,8 @@ class _Comments:
         self._count += 1
         if self.fps is None and (found := _FRAMERATE.search(line)):
             fps = float(found[1])
-            self.fps = fps if 0 < fps < _FASTEST_FPS else None
+            self.fps = fps if 0 < fps < FASTEST_FPS else None
+            self.wrong_fps = found[1] if self.fps is None else ""
         for found in _UNIT.finditer(line):
             self._unit = (found[1] or found[2]).lower()
 
@@ -183,8 +207,24 @@ def _lines(piece: Columns) -> bytes:
 
 
 PEDPY_TEXT = TrackFormat(
-    "pedpy-txt", "PedPy text", (".txt",), looks_like_pedpy, import_floor_text, export_pedpy
+    "pedpy-txt",
+    "PedPy text",
+    (".txt",),
+    looks_like_pedpy,
+    import_floor_text,
+    export_pedpy,
+    holds=frozenset((Content.PLACES,)),
+    needs=Content.PLACES,
+    unit_unsaid=True,
 )
 PETRACK = TrackFormat(
-    "petrack", "PeTrack text", (".txt",), looks_like_petrack, import_floor_text, export_petrack
+    "petrack",
+    "PeTrack text",
+    (".txt",),
+    looks_like_petrack,
+    import_floor_text,
+    export_petrack,
+    holds=frozenset((Content.PLACES,)),
+    needs=Content.PLACES,
+    unit_unsaid=True,
 )

@@ -13,10 +13,10 @@ import numpy as np
 
 from tracking.errors import FormatError
 from tracking.formats import hdf5_tracks_inspection
+from tracking.formats.reading import FASTEST_FPS
 from tracking.untrusted import verdicts_of
 
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
-_FASTEST_FPS = 1e5
 
 
 def has_layout(*layouts: str) -> Callable[[Path, bytes], bool]:
@@ -72,7 +72,7 @@ def number_of(node: h5py.Group | h5py.Dataset, name: str) -> float | None:
     if value is None or np.size(value) != 1 or np.asarray(value).dtype.kind not in "iuf":
         return None
     number = float(np.asarray(value).item())
-    return number if 0 < number < _FASTEST_FPS else None
+    return number if 0 < number < FASTEST_FPS else None
 
 
 def text_of(value: Any) -> str:

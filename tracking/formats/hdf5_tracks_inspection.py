@@ -11,11 +11,23 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import h5py
+import numpy as np
 
 from tracking.untrusted import Kind, Refused, Walk, attribute_of, check_signature, say_verdicts
 
 _KIND = Kind("file of tracks", "", (1, 0), 4 << 30)
 _NEEDED = ("id", "frame", "x", "y")
+_PROJECT_FIELDS = {
+    "frames": ("frame_id", "video", "frame_idx", "instance_id_start", "instance_id_end"),
+    "instances": (
+        *("instance_id", "instance_type", "track", "from_predicted", "score"),
+        *("point_id_start", "point_id_end"),
+    ),
+    "points": ("x", "y", "visible"),
+    "pred_points": ("x", "y", "visible"),
+}
+_NEWEST_PROJECT = 3.0
+"""From this version on SLEAP keeps its tables as columns; sleap-io refuses them, too."""
 _BEST_RATIO = 100
 """Rows of places pack to a hundredth only where they are no places of anybody."""
 _USUAL_BYTES = 16 << 20
@@ -32,11 +44,11 @@ def inspect(path: Path) -> str:
         if held.startswith("trackwright-"):
             raise Refused(f"is a {held.replace('-', ' ', 1)}; open it, or score it as it is", held)
         walk = Walk(path.stat().st_size, _KIND)
-        for layout in (_trajectory, _analysis, _individuals):
+        for layout in (_trajectory, _analysis, _project, _individuals):
             if found := layout(file, walk):
                 return found
     raise Refused(
-        "is HDF5, but holds no /trajectory, no SLEAP analysis and no idtracker.ai trajectories"
+        "is HDF5, but holds no /trajectory, no tracks of SLEAP and no idtracker.ai trajectories"
     )
 
 
@@ -52,9 +64,7 @@ def _trajectory(file: h5py.File, walk: Walk) -> str:
     for name in (*_NEEDED, *({"z"} & set(fields))):
         if rows.dtype[name].kind not in "iuf" or rows.dtype[name].shape:
             raise Refused(f"keeps {rows.dtype[name]} in {name} of /trajectory; numbers are needed")
-    unpacked, stored = rows.size * rows.dtype.itemsize, rows.id.get_storage_size()
-    if unpacked > _USUAL_BYTES + _BEST_RATIO * stored:
-        raise Refused(f"packs {rows.size} rows into {stored} bytes, as no places of people do")
+    _check_packing(rows)
     for node in (rows, file):
         attribute_of(node, "fps")
     of_jupedsim = all(name in file.attrs for name in ("schema_version", "every_nth_frame"))
@@ -70,12 +80,49 @@ def _analysis(file: h5py.File, walk: Walk) -> str:
     _check_size(points, "tracks")
     names = walk.dataset_at(file, "track_names")
     if names is not None:
-        _check_names(names)
+        _check_names(names, "track_names")
     for name, dimensions in (("track_occupancy", 2), ("instance_scores", 2)):
         table = walk.dataset_at(file, name)
         if table is not None:
             _check_numbers(table, name, dimensions)
     return "sleap"
+
+
+def _project(file: h5py.File, walk: Walk) -> str:
+    """SLEAP's own: frames, which have instances, which have points."""
+    for name, needed in _PROJECT_FIELDS.items():
+        table = walk.dataset_at(file, name)
+        if table is None:
+            return ""
+        fields = table.dtype.names or ()
+        missing = [each for each in needed if each not in fields]
+        if table.ndim != 1 or missing:
+            raise Refused(f"has a table {name} without {', '.join(missing) or 'rows'}")
+        for each in needed:
+            if table.dtype[each].kind not in "iufb" or table.dtype[each].shape:
+                raise Refused(f"keeps {table.dtype[each]} in {each} of {name}; numbers are needed")
+        _check_size(table, name)
+        _check_packing(table)
+    names = walk.dataset_at(file, "tracks_json")
+    if names is not None:
+        _check_names(names, "tracks_json")
+    _check_project_version(file)
+    return "sleap-project"
+
+
+def _check_project_version(file: h5py.File) -> None:
+    """Refuse what is newer than any whose tables are known."""
+    if "metadata" not in file:
+        return
+    if not isinstance(file.get("metadata", getlink=True), h5py.HardLink):
+        raise Refused("has a link to somewhere else at metadata")
+    version = attribute_of(file["metadata"], "format_id")
+    if version is None or np.size(version) != 1 or np.asarray(version).dtype.kind not in "iuf":
+        return
+    if not float(np.asarray(version).item()) < _NEWEST_PROJECT:
+        raise Refused(
+            "is a SLEAP project of a version newer than is known here; export SLEAP's analysis"
+        )
 
 
 def _individuals(file: h5py.File, walk: Walk) -> str:
@@ -106,11 +153,19 @@ def _check_size(dataset: h5py.Dataset, where: str) -> None:
         raise Refused(f"holds more than {_MOST_POINT_BYTES >> 20} MB of {where}; split it first")
 
 
-def _check_names(names: h5py.Dataset) -> None:
-    """Few and short: many of them can share one long text."""
+def _check_packing(rows: h5py.Dataset) -> None:
+    unpacked, stored = rows.size * rows.dtype.itemsize, rows.id.get_storage_size()
+    if unpacked > _USUAL_BYTES + _BEST_RATIO * stored:
+        raise Refused(f"packs {rows.size} rows into {stored} bytes, as no places of people do")
+
+
+def _check_names(names: h5py.Dataset, where: str) -> None:
+    """Few and short: many of them can share one long text. An empty list has any type."""
+    if names.size == 0 and names.ndim == 1:
+        return
     text = h5py.check_string_dtype(names.dtype) is not None
     if names.ndim != 1 or not (text or names.dtype.kind == "S") or len(names) > _MOST_NAMES:
-        raise Refused(f"has {names.dtype} in {names.ndim} dimensions at track_names")
+        raise Refused(f"has {names.dtype} in {names.ndim} dimensions at {where}")
     if _longest(names[()]) > _LONGEST_NAME:
         raise Refused("has names of tracks longer than any")
 

@@ -23,7 +23,7 @@ from tracking.errors import FormatError
 from tracking.formats.delimited import NumberRows, Piece, RowShape, pieces_of
 from tracking.formats.hdf5_tracks import has_layout, number_of, opened, text_of
 from tracking.formats.reading import Filmed, Imported, Reading
-from tracking.formats.sleap import labels_of
+from tracking.formats.sleap_points import labels_of
 from tracking.formats.track_format import TrackFormat
 from tracking.progress import Progress, no_progress
 
@@ -83,6 +83,7 @@ def _imported(
         labels=labels_of(names, "{}", first=1),
         fps=fps,
         frames=len(points) or None,
+        boxes_reach_feet=False,
     )
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Collection, Iterator
+from contextlib import contextmanager
 from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, TextIO
@@ -16,11 +17,16 @@ from typing import Any, TextIO
 from tracking.errors import FormatError
 from tracking.progress import Progress, no_progress
 
+JsonPath = tuple[str | int, ...]
+"""Where a value stands in a file: names of members, and elements of arrays from 0."""
+
 MOST_BYTES = 4 << 30
 LONGEST_ELEMENT = 4 << 20
 """Characters; an outline of a person drawn with every pixel is far shorter."""
 
 _PIECE = 1 << 20
+_TEXT_PART = re.compile(r'[^"\\]*+(?:\\.[^"\\]*+)*+', re.DOTALL)
+"""What of a text is held, but for a backslash whose other half is not."""
 _SPACE = re.compile(r"[ \t\r\n]*")
 _MOST_PASSED_OVER = 100_000
 """Elements of members that are not wanted."""
@@ -43,13 +49,35 @@ def elements_of(
     Raises FormatError where the file is missing, too large, no such JSON, or an element is too
     long or too deep.
     """
+    with _opened(path, report) as text:
+        yield from text.members(wanted)
+
+
+def values_of(
+    path: Path, inside: Callable[[JsonPath], bool], report: Progress = no_progress
+) -> Iterator[tuple[JsonPath, Any]]:
+    """The values of a file with where each stands: names of members, and elements from 0.
+
+    Args:
+        path: of a file that holds one object or array.
+        inside: whether an object or array at a place is entered, so that its members come one by
+            one; all others come whole. It decides how deep is entered, so it must end somewhere.
+        report: called with bytes.
+
+    Raises FormatError as `elements_of`.
+    """
+    with _opened(path, report) as text:
+        yield from text.values((), inside)
+
+
+@contextmanager
+def _opened(path: Path, report: Progress) -> Iterator[_Text]:
     try:
         size = path.stat().st_size
         if size > MOST_BYTES:
             raise FormatError(f"{path} is larger than {MOST_BYTES >> 30} GB; split it first")
         with path.open("rb") as held, TextIOWrapper(held, encoding="utf-8-sig") as stream:
-            text = _Text(path, stream, lambda: report(min(held.tell(), size), size))
-            yield from text.members(wanted)
+            yield _Text(path, stream, lambda: report(min(held.tell(), size), size))
     except OSError as error:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
     except UnicodeDecodeError as error:
@@ -77,13 +105,78 @@ class _Text:
             if not isinstance(name, str):
                 raise self._wrong("a name is missing")
             self._take(":")
-            for at, value in self._elements():
-                if name in wanted:
-                    yield name, at, value
-                elif at > _MOST_PASSED_OVER:
-                    raise self._wrong(f"{name[:40]!r} has more elements than any of these files")
+            if name not in wanted and self._sign() == '"':
+                self._pass_over_text()
+            else:
+                yield from self._wanted(name, wanted)
             if self._take(",", "}") == "}":
                 return
+
+    def values(
+        self, place: JsonPath, inside: Callable[[JsonPath], bool]
+    ) -> Iterator[tuple[JsonPath, Any]]:
+        """See `values_of`."""
+        sign = self._sign()
+        if sign not in ("{", "[") or not inside(place):
+            yield place, self._value()
+        elif sign == "{":
+            yield from self._members_of(place, inside)
+        else:
+            yield from self._elements_of(place, inside)
+
+    def _members_of(
+        self, place: JsonPath, inside: Callable[[JsonPath], bool]
+    ) -> Iterator[tuple[JsonPath, Any]]:
+        self._take("{")
+        if self._sign() == "}":
+            self._take("}")
+            return
+        while True:
+            name = self._value()
+            if not isinstance(name, str):
+                raise self._wrong("a name is missing")
+            self._take(":")
+            yield from self.values((*place, name), inside)
+            if self._take(",", "}") == "}":
+                return
+
+    def _elements_of(
+        self, place: JsonPath, inside: Callable[[JsonPath], bool]
+    ) -> Iterator[tuple[JsonPath, Any]]:
+        if not inside((*place, 0)):
+            for at, value in self._elements():
+                yield (*place, at), value
+            return
+        self._take("[")
+        if self._sign() == "]":
+            self._take("]")
+            return
+        at = 0
+        while True:
+            yield from self.values((*place, at), inside)
+            at += 1
+            if self._take(",", "]") == "]":
+                return
+
+    def _wanted(self, name: str, wanted: Collection[str]) -> Iterator[tuple[str, int, Any]]:
+        """The elements of the member that comes next, where it is wanted."""
+        for at, value in self._elements():
+            if name in wanted:
+                yield name, at, value
+            elif at > _MOST_PASSED_OVER:
+                raise self._wrong(f"{name[:40]!r} has more elements than any of these files")
+
+    def _pass_over_text(self) -> None:
+        """Pass over a text of any length, such as a picture that stands in the file."""
+        self._take('"')
+        while True:
+            passed = _TEXT_PART.match(self._held, self._at)
+            self._at = passed.end() if passed else self._at
+            if self._held[self._at : self._at + 1] == '"':
+                self._at += 1
+                return
+            if not self._more():
+                raise self._wrong("")
 
     def _elements(self) -> Iterator[tuple[int, Any]]:
         """The elements of the array that comes next, or the value that does as element -1."""

@@ -21,9 +21,9 @@ import numpy as np
 
 from tracking.errors import FormatError
 from tracking.formats.floor_rows import Places, fps_of, on_floor, with_place
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.sqlite_file import SIGNATURE, numbers_of, opened
-from tracking.formats.track_format import TrackFormat
+from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.writing import Exported
 from tracking.progress import Progress, no_progress
 from tracking.replacing import part_of
@@ -32,7 +32,6 @@ from tracking.tracks import Columns
 _VERSION = 2
 _READ_VERSIONS = (1, 2, 3)
 _TABLES = ("trajectory_data", "metadata")
-_FASTEST_FPS = 1e5
 _LAYOUT = (
     "CREATE TABLE trajectory_data (frame INTEGER NOT NULL, id INTEGER NOT NULL, "
     "pos_x REAL NOT NULL, pos_y REAL NOT NULL, ori_x REAL NOT NULL, ori_y REAL NOT NULL)",
@@ -132,7 +131,7 @@ def _fps(said: object) -> float | None:
         fps = float(str(said))
     except ValueError:
         return None
-    return fps if 0 < fps < _FASTEST_FPS else None
+    return fps if 0 < fps < FASTEST_FPS else None
 
 
 JUPEDSIM_SQLITE = TrackFormat(
@@ -142,4 +141,6 @@ JUPEDSIM_SQLITE = TrackFormat(
     looks_like_jupedsim,
     import_jupedsim,
     export_jupedsim,
+    holds=frozenset((Content.PLACES,)),
+    needs=Content.PLACES,
 )

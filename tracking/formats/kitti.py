@@ -14,7 +14,7 @@ from pathlib import Path
 
 from tracking.formats.kitti_reading import import_kitti
 from tracking.formats.kitti_writing import export_kitti
-from tracking.formats.track_format import TrackFormat
+from tracking.formats.track_format import Content, TrackFormat
 
 _NUMBER = rb"[-+]?(?:nan|inf|[\d.]+(?:e[-+]?\d+)?)"
 _FIRST_LINE = re.compile(
@@ -36,4 +36,14 @@ KITTI = TrackFormat(
     import_kitti,
     export_kitti,
     in_camera=True,
+    holds=frozenset(
+        (
+            Content.BOXES,
+            Content.PLACES,
+            Content.CONFIDENCE,
+            Content.VISIBILITY,
+            Content.CLASSES,
+        )
+    ),
+    confidence_in_results=True,
 )

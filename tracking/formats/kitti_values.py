@@ -17,15 +17,19 @@ UNKNOWN_SIDE, UNKNOWN_ANGLE, UNKNOWN_PLACE = -1, -10, -1000
 
 VISIBILITY = np.array([1.0, 0.5, 0.1, np.nan])
 """How much is seen, by KITTI's occlusion: nothing hidden, a part, most of it, unknown."""
+UNKNOWN_OCCLUSION = 3
 
 _IN_LOWER_CASE = {name.lower(): name for name in TYPES}
 
 
 def occlusion_of(visibility: NDArray[Any]) -> NDArray[np.int64]:
-    """(n,) KITTI's number for how much of each is seen, the nearest one."""
-    known = VISIBILITY[:3]
-    off = np.abs(np.nan_to_num(visibility)[:, None] - known)
-    return np.where(np.isnan(visibility), 3, off.argmin(axis=1))
+    """(n,) KITTI's number for how much of each is seen, the nearest one.
+
+    Where nobody knows, all is: scorers leave out people of whom it is said to be unknown.
+    """
+    seen = np.where(np.isnan(visibility), 1.0, visibility)
+    off = np.abs(seen[:, None] - VISIBILITY[:UNKNOWN_OCCLUSION])
+    return np.asarray(off.argmin(axis=1), np.int64)
 
 
 def kept_visibility(visibility: NDArray[Any], _predicted: NDArray[Any]) -> NDArray[np.float64]:

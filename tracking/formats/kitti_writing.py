@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ from tracking.formats.kitti_values import (
     PERSON,
     TYPES,
     UNKNOWN_ANGLE,
+    UNKNOWN_OCCLUSION,
     UNKNOWN_PLACE,
     UNKNOWN_SIDE,
     occlusion_of,
@@ -39,7 +40,11 @@ _TYPES = [name.encode() for name in TYPES]
 
 
 def export_kitti(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
-    """Write tracks as KITTI's labels: with scores, but where the tracks are truth.
+    """Write tracks as KITTI's labels; results end in their score, ground truth does not.
+
+    `truncated` is always 0: how much of a person lies outside the picture is not known, and scorers
+    leave out rows where it is above 0. They leave out rows where `occluded` is 3, too: it is 3 for
+    rows that do not count, and 0 where the visibility is not known.
 
     Places are written where camera and floor are known. How large people are and where they face is
     not. Gives the file made; raises OutputError and what `report` raises.
@@ -51,7 +56,11 @@ def export_kitti(path: Path, exported: Exported, report: Progress) -> tuple[Path
     }
     with replacing_bytes(path) as stream:
         for piece in exported.pieces(report):
-            stream.write(lines_of(_blocks(piece, exported, kinds), b" "))
+            blocks = _blocks(piece, exported, kinds)
+            if not exported.is_ground_truth(path):
+                score = short_decimals(exported.confidence(piece))
+                blocks.append(numbers(score, b"%d" % UNKNOWN_SIDE))
+            stream.write(lines_of(blocks, b" "))
     return (path,)
 
 
@@ -64,30 +73,19 @@ def _blocks(rows: Columns, exported: Exported, kinds: dict[int, int]) -> list[Bl
     box[:, 2:] += box[:, :2]
     unknown_size = [constant(b"%d" % UNKNOWN_SIDE, count)] * 3
     angle = constant(b"%d" % UNKNOWN_ANGLE, count)
-    blocks = [
+    occluded = np.where(exported.counted(rows), occlusion_of(rows["visibility"]), UNKNOWN_OCCLUSION)
+    return [
         whole_numbers(rows["frame"]),
         whole_numbers(rows["track"]),
         chosen(_TYPES, kind),
-        whole_numbers(_truncated(box, exported.size_px)),
-        whole_numbers(occlusion_of(rows["visibility"])),
+        constant(b"0", count),
+        whole_numbers(occluded),
         angle,
         *(numbers(side, b"%d" % UNKNOWN_SIDE) for side in box.T),
         *unknown_size,
         *(numbers(axis, b"%d" % UNKNOWN_PLACE) for axis in _in_camera(rows, exported.view)),
         angle,
     ]
-    if not exported.counts_in_full:
-        blocks.append(numbers(short_decimals(rows["confidence"]), b"%d" % UNKNOWN_SIDE))
-    return blocks
-
-
-def _truncated(corners: NDArray[Any], size_px: tuple[int, int] | None) -> NDArray[np.int64]:
-    """(n,) 1 where a box (left, top, right, bottom) reaches out of the picture."""
-    if size_px is None:
-        return np.zeros(len(corners), np.int64)
-    low = (corners[:, :2] < -0.5).any(axis=1)
-    high = (corners[:, 2:] > np.array(size_px) - 0.5).any(axis=1)
-    return np.asarray(low | high, np.int64)
 
 
 def _in_camera(rows: Columns, view: View | None) -> NDArray[np.float64]:

@@ -40,6 +40,11 @@ def is_person(label: TrackLabel) -> bool:
     return label.attributes.get(CLASS, "").strip().lower() in _OF_PEOPLE
 
 
+def left_out(count: int, one: str, many: str) -> str:
+    """A note that so many things of a file are not taken."""
+    return f"1 {one} is left out" if count == 1 else f"{count} {many} are left out"
+
+
 def line(text: object) -> str:
     """A text as one line of printable signs, at most as long as names are."""
     signs = " ".join(str(text)[: 8 * LONGEST_NAME].split())

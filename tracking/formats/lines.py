@@ -6,6 +6,7 @@ import csv
 from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 
+from tracking.cells import text_of_cell
 from tracking.errors import FormatError
 
 _MOST_BYTES = 1 << 30
@@ -45,7 +46,7 @@ def numbered_rows(
                         f"{place_of(path, rows.line_num)}: {len(row)} values where the header "
                         f"names {len(header)}; correct or remove the row"
                     )
-                yield rows.line_num, dict(zip(header, row, strict=True))
+                yield rows.line_num, dict(zip(header, map(text_of_cell, row), strict=True))
     except OSError as error:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
     except UnicodeDecodeError as error:

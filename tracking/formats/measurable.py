@@ -10,7 +10,7 @@ import numpy as np
 from tracking.errors import FormatError
 from tracking.formats.label_text import is_person
 from tracking.formats.mot_reading import rows_by_frame
-from tracking.formats.reading import BadRow, Filmed, Imported, Reading
+from tracking.formats.reading import BadRow, Filmed, Imported, Reading, in_order
 from tracking.formats.seqinfo import sequence_of
 from tracking.formats.track_format import TrackFormat
 from tracking.tracks import Columns
@@ -23,8 +23,8 @@ class Measurable:
     """The rows of a file that are measured.
 
     Attributes:
-        columns: by frame; at least `frame, track`, boxes and places, NaN where unknown. Where it is
-            truth, `class` of MOT text says what does not count.
+        columns: by frame; at least `frame, track`, boxes and places, NaN where unknown. Ids are
+            the file's, from 0. Where it is truth, `class` of MOT text says what does not count.
         bad_rows, bad_count, fps, size_px, frames, notes: as in `Imported`.
         dont_cares: in a truth, rows of `confidence` 0 do not count either.
     """
@@ -51,7 +51,7 @@ def measurable(path: Path, kind: TrackFormat, filmed: Filmed) -> Measurable:
         return _of_mot(path)
     if kind.read is None:
         raise FormatError(f"{path} is {kind.title}, which is not read; export it anew")
-    found = _people_of(kind.read(path, filmed))
+    found = _as_numbered(_people_of(kind.read(path, filmed)))
     return Measurable(
         found.columns,
         found.bad_rows,
@@ -77,6 +77,16 @@ def _of_mot(path: Path) -> Measurable:
         tuple(reading.notes),
         dont_cares=True,
     )
+
+
+def _as_numbered(found: Imported) -> Imported:
+    """With the file's own ids: measures need them as labels only, and equals go by them."""
+    if not found.track_of_zero:
+        return found
+    track = found.columns["track"]
+    own = np.where(track == found.track_of_zero, 0, track).astype(track.dtype)
+    columns = in_order({**found.columns, "track": own})
+    return replace(found, columns=columns, place_of=None)
 
 
 def _people_of(found: Imported) -> Imported:

@@ -18,7 +18,7 @@ from tracking.progress import Progress, no_progress
 
 UNKNOWN = -1.0
 FIRST_FRAME = 1
-_SHAPE = RowShape("MOT text", least=6, most=10)
+_SHAPE = RowShape("MOT text", least=6, most=10, comment="#")
 _HEAD = ("frame", "track", *BOX, "confidence")
 _WORLD = ("x", "y", "z")
 _SEEN = ("class", "visibility")
@@ -30,12 +30,12 @@ def read_mot(path: Path) -> dict[str, NDArray[Any]]:
     Six to ten numbers a row are read, of any of the three dialects.
 
     Returns:
-        `frame` and `track` (int32, frames from 0), `left, top, width, height` (pixels, 0-based),
+        `frame` and `track` (int32, from 0), `left, top, width, height` (pixels, 0-based),
         `confidence` (the text's `conf`; 0 marks a don't-care in truth), `x, y, z` (metres),
         `visibility` (0 to 1), `class` (see `mot_classes`; 1 is a person). NaN where unknown.
 
     Raises:
-        FormatError: the file is missing, not such a text, or a row cannot be meant; names the line.
+        FormatError: the file is missing, not such a text, or a row is invalid; names the line.
     """
     reading = Reading(path)
     rows = rows_by_frame(reading)
@@ -46,9 +46,12 @@ def read_mot(path: Path) -> dict[str, NDArray[Any]]:
 
 
 def rows_by_frame(reading: Reading) -> dict[str, NDArray[Any]]:
-    """The rows of a MOT text that can be meant, as `read_mot` gives them; the others are told."""
+    """The rows of a MOT text that are valid, as `read_mot` gives them; the others are told.
+
+    Ids are those of the file, 0 as well: whoever compares tracks needs them as labels only.
+    """
     rows, lines = _rows(reading)
-    rows = reading.checked(rows, lambda row: f"line {lines[row]}")
+    rows = reading.checked(rows, lambda row: f"line {lines[row]}", least_track=0)
     order = np.argsort(rows["frame"], kind="stable")
     return {name: column[order] for name, column in rows.items()}
 
@@ -61,6 +64,7 @@ def import_mot(path: Path, _filmed: Filmed, report: Progress = no_progress) -> I
     """
     reading = Reading(path, report)
     rows, lines = _rows(reading)
+    rows["track"] = reading.ids_from_zero(rows["track"])
     sequence = sequence_of(path, reading)
     return reading.imported(
         rows,

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.formats.label_text import is_person
 from tracking.formats.mot_classes import PERSON, class_of_label, kept_visibility
 from tracking.formats.number_text import (
     Block,
@@ -52,20 +53,21 @@ def write_mot(path: Path, columns: Columns) -> None:
 def export_mot(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
     """Write tracks as MOT text of 2015: ten columns, with the place in the world.
 
+    In ground truth `conf` is 1, or 0 where a row does not count; in results it is the confidence.
     Where the text stands in the challenge's own folders (`NAME/gt/gt.txt`), `NAME/seqinfo.ini` is
     written, too, unless there is one. Gives the files made; raises OutputError and what `report`
     raises.
     """
     with replacing_bytes(path) as stream:
         for piece in exported.pieces(report):
-            stream.write(_with_world(piece))
+            stream.write(_with_world({**piece, "confidence": _conf(piece, path, exported)}))
     return (path, *_described(path, exported))
 
 
 def export_mot_classes(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
     """Write tracks as MOT text of 2016 and later: nine columns, with class and visibility.
 
-    What is no person is not counted (`conf` 0), as in the challenge's own truth. Where nobody knows
+    In ground truth what is no person does not count, as in the challenge's own. Where nobody knows
     how much of a person is seen, all is. As `export_mot` else.
     """
     kinds = {
@@ -73,9 +75,16 @@ def export_mot_classes(path: Path, exported: Exported, report: Progress) -> tupl
         for track, label in exported.labels.items()
         if (kind := class_of_label(label)) != PERSON
     }
+    others = [track for track, label in exported.labels.items() if not is_person(label)]
     with replacing_bytes(path) as stream:
         for piece in exported.pieces(report):
-            stream.write(_with_classes(piece, kinds))
+            classes = np.full(len(piece["frame"]), PERSON)
+            for track, number in kinds.items():
+                classes[piece["track"] == track] = number
+            conf = _conf(piece, path, exported)
+            if exported.is_ground_truth(path):
+                conf[np.isin(piece["track"], others)] = 0
+            stream.write(_with_classes({**piece, "confidence": conf}, classes))
     return (path, *_described(path, exported))
 
 
@@ -95,17 +104,24 @@ def _with_world(columns: Columns) -> bytes:
     return lines_of([*_head(columns), known(_known(_confidence(columns))), *places])
 
 
-def _with_classes(columns: Columns, kinds: dict[int, int]) -> bytes:
-    kind = np.full(len(columns["frame"]), PERSON)
-    for track, number in kinds.items():
-        kind[columns["track"] == track] = number
-    confidence = np.where(kind == PERSON, _confidence(columns), 0.0)
+def _conf(rows: Columns, path: Path, exported: Exported) -> NDArray[np.float32]:
+    """(n,) the seventh column of a text there.
+
+    TrackEval cuts that of ground truth to a whole number and drops the rows where it is 0;
+    py-motmetrics drops those where it is less than 1.
+    """
+    if exported.is_ground_truth(path):
+        return exported.counted(rows).astype(np.float32)
+    return exported.confidence(rows)
+
+
+def _with_classes(columns: Columns, classes: NDArray[np.int64]) -> bytes:
     seen = short_decimals(columns["visibility"])
     return lines_of(
         [
             *_head(columns),
-            numbers(_known(confidence), _UNKNOWN),
-            whole_numbers(kind),
+            numbers(_known(_confidence(columns)), _UNKNOWN),
+            whole_numbers(classes),
             numbers(kept_visibility(seen, columns["predicted"]), _UNKNOWN),
         ]
     )

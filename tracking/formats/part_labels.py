@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from tracking.cells import cell_of
 from tracking.errors import EditError, FormatError
 from tracking.failure import FEATURE_NAMES
 from tracking.formats.lines import header_of, numbered_rows, place_of
@@ -82,7 +83,8 @@ def write_part_labels(path: Path, labels: Iterable[PartLabel]) -> None:
         for label in labels:
             box = (repr(float(value)) for value in label.box)
             place = (label.frame, label.track, PART_NAMES[label.part], _WORDS[label.on_part])
-            rows.writerow((*place, *box, label.source, label.author, label.reason))
+            words = map(cell_of, (label.source, label.author, label.reason))
+            rows.writerow((*place, *box, *words))
 
 
 def _given(path: Path, line: int, row: Mapping[str, str], author: str) -> GivenLabel:

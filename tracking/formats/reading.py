@@ -1,4 +1,4 @@
-"""What a file of another tool says, and which of its rows cannot be meant.
+"""What a file of another tool says, and which of its rows are invalid.
 
 A reader puts what it finds into arrays that count frames, tracks and pixels as this program does,
 tells a `Reading` which rows it could not make out, and has it check the rest: `Reading.imported`.
@@ -30,6 +30,9 @@ FEW_BAD, MOST_BAD = 10_000, 100_000
 than the first that are more than its good ones so far."""
 
 
+FASTEST_FPS = 1e5
+"""Frames a second; faster cameras film no people."""
+
 SeenAs = Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]]
 """What a format keeps of visibilities, given them and which boxes are predicted."""
 
@@ -42,7 +45,7 @@ _ROW = "row of the file"
 
 @dataclass(frozen=True, slots=True)
 class BadRow:
-    """A row that cannot be meant.
+    """An invalid row.
 
     Attributes:
         place: in the file, e.g. "line 12", "annotations[17]", "track 3, frame 40".
@@ -54,18 +57,38 @@ class BadRow:
 
 
 @dataclass(frozen=True, slots=True)
+class Stated:
+    """What a user says of a text of places that says neither its unit nor its frames a second.
+
+    Attributes:
+        unit: of lengths, "m" or "cm"; "": nothing is said. fps: frames a second.
+    """
+
+    unit: str = ""
+    fps: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.unit not in ("", "m", "cm"):
+            raise FormatError(f"unit {self.unit!r} is unknown; choose m or cm")
+        if self.fps is not None and not 0 < self.fps < FASTEST_FPS:
+            raise FormatError(f"{self.fps:g} frames a second are no such number; 25 is usual")
+
+
+@dataclass(frozen=True, slots=True)
 class Filmed:
     """What is known of the recording a file's tracks are of; everything may be unknown.
 
     Attributes:
         frames: how many there are. fps: frames a second. size_px: width and height of the pictures.
         view: the left camera over its floor, for formats that tell places as the camera sees them.
+        stated: what the user says of a file that does not say it itself.
     """
 
     frames: int | None = None
     fps: float | None = None
     size_px: tuple[int, int] | None = None
     view: View | None = None
+    stated: Stated = field(default_factory=Stated)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,7 +99,7 @@ class Imported:
         columns: `CORRECTED_COLUMNS`, sorted by frame then track, each id once a frame; NaN where
             the file has none. `source` is 1 (person) in rows the file calls keyframes and 2 in rows
             it says lie between them; 0 where it tells nothing.
-        bad_rows: those that cannot be meant, at most `MOST_TOLD`; they are not in the columns.
+        bad_rows: the invalid ones, at most `MOST_TOLD`; they are not in the columns.
         bad_count: how many there are in all.
         labels: what the file says of whole tracks; a class stands as the attribute "class".
         fps, size_px, frames: of the footage, where the file tells.
@@ -84,6 +107,11 @@ class Imported:
         seen_as: what the format keeps of visibilities; None: it keeps them as they are.
         place_of: where in the file a row of the columns stands; None: nobody knows.
         first_frame: the number the file gives the frame that is 0 here.
+        track_of_zero: the id here of the file's track 0, which is no id here; 0: it has none.
+        boxes_reach_feet: boxes are around whole people, so that their lower edge tells where people
+            stand. Else they are points or around parts, as heads.
+        head_heights_m: of tracks whose boxes are points of heads: how high above the floor these
+            are, in metres; tracks of which the file does not tell it are left out.
     """
 
     columns: Columns
@@ -97,6 +125,9 @@ class Imported:
     seen_as: SeenAs | None = None
     place_of: PlaceOf | None = None
     first_frame: int = 0
+    track_of_zero: int = 0
+    boxes_reach_feet: bool = True
+    head_heights_m: Mapping[int, float] = field(default_factory=dict)
 
 
 class Reading:
@@ -109,7 +140,7 @@ class Reading:
         """
         self.path, self.report = path, report
         self.notes: list[str] = []
-        self.good = self.bad_count = 0
+        self.good = self.bad_count = self._track_of_zero = 0
         self._told: list[BadRow] = []
 
     @property
@@ -118,9 +149,9 @@ class Reading:
         return tuple(self._told)
 
     def bad(self, place: str, reason: str) -> None:
-        """A row that cannot be meant.
+        """An invalid row.
 
-        Raises FormatError where there are so many that the whole file cannot be meant.
+        Raises FormatError where there are so many that the file is none of this format.
         """
         self.bad_count += 1
         if len(self._told) < MOST_TOLD:
@@ -129,23 +160,26 @@ class Reading:
         if self.bad_count > most:
             first = self._told[0]
             raise FormatError(
-                f"{self.path}: more than {most} rows cannot be meant, the first in "
+                f"{self.path}: more than {most} invalid rows, the first in "
                 f"{first.place}: {first.reason}",
                 "is it a file of this format?",
             )
 
-    def checked(self, rows: Columns, place_of: PlaceOf) -> dict[str, NDArray[Any]]:
-        """The rows that can be meant, in the file's order; the others are told.
+    def checked(
+        self, rows: Columns, place_of: PlaceOf, least_track: int = 1
+    ) -> dict[str, NDArray[Any]]:
+        """The valid rows, in the file's order; the others are told.
 
         Args:
             rows: `frame` (from 0) and `track`, and what is known of `CORRECTED_COLUMNS` and of
                 further columns: numbers of any type, NaN where unknown.
             place_of: says where in the file a row stands.
+            least_track: see `broken_rules`.
 
         Returns: the same columns; `frame` and `track` are int32.
         """
         good = np.ones(len(rows["frame"]), bool)
-        for wrong, reason in broken_rules(rows):
+        for wrong, reason in broken_rules(rows, least_track):
             bad = np.flatnonzero(wrong & good)
             good &= ~wrong
             self.good = int(good.sum())
@@ -158,24 +192,21 @@ class Reading:
     def ids_from_zero(self, track: NDArray[Any]) -> NDArray[Any]:
         """The ids of a format that counts them from 0: all as they are but 0, which is none here.
 
-        It becomes the id after the highest, which is noted. Raises FormatError where none is left.
+        It becomes the id after the highest, which `Imported.track_of_zero` tells. Raises
+        FormatError where none is left.
         """
-        zero = track == 0
-        if not zero.any():
-            return track
-        new = int(track[(track >= 0) & (track <= LARGEST_NUMBER)].max()) + 1
-        if new > LARGEST_NUMBER:
+        own, self._track_of_zero = positive_ids(track)
+        if self._track_of_zero > LARGEST_NUMBER:
             raise FormatError(f"{self.path}: no id is left for its track 0; number it anew")
-        self.notes.append(f"track 0 of the file is track {new} here: ids are positive")
-        return np.where(zero, new, track)
+        return own
 
     def imported(self, rows: Columns, place_of: PlaceOf, **known: Any) -> Imported:
-        """The tracks of the file: the rows that can be meant, with all columns, in order.
+        """The tracks of the file: the valid rows, with all columns, in order.
 
         Args:
             rows, place_of: see `checked`.
-            known: `labels, fps, size_px, frames, seen_as, first_frame` of `Imported`; labels of
-                tracks without a good row are left out.
+            known: `labels, fps, size_px, frames, seen_as, first_frame, boxes_reach_feet,
+                head_heights_m` of `Imported`; labels of tracks without a good row are left out.
         """
         numbers = np.arange(len(rows["frame"]), dtype=np.int32)
         checked = self.checked({**rows, _ROW: numbers}, place_of)
@@ -190,8 +221,18 @@ class Reading:
             {track: labels[track] for track in sorted(there & labels.keys())},
             notes=tuple(self.notes),
             place_of=lambda row: place_of(int(origin[row])),
+            track_of_zero=self._track_of_zero,
             **known,
         )
+
+
+def positive_ids(track: NDArray[Any]) -> tuple[NDArray[Any], int]:
+    """Ids from 0 with the one after the highest in place of 0, and that one; 0 where none is 0."""
+    zero = track == 0
+    if not zero.any():
+        return track, 0
+    of_zero = int(track[(track >= 0) & (track <= LARGEST_NUMBER)].max()) + 1
+    return np.where(zero, np.int64(of_zero), track), of_zero
 
 
 def with_all_columns(rows: Columns) -> dict[str, NDArray[Any]]:

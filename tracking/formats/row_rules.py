@@ -27,17 +27,20 @@ _SHARES = {"confidence": MAX_SHARE, "visibility": MAX_SHARE}
 Mask = NDArray[np.bool_]
 
 
-def broken_rules(rows: Columns) -> Iterator[tuple[Mask, str]]:
+def broken_rules(rows: Columns, least_track: int = 1) -> Iterator[tuple[Mask, str]]:
     """Marks of the rows that break a rule, and the rule; each may rely on those before it.
 
     Args:
         rows: `frame` (from 0) and `track`, and any other columns; NaN where unknown.
+        least_track: the least id: 1, or 0 where ids are only labels.
     """
     frame, track = (np.asarray(rows[name], np.float64) for name in ("frame", "track"))
     yield ~(np.isfinite(frame) & np.isfinite(track)), "the frame or the id is not a finite number"
     yield (frame % 1 != 0) | (track % 1 != 0), "frame and id must be whole numbers"
     yield (frame < 0) | (frame >= MAX_FRAME), f"the frame number is not one of {MAX_FRAME} frames"
-    yield (track < 1) | (track > LARGEST_NUMBER), "the id is not a positive number"
+    what = "a positive number" if least_track else "0 or a positive number"
+    yield track < least_track, f"the id is not {what}"
+    yield track > LARGEST_NUMBER, f"the id is too large; the largest is {LARGEST_NUMBER}"
     yield _any(np.isinf(column) for column in rows.values()), "a value is not a finite number"
     yield from _box_rules(rows)
     for names, most, reason in (

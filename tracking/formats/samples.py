@@ -17,6 +17,7 @@ import h5py
 import numpy as np
 
 import tracking
+from tracking.cells import cell_of
 from tracking.errors import FormatError
 from tracking.failure import BESIDES, FEATURE_NAMES, SAMPLE_COLUMNS, Samples
 from tracking.failure.samples import TEXT
@@ -36,11 +37,22 @@ def write_samples(path: Path, samples: Samples) -> list[Path]:
     Raises:
         FormatError: the ending names no form. OutputError: a file cannot be written.
     """
+    return _writer_of(path)(path, samples)
+
+
+def sample_files(path: Path) -> list[Path]:
+    """The files that `write_samples` may make; raises FormatError for an ending of no form."""
+    if _writer_of(path) is not _write_libsvm:
+        return [path]
+    return [_libsvm_file(path, name) for name in PART_NAMES]
+
+
+def _writer_of(path: Path) -> Callable[[Path, Samples], list[Path]]:
     writer = _WRITERS.get(path.suffix.lower())
     if writer is None:
         endings = ", ".join(_WRITERS)
         raise FormatError(f"{path}: samples are written to files that end in {endings}; rename it")
-    return writer(path, samples)
+    return writer
 
 
 def _write_csv(path: Path, samples: Samples) -> list[Path]:
@@ -52,7 +64,7 @@ def _write_csv(path: Path, samples: Samples) -> list[Path]:
             zip(*columns, strict=True), samples.features.tolist(), strict=True
         ):
             known = ("" if value != value else value for value in named)  # NaN is not itself
-            rows.writerow((*known, *map(repr, features)))
+            rows.writerow((*map(cell_of, known), *map(repr, features)))
     return [path]
 
 
@@ -85,11 +97,15 @@ def _write_libsvm(path: Path, samples: Samples) -> list[Path]:
     for number, name in enumerate(PART_NAMES):
         of_part = samples[part == number]
         if len(of_part):
-            target = path.with_name(f"{path.stem}-{name}{path.suffix}")
+            target = _libsvm_file(path, name)
             with replacing(target) as stream:
                 stream.writelines(_libsvm_lines(of_part))
             made.append(target)
     return made
+
+
+def _libsvm_file(path: Path, part: str) -> Path:
+    return path.with_name(f"{path.stem}-{part}{path.suffix}")
 
 
 def _libsvm_lines(samples: Samples) -> Iterator[str]:

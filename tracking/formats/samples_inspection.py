@@ -16,6 +16,7 @@ from tracking.untrusted import (
     Walk,
     bare_packages,
     check_signature,
+    go_on,
     say_verdicts,
     version_of,
 )
@@ -74,6 +75,7 @@ def _check_text(datasets: Mapping[str, h5py.Dataset]) -> None:
     total = 0
     for name in TEXTS:
         for start in range(0, len(datasets[name]), _BLOCK):
+            go_on(_BLOCK)
             total += sum(map(len, datasets[name].asstr()[start : start + _BLOCK]))
             if total > MOST_TEXT:
                 raise Refused(f"holds more text than any {_KIND.name}")

@@ -32,7 +32,7 @@ def read_samples(path: Path) -> Samples:
     """Samples of a CSV or HDF5 file as `write_samples` makes it; it may come from anywhere.
 
     Raises FormatError where it is missing, far too large, damaged, hostile or none of these, or a
-    row cannot be meant; names the line.
+    row is invalid; names the line.
     """
     if path.suffix.lower() in _LIBSVM:
         raise FormatError(
@@ -147,7 +147,7 @@ def _checked(
     features: NDArray[np.float64],
     lines: NDArray[np.int64] | None = None,
 ) -> Samples:
-    """The samples of columns as read; raises FormatError for the first that cannot be meant."""
+    """The samples of columns as read; raises FormatError for the first that is invalid."""
     track, frame, part, label = (columns[name] for name in NUMBERS)
     person = columns.get("person", np.zeros(len(features), np.int64))
     time_s = columns.get("time_s", np.zeros(len(features))).astype(float)

@@ -70,7 +70,7 @@ def sequence_text(exported: Exported) -> str:
 
 
 def _checked(section: configparser.SectionProxy) -> Sequence:
-    """Raises ValueError for numbers that cannot be meant; 0 is as good as none."""
+    """Raises ValueError for invalid numbers; 0 is as good as none."""
     fps, frames = section.getfloat("frameRate", 0.0), section.getint("seqLength", 0)
     size = section.getint("imWidth", 0), section.getint("imHeight", 0)
     for value, most, key in (

@@ -1,11 +1,15 @@
-"""SLEAP's analysis HDF5, read: points of a skeleton for each track in each frame.
+"""SLEAP's analysis, read as HDF5 or CSV, and its projects: points of a skeleton of each track.
 
-`tracks` holds x, y in pixels of every node; its axes stand in the attribute `dims`, or are those of
-SLEAP's own export (track, xy, node, frame). A person's box is the smallest around the nodes that
-were seen: a node alone is a box without size, which still tells where somebody is. Frames count
-from 0 as in the video (an export without leading empty frames counts from its first one: SLEAP does
-not say which); track n of the file is id n + 1 here and keeps its name; `instance_scores` are the
-confidence. Places on the floor are not in the file. Source: SLEAP's write_tracking_h5, sleap-io.
+Analysis HDF5: `tracks` holds x, y in pixels of every node; its axes stand in the attribute `dims`,
+or are those of SLEAP's own export (track, xy, node, frame). A person's box is the smallest around
+the nodes that were seen: a node alone is a box without size, which still tells where somebody is.
+Frames count from 0 as in the video (an export without leading empty frames counts from its first
+one: SLEAP does not say which); track n of the file is id n + 1 here and keeps its name;
+`instance_scores` are the confidence. Where a file names no tracks, those at one place of its list
+are one track, which is told. Places on the floor are not in the file. Source: SLEAP's
+write_tracking_h5, sleap-io's io/analysis_h5.py.
+
+See `sleap_project` for `.slp` files and `sleap_csv` for the CSV.
 """
 
 from __future__ import annotations
@@ -20,30 +24,55 @@ from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.formats.hdf5_tracks import has_layout, opened, text_of
-from tracking.formats.label_text import label_of
 from tracking.formats.reading import Filmed, Imported, Reading
-from tracking.formats.track_format import TrackFormat
+from tracking.formats.sleap_csv import import_sleap_csv, is_sleap_csv
+from tracking.formats.sleap_points import AROUND_POINTS, NO_TRACKS, boxes_around, labels_of
+from tracking.formats.sleap_project import PROJECT, import_sleap_project
+from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 from tracking.progress import Progress, no_progress
-from tracking.tracks import TrackLabel
 
+_ANALYSIS = "sleap"
 _AXES = ("frame", "track", "node", "xy")
 _AS_MATLAB = ("track", "xy", "node", "frame")
 _OLD = ("frame", "node", "xy", "track")
 
 
-def import_sleap(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
-    """The tracks of an analysis file. Raises FormatError where it is none, or is not safe."""
+_is_project = has_layout(PROJECT)
+
+
+def looks_like_sleap(path: Path, head: bytes) -> bool:
+    """Whether a file is SLEAP's analysis or one of its projects."""
+    return is_sleap_csv(head) or has_layout(_ANALYSIS, PROJECT)(path, head)
+
+
+def import_sleap(path: Path, filmed: Filmed, report: Progress = no_progress) -> Imported:
+    """The tracks of a file. Raises FormatError where it is none of these, or is not safe."""
+    try:
+        with path.open("rb") as stream:
+            head = stream.read(HEAD_BYTES)
+    except OSError as error:
+        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    if is_sleap_csv(head):
+        return import_sleap_csv(path, filmed, report)
+    if _is_project(path, head):
+        return import_sleap_project(path, filmed, report)
+    return _import_analysis(path, report)
+
+
+def _import_analysis(path: Path, report: Progress) -> Imported:
     reading = Reading(path, report)
-    with opened(path, "sleap") as file:
+    with opened(path, _ANALYSIS) as file:
         axes = _axes_of(path, file)
         stored: NDArray[np.float64] = np.asarray(file["tracks"][()], np.float64)
         points = stored.transpose([axes.index(axis) for axis in _AXES])
         scores = _scores_of(file, axes, points.shape[:2])
         names = [text_of(name) for name in file["track_names"][()]] if "track_names" in file else []
-    reading.notes.append("boxes are around the points SLEAP found, not around whole people")
+    reading.notes.append(AROUND_POINTS)
+    if not names and points.shape[1] > 1:
+        reading.notes.append(NO_TRACKS)
     seen: NDArray[np.bool_] = np.isfinite(points[..., 0]) & np.isfinite(points[..., 1])
     frame, track = np.nonzero(seen.any(axis=2))
-    box = _boxes_around(points[frame, track])
+    box = boxes_around(points[frame, track])
     rows: dict[str, NDArray[Any]] = {
         "frame": frame,
         "track": track + 1,
@@ -54,19 +83,8 @@ def import_sleap(path: Path, _filmed: Filmed, report: Progress = no_progress) ->
         rows,
         lambda row: f"track {track[row]}, frame {frame[row]}",
         labels=labels_of(names, "track_{}", first=0),
+        boxes_reach_feet=False,
     )
-
-
-def labels_of(names: list[str], usual: str, first: int) -> dict[int, TrackLabel]:
-    """Labels of tracks 1 on by their names, where these say more than the usual numbering does.
-
-    usual: what the tool calls a track itself; first: the number of the first.
-    """
-    return {
-        number: label_of(name)
-        for number, name in enumerate(names, start=1)
-        if name and name != usual.format(number - 1 + first)
-    }
 
 
 def _axes_of(path: Path, file: h5py.File) -> tuple[str, ...]:
@@ -95,14 +113,10 @@ def _scores_of(
     return np.where(np.isfinite(scores), scores, np.nan)
 
 
-def _boxes_around(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(n, 4) the smallest boxes around the nodes (n, k, 2) that were seen."""
-    seen = np.isfinite(points).all(axis=2, keepdims=True)
-    low = np.where(seen, points, np.inf).min(axis=1)
-    high = np.where(seen, points, -np.inf).max(axis=1)
-    return np.concatenate([low, high - low], axis=1)
-
-
 SLEAP = TrackFormat(
-    "sleap", "SLEAP analysis, HDF5", (".h5", ".hdf5"), has_layout("sleap"), import_sleap
+    "sleap",
+    "SLEAP analysis, HDF5 or CSV, and projects",
+    (".h5", ".hdf5", ".slp", ".csv"),
+    looks_like_sleap,
+    import_sleap,
 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from pathlib import Path
 from typing import Protocol
 
@@ -15,6 +16,21 @@ HEAD_BYTES = 1 << 16
 """So much of a file is enough to tell its format."""
 
 Write = Callable[[Path, Exported, Progress], tuple[Path, ...]]
+
+
+class Content(StrEnum):
+    """What tracks may have that not every format holds; the values are read by people."""
+
+    BOXES = "boxes"
+    PLACES = "places on the floor"
+    VELOCITIES = "velocities"
+    CONFIDENCE = "confidence"
+    VISIBILITY = "visibility"
+    SOURCES = "sources (tracker, person, interpolated)"
+    PREDICTED = "marks of predicted rows"
+    CLASSES = "classes"
+    NAMES = "names and attributes"
+    NOTES = "notes on tracks"
 
 
 class Read(Protocol):
@@ -41,7 +57,16 @@ class TrackFormat:
             OutputError, FormatError where the tracks lack what the format needs, and what the
             progress raises to cancel. None: this program does not write it.
         in_camera: it tells places as the camera sees them: without a view they are left out.
+        in_percent: it tells boxes in percent of a picture whose size a file need not say: it is
+            read with what is known of the recording.
+        recognises_folder: whether a folder holds tracks of this format, a file a frame; never
+            raises. None: its files hold whole tracks, and a folder is none of it.
+        by_numbers: its files are told by rows of numbers alone: all others are asked first.
         dont_cares: in a truth, rows of confidence 0 are not counted; else that is a tracker's.
+        holds: what is written of the tracks, in full or in the format's grades.
+        needs: rows without it (boxes or places) are not written; None: all rows are.
+        unit_unsaid: its files may leave out their unit; then the user says it, see `Stated`.
+        confidence_in_results: confidence is written in results alone, not in ground truth.
     """
 
     name: str
@@ -51,4 +76,16 @@ class TrackFormat:
     read: Read | None = None
     write: Write | None = None
     in_camera: bool = False
+    in_percent: bool = False
+    by_numbers: bool = False
+    recognises_folder: Callable[[Path], bool] | None = None
     dont_cares: bool = False
+    holds: frozenset[Content] = frozenset()
+    needs: Content | None = None
+    unit_unsaid: bool = False
+    confidence_in_results: bool = False
+
+    @property
+    def is_folder(self) -> bool:
+        """Whether tracks are a folder of files, a file a frame."""
+        return self.recognises_folder is not None

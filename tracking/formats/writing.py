@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,12 @@ from tracking.tracks import Columns, ParticleColumn, TrackLabel, TrackTable
 
 if TYPE_CHECKING:
     from tracking.geometry import View
+
+LEAST_CONFIDENCE = np.float32(1e-6)
+"""Of a row that counts though its tracker was not sure at all: a 0 would say that it does not."""
+
+_TRUTH_FILES, _TRUTH_FOLDERS = ("gt.txt", "truth.txt"), ("gt", "label_02")
+"""MOTChallenge's `gt/gt.txt`, KITTI's `label_02/0000.txt`, and `truth.txt` of recordings here."""
 
 ROWS_AT_ONCE = 1 << 14
 """A piece stays in the processor's cache, and is long beside the work around it."""
@@ -32,8 +39,10 @@ class Exported:
         name: of the recording.
         labels: of tracks; the attribute "class" is what kind of thing it is, a person without one.
         view: the left camera over its floor; None where it is not known.
-        counts_in_full: the tracks are truth: every row counts, however sure a tracker was of it.
-        dont_cares: but for rows of confidence 0, which a truth that was imported says not to count.
+        corrected: they are the corrected tracks, not those of a run as the tracker left them.
+        ground_truth: they are written as ground truth; else where they are written decides.
+        dont_cares: rows of confidence 0 do not count, as a ground truth that was imported says;
+            else every row counts, however sure a tracker was of it.
     """
 
     rows: Mapping[str, ParticleColumn]
@@ -44,7 +53,8 @@ class Exported:
     name: str = ""
     labels: Mapping[int, TrackLabel] = field(default_factory=dict)
     view: View | None = None
-    counts_in_full: bool = False
+    corrected: bool = False
+    ground_truth: bool = False
     dont_cares: bool = False
 
     @classmethod
@@ -64,7 +74,7 @@ class Exported:
         for start in range(0, count, rows_at_once):
             report(start, count)
             piece = slice(start, min(start + rows_at_once, count))
-            yield self._in_full({name: column[piece] for name, column in self.rows.items()})
+            yield {name: column[piece] for name, column in self.rows.items()}
         report(count, count)
 
     def frame_by_frame(
@@ -89,7 +99,7 @@ class Exported:
         done, count = 0, len(self)
         for track in table.track_ids:
             report(done, count)
-            rows = self._in_full(table.of_track(track))
+            rows = table.of_track(track)
             yield track, rows
             done += len(rows["frame"])
         report(count, count)
@@ -98,22 +108,21 @@ class Exported:
         """The track's label; empty where nothing was said."""
         return self.labels.get(track, TrackLabel())
 
-    def _in_full(self, rows: Columns) -> dict[str, NDArray[Any]]:
-        if not self.counts_in_full:
-            return dict(rows)
-        truth = dict(as_truth(rows))
-        if self.dont_cares:
-            truth["confidence"][rows["confidence"] == 0] = 0
-        return truth
+    def is_ground_truth(self, path: Path) -> bool:
+        """Whether a file there is ground truth, as asked for or by where scorers look for it."""
+        named = path.name in _TRUTH_FILES or path.absolute().parent.name in _TRUTH_FOLDERS
+        return self.ground_truth or named
 
+    def counted(self, rows: Columns) -> NDArray[np.bool_]:
+        """(n,) which of some rows count in ground truth."""
+        if not self.dont_cares:
+            return np.ones(len(rows["frame"]), bool)
+        return np.asarray(rows["confidence"] != 0)
 
-def as_truth(columns: Columns) -> Columns:
-    """The same tracks, each row counting in full however sure a tracker was: `conf` is 1.
-
-    Corrected tracks are written so: programs that take a MOT text as truth cut `conf` to a whole
-    number and drop the rows where that is 0.
-    """
-    return {**columns, "confidence": np.ones(len(columns["frame"]), np.float32)}
+    def confidence(self, rows: Columns) -> NDArray[np.float32]:
+        """(n,) confidence of some rows; 0 only where a row does not count."""
+        found = np.asarray(rows["confidence"], np.float32)
+        return np.where(self.counted(rows) & (found == 0), LEAST_CONFIDENCE, found)
 
 
 def _cut(rows: Columns, cuts: NDArray[np.int64]) -> list[dict[str, NDArray[Any]]]:

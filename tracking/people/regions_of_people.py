@@ -143,13 +143,18 @@ def _beheaded(
 def _nearer(
     u: NDArray[np.intp], v: NDArray[np.intp], bodies: Bodies, standing: Standing
 ) -> Bodies | None:
-    """Somebody whose feet are seen below all others' and whose head nothing shows."""
+    """Somebody whose feet are seen below all others' and whose head nothing shows.
+
+    None also where those feet are at or above the horizon: nobody stands on the floor there.
+    """
     place = placed(u, v, bodies)
     rest = place.along > np.minimum(_UNEXPLAINED, bodies.reach[place.body])
     if not rest.any():
         return None
     low = int(v[rest].max())
     body = standing.above(np.array([[float(np.median(u[rest])), float(low)]]))
+    if not np.isfinite(body.height[0]):
+        return None
     enough = _NEARER_FILL * body.height[0] ** 2 * body.stretch[0]
     if np.count_nonzero(rest) < enough or body.head[0, 1] >= low:
         return None

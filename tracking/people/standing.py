@@ -167,7 +167,10 @@ class Standing:
         return under.reshape(len(heights_m), len(head), 2)
 
     def above(self, foot: Floats) -> Bodies:
-        """Bodies of the usual height over feet (n, 2), working px; needs a calibration."""
+        """Bodies of the usual height over feet (n, 2), working px; needs a calibration.
+
+        NaN where feet are at or above the horizon, or the head is behind the camera.
+        """
         assert self._view is not None
         settings = self._settings
         xy = self._view.floor_from_pixel(self.recorded(foot))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -33,6 +34,7 @@ from tracking.tracks import (
 )
 from tracking.tracks.growing import GrowingTable
 
+_log = logging.getLogger(__name__)
 _SPOOLED = {
     "detections": DETECTION_COLUMNS,
     "associations": ASSOCIATION_COLUMNS,
@@ -121,8 +123,14 @@ class KeptSteps:
         seed: int,
         recording: Recording,
         resume: Resume | None = None,
+        *,
+        finish: bool = True,
     ) -> Run:
-        """All so far as one immutable run; see `run_of_steps`."""
+        """All so far as one immutable run; see `run_of_steps`.
+
+        Args:
+            finish: False: the tracks stay as the tracker gave them, whatever the settings say.
+        """
         self._settle()
         first, stop = self.frames
         stored, count = self._spooled, recording.frame_count
@@ -143,20 +151,51 @@ class KeptSteps:
             detector=detector_of(tracker, settings),
             known_tracks=resume.highest_track if resume is not None else 0,
         )
-        if not settings.get("smooth") or recording.view is None:
+        if not finish or not settings.get("smooth") or recording.view is None:
             return run
         given = resume.last(_TIED_S) if resume is not None else None
-        finish = tracker_named(tracker).finish
-        return finished(finish, run, recording.view, recording.fps, given, Ticks.of(recording))
+        finisher = tracker_named(tracker).finish
+        return finished(finisher, run, recording.view, recording.fps, given, Ticks.of(recording))
+
+    def run_so_far(
+        self,
+        tracker: str,
+        settings: Mapping[str, Any],
+        seed: int,
+        recording: Recording,
+        resume: Resume | None = None,
+    ) -> Run | None:
+        """The run of a tracker that could not go on; None: nothing can be kept of it.
+
+        Where finishing is what fails, the tracks are as the tracker gave them.
+        """
+        for finish in (True, False):
+            try:
+                run = self.run(tracker, settings, seed, recording, resume, finish=finish)
+            except Exception:  # it has failed already: what can be kept counts
+                _log.info("the run so far cannot be made", exc_info=True)
+            else:
+                return run if run.frames[0] < run.frames[1] else None
+        return None
 
     def _settle(self) -> None:
-        """Put what waits into the tables."""
+        """Put what waits into the tables; where there is no room, it is lost as a whole.
+
+        Raises OutputError then; the tables hold what they held before.
+        """
         settled, waiting = self._state
-        if waiting:
-            self._tracks.extend([step.tracks for step in waiting])
+        if not waiting:
+            return
+        try:
             for name, table in self._spooled.items():
                 table.extend([getattr(step, name) for step in waiting])
-            self._state = (settled + len(waiting), [])
+            self._tracks.extend([step.tracks for step in waiting])
+        except BaseException:
+            for table in self._spooled.values():
+                table.cut(settled)
+            self._state = (settled, [])
+            raise
+        self._state = (settled + len(waiting), [])
 
 
 def run_of_steps(

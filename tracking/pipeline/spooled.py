@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -10,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.errors import OutputError
 from tracking.pipeline.coding import CODINGS, Block, Coding, Plain
 from tracking.pipeline.spool import Spool
 from tracking.tracks import Columns, ParticleColumn, Particles
@@ -50,6 +52,11 @@ class SpooledColumn:
         if len(values):
             self._blocks.append(self._coding.put(self._spool, values))
             self._ends.append(len(self) + len(values))
+
+    def cut(self, rows: int) -> None:
+        """Forget the blocks behind the first rows, where a block ends."""
+        kept = bisect_right(self._ends, rows)
+        del self._blocks[kept:], self._ends[kept:]
 
     def as_it_is(self) -> SpooledColumn:
         """The same without what will be appended."""
@@ -113,16 +120,27 @@ class SpooledTable:
             column.append(np.concatenate([frame[name] for frame in frames], dtype=column.dtype))
         self._starts.extend([len(frame["track"]) for frame in frames])
 
+    def cut(self, frames: int) -> None:
+        """Forget all but the first frames, and what was put aside of others by half."""
+        rows = self._starts.cut(frames)
+        for column in self._columns.values():
+            column.cut(rows)
+
     def rows(self, first: int, stop: int) -> Columns:
         """The rows of some frames, counted from the table's first."""
         rows = self._starts.rows(first, stop)
         return {name: column[rows] for name, column in self._columns.items()}
 
     def columns(self) -> Columns:
-        """All so far as arrays; where there are many, they stay on the disk."""
+        """All so far as arrays; where there are many, they stay on a disk that has room."""
+        if self._spool.is_on_disk:
+            with contextlib.suppress(OutputError):
+                return self._mapped()
+        return {name: np.asarray(column) for name, column in self._columns.items()}
+
+    def _mapped(self) -> Columns:
+        """All so far, put aside once more in one piece a column. Raises OutputError."""
         whole = ((name, np.asarray(column)) for name, column in self._columns.items())
-        if not self._spool.is_on_disk:
-            return dict(whole)
         places = {name: self._spool.append(column.tobytes(), to_map=True) for name, column in whole}
         rows = len(next(iter(self._columns.values())))
         return MappedColumns(self._spool, places, self._types, rows)

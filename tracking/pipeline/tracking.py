@@ -155,8 +155,16 @@ class Tracking:
     def run(self) -> Run:
         """Everything tracked so far as one immutable run."""
         kept = self._kept or KeptSteps(first=self.frames[0])
+        return kept.run(*self._asked())
+
+    def run_so_far(self) -> Run | None:
+        """The same of a tracker that could not go on; None: nothing can be kept of it."""
+        return None if self._kept is None else self._kept.run_so_far(*self._asked())
+
+    def _asked(self) -> tuple[str, dict[str, Any], int, Recording, Resume | None]:
+        """What was asked for, as a run has it."""
         settings = settings_values(self._settings)
-        return kept.run(self._spec.name, settings, self._seed, self._recording, self._resume)
+        return self._spec.name, settings, self._seed, self._recording, self._resume
 
     @property
     def stage_s(self) -> dict[str, float]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
-from tracking.recording.image_headers import looks_odd
+from tracking.recording.image_headers import looks_odd, why_not_decoded
 from tracking.recording.wording import counted
 
 IMAGE_SUFFIXES = frozenset(
@@ -141,12 +141,11 @@ class ImageSource:
         """The size most of a few images have: the first may be of another kind."""
         last = len(self._files) - 1
         sample = sorted({min(number, last) for number in (0, 1, 2, last // 2, last)})
-        images = [_decoded(self._files[number]) for number in sample]
+        images = (_decoded(self._files[number]) for number in sample)
         sizes = Counter(image.shape[1::-1] for image in images if image is not None)
         if not sizes:
-            raise RecordingError(
-                f"{self._files[0]}: cannot be read as an image; check the files of {self.name}"
-            )
+            why = _why_lost(self._files[0])
+            raise RecordingError(f"{self._files[0]}: {why}; check the files of {self.name}")
         width, height = sizes.most_common(1)[0][0]
         return width, height
 
@@ -154,11 +153,20 @@ class ImageSource:
 def _decoded(file: Path) -> Image | None:
     """The image in BGR, 8 bits; None where it cannot be read."""
     try:
-        content = np.fromfile(file, np.uint8)
-        image = cv2.imdecode(content, cv2.IMREAD_COLOR) if content.size else None
+        if why_not_decoded(file):
+            return None
+        image = cv2.imdecode(np.fromfile(file, np.uint8), cv2.IMREAD_COLOR)
     except (OSError, cv2.error):
         return None
     return None if image is None else np.asarray(image, np.uint8)
+
+
+def _why_lost(file: Path) -> str:
+    """Why an image cannot be shown, in words that follow the file's name."""
+    try:
+        return why_not_decoded(file) or "cannot be read as an image"
+    except OSError as error:
+        return f"cannot be read ({error.strerror})"
 
 
 def _natural(file: Path) -> list[tuple[int, str]]:

@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Any, TypeVar
 
 from tracking.errors import CalibrationError, OutputError, RecordingError
 from tracking.geometry import Ground
 from tracking.recording.eyes import MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
+from tracking.replacing import replace_with
 
 MANIFEST_NAME = "recording.toml"
 FORMAT = 1
 _T = TypeVar("_T", bound=str)
 _MAX_BYTES = 64 * 1024
 _LARGEST_WHOLE = 10**15
+_LONGEST_NAME_BYTES, _LONGEST_PATH_BYTES = 255, 2048
+"""Of one file or folder, as common file systems have it; of a path in a recording's folder, which
+leaves as much of the 4096 that Linux takes to the folder itself."""
 _LAYOUTS: tuple[Layout, ...] = ("side-by-side", "top-bottom")
 _SIDES: tuple[Side, ...] = ("left", "right")
 _KNOWN: Mapping[str, frozenset[str]] = {
@@ -146,17 +148,10 @@ def format_manifest(manifest: Manifest) -> str:
 
 def write_manifest(folder: Path, manifest: Manifest) -> None:
     """Write a folder's recording.toml, whole or not at all; OutputError where that fails."""
-    path = folder / MANIFEST_NAME
-    unfinished = folder / f".{MANIFEST_NAME}.unfinished"
     try:
-        unfinished.write_text(format_manifest(manifest), "utf-8")
-        os.replace(unfinished, path)  # noqa: PTH105 - the call that is atomic, by its name
-    except OSError as error:
-        with contextlib.suppress(OSError):
-            unfinished.unlink(missing_ok=True)
-        raise OutputError(
-            f"{path}: cannot be written ({error.strerror}); choose another folder"
-        ) from error
+        replace_with(folder / MANIFEST_NAME, format_manifest(manifest).encode())
+    except OutputError as error:
+        raise error.advising("choose another folder") from error
 
 
 class _Table:
@@ -218,7 +213,15 @@ def _source(table: _Table) -> str:
         raise table.error("source", "is missing; name a video, or images such as left/*.png")
     if "\0" in source:
         raise table.error("source", "holds a zero character; write the file's name")
+    if _is_too_long(source):
+        raise table.error("source", "is longer than the name of any file; write the file's name")
     return source
+
+
+def _is_too_long(name: str) -> bool:
+    """Whether no file can have the name, so that the system would not even look for it."""
+    longest = max((len(part.encode()) for part in PurePath(name).parts), default=0)
+    return longest > _LONGEST_NAME_BYTES or len(name.encode()) > _LONGEST_PATH_BYTES
 
 
 def _choice(table: _Table, key: str, choices: tuple[_T, ...], default: _T) -> _T:
@@ -256,7 +259,7 @@ def _calibration(table: _Table) -> tuple[str, ...]:
 
 
 def _is_file_name(value: object) -> bool:
-    return isinstance(value, str) and value != "" and "\0" not in value
+    return isinstance(value, str) and value != "" and "\0" not in value and not _is_too_long(value)
 
 
 def _ground(table: _Table) -> Ground | None:

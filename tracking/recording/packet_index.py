@@ -16,6 +16,7 @@ from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
+from tracking.recording.image_headers import MOST_PIXELS
 
 VideoPacket: TypeAlias = "Packet[VideoStream]"
 
@@ -95,6 +96,14 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
             f"{where}: text, not a video; give a video, a folder of images or a folder with "
             "recording.toml"
         )
+    width, height = stream.codec_context.width, stream.codec_context.height
+    if width * height > MOST_PIXELS:
+        container.close()
+        raise RecordingError(
+            f"{where}: has {width} x {height} px; videos of up to {MOST_PIXELS // 10**6} Mpx are "
+            "read; make it smaller"
+        )
+    stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}  # of frames that say more
     # One thread keeps frames in step with packets, and leaves the other cores to other eyes.
     stream.codec_context.thread_count = 1
     return container, stream

@@ -10,7 +10,7 @@ from heapq import heapify, heappop, heappush
 import numpy as np
 
 from tracking.review.suspicion import Suspicion
-from tracking.tracks import Labels
+from tracking.tracks import Labels, TrackTable
 
 SAME_S = 1.0
 """A verdict stays with a suspicion that is found again so near to where it was."""
@@ -69,7 +69,10 @@ def _by_yield(suspicions: tuple[Suspicion, ...]) -> tuple[Suspicion, ...]:
 
 
 def open_suspicions(
-    suspicions: Iterable[Suspicion], labels: Labels | None, fps: float
+    suspicions: Iterable[Suspicion],
+    labels: Labels | None,
+    fps: float,
+    table: TrackTable | None = None,
 ) -> tuple[Suspicion, ...]:
     """Those without a verdict that nobody has looked at yet, in the order they come in.
 
@@ -79,6 +82,8 @@ def open_suspicions(
 
     Args:
         labels: with verdicts and reviewed ranges; None for none. fps: frames a second.
+        table: the tracks. A track without a row at the frame, as it was lost before, was looked
+            at where its nearest row was; without a table, only where its range covers the frame.
     """
     if labels is None:
         return tuple(suspicions)
@@ -90,8 +95,20 @@ def open_suspicions(
         one
         for one in suspicions
         if not _is_near(decided.get((one.kind, one.tracks), ()), one.frame, reach)
-        and not all(labels.is_reviewed(track, one.frame) for track in one.tracks)
+        and not all(_is_reviewed(labels, table, track, one.frame) for track in one.tracks)
     )
+
+
+def _is_reviewed(labels: Labels, table: TrackTable | None, track: int, frame: int) -> bool:
+    """Whether a track was looked at in a frame, or in its nearest one where it has no row there."""
+    if labels.is_reviewed(track, frame):
+        return True
+    if table is None or not any(seen.track == track for seen in labels.reviewed):
+        return False
+    frames = table.frames_of_track(track)
+    if not len(frames):
+        return False
+    return labels.is_reviewed(track, int(frames[np.abs(frames - frame).argmin()]))
 
 
 def _is_near(frames: Iterable[int], frame: int, reach: int) -> bool:

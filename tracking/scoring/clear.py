@@ -43,6 +43,11 @@ class Clear:
     unit: float = 1.0
 
     @property
+    def reported_matches(self) -> int:
+        """Matches as the conventions report them; see `Conventions.reported_matches`."""
+        return self.conventions.reported_matches(self.matches, self.id_switches)
+
+    @property
     def truth_rows(self) -> int:
         """Rows of people that count."""
         return self.matches + self.misses

@@ -13,3 +13,11 @@ class Conventions(StrEnum):
 
     TRACKEVAL = "trackeval"
     MOTMETRICS = "py-motmetrics"
+
+    def reported_matches(self, matches: int, id_switches: int) -> int:
+        """The figure `matches`: py-motmetrics reports a switch as a switch alone.
+
+        Args:
+            matches: rows of people with a partner, switches among them.
+        """
+        return matches - id_switches if self is Conventions.MOTMETRICS else matches

@@ -36,7 +36,7 @@ FIGURES: dict[str, Callable[[Score], float]] = {
     "people_kept": lambda s: s.people.kept,
     "tracking_accuracy": lambda s: s.tracking_accuracy,
     "partly_tracked": lambda s: s.clear.partly_tracked,
-    "matches": lambda s: s.clear.matches,
+    "matches": lambda s: s.clear.reported_matches,
     "truth_rows": lambda s: s.clear.truth_rows,
     "result_rows": lambda s: s.clear.result_rows,
     "result_tracks": lambda s: s.result_tracks,

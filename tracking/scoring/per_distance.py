@@ -10,6 +10,7 @@ import numpy as np
 
 from tracking.errors import SettingsError
 from tracking.scoring.clear_counting import successions
+from tracking.scoring.conventions import Conventions
 from tracking.scoring.examination import Examination
 from tracking.scoring.identity import naming
 from tracking.scoring.papers import PositionError
@@ -26,6 +27,7 @@ class DistanceScore:
             those of all ranges add up to those of the whole.
         identity_matches: rows explained by the track their person is named after for IDF1.
         position_error: on the floor.
+        conventions: whose definitions are in force.
     """
 
     from_m: float
@@ -37,6 +39,12 @@ class DistanceScore:
     fragmentations: int
     identity_matches: int
     position_error: PositionError
+    conventions: Conventions = Conventions.TRACKEVAL
+
+    @property
+    def reported_matches(self) -> int:
+        """Matches as the conventions report them; see `Conventions.reported_matches`."""
+        return self.conventions.reported_matches(self.matches, self.id_switches)
 
     @property
     def truth_rows(self) -> int:
@@ -119,6 +127,7 @@ class _Counted:
         self._switches = of_match[follow.after[follow.switched]]
         self._fragmentations = of_match[follow.after[follow.interrupted]]
         self._named = truth[_named_rows(examination)]
+        self._conventions = examination.conventions
 
     def score(self, number: int, from_m: float, to_m: float) -> DistanceScore:
         return DistanceScore(
@@ -131,6 +140,7 @@ class _Counted:
             _count(self._fragmentations, number),
             _count(self._named, number),
             PositionError.of(self._distances_m[self._matches == number]),
+            self._conventions,
         )
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tracking.editing import Change, Entry, Written, plan_undo_alone, with_parts_carried
 from tracking.errors import EditError, OutputError, SessionError
+from tracking.owned_files import real_path
 from tracking.session.image import Stamps, empty_snapshot
 from tracking.session.journal import Act
 from tracking.session.known import KnownRecordings
@@ -17,7 +18,7 @@ from tracking.session.on_disk import OnDisk
 from tracking.session.pending import PendingSave, next_stamps
 from tracking.session.reading import read_session
 from tracking.session.reference import Footage, refer_to
-from tracking.session.saving import UNLIMITED, file_state, generations, real_path
+from tracking.session.saving import UNLIMITED, file_state, generations
 from tracking.session.stamping import author_named, made_up, now, software
 from tracking.session.store import Store
 from tracking.session.waiting import read_with_waiting
@@ -45,11 +46,12 @@ class Session(OnDisk):
         path: Path | None = None,
         *,
         author: str | None = None,
+        colours: Mapping[int, int] | None = None,
     ) -> Session:
         """A new session on a recording; with a path it is saved there at once.
 
-        The corrected table begins as the first run's tracks. Without a path nothing is on disk
-        until `save` names one.
+        The corrected table begins as the first run's tracks, in these colours (see `Held`).
+        Without a path nothing is on disk until `save` names one.
         Raises OutputError where it cannot be saved, SessionError where another program has it.
         """
         folder = path.parent if path is not None else recording.folder
@@ -59,6 +61,7 @@ class Session(OnDisk):
         session = cls(empty, None, author_named(author))
         for run in runs:
             session.add_run(run)
+        session.colours = colours or {}
         session._whereabouts.place = recording.folder
         if path is not None:
             session.save(path)
@@ -83,11 +86,14 @@ class Session(OnDisk):
             if file_state(path) != before:  # another program saved it a moment ago
                 session.close()
                 return cls.open(path, author=author)
-            if session._store.has_journal:
+            if session._store.has_files_of_journal:
                 session._recover(session._store)
             session._begin_journal()
         except (SessionError, OutputError) as why:
             session._give_up_writing(str(why))
+        except BaseException:
+            session._let_go(keep_journal=True)
+            raise
         return session
 
     @classmethod
@@ -107,9 +113,7 @@ class Session(OnDisk):
 
     def close(self, *, discard: bool = False) -> None:
         """Let go of the file. Edits not saved stay in the journal unless they are discarded."""
-        if self._store is not None:
-            self._store.release(keep_journal=self.dirty and not discard)
-            self._store = None
+        self._let_go(keep_journal=self.dirty and not discard)
 
     # Changing
 
@@ -156,7 +160,7 @@ class Session(OnDisk):
         table = self._table_of(run) if adopts else None
         number = self._runs.add(run)
         if table is not None:
-            self._edited.tracks, self._adopted = table, number
+            self._edited.tracks, self._adopted, self.colours = table, number, {}
         self._content += 1
         self._base = self._content
         return number
@@ -179,7 +183,7 @@ class Session(OnDisk):
                 f"run {number} cannot be begun with: it is of frames {run.frames[0]} to "
                 f"{run.frames[1] - 1} alone; take from the run what it says otherwise"
             )
-        self._edited.tracks, self._adopted = self._table_of(run), number
+        self._edited.tracks, self._adopted, self.colours = self._table_of(run), number, {}
         self._content += 1
         self._base = self._content
 

@@ -10,6 +10,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from tracking.cells import cell_of
 from tracking.editing import Change, Entry, History, LabelState, State
 from tracking.errors import EditError
 from tracking.progress import Progress
@@ -21,7 +22,6 @@ LOG_COLUMNS = (
     *("id", "time", "author", "kind", "text", "frame", "frames", "tracks"),
     *("undone", "undoes", "before", "after"),
 )
-_FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n")
 
 
 def write_log_csv(history: History, path: Path, progress: Progress | None = None) -> None:
@@ -29,16 +29,15 @@ def write_log_csv(history: History, path: Path, progress: Progress | None = None
 
     Columns are `LOG_COLUMNS`: times are UTC, frames count from 0; `frames` is the range
     an edit was made for, "834:900" half-open, "834:" from there on. `undone` says what became of an
-    edit that is not in force, `undoes` names the older edit that this one takes back alone. Text
-    that a spreadsheet would take for a formula (it begins with = + - @ or a blank of another kind)
-    stands behind an apostrophe. The file appears whole or not at all.
+    edit that is not in force, `undoes` names the older edit that this one takes back alone. No
+    text is a formula to a spreadsheet (see `cell_of`). The file appears whole or not at all.
     Raises OutputError where it cannot be written.
     """
     with replacing(path) as stream:
         lines = csv.writer(stream, lineterminator="\n")
         lines.writerow(LOG_COLUMNS)
         for entry in _told(history, progress):
-            lines.writerow([_cell(value) for value in _row(history, entry)])
+            lines.writerow(map(cell_of, _row(history, entry)))
 
 
 def write_log_json(history: History, path: Path, progress: Progress | None = None) -> None:
@@ -79,13 +78,6 @@ def _row(history: History, entry: Entry) -> Iterable[object]:
     what = (entry.id, entry.time, entry.author, entry.kind, entry.text, entry.frame)
     frames = entry.scope.as_text if entry.scope else ""
     return (*what, frames, tracks, _fate(history, entry), entry.undoes or "", before, after)
-
-
-def _cell(value: object) -> object:
-    """The value as it is written; never a formula."""
-    if isinstance(value, str) and value.startswith(_FORMULA):
-        return f"'{value}"
-    return value
 
 
 def _fate(history: History, entry: Entry) -> str:

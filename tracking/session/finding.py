@@ -49,9 +49,10 @@ def find_recording(
     """Find a session's recording, check it against the fingerprints and open it.
 
     Looks, in this order: in the places the user named (search: the recording itself or a folder
-    it stands in), where this user had it last (known), at the session's own path (where it climbs
-    out of the session's folder only if allow_outside), and under the same name in the session's
-    folder and the three above it.
+    it stands in), at the session's own path (where it climbs out of the session's folder only if
+    allow_outside) and under the same name in the session's folder, where this user had it last
+    (known), and under the same name in the three folders above. So a session that is copied
+    together with its recording opens the copy.
 
     A folder's own recording.toml counts as it is now; where that is not what the session was made
     with, a note says so. Anything else is opened by the manifest the session keeps. A manifest
@@ -89,10 +90,12 @@ def _places(
     """Where to look, in order, each place once; only what exists."""
     name = _name(reference)
     places = [place for named in search for place in _named(named, name)]
-    places += [known] if known is not None else []
     if reference.is_inside or allow_outside:
         places.append(session_folder / reference.path)
-    places += _around(reference, session_folder, name)
+    around = _around(reference, session_folder, name)
+    places += around[:1]
+    places += [known] if known is not None else []
+    places += around[1:]
     return [place for place in dict.fromkeys(map(_plain, places)) if place.exists()]
 
 
@@ -103,17 +106,16 @@ def _named(place: Path, name: str) -> tuple[Path, ...]:
     return (place, place / name) if name else (place,)
 
 
-def _around(reference: RecordingReference, session_folder: Path, name: str) -> Iterator[Path]:
-    """Places that the session's own folder and those above it suggest.
+def _around(reference: RecordingReference, session_folder: Path, name: str) -> Sequence[Path]:
+    """Places that the session's own folder, first, and those above it suggest.
 
     Only single parts of paths are taken from the file, so none of these places is its choice.
     """
     folder = session_folder.resolve()
     near = [folder, *folder.parents][: 1 + _PARENTS_SEARCHED]
     if name:
-        yield from (parent / name for parent in near)
-    elif _lies_flat(reference):
-        yield from near
+        return [parent / name for parent in near]
+    return near if _lies_flat(reference) else ()
 
 
 def _lies_flat(reference: RecordingReference) -> bool:

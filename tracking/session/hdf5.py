@@ -30,7 +30,7 @@ def opened(path: Path) -> Iterator[h5py.File]:
             yield file
     except FileNotFoundError as why:
         raise SessionError(
-            f"{path} is out of reach: it was moved or its disk has gone; connect it again"
+            f"{path} is out of reach: it was moved or its disk has gone; put it back"
         ) from why
     except _FAILURES as why:
         # What the library says of a file that is cut short tells its users nothing.

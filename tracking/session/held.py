@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from tracking.editing import History
@@ -17,9 +18,19 @@ from tracking.session.store import Store
 from tracking.session.whereabouts import Whereabouts
 from tracking.tracks import Labels, Run, TrackTable
 
+_CHANGED = (
+    "{path} is damaged: its checksum does not hold, so names, texts or whole edits and labels in "
+    "it may be wrong or missing; compare it with a copy or a backup"
+)
+
 
 class Held:
-    """The state of a session that is open; only `Session` changes it."""
+    """The state of a session that is open; only `Session` changes it.
+
+    Attributes:
+        colours: place in the window's palette by track, so that people look the same at every
+            opening. Whoever shows the session may set it; it goes into the file at the next save.
+    """
 
     def __init__(self, snapshot: Snapshot, path: Path | None, author: str) -> None:
         """Use `create` or `open`."""
@@ -27,13 +38,15 @@ class Held:
         self._whereabouts = Whereabouts(snapshot.recording)
         self._edited = Edited(snapshot.tracks, snapshot.labels, snapshot.history())
         self._adopted = snapshot.adopted
+        self.colours: Mapping[int, int] = snapshot.colours
         self._runs = Runs(snapshot.runs)
         self._path = path
         self.author = author
         self._store: Store | None = None
         self._pending: PendingSave | None = None
         self._samples = KeptSamples()
-        self._notes: list[str] = []
+        self._damage = [_CHANGED.format(path=path)] if snapshot.changed else []
+        self._notes = list(self._damage)
         self._why_read_only = ""
         self._recovered = 0
         # What changed is counted; saved says which count the file holds, base which one the
@@ -134,6 +147,11 @@ class Held:
         """What the user should be told of opening, a line each."""
         return tuple(self._notes)
 
+    @property
+    def damage(self) -> tuple[str, ...]:
+        """Those of the notes that say what of it is damaged or may be missing."""
+        return tuple(self._damage)
+
     def generations(self) -> tuple[Generation, ...]:
         """What was saved before and is kept, the newest first: quick, no table is read."""
         return () if self._path is None else list_generations(self._path)
@@ -151,4 +169,5 @@ class Held:
             touched=self.history.touches,
             began_as=self._runs.in_memory(self._adopted),
             samples=self._samples,
+            colours=dict(self.colours),
         )

@@ -17,6 +17,7 @@ from tracking.session.image_file import ImageFile
 from tracking.session.label_tables import tables_of
 from tracking.session.layout import (
     CHUNK_ROWS,
+    COLOUR_COLUMNS,
     EDIT_COLUMNS,
     FORMAT,
     RUN_TABLES,
@@ -73,8 +74,10 @@ class Snapshot:
         edits: the log; touched: `TOUCHED_COLUMNS` of those of which it is known.
         runs: in memory, or still in a file they are copied from.
         newer: it was read from a file that may say more than this program knows.
+        changed: it was read from a file that is not as it was saved.
         began_as: the adopted run where it is in memory already.
         samples: what the save before made of the labels.
+        colours: place in the window's palette by track; of tracks nobody looked at none is known.
     """
 
     stamps: Stamps
@@ -86,8 +89,10 @@ class Snapshot:
     edits: tuple[Entry, ...]
     touched: Columns
     newer: bool = False
+    changed: bool = False
     began_as: Run | None = None
     samples: KeptSamples = field(default_factory=KeptSamples)
+    colours: Mapping[int, int] = field(default_factory=dict)
 
     def samples_now(self) -> Samples:
         """What the part labels teach the failure detector; none where that cannot be told."""
@@ -131,6 +136,7 @@ def write_image(snapshot: Snapshot, image: ImageFile) -> None:
         tracks.attrs["count"] = len(snapshot.tracks.track_ids)
         tracks.attrs["highest_track"] = snapshot.tracks.highest_track
         tracks.attrs["run"] = -1 if snapshot.adopted is None else snapshot.adopted
+        _write_colours(packer, file, snapshot.colours)
         _write_labels(packer, file, snapshot.labels)
         packer.table(file, "edits", EDIT_COLUMNS, _edit_columns(snapshot.edits))
         packer.table(file, "edits/touched", TOUCHED_COLUMNS, snapshot.touched)
@@ -202,6 +208,12 @@ def _by_frame_and_track(columns: Columns) -> Mapping[str, ParticleColumn]:
         return columns
     order = np.lexsort((track, frame))
     return {name: ColumnInOrder(column.__getitem__, order) for name, column in columns.items()}
+
+
+def _write_colours(packer: Packer, file: h5py.File, colours: Mapping[int, int]) -> None:
+    tracks = sorted(colours)
+    rows = {"track": tracks, "place": [colours[track] for track in tracks]}
+    packer.table(file, "colours", COLOUR_COLUMNS, rows)
 
 
 def _write_labels(packer: Packer, file: h5py.File, labels: Labels) -> None:

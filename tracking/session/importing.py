@@ -12,18 +12,18 @@ from numpy.typing import NDArray
 
 from tracking.editing import Entry, Thinned, on_the_floor, plan_import, thin_dense
 from tracking.editing.labels.labelling import LONGEST_KEY, LONGEST_NOTES, LONGEST_VALUE
-from tracking.errors import EditError, FormatError
+from tracking.errors import EditError
 from tracking.formats import BadRow, Filmed, Imported
 from tracking.formats.label_text import is_person
-from tracking.formats.reading import MOST_TOLD, SeenAs
+from tracking.formats.reading import MOST_TOLD, SeenAs, in_order
 from tracking.formats.row_rules import BOX
 from tracking.progress import Progress, no_progress
 from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.session.document import Session
+from tracking.session.imported_ids import id_of_zero, new_ids
 from tracking.session.stamping import software
 from tracking.tracks import (
     DETECTION_COLUMNS,
-    LARGEST_NUMBER,
     LONGEST_NAME,
     PARTICLE_COLUMNS,
     TRACK_COLUMNS,
@@ -69,7 +69,8 @@ class Importable:
         rows: `CORRECTED_COLUMNS`, by frame then track. labels: what is said of their tracks.
         bad_rows, bad_count: as in `Imported`, with rows beyond the recording among them.
         thinned: how far they were thinned. notes: what the user should know, a line each.
-        view: the recording's left camera over its floor.
+        view: the recording's left camera over its floor; None also where boxes do not reach to the
+            feet, so that no place follows from them.
         seen_as: as in `Imported`.
     """
 
@@ -97,8 +98,12 @@ class ImportOrigin:
 
     @classmethod
     def of(cls, path: Path, format_name: str) -> ImportOrigin:
-        """Of a file. Raises RecordingError where it has gone."""
-        return cls(format_name, fingerprint(path.name, [path]))
+        """Of a file, or of the plain files of a folder. Raises RecordingError where it has gone."""
+        files = [path]
+        if path.is_dir():
+            held = (each for each in path.iterdir() if each.is_file() and not each.is_symlink())
+            files = sorted(held) or files
+        return cls(format_name, fingerprint(path.name, files))
 
     def as_json(self) -> dict[str, str | int]:
         """As the run of the tracks keeps it."""
@@ -133,7 +138,7 @@ def importable(
         imported.bad_rows,
         imported.bad_count,
         notes=tuple(notes),
-        view=filmed.view,
+        view=filmed.view if imported.boxes_reach_feet else None,
         seen_as=imported.seen_as,
     )
     found = _with_clean_labels(_within(found, imported, filmed.frames))
@@ -142,15 +147,11 @@ def importable(
     if wish.only_people:
         found = _only_people(found)
     found = _with_shares(found)
-    if wish.as_new:
-        found = _renumbered(found, known)
-    lacking = len(found.rows["x"]) > 0 and bool(np.isnan(found.rows["x"]).all())
-    if known is None and filmed.view is not None and lacking:
-        rows = on_the_floor(found.rows, filmed.view)
-        note = "places on the floor are told from the boxes' feet: the file has none"
-        found = replace(found, rows=rows, notes=(*found.notes, note))
+    if filmed.view is not None and np.isnan(found.rows["x"]).all():
+        found = _with_places(found, imported, filmed.view, is_new=known is None)
+    found = _with_ids(found, imported.track_of_zero, wish, known)
     if wish.thin_px is not None:
-        view, fps = filmed.view, filmed.fps
+        view, fps = found.view, filmed.fps
         rows, thinned = thin_dense(found.rows, wish.thin_px, view=view, fps=fps, report=report)
         found = replace(found, rows=rows, thinned=thinned)
     return found
@@ -261,6 +262,39 @@ def _with_note_on_outside(found: Importable, size_px: tuple[int, int]) -> Import
     return replace(found, notes=(*found.notes, note))
 
 
+def _with_places(found: Importable, imported: Imported, view: View, *, is_new: bool) -> Importable:
+    """With places on the floor where the boxes tell them, and a note of what tells them.
+
+    Args:
+        found: without any place; its ids are those of what was imported.
+        is_new: the tracks go into no table that knows some of them with their places.
+    """
+    if imported.boxes_reach_feet and not is_new:
+        return found  # a place that is known is followed from where it was, see `plan_import`
+    if imported.boxes_reach_feet:
+        rows: Columns = on_the_floor(found.rows, view)
+        note = "places on the floor are told from the boxes' feet: the file has none"
+    else:
+        rows = _below_heads(found.rows, imported.head_heights_m, view)
+        note = "places on the floor are told from heads at the heights that the file has"
+    placed, total = int(np.isfinite(rows["x"]).sum()), len(rows["x"])
+    if not placed:
+        note = "there are no places on the floor: the file has none, nor boxes that reach the feet"
+    elif placed < total:
+        note += f"; {total - placed} of {total} rows have no place"
+    return replace(found, rows=rows, notes=(*found.notes, note) if total else found.notes)
+
+
+def _below_heads(rows: Columns, heights_m: Mapping[int, float], view: View) -> Columns:
+    """Rows with places below the middles of their boxes, which are heads at those heights."""
+    tracks, place = np.unique(rows["track"], return_inverse=True)
+    height_m = np.array([heights_m.get(track, np.nan) for track in tracks.tolist()])[place]
+    left, top, width, height = (np.asarray(rows[name], np.float64) for name in BOX)
+    heads = np.stack([left + width / 2, top + height / 2], axis=1)
+    x, y = view.floor_from_pixel(heads, height_m).T
+    return {**rows, "x": x.astype(rows["x"].dtype), "y": y.astype(rows["y"].dtype)}
+
+
 def _only_people(found: Importable) -> Importable:
     """Without the tracks that are of another class."""
     others = [track for track, label in found.labels.items() if not is_person(label)]
@@ -309,13 +343,32 @@ def _clean(text: str, longest: int) -> str:
     return text.replace("\0", " ").encode("utf-8", "replace").decode("utf-8")[:longest]
 
 
-def _renumbered(found: Importable, known: TrackTable | None) -> Importable:
-    """All tracks with ids above those that are known."""
-    highest = 0 if known is None else known.highest_track
+def _with_ids(
+    found: Importable, of_zero: int, wish: ImportWish, known: TrackTable | None
+) -> Importable:
+    """With the ids the tracks get; tells that of the file's track 0, where there is one.
+
+    Args:
+        of_zero: what the reader made of track 0; 0: there is none.
+    """
+    new: dict[int, int] = {}
+    if wish.as_new:
+        new = new_ids(found.rows, known)
+    elif of_zero and known is not None:
+        new = {of_zero: id_of_zero(found.rows, of_zero, known)}
+    renamed = _renamed(found, new)
+    if not (found.rows["track"] == of_zero).any():
+        return renamed
+    note = f"track 0 of the file is track {new.get(of_zero, of_zero)} here: ids are positive"
+    return replace(renamed, notes=(*renamed.notes, note))
+
+
+def _renamed(found: Importable, new: Mapping[int, int]) -> Importable:
+    """With new ids of some tracks, which no other track has."""
+    if all(track == became for track, became in new.items()):
+        return found
     old, place = np.unique(found.rows["track"], return_inverse=True)
-    if highest + len(old) > LARGEST_NUMBER:
-        raise FormatError(f"there are no {len(old)} ids left for new tracks; keep the file's ids")
-    new = {int(track): highest + 1 + at for at, track in enumerate(old.tolist())}
-    rows = {**found.rows, "track": (place + highest + 1).astype(np.int32)}
-    labels = {new[track]: label for track, label in found.labels.items()}
+    ids = np.array([new.get(track, track) for track in old.tolist()], np.int32)
+    rows = in_order({**found.rows, "track": ids[place]})
+    labels = {new.get(track, track): label for track, label in found.labels.items()}
     return replace(found, rows=rows, labels=labels)

@@ -21,6 +21,7 @@ from tracking.untrusted import (
     Walk,
     bare_packages,
     check_signature,
+    go_on,
     say_verdicts,
     verdict_by,
     version_of,
@@ -46,6 +47,8 @@ from tracking.session.layout import (
 
 _MOST_BYTES = 16 << 30
 """Of all tables together, unpacked; particles are never read whole and do not count."""
+_LONGEST_TEXT = 1 << 20
+"""Characters of a manifest, or of calibration files together: those read have a quarter of it."""
 _PARTICLE_COLUMN = re.compile(
     "|".join(rf"runs/\d+/{table}/({'|'.join(RUN_TABLES[table])})" for table in PARTICLE_TABLES)
 )
@@ -79,7 +82,10 @@ def _check_tables(file: h5py.File, datasets: Mapping[str, h5py.Dataset]) -> None
     for name in ("recording/manifest", "recording/calibration"):
         if name not in datasets or datasets[name].ndim or datasets[name].dtype.kind != "O":
             raise Refused(f"has no text at {name}")
-        datasets[name].asstr(errors="replace")[()]
+        go_on()
+        if len(datasets[name].asstr(errors="replace")[()]) > _LONGEST_TEXT:
+            raise Refused(f"has more text at {name} than any recording")
+    go_on()
     runs = file.get("runs")
     if not isinstance(runs, h5py.Group) or set(runs) != {str(at) for at in range(len(runs))}:
         raise Refused("does not number its runs from 0 on")
@@ -121,6 +127,7 @@ def _check_table(
             raise Refused(f"has {dataset.dtype} in column {name} of {table}, not {dtype}")
         lengths.add(len(dataset))
         if dtype == TEXT:
+            go_on(len(dataset))
             dataset.asstr(errors="replace")[()]  # text lies in a heap: reading it is the check
     if len(lengths) > 1:
         raise Refused(f"has columns of different lengths in {table}")

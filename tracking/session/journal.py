@@ -3,83 +3,137 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import sqlite3
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal
 
-from tracking.editing import Entry, Scope
-from tracking.errors import EditError, OutputError, SessionError
+from tracking.editing import Entry
+from tracking.errors import OutputError, SessionError
+from tracking.owned_files import check_file, open_file
+from tracking.session.journal_rows import Act as Act
+from tracking.session.journal_rows import (
+    Contents,
+    Row,
+    first_checksum,
+    numbered,
+    row_of,
+    steps_of,
+)
+from tracking.session.journal_rows import Step as Step
+from tracking.session.journal_schema import (
+    FULL_BYTES,
+    INSERT,
+    MOST_BYTES,
+    MOST_STEPS,
+    limited_reading,
+    open_checked,
+)
 from tracking.session.lock import identity
+from tracking.session.step_count import StepCount
 
-Act = Literal["apply", "undo", "redo"]
-_TABLES = """
-BEGIN;
-CREATE TABLE IF NOT EXISTS origin (session TEXT NOT NULL, save TEXT NOT NULL);
-CREATE TABLE IF NOT EXISTS steps (
-    number INTEGER PRIMARY KEY, act TEXT NOT NULL, edit INTEGER NOT NULL, time TEXT NOT NULL,
-    author TEXT NOT NULL, kind TEXT NOT NULL, text TEXT NOT NULL, frame INTEGER NOT NULL,
-    before TEXT NOT NULL, after TEXT NOT NULL, undoes INTEGER NOT NULL DEFAULT 0,
-    scope TEXT NOT NULL DEFAULT '');
-COMMIT;
-"""
+ENDINGS = ("-wal", "-shm", "-count", "")
+"""Of the names of a journal's files; the one that all others belong to is the last."""
+FOREIGN_ENDING = "-journal"
+"""A rollback journal: this program never makes one, and SQLite would write what it says."""
 _CHECKPOINT_PAGES = 8192
 """Of 4 KiB: an edit that comes upon it waits for the disk once more, so it shall be seldom."""
-_LATER_COLUMNS = {"undoes": "INTEGER NOT NULL DEFAULT 0", "scope": "TEXT NOT NULL DEFAULT ''"}
-"""What a journal that an older program left behind lacks, in this order."""
-_STEP_TYPES = (int, str, int, str, str, str, str, int, str, str, int, str)
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """One line of the journal.
-
-    Attributes:
-        number: from 1, counted since the save the journal builds on.
-        act: what was done: an edit applied, or one undone or redone.
-        entry: the edit; for undo and redo only its id counts.
-    """
-
-    number: int
-    act: Act
-    entry: Entry
+_PRIVATE = 0o600
+_OF_THE_DISK = frozenset(
+    {
+        *(sqlite3.SQLITE_IOERR, sqlite3.SQLITE_FULL, sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_PERM),
+        *(sqlite3.SQLITE_READONLY, sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED),
+        *(sqlite3.SQLITE_PROTOCOL, sqlite3.SQLITE_NOLFS),
+    }
+)
+"""What SQLite says of disks and rights; all else it says is about what the file holds."""
 
 
 class Journal:
     """The steps since the save it builds on, in order. One connection, one program."""
 
-    def __init__(self, path: Path) -> None:
-        """Open or make it. Raises OutputError where that fails, SessionError where it is none."""
+    def __init__(self, path: Path, mode: int = _PRIVATE) -> None:
+        """Open or make it in a folder that was checked; mode: the permissions of new files.
+
+        Raises OutputError where that fails, SessionError where it is none.
+        """
         self._path = path
         with _telling(path, "opened"):
+            _check_files(path, mode)
             self._base = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
-            self._base.execute("PRAGMA journal_mode=WAL")
-            self._base.execute("PRAGMA synchronous=FULL")
-            self._base.execute(f"PRAGMA wal_autocheckpoint={_CHECKPOINT_PAGES}")
-            self._base.executescript(_TABLES)
-            self._bring_up_to_date()
-            last = self._base.execute("SELECT max(number) FROM steps").fetchone()[0]
-            origin = self._base.execute("SELECT session, save FROM origin").fetchone()
-            self._file = identity(path)
-        self._last = int(last or 0)
-        self._origin = None if origin is None else (str(origin[0]), str(origin[1]))
+        self._count = StepCount(path.with_name(f"{path.name}-count"), mode)
+        try:
+            with _telling(path, "opened"):
+                self._open()
+        except BaseException:
+            self.close()
+            raise
 
-    def _bring_up_to_date(self) -> None:
-        known = [row[1] for row in self._base.execute("PRAGMA table_info(steps)")]
-        for name, kind in _LATER_COLUMNS.items():
-            if name not in known:
-                self._base.execute(f"ALTER TABLE steps ADD COLUMN {name} {kind}")
+    def _open(self) -> None:
+        self._problem = open_checked(self._base, self._path)
+        self._base.execute(f"PRAGMA wal_autocheckpoint={_CHECKPOINT_PAGES}")
+        self._failed: Row | None = None
+        with limited_reading(self._base, damaged=bool(self._problem)):
+            origins = self._base.execute("SELECT session, save FROM origin LIMIT 2").fetchall()
+        if len(origins) > 1 or any(not isinstance(said, str) for row in origins for said in row):
+            raise SessionError(f"{self._path}: this is no journal of edits (its origin is damaged)")
+        self._origin: tuple[str, str] | None = origins[0] if origins else None
+        self._bytes = self._used_bytes()
+        self._read_numbers()
+        self._file = identity(self._path)
+
+    def _read_numbers(self) -> None:
+        """Read the steps' numbers and checksums; of a damaged file those that can be read."""
+        numbers = self._base.cursor()
+        self._last, self._checksums = 0, []
+        try:
+            with limited_reading(self._base, damaged=bool(self._problem)):
+                for number, checksum in numbers.execute(
+                    "SELECT number, checksum FROM steps ORDER BY number"
+                ):
+                    self._last = int(number)
+                    self._checksums.append(str(checksum))
+        except sqlite3.Error:
+            if not self._problem:
+                raise
+        finally:
+            numbers.close()
+
+    @property
+    def _checksum(self) -> str:
+        """Of the last step, which the next one follows on."""
+        return self._checksums[-1] if self._checksums else self._first_checksum()
+
+    def _first_checksum(self) -> str:
+        return "" if self._origin is None else first_checksum(*self._origin)
 
     @classmethod
-    def begun(cls, path: Path, session: str, save: str) -> Journal:
-        """A new one that builds on this save, ready to be written to. Raises as opening does."""
-        journal = cls(path)
+    def begun(
+        cls,
+        path: Path,
+        session: str,
+        save: str,
+        mode: int = _PRIVATE,
+        steps: Sequence[Step] = (),
+    ) -> Journal:
+        """A new one that builds on this save, with these steps, or nothing.
+
+        Raises as opening does, and SessionError where a file has the name already.
+        """
+        with _telling(path, "made"):
+            _make_file(path, mode)
+        journal: Journal | None = None
         try:
+            journal = cls(path, mode)
             journal.start_over(session, save)
-        except (OutputError, SessionError):
-            journal.close()
+            journal._put_all(steps)
+        except BaseException:
+            if journal is not None:
+                journal.close()
+            with contextlib.suppress(OSError):  # an empty one is nothing to anybody
+                for ending in ENDINGS:
+                    path.with_name(f"{path.name}{ending}").unlink(missing_ok=True)
             raise
         return journal
 
@@ -98,77 +152,220 @@ class Journal:
         """Whether the file it writes to still is the one at its path."""
         return identity(self._path) == self._file
 
-    def continues(self, other: Journal) -> bool:
-        """Whether this is the other one's file opened anew, with all steps it said it wrote.
+    @property
+    def is_empty(self) -> bool:
+        """Whether it is sound and has no step, nor ever had one on the save it builds on."""
+        had = self._count.read(*self._origin) if self._origin is not None else 0
+        return not (self._last or self._problem or had)
 
-        A further step, of which the other said that it failed, is taken out.
-        """
-        if self._origin != other._origin or not other._last <= self._last <= other._last + 1:
+    @property
+    def is_as_written(self) -> bool:
+        """Whether it holds what this program wrote to it and nothing else."""
+        try:
+            return self._tail() in (self._expected(), self._expected(self._failed))
+        except sqlite3.Error:  # closed, or its disk is gone
             return False
-        with _telling(self._path, "written"):
-            self._base.execute("DELETE FROM steps WHERE number > ?", (other._last,))
-        self._last = other._last
+
+    def continues(self, other: Journal) -> bool:
+        """Whether this is the other one's file opened anew, with the steps it wrote and no others.
+
+        A further step is taken out where it is, to the letter, the one of which the other said
+        that it could not be written. False where anything else is there: another program's step.
+        """
+        if self._problem or self._origin != other._origin:
+            return False
+        if other._failed is not None and self._last == other._last + 1:
+            return self._take_out(other._failed, other._checksum)
+        return (self._last, self._checksum) == (other._last, other._checksum)
+
+    def _take_out(self, failed: Row, before: str) -> bool:
+        with _telling(self._path, "written"), self._transaction():
+            rows = self._base.execute(
+                "SELECT * FROM steps WHERE number >= ? ORDER BY number", (self._last - 1,)
+            ).fetchall()
+            kept = rows[0][-1] if len(rows) > 1 else self._first_checksum()
+            if rows[-1] != failed or kept != before:
+                return False
+            self._base.execute("DELETE FROM steps WHERE number = ?", (self._last,))
+        self._last -= 1
+        self._checksums.pop()
         return True
 
-    def steps(self) -> Iterator[Step]:
-        """All steps in order. Raises SessionError where a line is not what it should be."""
-        with _telling(self._path, "read"):
-            rows = self._base.execute("SELECT * FROM steps ORDER BY number").fetchall()
-        for row in rows:
-            number, act, *said, undoes, scope = row
-            types = tuple(type(value) for value in row)
-            if types != _STEP_TYPES or act not in ("apply", "undo", "redo"):
-                raise SessionError(f"{self._path}: a step of the journal is damaged")
-            entry = replace(Entry(*said), undoes=undoes, scope=self._scope(scope))
-            yield Step(number, act, entry)
+    def has_others(self, other: Journal | None) -> bool:
+        """Whether it has steps that the other one, which was written to, has not; None: none was.
 
-    def _scope(self, text: str) -> Scope | None:
+        True, too, where it is damaged, so that nobody can tell.
+        """
+        known = other is not None and self._origin == other._origin
+        own = other._checksums[: len(self._checksums)] if other is not None and known else []
+        return bool(self._problem) or self._checksums != own
+
+    def contents(self) -> Contents:
+        """All steps in order, up to the first that is damaged. Raises OutputError."""
+        steps: list[Step] = []
+        problem = ""
         try:
-            return Scope.of_text(text)
-        except EditError as why:
-            raise SessionError(f"{self._path}: a step of the journal is damaged: {why}") from why
+            with (
+                _telling(self._path, "read"),
+                limited_reading(self._base, damaged=bool(self._problem)),
+                contextlib.closing(self._base.cursor()) as rows,
+            ):
+                rows.execute("SELECT * FROM steps ORDER BY number")
+                steps.extend(steps_of(self._fitting(rows), self._first_checksum()))
+        except (ValueError, SessionError) as why:
+            problem = str(why)
+        return Contents(tuple(steps), problem or self._problem)
+
+    def _fitting(self, rows: Iterable[Row]) -> Iterator[Row]:
+        """The rows; damaged pages that several rows claim are not read again and again."""
+        left = self._used_bytes()
+        for row in rows:
+            left -= _text_bytes(row)
+            if left < 0:
+                raise ValueError("its steps claim more than the file holds")
+            yield row
+
+    def acknowledged(self, session: str, save: str) -> int:
+        """How many steps were written that build on this save, as the count beside it says.
+
+        0 where it does not say.
+        """
+        return self._count.read(session, save)
 
     def append(self, act: Act, entry: Entry) -> None:
-        """Write a step; it is on disk when this returns. Raises OutputError where it is not."""
-        applied = act == "apply"
-        row = (
-            *(self._last + 1, act, entry.id, entry.time, entry.author, entry.kind),
-            *(entry.text, entry.frame),
-            *((entry.before, entry.after) if applied else ("", "")),
-            *(entry.undoes, entry.scope.as_text if entry.scope else ""),
-        )
-        marks = ", ".join("?" * len(row))
-        with _telling(self._path, "written"):
-            # Replace: a step that failed may be on disk all the same; it was never acknowledged.
-            self._base.execute(f"INSERT OR REPLACE INTO steps VALUES ({marks})", row)
+        """Write a step; it is on disk when this returns.
+
+        Raises OutputError where it is not, SessionError where another program wrote into the file.
+        """
+        if self._origin is None:
+            raise SessionError(f"{self._path}: this journal of edits builds on no save")
+        if self._last >= MOST_STEPS or self._bytes > FULL_BYTES:
+            raise OutputError(
+                f"{self._path}: the journal of edits is full; save the session, then go on"
+            )
+        row = row_of(Step(self._last + 1, act, entry), self._checksum)
+        self._failed = row
+        with _telling(self._path, "written"), self._transaction():
+            self._check_tail()
+            self._base.execute(INSERT, row)
+        self._failed = None
         self._last += 1
+        self._checksums.append(row[-1])
+        self._bytes += _text_bytes(row)
+        self._count.write(*self._origin, self._last)
 
     def start_over(self, session: str, save: str, included: int = 0) -> None:
-        """Build on another save, which has taken in the steps up to this number."""
-        with _telling(self._path, "written"):
-            with self._base:  # commits, or rolls back where a line fails
-                self._base.execute("BEGIN IMMEDIATE")
-                self._base.execute("DELETE FROM steps WHERE number <= ?", (included,))
-                self._base.execute("UPDATE steps SET number = number - ?", (included,))
-                self._base.execute("DELETE FROM origin")
-                self._base.execute("INSERT INTO origin VALUES (?, ?)", (session, save))
+        """Build on another save, which has taken in the steps up to this number.
+
+        Raises OutputError where that fails, SessionError where another program wrote into the file.
+        """
+        if not included and self._origin == (session, save):
+            return
+        with _telling(self._path, "written"), self._transaction():
+            self._check_tail()
+            rows = self._base.execute(
+                "SELECT * FROM steps WHERE number > ? ORDER BY number", (included,)
+            ).fetchall()
+            self._base.execute("DELETE FROM origin")
+            self._base.execute("INSERT INTO origin VALUES (?, ?)", (session, save))
+            self._base.execute("DELETE FROM steps")
+            self._base.executemany(INSERT, numbered(rows, session, save))
+        self._started(session, save)
+
+    def _put_all(self, steps: Sequence[Step]) -> None:
+        """Write steps into a journal that has none, all of them or none."""
+        if steps and self._origin is not None:
+            rows = numbered((row_of(step, "") for step in steps), *self._origin)
+            with _telling(self._path, "written"), self._transaction():
+                self._base.executemany(INSERT, rows)
+            self._started(*self._origin)
+
+    def _started(self, session: str, save: str) -> None:
+        self._origin = (session, save)
+        self._read_numbers()
+        self._count.write(session, save, self._last)
+        self._bytes = self._used_bytes()
+        with contextlib.suppress(sqlite3.Error):  # it only makes room
             self._base.execute("PRAGMA wal_checkpoint(TRUNCATE)")
-        self._last, self._origin = max(0, self._last - included), (session, save)
+
+    def _check_tail(self) -> None:
+        """Raise SessionError where the file holds other steps than this program put there."""
+        if self._tail() != self._expected():
+            raise SessionError(
+                f"{self._path}: another program wrote into the journal of edits; "
+                "nothing was changed: try again"
+            )
+
+    def _tail(self) -> tuple[object, object]:
+        """What the file says it builds on, and its last step's number and checksum."""
+        origin = self._base.execute("SELECT session, save FROM origin").fetchone()
+        last = "SELECT number, checksum FROM steps ORDER BY number DESC LIMIT 1"
+        return origin, self._base.execute(last).fetchone()
+
+    def _expected(self, failed: Row | None = None) -> tuple[object, object]:
+        """The tail as this program left it; failed: a step of which it cannot know."""
+        if failed is not None:
+            return self._origin, (failed[0], failed[-1])
+        return self._origin, (self._last, self._checksum) if self._last else None
+
+    @contextmanager
+    def _transaction(self) -> Iterator[None]:
+        self._base.execute("BEGIN IMMEDIATE")
+        try:
+            yield
+            self._base.execute("COMMIT")
+        except BaseException:
+            with contextlib.suppress(sqlite3.Error):  # what failed may have ended it already
+                self._base.execute("ROLLBACK")
+            raise
+
+    def _used_bytes(self) -> int:
+        """How much of the file is in use, without pages that were given back."""
+        names = ("page_count", "freelist_count", "page_size")
+        pages, free, size = (self._base.execute(f"PRAGMA {name}").fetchone()[0] for name in names)
+        return int((pages - free) * size)
 
     def close(self) -> None:
         """Let go of the file."""
         with contextlib.suppress(sqlite3.Error):  # its disk may be gone; what it holds, it holds
             self._base.close()
+        self._count.close()
+
+
+def _text_bytes(row: Row) -> int:
+    """How much room the texts of a row take."""
+    return sum(len(said.encode("utf-8", "surrogatepass")) for said in row if isinstance(said, str))
+
+
+def _check_files(path: Path, mode: int) -> None:
+    """Refuse files that are not the user's own, or too large, and make the main one."""
+    for ending in ENDINGS[:-1]:
+        check_file(path.with_name(f"{path.name}{ending}"), MOST_BYTES)
+    foreign = path.with_name(f"{path.name}{FOREIGN_ENDING}")
+    if check_file(foreign) is not None:
+        raise SessionError(f"{foreign}: this is of another program; it is not a journal of edits")
+    os.close(open_file(path, os.O_RDWR | os.O_CREAT, mode, MOST_BYTES))
+
+
+def _make_file(path: Path, mode: int) -> None:
+    """Make an empty file, and nothing where one has the name."""
+    try:
+        os.close(open_file(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, mode))
+    except FileExistsError as why:
+        raise SessionError(
+            f"{path}: another program has begun a journal of edits; nothing was changed: try again"
+        ) from why
 
 
 @contextmanager
 def _telling(path: Path, what: str) -> Iterator[None]:
     try:
         yield
-    except (sqlite3.OperationalError, OSError) as why:
-        raise OutputError(
-            f"{path}: the journal of edits cannot be {what} ({why}); "
-            "make room or choose a folder you may write to"
-        ) from why
-    except sqlite3.DatabaseError as why:
+    except (sqlite3.Error, OSError) as why:
+        # The lower byte is the kind of error, the others say more about it.
+        if isinstance(why, OSError) or getattr(why, "sqlite_errorcode", 0) & 0xFF in _OF_THE_DISK:
+            raise OutputError(
+                f"{path}: the journal of edits cannot be {what} ({why}); "
+                "make room or choose a folder you may write to"
+            ) from why
         raise SessionError(f"{path}: this is no journal of edits ({why})") from why

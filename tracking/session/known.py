@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import contextlib
 import json
-import os
 from collections.abc import Mapping
 from pathlib import Path
 
+from tracking.errors import OutputError, SessionError
+from tracking.owned_files import read_file
+from tracking.replacing import replace_with
 from tracking.session.reference import RecordingReference
 
 _MOST = 2000
@@ -36,18 +38,14 @@ class KnownRecordings:
         places.pop(reference.key, None)
         places[reference.key] = str(place.resolve())
         text = json.dumps(dict(list(places.items())[-_MOST:]), indent=1)
-        beside = self._file.with_suffix(f".{os.getpid()}.tmp")
-        with contextlib.suppress(OSError):
+        with contextlib.suppress(OSError, OutputError):
             self._file.parent.mkdir(parents=True, exist_ok=True)
-            beside.write_text(text, encoding="utf-8")
-            beside.replace(self._file)
+            replace_with(self._file, text.encode())
 
     def _read(self) -> Mapping[str, str]:
         try:
-            if self._file.stat().st_size > _LARGEST_FILE:
-                return {}
-            places = json.loads(self._file.read_text(encoding="utf-8"))
-        except (OSError, ValueError, RecursionError):
+            places = json.loads(read_file(self._file, _LARGEST_FILE))
+        except (OSError, SessionError, ValueError, RecursionError):
             return {}
         if not isinstance(places, dict):
             return {}

@@ -24,7 +24,7 @@ from tracking.tracks import (
 )
 
 FORMAT = "trackwright-session"
-VERSION = (1, 4)
+VERSION = (1, 5)
 """Major: older programs cannot read it. Minor: they can, and miss something."""
 
 CHUNK_ROWS = 65_536
@@ -93,6 +93,8 @@ REGION_COLUMNS: Types = MappingProxyType(
 VERDICT_COLUMNS: Types = MappingProxyType(
     {"kind": TEXT, "tracks": TEXT, "frame": np.dtype(np.int64), "decision": TEXT}
 )
+COLOUR_COLUMNS: Types = _types(track=np.int64, place=np.uint8)
+"""The colour each track is shown in: its place in the window's palette."""
 OCCLUDER_COLUMNS: Types = MappingProxyType({"name": TEXT, "polygon": TEXT})
 REVIEWED_COLUMNS: Types = _types(track=np.int64, start=np.int64, end=np.int64)
 SOURCE_COLUMNS: Types = MappingProxyType(
@@ -106,6 +108,7 @@ TABLES: Mapping[str, Types] = MappingProxyType(
     {
         "recording/sources": SOURCE_COLUMNS,
         "tracks": CORRECTED_COLUMNS,
+        "colours": COLOUR_COLUMNS,
         "labels": TRACK_LABEL_COLUMNS,
         "labels/parts": PART_LABEL_COLUMNS,
         "labels/occluders": OCCLUDER_COLUMNS,
@@ -132,8 +135,10 @@ RUN_TABLES: Mapping[str, Types] = MappingProxyType(
     }
 )
 
-LATER_TABLES = frozenset({"labels/lines", "labels/regions", "labels/verdicts", "edits/touched"})
-"""Tables that sessions of format 1.0 do not have."""
+LATER_TABLES = frozenset(
+    {"labels/lines", "labels/regions", "labels/verdicts", "edits/touched", "colours"}
+)
+"""Tables that sessions of format 1.0 do not have; the last one came with 1.5."""
 
 LATER_COLUMNS: Mapping[str, tuple[frozenset[str], ...]] = MappingProxyType(
     {

@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import json
 import os
 import platform
 import sys
 from pathlib import Path
+
+from tracking.errors import SessionError
+from tracking.owned_files import open_file
+
+_MOST_HOLDER_BYTES = 4096
+"""Of what the lock says about its holder: a number and a computer's name."""
+_LONGEST_COMPUTER = 80
+_TRIES = 100
+"""Of taking a lock whose holder takes its file away at that moment."""
 
 
 def identity(file: Path | int) -> tuple[int, int] | None:
@@ -25,28 +35,32 @@ class SessionLock:
     The file says who holds it, for the message to whoever comes second.
     """
 
-    def __init__(self, path: Path) -> None:
-        """The path of the lock file; its folder exists."""
+    def __init__(self, path: Path, mode: int = 0o600) -> None:
+        """The path of the lock file; its folder exists. mode: of the file where it is made."""
         self._path = path
+        self._mode = mode
         self._handle: int | None = None
 
     def acquire(self) -> bool:
         """Take the lock; False where another program (or this one, once more) holds it.
 
-        Raises OSError where the file cannot be written.
+        Raises OSError where the file cannot be written, UnsafeFileError where it is a link, a
+        pipe, another user's, or not a regular file under one name.
         """
-        handle = os.open(self._path, os.O_RDWR | os.O_CREAT, 0o644)
-        try:
-            taken = _lock(handle)
-        except OSError:  # a disk that knows no locks
-            os.close(handle)
-            raise
-        if not taken:
-            os.close(handle)
-            return False
-        if os.fstat(handle).st_nlink == 0:  # its holder just let go and took the name with it
-            os.close(handle)
-            return self.acquire()
+        for _ in range(_TRIES):
+            handle = open_file(self._path, os.O_RDWR | os.O_CREAT, self._mode)
+            try:
+                if not _lock(handle):
+                    os.close(handle)
+                    return False
+            except OSError:  # a disk that knows no locks
+                os.close(handle)
+                raise
+            if identity(self._path) == identity(handle):
+                break
+            os.close(handle)  # its holder just let go and took the name with it
+        else:
+            raise OSError(errno.ESTALE, "the lock is never the file that was locked")
         self._handle = handle
         # The first byte is the one that is locked; others must be able to read what follows.
         holder = json.dumps({"process": os.getpid(), "computer": platform.node()})
@@ -62,7 +76,7 @@ class SessionLock:
         Raises OSError as `acquire` does.
         """
         try:
-            handle = os.open(self._path, os.O_RDWR)
+            handle = open_file(self._path, os.O_RDWR)
         except FileNotFoundError:
             return False
         try:
@@ -78,12 +92,20 @@ class SessionLock:
     def holder(self) -> str:
         """Who holds the lock, in words."""
         try:
-            with self._path.open("rb") as file:
-                file.seek(1)
-                said = json.loads(file.read(4096))
-            return f"process {int(said['process'])} on {str(said['computer'])[:80]}"
-        except (OSError, ValueError, LookupError, TypeError, OverflowError, RecursionError):
+            said = json.loads(self._said())
+            computer = "".join(filter(str.isprintable, str(said["computer"])))
+            return f"process {int(said['process'])} on {computer[:_LONGEST_COMPUTER]}"
+        except (
+            *(OSError, SessionError, ValueError, LookupError),
+            *(TypeError, OverflowError, RecursionError),
+        ):
             return "another program"
+
+    def _said(self) -> bytes:
+        """What stands after the byte that is locked."""
+        with os.fdopen(open_file(self._path), "rb") as file:
+            file.seek(1)
+            return file.read(_MOST_HOLDER_BYTES)
 
     def let_go(self) -> None:
         """Give the lock back where its file is another's by now, or out of reach."""
@@ -97,9 +119,11 @@ class SessionLock:
         if self._handle is None:
             return
         own = self.is_in_place
-        if own and sys.platform != "win32":  # there, an open file cannot be deleted
-            self._path.unlink(missing_ok=True)
-        self.let_go()
+        try:
+            if own and sys.platform != "win32":  # there, an open file cannot be deleted
+                self._path.unlink(missing_ok=True)
+        finally:
+            self.let_go()  # a file that stays is locked by nobody
         if own and sys.platform == "win32":
             self._path.unlink(missing_ok=True)
 

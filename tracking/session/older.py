@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import h5py
 import numpy as np
 
-from tracking.errors import SessionError
+from tracking.errors import SessionError, UnsafeFileError
+from tracking.owned_files import check_folder
 from tracking.session import reading
 from tracking.session.hdf5 import opened, text_attribute
 from tracking.session.image import Snapshot
 from tracking.session.runs import StoredRun
-from tracking.session.saving import generations
+from tracking.session.saving import check_backup, companions, generations
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,10 +46,12 @@ class Generation:
 def list_generations(path: Path) -> tuple[Generation, ...]:
     """The older generations that are kept beside a session, the newest first.
 
-    No table is read; one that is damaged is listed with its problem.
+    No table is read; one that is damaged, or no file of the user's own, is listed with its problem.
+    Raises UnsafeFileError where the folder they stand in is a link or another user's.
     """
+    _check_folder(path)
     files = generations(path)
-    problems = reading.check_files(files)
+    problems = _problems(path, files)
     return tuple(
         _described(number, file, problem)
         for number, (file, problem) in enumerate(zip(files, problems, strict=True), 1)
@@ -53,7 +59,8 @@ def list_generations(path: Path) -> tuple[Generation, ...]:
 
 
 def check_generation(path: Path, number: int) -> None:
-    """Raise SessionError where no older generation of that number is kept."""
+    """Raise SessionError where no older generation of that number is kept, or none can be."""
+    _check_folder(path)
     count = len(generations(path))
     if not 1 <= number <= count:
         kept = f"there are {count}, 1 is the newest" if count else "none is kept yet"
@@ -68,6 +75,7 @@ def read_generation(path: Path, number: int) -> tuple[Path, Snapshot]:
     """
     check_generation(path, number)
     files = generations(path)
+    check_backup(path, files[number - 1])
     snapshot = reading.read_session(files[number - 1])
     if snapshot.newer:
         raise SessionError(
@@ -82,8 +90,30 @@ def standing_in(snapshot: Snapshot, file: Path) -> Snapshot:
     return replace(snapshot, runs=runs)
 
 
+def _check_folder(path: Path) -> None:
+    with contextlib.suppress(FileNotFoundError):  # nothing was ever kept
+        check_folder(companions(path))
+
+
+def _problems(path: Path, files: Sequence[Path]) -> list[str]:
+    """Why each of the files cannot be read; "" where it can."""
+    problems = [_problem(path, file) for file in files]
+    own = [file for file, problem in zip(files, problems, strict=True) if not problem]
+    checked = dict(zip(own, reading.check_files(own), strict=True))
+    return [problem or checked[file] for file, problem in zip(files, problems, strict=True)]
+
+
+def _problem(path: Path, file: Path) -> str:
+    """Why a file is none that was kept here; "" where it is one."""
+    try:
+        check_backup(path, file)
+    except UnsafeFileError as why:
+        return str(why)
+    return ""
+
+
 def _described(number: int, file: Path, problem: str) -> Generation:
-    size = file.stat().st_size if file.exists() else 0
+    size = os.lstat(file).st_size if os.path.lexists(file) else 0
     if problem:
         return Generation(number, file, size, problem=problem)
     try:

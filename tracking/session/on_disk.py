@@ -6,12 +6,12 @@ from pathlib import Path
 
 from tracking.editing import Entry
 from tracking.errors import SessionError
+from tracking.owned_files import real_path
 from tracking.session.held import Held
 from tracking.session.journal import Act
 from tracking.session.pending import PendingSave, next_stamps
 from tracking.session.reading import saved_as
 from tracking.session.recovery import recover
-from tracking.session.saving import real_path
 from tracking.session.store import Store
 from tracking.session.waiting import edits_wait
 
@@ -23,6 +23,12 @@ class OnDisk(Held):
         """See to it that the session's folder is there, and is the one this session knows."""
         if not store.make_sure(self._is_own_file):
             self._saved, self._base = -1, self._content  # what no journal holds goes into the file
+        if store.others_aside is not None:
+            raise SessionError(
+                f"{self._path}: another program edited this session meanwhile; its edits are kept "
+                f"aside as {store.others_aside}",
+                "do it again to go on without them",
+            )
 
     def _is_own_file(self) -> bool:
         """Whether the file under the session's name is what this session saved last."""
@@ -52,17 +58,22 @@ class OnDisk(Held):
     def _recover(self, store: Store) -> None:
         found = recover(self._edited, store, self._stamps)
         self._recovered = self._content = found.steps
-        self._notes += found.notes
+        self._notes += (*found.notes, *found.damage)
+        self._damage += found.damage
 
     def _refuse_read_only(self) -> None:
         if self.read_only:
             raise SessionError(f"{self._path} is open for reading only; save it under another name")
 
+    def _let_go(self, *, keep_journal: bool) -> None:
+        """Give the right to write the file back."""
+        if self._store is not None:
+            self._store.release(keep_journal=keep_journal)
+            self._store = None
+
     def _give_up_writing(self, why: str) -> None:
         """Stay open for reading only."""
-        if self._store is not None:
-            self._store.release(keep_journal=True)
-            self._store = None
+        self._let_go(keep_journal=True)
         self._why_read_only = why
         self._notes.append(f"Open for reading only: {why}")
         if not self._recovered and self._path is not None and edits_wait(self._path):
@@ -113,7 +124,7 @@ class OnDisk(Held):
         stamps, own = pending.snapshot.stamps, pending.store is self._store
         if own:
             pending.store.rebase(stamps.session, stamps.save, stamps.included)
-        elif pending.store.has_journal:
+        elif pending.store.has_files_of_journal:
             pending.store.set_journal_aside()  # of the session that was there before
         left = None if own else self._store
         self._store, self._path = pending.store, pending.path

@@ -52,7 +52,7 @@ def next_stamps(stamps: Stamps, own: Stamps, store: Store | None) -> Stamps:
         own: of the session as it was saved last.
         store: whose journal the save takes in; None: it goes elsewhere.
     """
-    journal = store.journal() if store is not None and store.has_journal else None
+    journal = store.journal if store is not None else None
     origin = journal.origin if journal is not None else None
     return replace(
         stamps,

@@ -16,11 +16,12 @@ from tracking.session import inspection
 from tracking.session.hdf5 import begin_columns, opened, read_columns, text_attribute
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.label_tables import read_labels
-from tracking.session.layout import EDIT_COLUMNS, SOURCE_COLUMNS, VERSION
+from tracking.session.layout import COLOUR_COLUMNS, EDIT_COLUMNS, SOURCE_COLUMNS, VERSION
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.session.saving import generations
 from tracking.session.seal import holds as is_sealed
+from tracking.session.seal import is_changed
 from tracking.session.unpacking import Unpacking
 from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, TrackTable
 from tracking.untrusted import DAMAGED, verdicts_of
@@ -33,9 +34,10 @@ def read_session(path: Path) -> Snapshot:
 
     Raises SessionError where it is missing, no session, damaged, hostile or too new.
     """
-    version = check_file(path)
+    version, changed = _checked(path)
     with opened(path) as file:
-        return replace(_READERS[version[0]](file, path), newer=version > VERSION)
+        snapshot = _READERS[version[0]](file, path)
+    return replace(snapshot, newer=version > VERSION, changed=changed)
 
 
 def saved_as(path: Path) -> tuple[str, str]:
@@ -51,17 +53,22 @@ def check_file(path: Path) -> tuple[int, int]:
     One that bears this user's seal need not be: its structure is as it was saved.
     Raises SessionError with the verdict where it is not safe to read.
     """
+    return _checked(path)[0]
+
+
+def _checked(path: Path) -> tuple[tuple[int, int], bool]:
+    """The version of a file that is safe to read, and whether it is not as it was saved."""
     if path.is_dir():
         raise SessionError(f"{path}: this is a folder; name a session file")
     if not path.is_file():
         raise SessionError(f"{path}: there is no such session; check the path")
     if is_sealed(path):
-        return VERSION
+        return VERSION, False
     verdict = verdicts_on([path])[0]
     if "refused" in verdict:
         raise SessionError(f"{path}{verdict['refused']}{_way_out(path, verdict['refused'])}")
     major, minor = verdict["version"]
-    return int(major), int(minor)
+    return (int(major), int(minor)), is_changed(path)
 
 
 def check_files(paths: Sequence[Path]) -> list[str]:
@@ -111,11 +118,20 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
         labels=labels,
         edits=edits,
         touched=touches.columns,
+        colours=_read_colours(file),
     )
 
 
 _READERS = {1: _read_version_1}
 """By major version: a file of an older one is brought up to date by its own reader."""
+
+
+def _read_colours(file: h5py.File) -> dict[int, int]:
+    """The colour of each track; none in older files."""
+    if "colours" not in file:
+        return {}
+    columns = read_columns(file["colours"], COLOUR_COLUMNS)
+    return dict(zip(columns["track"].tolist(), columns["place"].tolist(), strict=True))
 
 
 def read_edits(file: h5py.File) -> tuple[Entry, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from tracking.errors import EditError, SessionError
@@ -9,6 +10,8 @@ from tracking.session.edited import Edited
 from tracking.session.image import Stamps
 from tracking.session.journal import Journal, Step
 from tracking.session.store import Store
+
+_MAY_MISS = "edits made after the session was saved last may be missing"
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,63 +21,92 @@ class Recovery:
     Attributes:
         steps: how many steps were made again.
         notes: lines for the user.
+        damage: those on what is damaged or does not fit, which come after the notes.
     """
 
     steps: int = 0
     notes: tuple[str, ...] = ()
+    damage: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """What a journal holds that a session file misses.
+
+    Attributes:
+        steps: those that are as they were written, in order.
+        problem: why there may have been more; "" where there were not.
+    """
+
+    steps: tuple[Step, ...] = ()
+    problem: str = ""
 
 
 def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
     """Make the journal's edits again that the file misses; then the journal builds on this file.
 
-    A journal, or the end of one, that does not fit the file is kept aside and told, never thrown
-    away. Raises OutputError where the journal cannot be read or written for want of room or rights.
+    A journal, or the end of one, that is damaged or does not fit the file is kept aside and told,
+    never thrown away. Raises OutputError where the journal cannot be read or written for want of
+    room or rights.
     """
     try:
-        journal = store.journal()
-        steps = missing_steps(journal, stamps)
+        journal = store.take_over()
+        missing = missing_steps(journal, stamps)
     except SessionError as why:
-        return Recovery(notes=(f"{why}; it was kept aside as {store.set_journal_aside()}",))
-    made = 0
+        aside = store.set_journal_aside()
+        return Recovery(damage=(f"{why.reason}; it was kept aside as {aside}: {_MAY_MISS}",))
+    steps, made, misfit = missing.steps, 0, ""
     try:
         for step in steps:
             edited.replay(step.act, step.entry)
             made += 1
     except EditError as why:
-        aside = store.set_journal_aside()
-        _begin(store.journal(), stamps, steps[:made])
-        left = len({step.entry.id for step in steps[made:]})
-        do = "does" if left == 1 else "do"
-        rest = f"{_edits(left)} {do} not fit ({why}); kept aside as {aside}"
-        return Recovery(made, (*_told(steps[:made]), rest))
-    journal.start_over(stamps.session, stamps.save, journal.last - len(steps))
-    return Recovery(made, _told(steps))
+        misfit = str(why)
+    if not (misfit or missing.problem):
+        journal.start_over(stamps.session, stamps.save, journal.last - len(steps))
+        return Recovery(made, _told(steps))
+    aside = store.set_journal_aside()
+    store.begin_again(stamps.session, stamps.save, steps[:made])
+    left = len({step.entry.id for step in steps[made:]})
+    do = "does" if left == 1 else "do"
+    rest = (
+        f"{_edits(left)} {do} not fit ({misfit}); kept aside as {aside}"
+        if misfit
+        else f"the journal of edits is damaged ({missing.problem}); "
+        f"it was kept aside as {aside}: {_MAY_MISS}"
+    )
+    return Recovery(made, _told(steps[:made]), (rest,))
 
 
-def missing_steps(journal: Journal, stamps: Stamps) -> list[Step]:
+def missing_steps(journal: Journal, stamps: Stamps) -> Missing:
     """The journal's steps that were made after the file was saved, in order.
 
     The journal builds on this save, or on the one before it where the program ended between
     putting the new file in its place and trimming the journal.
     Raises SessionError where it belongs to another file, so that replaying it would be wrong.
     """
-    origin = journal.origin
+    origin, own = journal.origin, (stamps.session, stamps.save)
     if origin is None or not journal.last:
-        return []  # begun by a program that died before its first edit: whatever it built on
-    if origin == (stamps.session, stamps.save):
-        return list(journal.steps())
-    if stamps.previous_save and origin == (stamps.session, stamps.previous_save):
-        return [step for step in journal.steps() if step.number > stamps.included]
-    raise SessionError("the journal belongs to another session or to another save of this one")
+        # Begun by a program that died before its first edit, whatever it built on; or it has lost
+        # them all.
+        return Missing(problem=_lost(journal.acknowledged(*own), 0))
+    if origin == own:
+        included = 0
+    elif stamps.previous_save and origin == (stamps.session, stamps.previous_save):
+        included = stamps.included
+    else:
+        raise SessionError("the journal belongs to another session or to another save of this one")
+    contents = journal.contents()
+    steps = tuple(step for step in contents.steps if step.number > included)
+    there = max(len(contents.steps), included)
+    return Missing(steps, contents.problem or _lost(journal.acknowledged(*origin), there))
 
 
-def _begin(journal: Journal, stamps: Stamps, steps: list[Step]) -> None:
-    journal.start_over(stamps.session, stamps.save)
-    for step in steps:
-        journal.append(step.act, step.entry)
+def _lost(acknowledged: int, there: int) -> str:
+    return f"{there} of {acknowledged} steps are left" if acknowledged > there else ""
 
 
-def _told(steps: list[Step]) -> tuple[str, ...]:
+def _told(steps: Sequence[Step]) -> tuple[str, ...]:
     """How many edits were made again, undone and redone: each recovered edit is told once."""
     last = {step.entry.id: step.act for step in steps}
     made = {step.entry.id for step in steps if step.act == "apply"}

@@ -5,12 +5,18 @@ from __future__ import annotations
 import contextlib
 import os
 import shutil
-import uuid
 from pathlib import Path
 
+from tracking.owned_files import real_path, sync_folder
 from tracking.session.document import Session
 from tracking.session.older import read_generation
-from tracking.session.saving import companions, real_path, sync_folder, telling_where
+from tracking.session.saving import (
+    companions,
+    copy_file,
+    free_name,
+    telling_where,
+    unfinished_name,
+)
 from tracking.session.store import Store
 
 
@@ -35,31 +41,34 @@ def replace_damaged(path: Path, number: int) -> tuple[Session, Path]:
     store = Store.claim(path)
     try:
         kept = _set_aside(path)
-        with telling_where(path, "the older generation was not put in its place"):
-            _copy_over(file, path)
+        try:
+            with telling_where(path, "the older generation was not put in its place"):
+                _copy_over(file, path)
+        except BaseException:
+            kept.unlink(missing_ok=True)  # the file itself is still in its place
+            raise
     finally:
         store.release(keep_journal=True)
     return Session.open(path), kept
 
 
 def _set_aside(path: Path) -> Path:
-    """A copy of the file under a name that nobody has; gives it."""
-    folder = companions(path)
-    numbers = range(1, len(list(folder.iterdir())) + 2)
-    free = (folder / f"damaged-{number}{path.suffix}" for number in numbers)
-    aside = next(file for file in free if not file.exists())
+    """The file under a second name that nothing has; gives it."""
+    aside = free_name(companions(path) / f"damaged-{path.suffix}")
     with telling_where(aside, "the damaged file cannot be kept"):
-        shutil.copy2(path, aside)
+        try:
+            os.link(path, aside)
+        except OSError:  # a disk without second names
+            copy_file(path, aside)
+        sync_folder(aside.parent)
     return aside
 
 
 def _copy_over(file: Path, path: Path) -> None:
     """Put a copy of a file in another's place, at once and for good."""
-    beside = companions(path) / f"saving-{uuid.uuid4().hex}.h5"
+    beside = unfinished_name(path)
     try:
-        shutil.copyfile(file, beside)
-        with beside.open("rb+") as copied:
-            os.fsync(copied.fileno())
+        copy_file(file, beside)
         with contextlib.suppress(OSError):  # whoever could read the damaged one, and nobody else
             shutil.copymode(path, beside)
         beside.replace(path)

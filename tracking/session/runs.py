@@ -202,6 +202,16 @@ class Runs(Sequence[Run]):
         """Runs in memory or in a file, by number."""
         self._held = list(runs)
         self._loaded: dict[int, Run] = {}
+        self._serials = list(range(len(self._held)))
+        self._next_serial = len(self._held)
+
+    @property
+    def serials(self) -> tuple[int, ...]:
+        """A number for each run that no other has had since the session was opened.
+
+        A run's own number is given again once the last run is dropped.
+        """
+        return tuple(self._serials)
 
     def __len__(self) -> int:
         """How many there are."""
@@ -232,6 +242,8 @@ class Runs(Sequence[Run]):
     def add(self, run: Run) -> int:
         """Add a run, which was made just now where it does not say so itself; gives its number."""
         self._held.append(run if run.made else replace(run, made=now()))
+        self._serials.append(self._next_serial)
+        self._next_serial += 1
         return len(self._held) - 1
 
     def drop(self, number: int, adopted: int | None, *, saving: bool) -> None:
@@ -246,7 +258,7 @@ class Runs(Sequence[Run]):
             raise EditError(f"run {number}: the corrected tracks began as it; it stays")
         if saving:
             raise EditError(f"run {number} is being saved; drop it when that is done")
-        del self._held[number]
+        del self._held[number], self._serials[number]
         self._loaded.pop(number, None)
 
     def tracker_of(self, number: int) -> str:

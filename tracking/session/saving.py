@@ -5,27 +5,26 @@ from __future__ import annotations
 import contextlib
 import errno
 import filecmp
+import itertools
 import os
 import re
 import shutil
+import stat
 import sys
 import time
 import uuid
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from tracking.errors import OutputError
+from tracking.errors import OutputError, UnsafeFileError
+from tracking.owned_files import SAFE_FLAGS, check_file, check_folder, sync_folder
+from tracking.replacing import check_target
 from tracking.session.image_file import ImageFile
 
 GENERATIONS = 5
 UNLIMITED = 999_999
 """Generations kept while one of them is restored: none is dropped then."""
 _TRIES, _PAUSE_S = 20, 0.1
-
-
-def real_path(path: Path) -> Path:
-    """The file itself where a path is a link to it: lock, journal and saves are the file's."""
-    return path.resolve() if path.is_symlink() else path
 
 
 def file_state(path: Path) -> tuple[int, int, int] | None:
@@ -43,9 +42,28 @@ def companions(path: Path) -> Path:
 
 
 def generations(path: Path) -> tuple[Path, ...]:
-    """The older generations of a session that are kept, the newest first."""
-    kept = (_generation(path, age) for age in _ages(path))
-    return tuple(file for file in kept if file.is_file())
+    """The older generations of a session that are kept, the newest first.
+
+    None where the folder beside the session is not the user's own. Before one is read,
+    `check_backup` says whether it is a file that was kept here.
+    """
+    try:
+        check_folder(companions(path))
+    except (UnsafeFileError, OSError):
+        return ()
+    return tuple(_generation(path, age) for age in _ages(path))
+
+
+def check_backup(path: Path, backup: Path) -> None:
+    """Refuse an older generation of the session at `path` that is not a file of the user's own.
+
+    Raises UnsafeFileError where it, or the folder it stands in, is a link, a pipe, a device or
+    another user's.
+    """
+    with contextlib.suppress(FileNotFoundError):  # which reading it tells
+        check_folder(companions(path))
+        if not _is_same(backup, path):  # as after a save that failed once it had kept it
+            check_file(backup)
 
 
 def replace_verified(
@@ -58,8 +76,10 @@ def replace_verified(
     Raises OutputError, with the old file untouched.
     """
     folder = companions(path)
-    beside = folder / f"saving-{uuid.uuid4().hex}.h5"
+    beside = unfinished_name(path)
     with telling_where(path):
+        check_target(path)
+        check_folder(folder)
         try:
             with contextlib.closing(ImageFile(beside)) as image:
                 write(image)
@@ -78,8 +98,43 @@ def replace_verified(
         sync_folder(path.parent)
 
 
+def unfinished_name(path: Path) -> Path:
+    """Where to write a file that is to take the session's place."""
+    return companions(path) / f"saving-{uuid.uuid4().hex}.h5"
+
+
+def free_name(path: Path) -> Path:
+    """A name that nothing has: the path's with the first free number, from 1, after its stem."""
+    names = (path.with_name(f"{path.stem}{number}{path.suffix}") for number in itertools.count(1))
+    return next(name for name in names if not os.path.lexists(name))
+
+
+def copy_file(source: Path, target: Path) -> None:
+    """Have a file's bytes in a new file, on the disk when this returns, or nothing.
+
+    The copy may be read and written by whoever may do so with the source.
+    Raises OSError where either fails, FileExistsError where anything has the name already.
+    """
+    with os.fdopen(os.open(source, os.O_RDONLY | SAFE_FLAGS), "rb") as read:
+        state = os.fstat(read.fileno())
+        if not stat.S_ISREG(state.st_mode):
+            raise OSError(errno.EINVAL, "what is to be copied is not a regular file")
+        new = os.O_WRONLY | os.O_CREAT | os.O_EXCL | SAFE_FLAGS
+        with os.fdopen(os.open(target, new, stat.S_IMODE(state.st_mode) & 0o666), "wb") as written:
+            try:
+                shutil.copyfileobj(read, written)
+                written.flush()
+                os.fsync(written.fileno())
+            except BaseException:
+                target.unlink()
+                raise
+
+
 def clear_leftovers(path: Path) -> None:
-    """Take away what a save that was cut short left beside the session."""
+    """Take away what a save that was cut short left beside the session.
+
+    The folder has been checked: a link to another one is never looked into.
+    """
     for file in companions(path).glob("saving-*.h5"):
         with contextlib.suppress(OSError):
             file.unlink()
@@ -132,9 +187,9 @@ def _keep_generation(path: Path) -> None:
     try:
         os.link(path, newest)
     except OSError:  # a disk without second names
-        unfinished = newest.with_suffix(".tmp")
+        unfinished = unfinished_name(path)
         try:
-            shutil.copyfile(path, unfinished)
+            copy_file(path, unfinished)
             unfinished.replace(newest)
         finally:
             unfinished.unlink(missing_ok=True)
@@ -149,9 +204,22 @@ def _drop_oldest(path: Path, most: int) -> None:
 def _is_kept(path: Path) -> bool:
     """Whether the newest generation is the present file."""
     newest = _generation(path, 1)
-    if not newest.exists():
+    if _is_same(newest, path):
+        return True
+    try:
+        is_file = check_file(newest) is not None
+    except UnsafeFileError:  # it says nothing about what was kept
         return False
-    return newest.samefile(path) or filecmp.cmp(newest, path, shallow=False)
+    return is_file and filecmp.cmp(newest, path, shallow=False)
+
+
+def _is_same(backup: Path, path: Path) -> bool:
+    """Whether a backup is a second name of the session's file; a link to it is not."""
+    try:
+        kept, present = os.lstat(backup), path.stat()
+    except OSError:
+        return False
+    return (kept.st_ino, kept.st_dev) == (present.st_ino, present.st_dev)
 
 
 def _ages(path: Path) -> list[int]:
@@ -166,18 +234,3 @@ def _ages(path: Path) -> list[int]:
 
 def _generation(path: Path, age: int) -> Path:
     return companions(path) / f"{path.stem}.{age}{path.suffix}"
-
-
-def sync_folder(folder: Path) -> None:
-    """Make a folder's new names last through a power cut.
-
-    Windows does so by itself, and some network disks cannot: there is nothing to do about either.
-    """
-    if sys.platform == "win32":
-        return
-    with contextlib.suppress(OSError):
-        handle = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(handle)
-        finally:
-            os.close(handle)

@@ -3,21 +3,28 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 from tracking.editing import Entry
 from tracking.errors import OutputError, SessionError
-from tracking.session.journal import Act, Journal
+from tracking.owned_files import make_folder, permissions_of, sync_folder
+from tracking.replacing import check_target
+from tracking.session import journal_files
+from tracking.session.journal import Act, Journal, Step
+from tracking.session.journal_files import JOURNAL
 from tracking.session.lock import SessionLock
-from tracking.session.saving import clear_leftovers, companions, sync_folder, telling_where
-
-JOURNAL = "journal.sqlite"
+from tracking.session.saving import clear_leftovers, companions, telling_where
 
 
 class Store:
-    """The right to write one session."""
+    """The right to write one session.
+
+    A journal that lies there is taken over at opening alone, when its edits are made again. Later
+    on, one that this program did not write is another program's: it is kept aside, never written
+    to, trimmed or taken away.
+    """
 
     def __init__(self, path: Path, lock: SessionLock) -> None:
         """Use `claim`."""
@@ -27,17 +34,25 @@ class Store:
         self._journal: Journal | None = None
         self._begun: tuple[ThreadPoolExecutor, Future[Journal]] | None = None
         self._doubted = False
+        self.others_aside: Path | None = None
 
     @classmethod
     def claim(cls, path: Path) -> Store:
         """Take the session's lock.
 
-        Raises SessionError where another program has it, OutputError where the folder cannot be
-        written to.
+        Raises SessionError where another program has it, UnsafeFileError where what stands beside
+        it is not this user's own, OutputError where the folder cannot be written to or the path is
+        no place for a file.
         """
+        check_target(path)
         with telling_where(path, "its folder cannot be written to"):
             lock = _locked(path)
-            clear_leftovers(path)
+            try:
+                clear_leftovers(path)
+            except BaseException:
+                with contextlib.suppress(OSError):
+                    lock.release()
+                raise
         return cls(path, lock)
 
     def make_sure(self, is_own: Callable[[], bool]) -> bool:
@@ -45,16 +60,18 @@ class Store:
 
         A folder that was away and is back, as a network disk may be, is taken up again where
         is_own says that the session file in it is the one this program knows.
-        False: the journal that came back misses steps; they must be put on disk otherwise.
+        False: the journal that came back misses steps; they must be put on disk otherwise. Where
+        another program's edits lie there, `others_aside` names the file they were kept aside as.
         Raises OutputError where the folder is away, SessionError where another program has the
         session or has changed it.
         """
+        self.others_aside = None
         if self._is_in_place():
             return True
         if not self._path.is_file():
             raise OutputError(
-                f"{self._path} is out of reach: its folder has vanished; nothing was changed: "
-                "connect it again and go on"
+                f"{self._path} is out of reach: its folder has vanished. Nothing was changed. "
+                "Connect its disk again, or put the folder back, and go on"
             )
         if not self._lock.is_in_place:
             self._lock_again(is_own)
@@ -63,27 +80,34 @@ class Store:
     def keep(self, act: Act, entry: Entry, session: str, save: str) -> None:
         """Put a step into the journal, on disk when this returns; a new one builds on that save.
 
-        Raises OutputError where its disk refuses: it is opened anew before it is written to again.
+        Raises OutputError where its disk refuses, SessionError where another program wrote into
+        it: it is opened anew before it is written to again.
         """
         try:
-            journal = self.journal()
-            if journal.origin is None:
-                journal.start_over(session, save)
+            journal = self.journal
+            if journal is None:
+                journal = self._journal = self._begin(session, save)
             journal.append(act, entry)
-        except OutputError:
+        except (OutputError, SessionError):
             self._doubted = True
             raise
 
     def rebase(self, session: str, save: str, included: int) -> None:
         """Let the journal build on the file that was just written, which holds so many steps."""
-        if self.has_journal:
-            with contextlib.suppress(OutputError):  # it stays longer; the file says what it holds
-                self.journal().start_over(session, save, included)
+        journal = self.journal
+        if journal is None:
+            return
+        try:
+            journal.start_over(session, save, included)
+        except (OutputError, SessionError):  # it stays longer; the file says what it holds
+            self._doubted = True
 
     def _is_in_place(self) -> bool:
-        journal = self._opened()
-        written = journal is None or (journal.is_in_place and not self._doubted)
-        return written and self._lock.is_in_place
+        journal = self.journal
+        known = (
+            not journal_files.are_there(self._folder) if journal is None else journal.is_in_place
+        )
+        return known and not self._doubted and self._lock.is_in_place
 
     def _lock_again(self, is_own: Callable[[], bool]) -> None:
         with telling_where(self._path, "its folder cannot be written to"):
@@ -99,22 +123,64 @@ class Store:
 
     def _journal_again(self) -> bool:
         written = self._journal
-        if written is None:
-            return True
-        written.close()
-        journal = self._made()
+        self._doubted = True  # until it is open again
+        if written is not None:
+            written.close()
+        if journal_files.are_there(self._folder):
+            self._take_up(written)
+        else:
+            self._journal = None
         self._doubted = False
-        if journal.continues(written):
-            self._journal = journal
-            return True
-        journal.close()
-        self.set_journal_aside()
-        return False
+        return written is None or self._journal is not None
+
+    def _take_up(self, written: Journal | None) -> None:
+        """Go on with the journal that lies there where it is the one that was written to."""
+        journal = self._reopened()
+        if journal is not None and written is not None:
+            try:
+                if _continues(journal, written):
+                    self._journal = journal
+                    return
+            except SessionError:  # damaged: it is closed, and kept aside below
+                journal = None
+        has_others = journal is None or journal.has_others(written)
+        is_empty = journal is not None and journal.is_empty
+        if journal is not None:
+            journal.close()
+        if is_empty:
+            self._journal = None
+            journal_files.remove(self._folder)
+            return
+        try:
+            aside = self.set_journal_aside()
+        except OutputError:
+            self._journal = written  # it is still known what was in it
+            raise
+        self.others_aside = aside if has_others else None
+
+    def _reopened(self) -> Journal | None:
+        """The journal that is there now; None where that is something else."""
+        try:
+            return self._found()
+        except SessionError:
+            return None
+
+    def take_over(self) -> Journal:
+        """The journal that lies there, whoever wrote it; from now on this program's.
+
+        Raises OutputError where it cannot be opened, SessionError where it is none.
+        """
+        self._journal = self._found()
+        return self._journal
+
+    def _found(self) -> Journal:
+        sync_folder(self._path.parent)  # what is journalled must not vanish with its new folder
+        return Journal(self._folder / JOURNAL, permissions_of(self._path))
 
     @property
-    def has_journal(self) -> bool:
-        """Whether there is a journal, open or left by a program that died."""
-        return self._opened() is not None or (self._folder / JOURNAL).exists()
+    def has_files_of_journal(self) -> bool:
+        """Whether a journal lies there, whoever wrote it; OutputError where nobody can tell."""
+        return self.journal is not None or journal_files.are_there(self._folder)
 
     def begin_journal(self, session: str, save: str) -> None:
         """Have an empty journal on this save made by another thread, where there is none.
@@ -122,27 +188,25 @@ class Store:
         A new file is on the disk for good after several waits for it: the first edit need not
         stand them. Where it fails nothing is said: that edit tries again, and tells.
         """
-        if self.has_journal:
+        if self.journal is not None:
             return
         maker = ThreadPoolExecutor(1, "journal")
         self._begun = (maker, maker.submit(self._begin, session, save))
         maker.shutdown(wait=False)
 
-    def _begin(self, session: str, save: str) -> Journal:
-        sync_folder(self._path.parent)  # what is journalled must not vanish with its new folder
-        return Journal.begun(self._folder / JOURNAL, session, save)
-
-    def journal(self) -> Journal:
-        """The journal, made where there is none."""
-        self._journal = self._opened() or self._made()
-        return self._journal
-
-    def _made(self) -> Journal:
+    def _begin(self, session: str, save: str, steps: Sequence[Step] = ()) -> Journal:
+        """A new journal. Raises SessionError where another program has made one by now."""
         sync_folder(self._path.parent)
-        return Journal(self._folder / JOURNAL)
+        mode = permissions_of(self._path)
+        return Journal.begun(self._folder / JOURNAL, session, save, mode, steps)
 
-    def _opened(self) -> Journal | None:
-        """The journal that is open, waited for where it is being made."""
+    def begin_again(self, session: str, save: str, steps: Sequence[Step]) -> None:
+        """Have a new journal on this save, with these steps, where none is."""
+        self._journal = self._begin(session, save, steps)
+
+    @property
+    def journal(self) -> Journal | None:
+        """The journal this program writes to, waited for where it is being made."""
         if self._begun is not None:
             (maker, begun), self._begun = self._begun, None
             with maker, contextlib.suppress(SessionError, OutputError):
@@ -152,29 +216,36 @@ class Store:
     def set_journal_aside(self) -> Path:
         """Keep the journal under another name, so that a new one can begin; gives that name."""
         self._close_journal()
-        taken = len(list(self._folder.glob("kept-aside-*.sqlite")))
-        aside = self._folder / f"kept-aside-{taken + 1}.sqlite"
-        with telling_where(aside, "the journal cannot be kept aside"):
-            for ending in ("-wal", "-shm", ""):
-                file = self._folder / f"{JOURNAL}{ending}"
-                if file.exists():
-                    file.replace(self._folder / f"{aside.name}{ending}")
-        return aside
+        return journal_files.set_aside(self._folder)
 
     def release(self, *, keep_journal: bool) -> None:
-        """Give the session back, and take away what is needed no more."""
+        """Give the session back, and take away what is needed no more.
+
+        Where somebody took the lock away, another program may have edited: its journal stays.
+        """
+        journal = self.journal
+        is_own = journal is not None and journal.is_as_written and self._lock.is_in_place
         self._close_journal()
+        if is_own and not keep_journal:
+            journal_files.remove(self._folder)
         with contextlib.suppress(OSError):
-            if not keep_journal:
-                for ending in ("-wal", "-shm", ""):
-                    (self._folder / f"{JOURNAL}{ending}").unlink(missing_ok=True)
             self._lock.release()
+        with contextlib.suppress(OSError):
             self._folder.rmdir()  # only succeeds where nothing is kept
 
     def _close_journal(self) -> None:
-        journal, self._journal = self._opened(), None
+        journal, self._journal = self.journal, None
         if journal is not None:
             journal.close()
+
+
+def _continues(journal: Journal, written: Journal) -> bool:
+    """Whether a journal opened anew goes on where it ended; it is closed where nobody can tell."""
+    try:
+        return journal.continues(written)
+    except BaseException:
+        journal.close()
+        raise
 
 
 def is_open(path: Path) -> bool:
@@ -184,9 +255,7 @@ def is_open(path: Path) -> bool:
 
 def _locked(path: Path) -> SessionLock:
     """The session's lock, taken; the folder it lies in is made where there is none."""
-    folder = companions(path)
-    if not folder.exists():
-        folder.mkdir(exist_ok=True)
+    make_folder(companions(path))
     lock = _lock_of(path)
     if not lock.acquire():
         raise SessionError(f"{path}: the session is open in {lock.holder()}; close it there first")
@@ -194,4 +263,4 @@ def _locked(path: Path) -> SessionLock:
 
 
 def _lock_of(path: Path) -> SessionLock:
-    return SessionLock(companions(path) / "lock")
+    return SessionLock(companions(path) / "lock", permissions_of(path))

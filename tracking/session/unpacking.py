@@ -119,6 +119,8 @@ def _unpack(piece: bytes, into: NDArray[Any], rows: int) -> None:
         raise ValueError("a piece cannot be unpacked: its bytes are damaged") from why
     if len(plain) != size:
         raise ValueError(f"a piece unpacks to {len(plain)} bytes, not {size}")
+    if not inflater.eof or inflater.unused_data:  # its checksum, at the end, was not compared
+        raise ValueError("a piece does not end where it should: its bytes are damaged")
     by_byte = np.frombuffer(plain, np.uint8).reshape(width, rows)[:, : len(into)]
     if into.dtype == np.bool_:
         into[:] = by_byte[0] != 0

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import shutil
 import tempfile
 from collections.abc import Iterator
@@ -10,13 +12,15 @@ from pathlib import Path
 
 from tracking.editing import History
 from tracking.errors import EditError, OutputError, SessionError
+from tracking.owned_files import check_folder, open_file
 from tracking.session.edited import Edited
 from tracking.session.image import Stamps
-from tracking.session.journal import Journal, Step
+from tracking.session.journal import ENDINGS, Journal, Step
+from tracking.session.journal_files import JOURNAL
+from tracking.session.journal_schema import MOST_BYTES
 from tracking.session.reading import read_session
 from tracking.session.recovery import missing_steps
 from tracking.session.saving import companions
-from tracking.session.store import JOURNAL
 
 
 def read_with_waiting(path: Path) -> tuple[Edited, int] | None:
@@ -49,12 +53,18 @@ def read_history(path: Path) -> History:
 
 
 def edits_wait(path: Path) -> bool:
-    """Whether edits may wait beside a session, in its journal or in what is left of one."""
-    if not (companions(path) / JOURNAL).exists():
-        return False
+    """Whether edits may wait beside a session, in its journal or in what is left of one.
+
+    They may, too, where the folder there is another user's, or a link, which nobody follows.
+    """
     try:
+        check_folder(companions(path))
+        if not os.path.lexists(companions(path) / JOURNAL):
+            return False
         with _copied(path) as journal:
             return journal.last > 0
+    except FileNotFoundError:
+        return False
     except (SessionError, OutputError, OSError):
         return True
 
@@ -72,20 +82,30 @@ def _written_s(file: Path) -> float:
         return 0.0
 
 
-def _steps(path: Path, stamps: Stamps) -> list[Step]:
+def _steps(path: Path, stamps: Stamps) -> tuple[Step, ...]:
     with _copied(path) as journal:
-        return missing_steps(journal, stamps)
+        return missing_steps(journal, stamps).steps
 
 
 @contextmanager
 def _copied(path: Path) -> Iterator[Journal]:
     """A copy of the session's journal: reading the journal itself would write beside it."""
+    beside = companions(path)
+    check_folder(beside)
     with tempfile.TemporaryDirectory() as folder:
-        for file in companions(path).glob(f"{JOURNAL}*"):
-            if not file.name.endswith("-shm"):
-                shutil.copy(file, folder)
+        for ending in ENDINGS:
+            if ending != "-shm":
+                _copy(beside / f"{JOURNAL}{ending}", Path(folder))
         journal = Journal(Path(folder) / JOURNAL)
         try:
             yield journal
         finally:
             journal.close()
+
+
+def _copy(file: Path, folder: Path) -> None:
+    """Copy a file of the user's own, of a size that a journal has, where it is there."""
+    with contextlib.suppress(FileNotFoundError):
+        handle = open_file(file, most_bytes=MOST_BYTES)
+        with os.fdopen(handle, "rb") as source, (folder / file.name).open("wb") as target:
+            shutil.copyfileobj(source, target)

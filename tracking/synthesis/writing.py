@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import contextlib
-import os
-import shutil
-import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
-from tracking.errors import CancelledError, OutputError, SettingsError
+from tracking.errors import CancelledError, SettingsError
 from tracking.geometry import write_calibration
 from tracking.progress import Progress
 from tracking.recording import Manifest, write_manifest
+from tracking.replacing import replacing_folder
 from tracking.synthesis.circumstances import ORDINARY, Circumstances
 from tracking.synthesis.programme_writing import write_programme
 from tracking.synthesis.scene import Scene
@@ -68,7 +66,7 @@ def render_recording(
     fps, eyes = spec.fps if fps is None else fps, spec.eyes if eyes is None else eyes
     _check(seconds, people, spec.size_px if size is None else size, fps, eyes)
     _check_begin(spec, seconds, circumstances)
-    with _appearing(folder) as part:
+    with replacing_folder(folder) as part:
         rendered = Scene(
             spec,
             people,
@@ -119,53 +117,6 @@ def _check_begin(spec: SceneSpec, seconds: float | None, circumstances: Circumst
         )
 
 
-@contextlib.contextmanager
-def _appearing(folder: Path) -> Iterator[Path]:
-    """A folder to write into, which stands where it was asked for once all went well."""
-    above = _missing_folders(folder.parent)
-    part = _begin(folder)
-    try:
-        yield part
-        _finish(part, folder)
-    except OSError as error:
-        raise _unwritable(folder, error) from error
-    finally:
-        shutil.rmtree(part, ignore_errors=True)
-        _remove_empty(above)
-
-
-def _begin(folder: Path) -> Path:
-    """An empty folder beside the one asked for, to be renamed in the end."""
-    try:
-        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            raise OutputError(f"{folder} is there and not an empty folder; choose another name")
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        return Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".part", dir=folder.parent))
-    except OSError as error:
-        raise _unwritable(folder, error) from error
-
-
-def _missing_folders(folder: Path) -> list[Path]:
-    """The folder and those above it, as far as they are still to be made; the deepest first."""
-    return [place for place in (folder, *folder.parents) if not place.exists()]
-
-
-def _remove_empty(folders: list[Path]) -> None:
-    """Take folders away again that were made for nothing."""
-    with contextlib.suppress(OSError):  # one with something in it stays, and those above it
-        for folder in folders:
-            folder.rmdir()
-
-
-def _finish(part: Path, folder: Path) -> None:
-    mask = os.umask(0o022)
-    os.umask(mask)
-    part.chmod(0o777 & ~mask)  # a temporary folder is its maker's alone
-    if folder.is_dir():
-        folder.rmdir()
-    part.rename(folder)
-
-
 def _write(
     folder: Path,
     scene: Scene,
@@ -207,8 +158,3 @@ def _write_descriptions(folder: Path, scene: Scene, seed: int) -> None:
         ground=scene.rig.view.ground,
     )
     write_manifest(folder, manifest)
-
-
-def _unwritable(folder: Path, error: OSError) -> OutputError:
-    reason = error.strerror or str(error)
-    return OutputError(f"cannot write {folder}: {reason}; choose another place")

@@ -34,6 +34,11 @@ class Growing:
         self._used = needed
         return self._buffer[:needed]
 
+    def cut(self, length: int) -> NDArray[Any]:
+        """The first values only, a view; what was behind them will be written over."""
+        self._used = min(self._used, length)
+        return self._buffer[: self._used]
+
 
 class FrameStarts:
     """Where the rows of each frame begin in a table that grows by frames in order."""
@@ -46,6 +51,11 @@ class FrameStarts:
     def extend(self, counts: Sequence[int]) -> None:
         """Further frames with so many rows each."""
         self._starts = self._growing.with_more(self._starts[-1] + np.cumsum(counts, dtype=np.int64))
+
+    def cut(self, frames: int) -> int:
+        """Forget all but the first frames; how many rows these have."""
+        self._starts = self._growing.cut(frames + 1)
+        return int(self._starts[-1])
 
     def rows(self, first: int, stop: int) -> slice:
         """The rows of some frames, counted from the table's first."""

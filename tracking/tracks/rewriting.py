@@ -124,6 +124,8 @@ class Rewriting:
 
 def _rows_by_track(tracks: NDArray[np.int32]) -> Iterator[tuple[int, NDArray[np.int64]]]:
     """Each track with the numbers of its rows, ascending."""
+    if not len(tracks):
+        return
     order = np.argsort(tracks, kind="stable")
     ordered = tracks[order]
     starts = np.flatnonzero(np.diff(ordered, prepend=0))

@@ -1,5 +1,7 @@
 """Files from elsewhere are checked before they are read."""
 
+from tracking.untrusted.named_format import named_format
+from tracking.untrusted.patience import go_on
 from tracking.untrusted.program import (
     DAMAGED,
     bare_packages,
@@ -27,7 +29,9 @@ __all__ = [
     "bare_packages",
     "check_attributes",
     "check_signature",
+    "go_on",
     "limit",
+    "named_format",
     "say_verdicts",
     "verdict_by",
     "verdicts_of",

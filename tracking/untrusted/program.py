@@ -17,6 +17,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from tracking.untrusted.patience import begin, memory_for
 from tracking.untrusted.walk import Refused
 
 MEMORY_BYTES = 4 << 30
@@ -43,8 +44,9 @@ def say_verdicts(inspect: Callable[[Path], object], told: str = "version") -> No
 
     told: what `inspect` tells of a file that may be read.
     """
-    limit()
     for name in sys.argv[1:]:
+        limit(memory_for(Path(name), MEMORY_BYTES))
+        begin()
         print(json.dumps(verdict_by(inspect, Path(name), told)), flush=True)
 
 
@@ -60,13 +62,16 @@ def verdict_by(
         return {"refused": DAMAGED}
 
 
-def limit() -> None:
-    """Where the system knows limits: a file that makes reading run away ends this program only."""
+def limit(memory_bytes: int = MEMORY_BYTES) -> None:
+    """Where the system knows limits: a file that makes reading run away ends this program only.
+
+    Limits can be moved as long as the hard ones stay.
+    """
     try:
         import resource
     except ImportError:  # Windows
         return
-    for kind, most in ((resource.RLIMIT_AS, MEMORY_BYTES), (resource.RLIMIT_CPU, SECONDS)):
+    for kind, most in ((resource.RLIMIT_AS, memory_bytes), (resource.RLIMIT_CPU, SECONDS)):
         _, hard = resource.getrlimit(kind)
         most = most if hard == resource.RLIM_INFINITY else min(most, hard)
         with contextlib.suppress(OSError, ValueError):  # macOS knows RLIMIT_AS but may refuse it

@@ -14,6 +14,8 @@ from typing import Any
 import h5py
 import numpy as np
 
+from tracking.untrusted.patience import go_on
+
 _DEEPEST = 8
 _MOST_OBJECTS = 20_000
 _LARGEST_CHUNK = 64 << 20
@@ -120,6 +122,7 @@ class Walk:
 
         Its type and its dimensions are whatever they are. Raises Refused.
         """
+        go_on()
         node = file
         for name in where.split("/"):
             if not isinstance(node, h5py.Group) or name not in node:
@@ -139,6 +142,7 @@ class Walk:
             raise Refused(f"holds more objects than any {self._kind.name}")
         check_attributes(group, self._kind)
         for name in group:
+            go_on()
             self._objects += 1
             if self._objects > _MOST_OBJECTS:
                 raise Refused(f"holds more objects than any {self._kind.name}")

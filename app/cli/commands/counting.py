@@ -19,7 +19,9 @@ def count(
     *,
     floor: OnFloor,
     step: Annotated[float, typer.Option(help="How time is cut, s.")] = 0.5,
-    csv: Annotated[Path | None, typer.Option(help="Write each step to this file.")] = None,
+    csv: Annotated[
+        Path | None, typer.Option(help="Write each step to this file; - is stdout.")
+    ] = None,
     run: Annotated[
         int | None,
         typer.Option(min=0, help="A tracker's run, from 0.", show_default="the corrected tracks"),

@@ -25,6 +25,8 @@ def score(
     line: score_options.Lines = None,
     picture_line: score_options.PictureLines = None,
     report: score_options.Report = None,
+    unit: options.Unit = None,
+    fps: score_options.Fps = None,
     allow_outside: score_options.Outside = False,
     json: options.Json = False,
 ) -> None:
@@ -32,6 +34,7 @@ def score(
     from app.cli.score import run_score
     from app.cli.score_measuring import Asked, radius_of
     from app.cli.score_passages import lines_named
+    from tracking.formats import Stated
 
     asked = Asked(
         results=tuple(results),
@@ -46,6 +49,7 @@ def score(
         lines=lines_named(line or (), picture_line or ()),
         report=report,
         allow_outside=allow_outside,
+        stated=Stated(unit or "", fps),
     )
     run_score(asked, as_json=json)
 

@@ -34,6 +34,11 @@ SCENE_NAMES = (
 """Of `tracking.synthesis.SCENES`, which takes too long to import for a page of help."""
 
 
+def _scenes(incomplete: str) -> list[str]:
+    """What a shell proposes for --scene."""
+    return [name for name in SCENE_NAMES if name.startswith(incomplete)]
+
+
 @program.command()
 def demo(
     out: Annotated[
@@ -81,7 +86,13 @@ def info(
 @program.command()
 def synth(
     out: Annotated[Path, typer.Argument(help="The recording's folder, made by this command.")],
-    scene: Annotated[str, typer.Option(help=f"Which kind of place: {', '.join(SCENE_NAMES)}.")],
+    scene: Annotated[
+        str,
+        typer.Option(
+            help=f"Which kind of place: {', '.join(SCENE_NAMES)}.",
+            autocompletion=_scenes,
+        ),
+    ],
     seconds: Annotated[
         float | None, typer.Option(help="How long.", show_default="the scene's own")
     ] = None,

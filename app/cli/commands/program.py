@@ -7,12 +7,12 @@ from typing import Annotated
 import typer
 
 import tracking
+from app.cli.output import print_line
 
 program = typer.Typer(
     name="trackwright",
     help="A workbench for people tracked in recorded stereo footage.",
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
@@ -20,7 +20,7 @@ program = typer.Typer(
 
 def _say_version(asked: bool) -> None:
     if asked:
-        print(f"trackwright {tracking.__version__}")
+        print_line(f"trackwright {tracking.__version__}")
         raise typer.Exit
 
 

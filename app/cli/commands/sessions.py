@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from app.cli import import_options, options
+from app.cli import completions, import_options, options
 from app.cli.commands.program import program
 from app.cli.option_groups import Bare, spread
 
@@ -15,11 +15,14 @@ from app.cli.option_groups import Bare, spread
 @program.command()
 def export(
     session: Annotated[Path, typer.Argument(help="A session.")],
-    out: Annotated[Path, typer.Option("--out", "-o", help="The file to make.")],
+    out: Annotated[
+        Path, typer.Option("--out", "-o", help="The file to make; - is stdout, for text.")
+    ],
     file_format: Annotated[
         str,
         typer.Option(
             "--format",
+            autocompletion=completions.written_formats,
             help="mot, mot16, kitti, csv, cvat, coco, pedpy-txt, pedpy-h5 ...; a wrong name lists "
             "them all. Of body parts: labels (CSV), or samples (OUT ends in .csv, .h5, .libsvm); "
             "in samples part is 0 head, 1 torso, 2 hip-leg; label is 1 on its part, 0 off it.",
@@ -29,12 +32,28 @@ def export(
         int | None,
         typer.Option(min=0, help="A tracker's run, from 0.", show_default="the corrected tracks"),
     ] = None,
+    ground_truth: Annotated[
+        bool,
+        typer.Option(
+            "--ground-truth",
+            help="mot, mot16, kitti: say which rows count instead of how sure the tracker was; "
+            "as in gt/gt.txt, label_02/ and truth.txt without it.",
+        ),
+    ] = False,
+    force: Annotated[
+        bool,
+        typer.Option(
+            "--force",
+            help="Replace also a text file that export did not write, without a question.",
+        ),
+    ] = False,
     json: options.Json = False,
 ) -> None:
-    """Write a session's tracks for other tools."""
-    from app.cli.export import run_export
+    """Write a session's tracks for other tools; what the format does not hold is told."""
+    from app.cli.export import ExportRequest, run_export
 
-    run_export(session, out, file_format, run, as_json=json)
+    request = ExportRequest(session, out, file_format, run, ground_truth, force)
+    run_export(request, as_json=json)
 
 
 @program.command("import")
@@ -46,15 +65,17 @@ def import_tracks(
     into: import_options.Into = None,
     file_format: import_options.FileFormat = None,
     *,
+    unit: options.Unit = None,
     take_good: import_options.TakeGood = False,
     thin: import_options.Thin = None,
     as_new: import_options.AsNew = False,
     only_people: import_options.OnlyPeople = False,
+    report: import_options.Report = False,
     force: options.Force = False,
     eyes: Bare,
     json: options.Json = False,
 ) -> None:
-    """Take tracks made elsewhere into a session, with a report of rows that cannot be meant."""
+    """Take tracks made elsewhere into a session, with a report of invalid rows."""
     from app.cli.import_tracks import Order, run_import
 
     order = Order(
@@ -64,11 +85,13 @@ def import_tracks(
         eyes=eyes,
         out=out,
         into=into,
+        unit=unit,
         thin_px=thin,
         as_new=as_new,
         only_people=only_people,
         take_good=take_good,
         force=force,
+        report=report,
     )
     run_import(order, as_json=json)
 
@@ -93,7 +116,9 @@ def import_labels(
 @program.command()
 def log(
     session: Annotated[Path, typer.Argument(help="A session.")],
-    csv: Annotated[Path | None, typer.Option(help="Write it to this file as CSV.")] = None,
+    csv: Annotated[
+        Path | None, typer.Option(help="Write it to this file as CSV; - is stdout.")
+    ] = None,
     json: options.Json = False,
 ) -> None:
     """Print what people did to a session, oldest first; with --json all rows and labels of it."""

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from app.cli import options
+from app.cli import completions, options
 from app.cli.commands.program import program
 from app.cli.option_groups import Bare, Onward, Order, spread
 
@@ -15,7 +15,10 @@ from app.cli.option_groups import Bare, Onward, Order, spread
 @program.command()
 def trackers(
     name: Annotated[
-        str | None, typer.Argument(help="Of one tracker only.", show_default="all")
+        str | None,
+        typer.Argument(
+            help="Of one tracker only.", show_default="all", autocompletion=completions.trackers
+        ),
     ] = None,
     json: options.Json = False,
 ) -> None:

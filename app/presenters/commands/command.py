@@ -19,7 +19,8 @@ class Situation:
         labelling: something is being labelled. saying: it is body parts. suggesting: those of
             which the detector is least sure are walked.
         suspicions: the review queue lists some. suspicion: one of them is looked at; fixable: an
-            edit would put it right. watched: a stretch was just watched.
+            edit would put it right. watched: a stretch was just watched. unflagged: no tracker
+            made the tracks, and nobody has asked for suspicions.
         comparing: two versions of the tracks are compared. unkept: what a tracker found is in
             memory alone.
         parts: body parts were tracked. parts_elsewhere: in another run alone. part_truth:
@@ -42,6 +43,7 @@ class Situation:
     suggesting: bool = False
     suspicions: bool = False
     suspicion: bool = False
+    unflagged: bool = False
     fixable: bool = False
     watched: bool = False
     comparing: bool = False

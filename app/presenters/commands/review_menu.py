@@ -47,6 +47,13 @@ def _tracked(now: Situation) -> str:
     return session(now) or trackable(now)
 
 
+def _unflagged(now: Situation) -> str:
+    """The tracks must be of no tracker, and not looked through yet."""
+    if now.unflagged:
+        return ""
+    return session(now) or tr("the tracks are looked through already")
+
+
 def _with_truth(now: Situation) -> str:
     """There must be tracks, and a truth beside the recording."""
     return session(now) or ("" if now.truth else tr("the recording has no truth.txt"))
@@ -59,6 +66,7 @@ COMMANDS: Final = (
     Command(
         "review.plays", "Review", "Play each stretch when going to it", (), session, checkable=True
     ),
+    Command("review.search", "Review", "Look for doubtful places", (), _unflagged),
     Command(
         "review.measure",
         "Review",
@@ -81,7 +89,7 @@ COMMANDS: Final = (
     Command(
         "review.mark_all",
         "Review",
-        "Mark it as reviewed for everybody",
+        "Mark what was just watched as reviewed for all people",
         ("Alt+Z",),
         _watched,
     ),
@@ -95,7 +103,6 @@ COMMANDS: Final = (
         separated=True,
         icon="live",
     ),
-    Command("review.runs", "Review", "Runs...", ("Ctrl+R",), session),
     Command(
         "review.choose_truth",
         "Review",

@@ -39,6 +39,7 @@ COMMANDS: Final = (
         ("Ctrl+Shift+T",),
         lambda now: "" if now.live else tr("no tracker is at work"),
     ),
+    Command("tracks.runs", "Tracks", "Runs...", ("Ctrl+R",), session),
     Command("tracks.next", "Tracks", "Select next track", ("Tab",), _anybody, separated=True),
     Command("tracks.previous", "Tracks", "Select previous track", ("Shift+Tab",), _anybody),
     Command("tracks.none", "Tracks", "Select nobody, leave the edit", ("Esc",), _to_leave),

@@ -300,8 +300,8 @@ class Comparison:
         if self.base is not None:
             return tr("The two runs say the same over the frames of both.")
         return tr(
-            "Nothing differs: the run says what the corrected tracks say, and where a person "
-            "corrected something, it goes on from there."
+            "Nothing differs: the run agrees with the corrected tracks, and goes on from what a "
+            "person corrected."
         )
 
     @property

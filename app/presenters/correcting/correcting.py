@@ -24,7 +24,7 @@ from app.presenters.correcting import (
 )
 from app.presenters.correcting.cuts import changed_over
 from app.presenters.correcting.gap_places import gap_near, next_filled
-from app.presenters.correcting.nearness import nearest_first
+from app.presenters.correcting.nearness import followers_first, nearest_first
 from app.presenters.correcting.suspected import is_near
 from app.presenters.document.selection import Selection
 from app.presenters.words import tr
@@ -101,10 +101,16 @@ class Correcting:
         )
         if kind in OF_SEVERAL:
             flow = replace(flow, also=everybody[1:])
-        flow = replace(flow, others=nearest_first(on.table, flow.track, frame)[:_MOST_OTHERS])
+        flow = replace(flow, others=self._others(flow, on, frame)[:_MOST_OTHERS])
         second = other or (everybody[1] if kind is EditKind.SWAP and len(everybody) == 2 else 0)
         self.change(self._with_other(flow, second) if second else _with_proposal(flow, on))
         self._go_to_gap(0)
+
+    def _others(self, flow: EditFlow, on: Ground, frame: int) -> tuple[int, ...]:
+        """Who may be the second person, the likeliest first."""
+        if flow.kind is EditKind.MERGE:
+            return followers_first(on.table, flow.track, self._footing.fps)
+        return nearest_first(on.table, flow.track, frame)
 
     def _go_to_gap(self, step: int) -> None:
         """Put the frame looked at into one of the gaps that would be filled."""
@@ -173,7 +179,9 @@ class Correcting:
         if flow is None:
             self._selection.choose(self._selection.cycle(here, step))
         elif flow.takes_other:
-            choices = [*flow.others, *(one for one in here if one not in flow.others)]
+            # Who is here beside the person is somebody else: no merge makes one of the two.
+            more = () if flow.kind is EditKind.MERGE and flow.others else here
+            choices = [*flow.others, *(one for one in more if one not in flow.others)]
             choices = [one for one in choices if one != flow.track]
             if choices:
                 now = choices.index(flow.other) if flow.other in choices else min(-step, 0)

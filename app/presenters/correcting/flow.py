@@ -128,7 +128,12 @@ class EditFlow:
 
     @property
     def leads(self) -> bool:
-        """Whether the playhead goes to the cut when that is put elsewhere."""
+        """Whether the playhead goes to the cut when that is put elsewhere.
+
+        Marking what was looked at is judged by nothing at its cut: it leaves the playhead.
+        """
+        if self.kind is EditKind.REVIEW:
+            return False
         return self.has_cut or self.kind is EditKind.FILL_ALL
 
     @property

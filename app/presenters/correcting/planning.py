@@ -199,7 +199,7 @@ def _show(flow: EditFlow, on: Ground) -> Change:
 
 
 def _review(flow: EditFlow, on: Ground) -> Change:
-    return plan_mark_reviewed(on.labels, flow.everybody, *_bounded(flow, on))
+    return plan_mark_reviewed(on.labels, flow.everybody, *_bounded(flow, on), on.table)
 
 
 def _bounded(flow: EditFlow, on: Ground) -> tuple[int, int]:

@@ -52,7 +52,7 @@ def planned_edit(flow: EditFlow, on: Ground, problem: str = "") -> PlannedEdit:
         change = plan_of(flow, on)
     except EditError as why_not:
         ask = tr(
-            "Click on the other person, type their id, or press Tab; it is shown, Enter applies"
+            "Pick the other person: click on them, type their id, or press Tab. Then press Enter."
         )
         lines = (problem, ask if flow.needs_other else str(why_not))
         return PlannedEdit(preview_scene(flow, tuple(filter(None, lines)), None, on))

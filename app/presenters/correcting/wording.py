@@ -93,7 +93,7 @@ def _why(flow: EditFlow, number: int, on: Ground) -> str:
     cut = flow.cuts[number]
     apart_m = metres_apart(on.table, flow.track, flow.other, cut.frame)
     if apart_m > _FAR_APART_M or not cut.shown:
-        return tr("nothing shows that they changed over: {why}", why=cut.text)
+        return tr("no sign of a swap here: {why}", why=cut.text)
     if len(flow.cuts) == 1:
         return tr("the only frame found: {why}", why=cut.text)
     return tr("{share} %: {why}", share=round(100 * cut.likelihood), why=cut.text)

@@ -156,8 +156,8 @@ class CountingPresenter:
             return self._shown.why_not(rows[picked].is_line, rows[picked].name)
         if not rows:
             return tr(
-                "Draw a counting line (Alt+3) or a region (Alt+4): who passes it and who is inside "
-                "is counted then, at the frame shown and over time."
+                "Draw a counting line (Alt+3) or a region (Alt+4) to count who crosses it and who"
+                " is inside, in the frame shown and over time."
             )
         return ""
 

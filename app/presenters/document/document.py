@@ -25,7 +25,7 @@ from app.presenters.timeline.lanes import TimelinePresenter
 from app.presenters.track_colours import TrackColours
 from app.presenters.words import tr
 from tracking.editing import Change, Written
-from tracking.errors import EditError
+from tracking.errors import EditError, SessionError
 from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
 from tracking.session import Session, author_named
@@ -41,6 +41,9 @@ class Document:
 
     Until there is a session, the tracks of the tracker at work are shown. No Qt here: whoever
     calls something that changes the document shows its scenes again afterwards.
+
+    Attributes:
+        edited: the tracks that the last edit, undo or redo touched.
     """
 
     def __init__(self, recording: Recording, session: Session | None = None) -> None:
@@ -55,6 +58,7 @@ class Document:
         self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
         self._instants = Instants(self._showing, self.selection, self.correcting, self.pictures)
         self.settle: Settle | None = None
+        self.edited: tuple[int, ...] = ()
         self.detector, self.detector_chosen = DetectorChoice(), False
         self.comparison: Comparison | None = None
         self._marks, self._history = EditMarks(), HistoryList()
@@ -83,6 +87,11 @@ class Document:
     def made_by(self, frame: int) -> MadeBy | None:
         """What made the tracks that are shown in a frame."""
         return self._showing.made_by(frame)
+
+    @property
+    def unread(self) -> SessionError | None:
+        """Why particles of the session are not shown; None: they are, or it has none."""
+        return self._showing.unread
 
     @property
     def tracked_until(self) -> int:
@@ -245,20 +254,21 @@ class Document:
         return self._showing.ground(self._footing)
 
     def confirm_edit(self) -> Change | None:
-        """Do the edit that waits; None where it is not ready. Who was drawn is selected then.
+        """Do the edit that waits; None where it is not ready. Who is new by it is selected then.
 
         One that is refused, e.g. by a full disk, waits on, so that Enter tries again.
         """
-        drawn = self.flow is not None and not self.flow.track
         change = self.planned.change if self.planned is not None else None
         if change is None:
             return None
         if self.settle is not None and self.session is not None:
             change = self.settle(change, self.session.labels)
+        known = set(self.tracks.ids)
         self.apply(change)
         self.correcting.finish()
-        if drawn:
-            self.selection.choose(change.tracks[0])
+        new = [track for track in change.tracks if track not in known]
+        if len(new) == 1:
+            self.selection.choose(new[0])
         return change
 
     def apply(self, change: Change, written: Written | None = None) -> None:
@@ -315,6 +325,11 @@ class Document:
         return self._showing.colours.of(track)
 
     @property
+    def colours_watched(self) -> TrackColours | None:
+        """Colours in which the people of a tracker were seen, until its run is kept."""
+        return self._showing.colours_watched
+
+    @property
     def colours_due(self) -> ColoursDue | None:
         """Colours of tracks that are to be made still; None: all are there."""
         return self._showing.own.due
@@ -358,7 +373,8 @@ class Document:
         marks = self._marks.of(self.session.history)
         self.overhead.take_more(change.after.rows)
         self._showing.meet(change)
-        self._timeline.take_changed(change.tracks, self.tracks, frames, marks)
+        self.edited = change.tracks
+        self._timeline.take_changed(self.edited, self.tracks, frames, marks)
         self._timeline.take_reviewed(self.session.labels.reviewed)
         self.selection.keep(track for track in self.selection.all if track in table)
 

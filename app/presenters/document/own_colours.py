@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,8 +43,8 @@ class ColoursDue:
 class OwnColours:
     """Which colours the tracks of a session have.
 
-    Each is kept from the moment it was given, but those given while others are due are chosen
-    again with these.
+    Each is kept from the moment it was given, in the session, too, so that everybody looks the same
+    when it is opened again; but those given while others are due are chosen again with these.
 
     Attributes:
         now: the colours there are. due: those to come, see `take_made`; None: none.
@@ -67,11 +68,18 @@ class OwnColours:
             return
         self._of = session, session.adopted_run
         table, run = session.tracks.snapshot(), session.corrected_run
-        if _is_quick(table, run, _WHILE_OPENING if opening else 1):
-            self.now, self.due = TrackColours.of_session(table, run, seen), None
+        kept = TrackColours.kept(session.colours)
+        if session.colours:
+            self.now, make = kept, partial(kept.and_of, table)
         else:
             self.now = self.now if seen is None else seen.copy()
-            self.due = ColoursDue(lambda: TrackColours.of_session(table, run, seen))
+            make = partial(TrackColours.of_session, table, run, seen)
+        all_kept = all(map(kept.has, table.track_ids))
+        if all_kept or _is_quick(table, run, _WHILE_OPENING if opening else 1):
+            self.now, self.due = make(), None
+            session.colours = self.now.places
+        else:
+            self.due = ColoursDue(make)
 
     def meet(self, table: TrackTable, tracks: Iterable[int]) -> None:
         """An edit has touched these: those new among them have colours, many a moment later."""
@@ -109,6 +117,9 @@ class OwnColours:
         if due is not self.due:
             return False
         self.now, self.due = made, None
+        session = self._of[0]
+        if session is not None:
+            session.colours = made.places
         self.meet(table, sorted(due.met))
         return True
 

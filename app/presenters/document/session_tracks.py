@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.document.shown import Spans
 from app.presenters.scenes import SpanKind
+from tracking.errors import SessionError
 from tracking.session import ids_by_now, parts_by_now
 from tracking.tracks import (
     DETECTION_COLUMNS,
@@ -19,6 +21,7 @@ from tracking.tracks import (
     TRACK_COLUMNS,
     TRACKLET_COLUMNS,
     Columns,
+    Particles,
     Run,
     Source,
     TrackTable,
@@ -28,11 +31,17 @@ from tracking.tracks import (
 
 
 class SessionTracks:
-    """The corrected tracks of a session, with the measurements and particles of a run."""
+    """The corrected tracks of a session, with the measurements and particles of a run.
+
+    Attributes:
+        unread: why particles of the run could not be read from the session's file last: its disk
+            has gone, say. None: they could. Those frames show everything else.
+    """
 
     def __init__(self, table: TrackTable, run: Run | None) -> None:
         self._table = table
         self._run = run
+        self.unread: SessionError | None = None
         self._stop = (-1, 0)  # revision of the table, one past its last frame
         self._recent: tuple[tuple[int, int, int], Columns] = ((-1, 0, 0), empty(TRACK_COLUMNS))
         self._whole: tuple[tuple[int, int], Columns] = ((-1, 0), empty(TRACK_COLUMNS))
@@ -96,7 +105,7 @@ class SessionTracks:
         """
         if self._run is None:
             return empty(PARTICLE_COLUMNS)
-        return self._owned(self._run.particles.of_frame(frame), frame)
+        return self._owned(self._stored(self._run.particles, PARTICLE_COLUMNS, frame), frame)
 
     def parts(self, frame: int) -> Columns:
         """What the run saw of the parts of people who are there, by their ids after the edits."""
@@ -108,13 +117,14 @@ class SessionTracks:
         """The run's particles of parts, likewise."""
         if self._run is None:
             return empty(PART_PARTICLE_COLUMNS)
-        return self._owned(self._run.part_particles.of_frame(frame), frame)
+        rows = self._stored(self._run.part_particles, PART_PARTICLE_COLUMNS, frame)
+        return self._owned(rows, frame)
 
     def tracklets(self, frame: int) -> Columns:
         """The run's tracklets, those of people who were taken out being nobody's."""
         if self._run is None:
             return empty(TRACKLET_COLUMNS)
-        rows = self._run.tracklets.of_frame(frame)
+        rows = self._stored(self._run.tracklets, TRACKLET_COLUMNS, frame)
         ids = _renamed(rows["track"], self._after_edits(frame))
         return {**rows, "track": np.maximum(ids, 0)}
 
@@ -132,6 +142,18 @@ class SessionTracks:
         if self._parts[0] != asked:
             self._parts = (asked, parts_by_now(self._table, self._run, [track]))
         return self._parts[1]
+
+    def _stored(
+        self, particles: Particles, columns: Mapping[str, np.dtype[Any]], frame: int
+    ) -> Columns:
+        """The rows of a frame, read from the session's file; none where that cannot be read."""
+        try:
+            rows = particles.of_frame(frame)
+        except SessionError as error:
+            self.unread = error
+            return empty(columns)
+        self.unread = None
+        return rows
 
     def _owned(self, rows: Columns, frame: int) -> Columns:
         """Rows of a frame of the run with the ids of now, less those of who was taken out."""

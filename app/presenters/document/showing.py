@@ -12,6 +12,7 @@ from app.presenters.document.shown import ShownTracks, WholeTracks
 from app.presenters.pictures.of_run import AtWork, MadeBy
 from app.presenters.track_colours import TrackColours
 from tracking.editing import Change
+from tracking.errors import SessionError
 from tracking.pipeline import KeptSteps
 from tracking.session import Session
 from tracking.trackers import StepResult
@@ -47,9 +48,19 @@ class Showing:
         return self._live_colours if self.is_live else self.own.now
 
     @property
+    def colours_watched(self) -> TrackColours | None:
+        """Those in which the people of a tracker were seen, until its run is kept; a copy."""
+        return None if self._watched is None else self._watched.copy()
+
+    @property
     def can_look_away(self) -> bool:
         """Whether the session's tracks can be shown while the tracker at work goes on."""
         return self.at_work and self.session is not None and self._continues_at is None
+
+    @property
+    def unread(self) -> SessionError | None:
+        """Why the session's particles could not be read last; None: they could."""
+        return self.tracks.unread if isinstance(self.tracks, SessionTracks) else None
 
     @property
     def tracked_until(self) -> int:

@@ -16,6 +16,9 @@ _ABOUT: Final = {
     "kitti": "Boxes, and places in the camera's coordinates where the floor is known.",
     "cvat": "Boxes with their keyframes, names and attributes; opens in CVAT and its kin.",
     "coco": "Boxes with tracks, as TAO has them; for detectors and their tools.",
+    "label-studio": "Boxes from keyframe to keyframe, and names; opens in Label Studio as a task.",
+    "x-anylabeling": "Boxes with tracks as groups, a file a frame in a folder; for X-AnyLabeling.",
+    "viame": "Boxes with confidence, names and attributes; opens in VIAME and DIVE.",
     "pedpy-txt": _ON_THE_FLOOR,
     "pedpy-h5": _ON_THE_FLOOR,
     "petrack": _ON_THE_FLOOR,
@@ -30,7 +33,8 @@ class ExportFormat:
     """A format as the dialog lists it.
 
     Attributes:
-        name: in the catalogue. title: what people call it. ending: of its files, with the dot.
+        name: in the catalogue. title: what people call it. ending: of its files, with the dot; "":
+            it is a folder.
         about: what of the tracks it holds, and for whom.
     """
 
@@ -47,12 +51,18 @@ def export_formats() -> tuple[ExportFormat, ...]:
 
 def _listed(each: TrackFormat) -> ExportFormat:
     about = tr(_ABOUT.get(each.name, ""))
-    return ExportFormat(each.name, each.title, each.extensions[0], about)
+    ending = "" if each.is_folder else each.extensions[0]
+    return ExportFormat(each.name, each.title, ending, about)
 
 
 def proposed_name(recording: str, each: ExportFormat) -> str:
     """What a file of the recording's tracks is called at first, e.g. "lobby-tracks.csv"."""
     return f"{_begun(recording)}tracks{each.ending}"
+
+
+def proposed_session(recording: str) -> str:
+    """What a session of a recording is called at first, e.g. "lobby-session.h5"."""
+    return f"{_begun(recording)}session.h5"
 
 
 def proposed_folder(recording: str) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from tracking.errors import OutputError, SessionError
-from tracking.formats import Exported, as_truth, begins_as_hdf5
+from tracking.formats import Exported, begins_as_hdf5
 from tracking.geometry import View
 from tracking.session import IMPORTED, Session
 from tracking.session.reading import check_file
@@ -16,13 +16,11 @@ from tracking.tracks import Columns, Run, TrackTable
 def exported_tracks(session: Session, run: int | None = None) -> Columns:
     """The rows that are exported: the corrected tracks, or a run's as the tracker left them.
 
-    Corrected tracks count as truth, however sure a tracker was of them.
-
     Raises:
         SessionError: there is no such run.
     """
     if run is None:
-        return as_truth(session.tracks.columns())
+        return session.tracks.columns()
     return _run(session, run).tracks
 
 
@@ -64,7 +62,7 @@ def exporting(
             name=footage.name,
             labels=labels,
             view=view,
-            counts_in_full=corrected,
+            corrected=corrected,
             dont_cares=dont_cares,
         )
 

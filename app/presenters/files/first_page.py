@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Mapping
+from datetime import datetime
 from pathlib import Path
 
 from app.presenters.files.opening import unsaved_folder
@@ -10,14 +12,42 @@ from app.presenters.scenes import RecentItem, WelcomeScene
 from app.presenters.words import tr
 
 
-def first_page(recent: Iterable[Path]) -> WelcomeScene:
-    """Sessions that were never saved come first: nobody else would find them again."""
+def first_page(recent: Mapping[Path, str]) -> WelcomeScene:
+    """Sessions that were never saved come first: nobody else would find them again.
+
+    Args:
+        recent: what was opened, the latest first, with the name of its recording; "": not known.
+    """
     folder = unsaved_folder()
     left = sorted(folder.glob("*.h5")) if folder.is_dir() else []
-    never_saved = [_item(path, tr("never saved, kept for you")) for path in left]
-    return WelcomeScene((*never_saved, *(_item(path) for path in recent)))
+    titles = Counter(_title(path, name) for path, name in recent.items())
+    never_saved = [_item(path, path.stem, tr("never saved, kept for you")) for path in left]
+    opened = (
+        _item(path, _told_apart(path, name, titles), _kind(path)) for path, name in recent.items()
+    )
+    return WelcomeScene((*never_saved, *opened))
 
 
-def _item(path: Path, detail: str = "") -> RecentItem:
-    kind = tr("session") if path.suffix.lower() == ".h5" else tr("recording")
-    return RecentItem(str(path), path.stem, detail or kind, path.exists())
+def _title(path: Path, name: str) -> str:
+    return name or path.stem
+
+
+def _told_apart(path: Path, name: str, titles: Counter[str]) -> str:
+    """The recording's name; where several bear it, with the file's or the folder's own."""
+    title = _title(path, name)
+    if titles[title] == 1:
+        return title
+    own = path.stem if path.stem != title else path.parent.name
+    return f"{title} \u2013 {own}"
+
+
+def _kind(path: Path) -> str:
+    return tr("session") if path.suffix.lower() == ".h5" else tr("recording")
+
+
+def _item(path: Path, title: str, detail: str) -> RecentItem:
+    try:
+        changed = datetime.fromtimestamp(path.stat().st_mtime).date().isoformat()
+    except (OSError, ValueError, OverflowError):  # also a damaged path, a date that is none
+        return RecentItem(str(path), title, detail, exists=False)
+    return RecentItem(str(path), title, f"{detail}  \u00b7  {changed}")

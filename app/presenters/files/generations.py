@@ -56,7 +56,7 @@ def what_differs(
     report(1, 2)
     lines = [*_edits_apart(entries, then.edits), *_tracks_apart(now, then.tracks)]
     report(2, 2)
-    return tuple(lines) or (tr("Nothing: it is what the session is now."),)
+    return tuple(lines) or (tr("Nothing: it equals the session as it is now."),)
 
 
 def _line(one: Generation) -> GenerationLine:

@@ -65,7 +65,7 @@ class ImportScene:
 
     Attributes:
         lines: what would happen, a line each. notes: what is odd about the file.
-        bad: (place, reason) of rows that cannot be meant. bad_count: how many there are in all.
+        bad: (place, reason) of invalid rows. bad_count: how many there are in all.
         classes: the file says of some tracks that they are no people.
         why_not: why it cannot be imported now; "": it can.
     """
@@ -210,8 +210,8 @@ def _beside_own(fitted: Fitted, own: int) -> list[str]:
         lines.append(
             counted(
                 fitted.known,
-                "{n} has the id of a track of the session, which becomes as in the file",
-                "{n} have ids of tracks of the session, which become as in the file",
+                "{n} has the id of a track in the session and replaces it",
+                "{n} have ids of tracks in the session and replace them",
             )
         )
         gone = _rows_gone(fitted.written)
@@ -219,8 +219,9 @@ def _beside_own(fitted: Fitted, own: int) -> list[str]:
             lines.append(
                 counted(
                     gone,
-                    "{n} row of theirs is not in the file and goes; undo brings it back",
-                    "{n} rows of theirs are not in the file and go; undo brings them back",
+                    "{n} row of these tracks is not in the file and is deleted; undo restores it",
+                    "{n} rows of these tracks are not in the file and are deleted; undo restores "
+                    "them",
                 )
             )
     kept = own - fitted.known

@@ -94,3 +94,38 @@ def told_at_end(session: Session | None, *, held: bool, tracking: bool) -> list[
     if tracking:
         lines.append(tr("The tracker at work was stopped; what it had found is not kept."))
     return lines
+
+
+Question = tuple[str, str]
+"""What is asked before something is left, and what is lost by it."""
+
+
+def tracker_at_work(recording: str, tracker: str, status: str) -> Question:
+    """A tracker has found something that is kept nowhere yet."""
+    asked = tr(
+        'The tracker {tracker} is still tracking "{recording}" ({status}).',
+        tracker=tracker,
+        recording=recording,
+        status=status,
+    )
+    return asked, tr("What it found so far is lost. To keep it, cancel here and stop the tracker.")
+
+
+def result_in_memory(recording: str) -> Question:
+    """What a tracker found could not be put on disk."""
+    asked = tr('Save the tracks of "{recording}"?', recording=recording)
+    return asked, tr("They are in memory only, and lost if they are discarded.")
+
+
+def never_saved(recording: str) -> Question:
+    """A session has no place of its own yet."""
+    asked = tr('Save the tracks of "{recording}"?', recording=recording)
+    return asked, tr("They were never saved. Discard deletes them, with all edits.")
+
+
+def changes_unsaved(file: str, recording: str) -> Question:
+    """A session was changed since it was saved."""
+    asked = tr(
+        'Save the changes to the session {file} of "{recording}"?', file=file, recording=recording
+    )
+    return asked, tr("Discard takes back everything that was changed since it was saved last.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,7 +10,9 @@ from pathlib import Path
 from platformdirs import user_data_path
 
 from app.presenters.document.document import Document
+from app.presenters.track_colours import TrackColours
 from tracking.errors import OutputError
+from tracking.owned_files import real_path
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.session import (
     Importable,
@@ -20,7 +23,12 @@ from tracking.session import (
     generations,
     session_of_import,
 )
-from tracking.session.saving import companions
+from tracking.session.saving import (
+    check_backup,
+    companions,
+    copy_file,
+    free_name,
+)
 from tracking.tracks import Run
 
 
@@ -81,15 +89,21 @@ def open_path(
         raise
 
 
-def keep_run(recording: Recording, run: Run, path: Path | None = None) -> Session:
+def keep_run(
+    recording: Recording, run: Run, path: Path | None = None, seen: TrackColours | None = None
+) -> Session:
     """A session of a run that was just made, kept on disk from its first moment.
 
     Without a path it stands among the program's own files until the user gives it a place.
+    Its people have their colours from now on: those `seen` while the tracker worked, where these
+    tell them apart.
 
     Raises:
         OutputError, OSError: it cannot be written; nothing is left of it then.
     """
-    session = Session.create(recording, [run], path or _unsaved_path(recording))
+    colours = TrackColours.of_run(run, seen).places
+    place = path or _unsaved_path(recording)
+    session = Session.create(recording, [run], place, colours=colours)
     remember_place(session, recording)
     return session
 
@@ -155,18 +169,19 @@ def older_copy(path: Path) -> Path | None:
     """The session as it was saved before, put beside it under a name of its own; None: none.
 
     Raises:
-        OutputError: the copy cannot be written.
+        OutputError: the copy cannot be written. UnsafeFileError: what is kept there is a link or
+            another user's.
     """
+    path = real_path(path)
     older = generations(path)
     if not older:
         return None
+    check_backup(path, older[0])
     copy = path.with_name(f"{path.stem}-as-saved-before{path.suffix}")
-    for number in range(2, 10_000):
-        if not copy.exists():
-            break
-        copy = path.with_name(f"{path.stem}-as-saved-before-{number}{path.suffix}")
+    if os.path.lexists(copy):
+        copy = free_name(path.with_name(f"{path.stem}-as-saved-before-{path.suffix}"))
     try:
-        shutil.copyfile(older[0], copy)
+        copy_file(older[0], copy)
     except OSError as error:
         raise OutputError(f"{copy} cannot be written: {error.strerror}") from error
     return copy

@@ -29,7 +29,10 @@ class TrainingSettings:
     """What the user can say of the training."""
 
     false_alarms: float = setting(
-        FALSE_ALARMS, "", (0.0, 0.5), "share of parts on their place that may be called failed"
+        FALSE_ALARMS,
+        "",
+        (0.0, 0.5),
+        "highest share of false alarms: of parts on their place, how many may be called failed",
     )
     folds: int = setting(
         _PLAN.folds, "", (2, 20), "people are split into so many groups, each held out once"
@@ -40,7 +43,9 @@ class TrainingSettings:
     learnt: int = setting(
         _PLAN.learnt, "", (100, 50000), "most samples of a part that the detector learns from"
     )
-    seed: int = setting(0, "", (0, 999_999), "of the random numbers; the same gives the same")
+    seed: int = setting(
+        0, "", (0, 999_999), "of the random numbers; the same seed gives the same detector"
+    )
 
     def plan(self) -> TrainingPlan:
         """As training takes them."""

@@ -222,11 +222,13 @@ class TrainingResult:
         origin, report = self.detector.origin, self.trained.report
         several = (
             tr(
-                "Several at once: where a part is lost, whether others are lost, too; a false "
+                "Several at once: how well it tells that more than one part is lost. A false "
                 "alarm takes one lost part for several."
             )
             if len(report.questions) > len(PART_NAMES)
-            else tr("Too few labels tell of several parts lost at once: that was not learnt.")
+            else tr(
+                "Too few labels are of several parts lost at once: nothing was learnt about that."
+            )
         )
         measured = (
             tr("Lengths are measured in sizes of the person.")

@@ -143,7 +143,7 @@ def legend_of(instant: Instant, pictured: Pictured) -> tuple[LegendEntry, ...]:
     said = {
         "outlines": (_LIGHT, tr("hypotheses: the clearer, the likelier")),
         "evaluation": (_REGION_COLOUR, tr("region of evaluation")),
-        "tracklets": (_LIGHT, tr("tracklets: a dot is now; faint: nobody's")),
+        "tracklets": (_LIGHT, tr("tracklets: the dot is this frame; faint ones are nobody's")),
     }
     asked = {name: getattr(pictured, name) for name in said}
     entries = [LegendEntry(*said[name]) for name in said if asked[name] and _seen(instant, name)]
@@ -165,8 +165,8 @@ def why_nothing(instant: Instant, name: str) -> str:
         return tr("No hypotheses here: track with spheroid, or two eyes (Ctrl+T), to see them")
     if name == "evaluation" and not _has_regions(instant.run):
         return tr(
-            "No region of evaluation here: spheroid uses one only where its setting 'paper' is on; "
-            "track with it (Ctrl+T) to see them"
+            "No region of evaluation here: only spheroid with its setting 'paper' has one; track "
+            "with that (Ctrl+T) to see it"
         )
     if name == "evaluation" and not instant.selected:
         return tr("Click a person to see the region in which their hypotheses are judged")

@@ -28,8 +28,8 @@ class OverheadPresenter:
         self._trail_frames = max(1, round(TRAIL_S * recording.fps))
         self._field_of_view: Floats = np.zeros((0, 2))
         self._message = tr(
-            "Where the floor is is not known: people have no place on it. Name the calibration, "
-            "and the camera's height and tilt, in recording.toml."
+            "The position of the floor is unknown, so people cannot be placed on it. Enter the "
+            "calibration and the camera's height and tilt in recording.toml."
         )
         self._looks_down = False
         self._reach_m = reach_m(recording)

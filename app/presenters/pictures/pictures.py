@@ -210,7 +210,7 @@ def _late_eye(frame: StereoFrame | None) -> str:
     if frame is None or frame.right_lag == 0:
         return ""
     if frame.right_lag is None:
-        return tr("Nothing was recorded of this instant: another frame is shown")
+        return tr("Nothing was recorded at this instant: another frame is shown")
     number = frame.number + frame.right_lag
     return tr("Frame {number} of this eye: the same instant", number=number)
 

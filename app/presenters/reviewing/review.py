@@ -11,7 +11,7 @@ from app.presenters.track_colours import ColourOf
 from app.presenters.words import time_text, tr
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import Suspicion, SuspicionKey, open_suspicions, ranked
-from tracking.tracks import Labels, Verdict
+from tracking.tracks import Labels, TrackTable, Verdict
 
 _KINDS: Final = {
     "exchange": "Likely swap",
@@ -61,7 +61,9 @@ class ReviewQueue:
         self._open: tuple[Suspicion, ...] = ()
         self._shown: tuple[Suspicion, ...] = ()
         self._current: SuspicionKey | None = None
+        self._returns_to: SuspicionKey | None = None
         self._last_place = 0
+        self._table: TrackTable | None = None
         self._names: Mapping[int, str] = {}
         self._items: tuple[ReviewItem, ...] = ()
 
@@ -87,14 +89,24 @@ class ReviewQueue:
         keys = [suspicion.key for suspicion in self._shown]
         return keys.index(self._current) if self._current in keys else -1
 
-    def take(self, found: Sequence[Suspicion], labels: Labels) -> None:
-        """Take what was found, less what people have decided or reviewed."""
-        self._found = tuple(found)
+    @property
+    def current_key(self) -> SuspicionKey | None:
+        """The key of the one looked at last, also where it is not listed any more."""
+        return self._current
+
+    def take(
+        self, found: Sequence[Suspicion], labels: Labels, table: TrackTable | None = None
+    ) -> None:
+        """Take what was found in a table, less what people have decided or reviewed."""
+        self._found, self._table = tuple(found), table
         self.take_labels(labels)
+        if self._returns_to is not None:
+            self.return_to(self._returns_to)
+            self._returns_to = None
 
     def take_labels(self, labels: Labels) -> None:
         """Take what people have decided by now."""
-        self._open = open_suspicions(self._found, labels, self._fps)
+        self._open = open_suspicions(self._found, labels, self._fps, self._table)
         self._list()
 
     def take_names(self, names: Mapping[int, str]) -> None:
@@ -115,26 +127,30 @@ class ReviewQueue:
 
     def choose(self, key: SuspicionKey | None) -> Suspicion | None:
         """Look at one of the list; None: at none."""
-        self._current = key
-        self._last_place = max(0, self.place)
+        self._current, self._returns_to = key, None
+        self._last_place = self.place if self.place >= 0 else self._last_place
         return self.current
 
     def return_to(self, key: SuspicionKey) -> Suspicion | None:
-        """Look again at one whose decision was undone, also where another kind alone is listed.
+        """Look again at one that was edited away, also where another kind alone is listed.
 
-        Found anew meanwhile it may lie a little beside the frame it was decided at. None where it
-        is still to be found: it is the current one as soon as it is.
+        Found anew meanwhile it may lie a little beside the frame it was at, or go by another kind
+        where another reason is the strongest now: it is looked for again in what is taken next.
+        None where it is still to be found.
         """
         near = [
             one
             for one in self._open
-            if (one.kind, one.tracks) == key[:2] and abs(one.frame - key[2]) <= self._fps
+            if one.tracks == key[1] and abs(one.frame - key[2]) <= self._fps
         ]
-        if near:
-            key = min(near, key=lambda one: abs(one.frame - key[2])).key
-        if self.kind not in ("", key[0]):
+        found = min(
+            near, key=lambda one: (one.kind != key[0], abs(one.frame - key[2])), default=None
+        )
+        if found is not None and self.kind not in ("", found.kind):
             self.narrow("")
-        return self.choose(key)
+        back = self.choose(key if found is None else found.key)
+        self._returns_to = key
+        return back
 
     def walk(self, step: int) -> Suspicion | None:
         """Go to the next (1) or the previous (-1) one; around at the ends, None where all is done.

@@ -68,6 +68,7 @@ class ReviewScene:
         also: further reasons of the current one. doing: what goes on, "" at rest.
         title, text: said where there is nothing to list.
         meter: how the review gets on.
+        waits: nothing was looked for, as no tracker made the tracks; it is if somebody asks.
     """
 
     items: tuple[ReviewItem, ...] = ()
@@ -82,3 +83,4 @@ class ReviewScene:
     title: str = ""
     text: str = ""
     meter: str = ""
+    waits: bool = False

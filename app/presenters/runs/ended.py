@@ -22,6 +22,7 @@ class Ended:
         tracker: by name. frames: half-open range that was tracked; asked: that was to be.
         tracks: ids there are now. seen: ids there were on the way; changed: of these, how many
             are others now, or gone, wherever their person was seen.
+        why: the tracker could not go on; "": it came to its end, or was stopped.
     """
 
     tracker: str
@@ -30,9 +31,12 @@ class Ended:
     tracks: int
     seen: int
     changed: int
+    why: str = ""
 
     @classmethod
-    def of(cls, run: Run, on_the_way: Sequence[Columns], asked: tuple[int, int]) -> Ended:
+    def of(
+        cls, run: Run, on_the_way: Sequence[Columns], asked: tuple[int, int], why: str = ""
+    ) -> Ended:
         """Compare a run with the rows a tracker gave on the way, in pieces (`TRACK_COLUMNS`)."""
         now = row_keys(run.tracks["frame"], run.tracks["track"])
         ids: set[int] = set()
@@ -43,10 +47,24 @@ class Ended:
             ids |= set(np.unique(track).tolist())
             changed |= set(np.unique(track[lost]).tolist())
         tracks = len(np.unique(run.tracks["track"]))
-        return cls(run.tracker, run.frames, asked, tracks, len(ids), len(changed))
+        return cls(run.tracker, run.frames, asked, tracks, len(ids), len(changed), why)
+
+    @property
+    def early(self) -> str:
+        """That the tracker could not go on, and why."""
+        count, whole = (stop - start for start, stop in (self.frames, self.asked))
+        return tr(
+            "{tracker} ended after {n} of {all} frames: {why}.",
+            tracker=self.tracker,
+            n=count,
+            all=whole,
+            why=self.why,
+        )
 
     @property
     def _frames_text(self) -> str:
+        if self.why:
+            return self.early
         count, whole = (stop - start for start, stop in (self.frames, self.asked))
         if self.frames != self.asked:
             return tr(
@@ -70,10 +88,10 @@ class Ended:
     def _ids_text(self) -> str:
         return counted(
             self.changed,
-            "Ids were then put right over the whole recording: {n} of the {seen} you saw on the "
-            "way is another now, or gone.",
-            "Ids were then put right over the whole recording: {n} of the {seen} you saw on the "
-            "way are others now, or gone.",
+            "Ids were then put right over the whole recording: {n} of the {seen} ids you saw "
+            "while it was tracked has changed or is gone.",
+            "Ids were then put right over the whole recording: {n} of the {seen} ids you saw "
+            "while it was tracked have changed or are gone.",
             seen=self.seen,
         )
 
@@ -86,9 +104,9 @@ class Ended:
 def meanwhile() -> str:
     """What can be done while a further run is made."""
     return tr(
-        "A further run is made. Move the playhead, or play, to see and correct the tracks you have "
-        "meanwhile; Follow shows the people of the new run again. Tracks that were corrected, or "
-        "are looked at when it ends, stay as they are."
+        "Another run is being tracked. To see and correct your own tracks meanwhile, move the "
+        "playhead or play; Follow shows the new run again. Corrected tracks stay as they are when"
+        " it ends, and so do tracks you are looking at."
     )
 
 

@@ -133,10 +133,12 @@ class RunList:
         if not self._frames_differ:
             return ""
         if common is not None and self.shared:
-            return tr("These are the frames that all rows have, so that figures can be compared.")
+            return tr(
+                "Only frames that all rows have are scored, so that the figures can be compared."
+            )
         return tr(
-            "Each row is scored over its own frames: figures of rows with other frames cannot be "
-            "compared, as one stretch is harder than another."
+            "Each row is scored over its own frames. Do not compare rows with different frames: "
+            "one stretch is harder than another."
         )
 
     @property
@@ -229,7 +231,7 @@ class RunList:
 
     def _why_not_compared(self, number: int) -> str:
         if number == self._session.adopted_run and not self._edits:
-            return tr("The corrected tracks are this run: nothing is edited yet to be compared.")
+            return tr("The corrected tracks equal this run: nothing has been edited yet.")
         return ""
 
     def _people(self, number: int, own: int) -> str:

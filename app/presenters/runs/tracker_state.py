@@ -62,7 +62,8 @@ class TrackerWords:
             said = tr("No tracks: {why}.", why=unstopped(self.why_not))
             return TrackerState("", tr("no tracker"), said)
         said = tr(
-            "No tracks yet. Press Space: it plays, is tracked, and everybody gets a lane here."
+            "No tracks yet. Press Space to play and track the recording: each person gets a lane "
+            "here."
         )
         return TrackerState(self.best, tr("play to track"), said)
 

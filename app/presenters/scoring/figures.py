@@ -53,12 +53,14 @@ FIGURES: Final = (
     ),
     Figure(
         "IDF1",
-        "Share of rows under the right id, by the best naming of the whole stretch",
+        "Share of rows with the right id, where each id stands for one person over the whole "
+        "stretch",
         lambda score: score.identity.idf1,
     ),
     Figure(
         "MOTA",
-        "1 less misses, false alarms and switches as a share of the truth's rows; may be negative",
+        "1 minus misses, false alarms and switches as a share of the ground truth's rows; may be "
+        "negative",
         lambda score: score.clear.mota,
     ),
     Figure(

@@ -263,8 +263,8 @@ class ScoringPresenter:
             return scored.truth.notes if scored is not None else ()
         name = name_of(scored.truth.source, self._document.session)
         said = tr(
-            "{truth} has nobody in these frames: the truth is empty, what is tracked counts as "
-            "false alarms, and shares of truth are 0",
+            "{truth} has nobody in these frames: everybody tracked counts as a false alarm, and "
+            "shares of the ground truth are 0",
             truth=name,
         )
         return (*scored.truth.notes, said)

@@ -15,7 +15,7 @@ from app.presenters.runs.whose import name_of_run
 from app.presenters.words import counted, tr
 from tracking.errors import FormatError, SessionError
 from tracking.formats import FORMATS, Filmed, Measurable, format_of, is_hdf5, measurable
-from tracking.formats.reading import in_order, with_all_columns
+from tracking.formats.reading import in_order, positive_ids, with_all_columns
 from tracking.formats.track_format import HEAD_BYTES
 from tracking.recording import Recording
 from tracking.scoring import ScoringTable
@@ -132,12 +132,13 @@ def _truth(
     *,
     dont_cares: bool = False,
 ) -> Truth:
-    """A truth of rows by frame."""
+    """A truth of rows by frame; of ids from 0 the 0 becomes the one after the highest."""
+    columns = {**columns, "track": positive_ids(columns["track"])[0]}
     table = ScoringTable.from_columns(columns, dont_cares=dont_cares)
     if dont_cares:
         people = {name: np.asarray(column)[table.counted] for name, column in columns.items()}
-        columns = in_order(with_all_columns(people))
-    return Truth(source, table, TrackTable(columns), notes)
+        columns = with_all_columns(people)
+    return Truth(source, table, TrackTable(in_order(columns)), notes)
 
 
 def name_of(source: TruthSource, session: Session | None) -> str:

@@ -69,7 +69,7 @@ class ComparePanel(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("notice", True)
-        self.setAccessibleName(self.tr("Comparison with another session"))
+        self.setAccessibleName(self.tr("Comparison"))
         policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
@@ -83,8 +83,8 @@ class ComparePanel(QFrame):
         self._figures.setWordWrap(True)
         self._figures.setToolTip(
             self.tr(
-                "IDF1: rows that agree on who it is, of all. Kappa (Cohen): the same beyond "
-                "chance; 1 full agreement, 0 no more than by lot."
+                "IDF1: share of rows that agree on the identity. Cohen's kappa: agreement beyond "
+                "chance; 1 is full agreement, 0 is chance."
             )
         )
         self._hint = quiet("", self)
@@ -126,9 +126,10 @@ class ComparePanel(QFrame):
             return
         self._title.setText(scene.title)
         self._figures.setText(scene.figures)
-        stretches = counted(
-            len(scene.rows), "They disagree in {n} stretch.", "They disagree in {n} stretches."
-        )
+        stretches = self.tr("You agree everywhere.")
+        if scene.rows:
+            said = "You disagree in {n} stretch.", "You disagree in {n} stretches."
+            stretches = counted(len(scene.rows), *said)
         changed = self.tr("Your session has changed since.") if scene.outdated else ""
         dashed = self.tr("Their people are dashed.")
         self._hint.setText(" ".join(part for part in (stretches, dashed, changed) if part))

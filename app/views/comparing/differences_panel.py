@@ -18,6 +18,7 @@ from app.views.comparing.difference_list import DifferenceModel, DifferenceView
 from app.views.look.icons import IconButton
 from app.views.look.theme import scaled_font
 from app.views.pictures.preview_legend import PreviewLegend
+from app.views.widgets.literal import literal
 from app.views.widgets.parts import Panel, quiet
 from app.views.widgets.work_line import WorkLine
 
@@ -177,8 +178,8 @@ class DifferencesPanel(Panel):
 
     def _show_ends(self, scene: DifferencesScene) -> None:
         take = self.tr("Take {0} from {1}")
-        self._take_dashed.setText(take.format(scene.ticked, scene.dashed.short))
-        self._take_solid.setText(take.format(scene.ticked, scene.solid.short))
+        self._take_dashed.setText(literal(take.format(scene.ticked, scene.dashed.short)))
+        self._take_solid.setText(literal(take.format(scene.ticked, scene.solid.short)))
         self._take_dashed.setVisible(scene.takeable > 0)
         self._take_solid.setVisible(scene.takeable > 0 and scene.solid.can_give)
         for button in (self._take_dashed, self._take_solid):

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.correcting import EditFlow, EditKind, Reach
 from app.presenters.document.document import Document
 from app.presenters.files import opening
+from app.presenters.history.undo_frame import is_seen_at
 from app.presenters.words import tr
 from app.views.playing.playback import Playback
 from tracking.editing import (
@@ -99,7 +100,8 @@ class Editing(QObject):
 
     def move_cut(self, frames: int) -> None:
         """Left / Right: move the cut, and the playhead with it."""
-        self._put(lambda flow: flow.moved(frames, self._document.recording.frame_count))
+        count = self._document.recording.frame_count
+        self._put(lambda flow: flow.moved(frames, count), moves=True)
 
     def put_cut(self, frame: int) -> None:
         """Put the cut at a frame."""
@@ -110,7 +112,7 @@ class Editing(QObject):
     def move_end(self, frames: int) -> None:
         """Ctrl+Left / Right: move the end of the range, and the playhead to its last frame."""
         count = self._document.recording.frame_count
-        self._put(lambda flow: flow.with_end_moved(frames, count), at_end=True)
+        self._put(lambda flow: flow.with_end_moved(frames, count), moves=True, at_end=True)
 
     def next_choice(self, row: int = 0) -> None:
         """R: from here on, this range, this frame, and around again; C: how it is done."""
@@ -142,18 +144,21 @@ class Editing(QObject):
         self._document.correcting.unmark()
         self.changed.emit()
 
-    def _put(self, step: Callable[[EditFlow], EditFlow], at_end: bool = False) -> None:
+    def _put(
+        self, step: Callable[[EditFlow], EditFlow], *, moves: bool = False, at_end: bool = False
+    ) -> None:
+        """Change the edit; the playhead goes along where that moves an end, or the edit leads."""
         before = self._document.flow
         if before is None:
             return
         self._document.correcting.change(step(before))
         flow = self._document.flow
-        if flow is not None and flow.has_cut:
+        if flow is not None and flow.has_cut and (moves or flow.leads):
             self._playback.go(flow.end - 1 if at_end else flow.cut)
         self.changed.emit()
 
     def confirm(self) -> None:
-        """Enter: do the edit."""
+        """Enter: do the edit; the playhead stays where it is."""
         self._do(self._confirm, tr("Done: {text}"))
 
     def _confirm(self) -> Change | None:
@@ -181,12 +186,12 @@ class Editing(QObject):
     def undo(self) -> bool:
         """Take the last edit back and go where it was; whether that was done."""
         self._document.correcting.leave()
-        return self._do(self._document.undo, tr("Undone: {text}"))
+        return self._do(self._document.undo, tr("Undone: {text}"), go=True)
 
     def redo(self) -> bool:
         """Do the edit again that was taken back and go where it was; whether that was done."""
         self._document.correcting.leave()
-        return self._do(self._document.redo, tr("Done again: {text}"))
+        return self._do(self._document.redo, tr("Done again: {text}"), go=True)
 
     # labels
 
@@ -220,12 +225,12 @@ class Editing(QObject):
             self._document.apply(change)
             return change
 
-        self._do(apply, tr("Done: {text}"), go=False)
+        self._do(apply, tr("Done: {text}"))
 
-    def _do(self, step: Callable[[], Change | None], said: str, go: bool = True) -> bool:
-        """Do something to the document; say it, go to its frame, or tell why not.
+    def _do(self, step: Callable[[], Change | None], said: str, go: bool = False) -> bool:
+        """Do something to the document and say it, or tell why not; whether it was done.
 
-        Gives whether something was done.
+        go: go where it can be seen, unless it is seen from here.
         """
         try:
             change = step()
@@ -234,9 +239,12 @@ class Editing(QObject):
             self.failed.emit(error)
             return False
         if change is not None:
-            if go:
+            if go and not self._is_seen(change):
                 self._playback.pause()
                 self._playback.go(change.frame)
             self.said.emit(said.format(text=change.text))
         self.changed.emit()
         return change is not None
+
+    def _is_seen(self, change: Change) -> bool:
+        return is_seen_at(change, self._playback.clock.frame, self._document.tracks)

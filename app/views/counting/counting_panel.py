@@ -84,13 +84,13 @@ class CountingPanel(Panel):
         )
         self._jitter = self._number(
             self.tr("Jitter"),
-            self.tr("Passing to and fro within this distance of a line on the floor is no passage"),
+            self.tr("Ignore re-crossings within this distance of a line on the floor"),
             _MOST["jitter_m"],
             " m",
         )
         self._jitter_px = self._number(
             self.tr("Jitter in the picture"),
-            self.tr("Passing to and fro within this distance of a line in the picture is none"),
+            self.tr("Ignore re-crossings within this distance of a line in the picture"),
             _MOST["jitter_px"],
             " px",
         )

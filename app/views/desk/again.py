@@ -21,8 +21,8 @@ def ask_again(desk: Desk) -> None:
     if session is None:
         return
     told = tr(
-        "People go on under the ids they have before the first frame. What a person corrected or "
-        "reviewed is not overwritten, and you see what would change before anything does."
+        "People keep the ids they have before the first frame. Nothing that was corrected or "
+        "reviewed is overwritten, and you see all changes before they are made."
     )
     run = session.corrected_run
     tracker = desk.tracking.proposed

@@ -1,4 +1,4 @@
-"""The panels below the floor: one at a time, so that the map keeps its room."""
+"""Panels that share a place: one at a time, so that each has room, and so has what is beside."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ class BelowFloor(QWidget):
     open.
     """
 
-    def __init__(self, panels: Sequence[QWidget], parent: QWidget | None = None) -> None:
+    def __init__(self, name: str, panels: Sequence[QWidget], parent: QWidget | None = None) -> None:
+        """name: of its tabs, as screen readers say it."""
         super().__init__(parent)
         self._panels = list(panels)
         self._open: list[QWidget] = []
         self._tabs = QTabBar(self)
         self._tabs.setDrawBase(False)
         self._tabs.setExpanding(False)
-        self._tabs.setAccessibleName(self.tr("Panels below the floor"))
+        self._tabs.setAccessibleName(name)
         self._tabs.currentChanged.connect(self._show_tab)
         self._pages = QStackedWidget(self)
         for panel in self._panels:

@@ -59,6 +59,8 @@ class Desk(QObject):
         self.reviewing = Reviewing(document, self.playback, self.editing, panel, self)
         self.pictured = Pictured()
         self.eyes = "left"
+        self._told_unread = ""
+        self._selected = self._to_show = 0
         self._workspace = workspace
         self._connect_parts()
         connect_gestures(self, workspace)
@@ -250,7 +252,26 @@ class Desk(QObject):
         counted = self.counting.texts_at(instant, self.pictured)
         self.labelling.draw(self.eyes == "both", self.pictured.labels, counted)
         self.parts.draw(instant, self.pictured)
+        self._tell_unread()
+        self._show_selected()
         self.drawn.emit()
+
+    def _show_selected(self) -> None:
+        """Have who was selected a moment ago seen in zoomed views, once their frame is there."""
+        track, before = self.document.selection.track, self._selected
+        if track != before:
+            self._selected = self._to_show = track
+        if self._to_show and self.playback.number == self.playback.clock.frame:
+            for view in (self._workspace.left, self._workspace.right, self._workspace.overhead):
+                view.show_person(self._to_show)
+            self._to_show = 0
+
+    def _tell_unread(self) -> None:
+        """Say once why particles are missing where the session's file cannot be read."""
+        unread = self.document.unread
+        if unread is not None and str(unread) != self._told_unread:
+            self._told_unread = str(unread)
+            self.failed.emit(unread)
 
     def draw_playhead(self) -> None:
         """Draw the timeline and the transport line."""

@@ -185,7 +185,8 @@ class TrackerAtWork(QObject):
         """How the tracker ended that is done, once; nothing where none is."""
         ended, self.live.ended = self.live.ended, None
         if ended is not None:
-            self.noted.emit((ended.words(kept), *self.live.notes), not self.live.notes)
+            passes = not (self.live.notes or ended.why)
+            self.noted.emit((ended.words(kept), *self.live.notes), passes)
 
     def _look_away(self) -> None:
         """Whoever looks elsewhere while a further run is made sees, and corrects, what there is."""

@@ -74,7 +74,10 @@ class Workspace(QWidget):
 
     def _lay_out(self) -> None:
         eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
-        below = BelowFloor((self.curves, self.counting, self.score), self)
+        below = BelowFloor(
+            self.tr("Panels below the floor"), (self.curves, self.counting, self.score), self
+        )
+        below.setObjectName("below floor")
         parts = (self.overhead, below)
         floor = self._split("floor and panels", Qt.Orientation.Vertical, parts, (5, 6))
         views = (eyes, floor, self._side())
@@ -102,8 +105,11 @@ class Workspace(QWidget):
         self.preview.setSizePolicy(policy)
         side = QWidget(self)
         column = _unspaced(side)
-        for panel in (self.preview, self.labelling, self.compare):
-            column.addWidget(panel)
+        column.addWidget(self.preview)
+        at_work = (self.labelling, self.compare)
+        shared = BelowFloor(self.tr("Labelling and comparison"), at_work, self)
+        shared.setObjectName("labelling and comparison")
+        column.addWidget(shared)
         column.addWidget(self._panels, 1)
         column.addWidget(self.differences, 1)
         return side

@@ -37,7 +37,7 @@ class Author(QObject):
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.setWindowTitle(tr("Your name"))
         dialog.setLabelText(
-            tr("Edits are logged under this name; left empty, under that of your account.")
+            tr("Edits are logged under this name. Leave it empty to use the name of your account.")
         )
         desk = self._window.desk
         session = desk.document.session if desk is not None else None

@@ -43,7 +43,11 @@ class SessionsBeside(QObject):
     def ask(self) -> None:
         """Ask for the other session."""
         choose_file(
-            self._window, tr("Another session of this recording"), tr(_SESSIONS), self.compare_with
+            self._window,
+            tr("Another session of this recording"),
+            tr(_SESSIONS),
+            self.compare_with,
+            self._window.remembered.last_folder("open"),
         )
 
     def compare_with(self, path: Path) -> None:

@@ -67,7 +67,10 @@ class ExportDialog(QDialog):
         view.setAccessibleName(self.tr("Formats"))
         for each in self._formats:
             item = QListWidgetItem(each.title, view)
-            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{each.title}, {each.ending}")
+            item.setData(
+                Qt.ItemDataRole.AccessibleTextRole,
+                f"{each.title}, {each.ending or self.tr('folder')}",
+            )
         names = [each.name for each in self._formats]
         view.setCurrentRow(names.index(chosen) if chosen in names else 0)
         view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

@@ -23,7 +23,7 @@ from app.views.widgets.work import Work
 from tracking.counting import write_counts
 from tracking.editing import History
 from tracking.errors import CountingError
-from tracking.formats import format_named
+from tracking.formats import format_named, losses
 from tracking.progress import Progress
 from tracking.session import Session, write_log_csv, write_log_json
 
@@ -85,24 +85,36 @@ class Exporting(QObject):
     def tracks_to(self, path: Path, name: str = "mot", run: int | None = None) -> None:
         """Write the corrected tracks, or a run's, in a format; piece by piece, and cancellable."""
         session, desk = self._session, self._window.desk
-        write = format_named(name).write
+        kind = format_named(name)
+        write = kind.write
         if session is None or desk is None or write is None:
             return
         # What is edited meanwhile is not in it.
         put_together = exporting(session, run, desk.document.recording.view)
 
-        def work(report: Progress) -> str:
+        def work(report: Progress) -> tuple[str, tuple[str, ...]]:
             refuse_to_lose(path)
-            made = write(path, put_together(), report)
+            exported = put_together()
+            made = write(path, exported, report)
             others = [file.name for file in made if file != path]
-            return tr("Beside it: {files}", files=", ".join(others)) if others else ""
+            beside = tr("Beside it: {files}", files=", ".join(others)) if others else ""
+            return beside, losses(kind, exported, path)
 
-        self._write(path, work)
+        title = tr("Exporting {name}", name=path.name)
+        self._work.run(title, work, lambda told: self._tell_of_tracks(path, *told))
+
+    def _tell_of_tracks(self, path: Path, beside: str, lost: tuple[str, ...]) -> None:
+        """Where they are; and what the format does not hold stays said until it is read."""
+        where = tr("Exported: {path}", path=path)
+        self.said.emit(f"{where}. {beside}" if beside else where)
+        if lost:
+            self._window.notice.say("\n".join((where, *lost)))
 
     def ask_report(self) -> None:
         """Ask for a folder and put a report of the score into one of its own there."""
-        title = tr("The folder in which the report gets one of its own")
-        choose_file(self._window, title, "", self.report_in, folder=True)
+        title = tr("Choose a folder: the report gets a new folder inside it")
+        last = self._window.remembered.last_folder("report")
+        choose_file(self._window, title, "", self.report_in, last, folder=True)
 
     def report_in(self, place: Path) -> None:
         """Write a report of the score as it was worked out last; where it was not, score first."""
@@ -165,7 +177,8 @@ class Exporting(QObject):
         desk = self._window.desk
         if self._session is not None and desk is not None:
             start = beside(desk.document, name)
-            choose_new_file(self._window, title, start, filters, chosen)
+            last = self._window.remembered.last_folder("export")
+            choose_new_file(self._window, title, start, filters, chosen, last)
 
     def _write(self, path: Path, work: Callable[[Progress], object]) -> None:
         title, told = tr("Exporting {name}", name=path.name), tr("Exported: {path}", path=path)

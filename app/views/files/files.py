@@ -7,8 +7,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QUrl, Signal
+from PySide6.QtCore import QObject, QTimer, QUrl, Signal
 
+from app.memory import give_back
 from app.presenters.files import left_behind, opening
 from app.presenters.files.demonstration import Demonstration
 from app.presenters.files.first_page import first_page
@@ -30,6 +31,7 @@ from app.views.files.saving import Saving
 from app.views.files.whereabouts import Whereabouts
 from app.views.parts.detectors import Detectors
 from app.views.runs.track_dialog import TrackDialog
+from app.views.widgets.literal import literal_title
 from app.views.widgets.questions import choose_file
 from app.views.widgets.remembered import Remembered
 from app.views.widgets.work import Work
@@ -40,6 +42,8 @@ if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow
 
 _OPENABLE = "Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v)"
+GIVE_BACK_MS = 500
+"""After a recording is closed: by then jobs that were stopped have let their arrays go."""
 
 
 class Files(QObject):
@@ -90,11 +94,13 @@ class Files(QObject):
 
     def ask_open(self) -> None:
         """Ask for a file."""
-        choose_file(self._window, tr("Open"), tr(_OPENABLE), self.open_path)
+        last = self._remembered.last_folder("open")
+        choose_file(self._window, tr("Open"), tr(_OPENABLE), self.open_path, last)
 
     def ask_open_folder(self) -> None:
         """Ask for a folder: a recording, or pictures."""
-        choose_file(self._window, tr("Open folder"), "", self.open_path, folder=True)
+        last = self._remembered.last_folder("open")
+        choose_file(self._window, tr("Open folder"), "", self.open_path, last, folder=True)
 
     def open_dropped(self, urls: Sequence[QUrl]) -> None:
         """Open the first of some files that were dropped; tracks go into the recording shown."""
@@ -153,6 +159,7 @@ class Files(QObject):
         self.close()
         path = opened.path
         self.desk = desk = Desk(opened.document, self._window.workspace, self)
+        self.saving.begin(desk.document.session)
         self.author.sign()
         self.detectors.begin(desk)
         desk.changed.connect(self.changed)
@@ -162,8 +169,9 @@ class Files(QObject):
         desk.said.connect(self.said)
         desk.tracking.tracked.connect(self.keeping.keep)
         desk.tracking.noted.connect(self._tell_of_tracking)
+        desk.scoring.truth_asked.connect(self._ask_truth)
         if not opening.is_unsaved_place(path):
-            self._remembered.add_recent(path.resolve())
+            self._remembered.add_recent(path.resolve(), opened.document.recording.name)
         self._window.show_workspace()
         self._tell_oddities(opened)
         desk.set_eyes(self._remembered.text("eyes", "both"))
@@ -171,7 +179,7 @@ class Files(QObject):
 
     def greet_after_crash(self) -> None:
         """Say, with what is opened next, that it was open when the program ended in a crash."""
-        self._greeting = tr("trackwright did not end as it should; here is where you were.")
+        self._greeting = tr("trackwright ended unexpectedly. Here is where you were.")
 
     def _tell_oddities(self, opened: Opened) -> None:
         session = opened.document.session
@@ -190,6 +198,12 @@ class Files(QObject):
             self._window.notice.say("\n".join(lines), passing=True)
         else:
             self._window.notice.hide()
+
+    def _ask_truth(self, filters: str) -> None:
+        """Ask for a file to score against."""
+        if self.desk is not None:
+            last, take = self._remembered.last_folder("truth"), self.desk.scoring.choose_file
+            choose_file(self._window, tr("The ground truth"), filters, take, last)
 
     # tracking
 
@@ -269,6 +283,7 @@ class Files(QObject):
             self._whereabouts.end()
             desk.close()
             desk.deleteLater()
+            QTimer.singleShot(GIVE_BACK_MS, give_back)
 
     def told_at_end(self) -> list[str]:
         """What is to be known where the program ends without asking: where unsaved work is."""
@@ -288,12 +303,14 @@ class Files(QObject):
         if self.desk is None:
             return "trackwright"
         recording, session = self.desk.document.recording, self.session
-        name = recording.name
+        name = literal_title(recording.name)
         if session is not None and session.path is not None:
             kept = not opening.is_unsaved_place(session.path)
-            name = f"{name} \u2013 {session.path.name if kept else tr('not saved yet')}"
+            place = literal_title(session.path.name) if kept else tr("not saved yet")
+            name = f"{name} \u2013 {place}"
         return f"{name}[*] \u2013 trackwright"
 
     def welcome_scene(self) -> WelcomeScene:
         """The first page: what was opened before, and what a crash left behind."""
-        return first_page(self._remembered.recent)
+        remembered = self._remembered
+        return first_page({path: remembered.recent_name(path) for path in remembered.recent})

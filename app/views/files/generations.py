@@ -100,6 +100,6 @@ class OlderStates(QObject):
             return
         desk.tracking.take_session(session)
         self.said.emit(
-            tr("Restored. What was open before is the newest of the older states: File > Restore")
+            tr("Restored. The state before is kept as the newest older state: File > Restore")
         )
         self.changed.emit()

@@ -45,8 +45,8 @@ class GenerationsDialog(QDialog):
         rows.setSpacing(12)
         text = quiet(
             self.tr(
-                "Each save keeps the state before it. What the session is now is kept as the "
-                "newest older state: nothing is lost, and it can be restored in the same way."
+                "Each save keeps the state before it. Restoring keeps the current state as well, "
+                "as the newest in this list: nothing is lost."
             ),
             self,
         )

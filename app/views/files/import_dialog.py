@@ -76,7 +76,7 @@ class ImportDialog(QDialog):
 
     def _add_choices(self, rows: QVBoxLayout) -> None:
         self._thins = QCheckBox(
-            self.tr("&Thin tracks whose every frame is a keyframe: no edge farther off than"), self
+            self.tr("&Thin tracks with a keyframe in every frame; edges move by at most"), self
         )
         self._tolerance = NumberBox(self)
         tell_beside(self._tolerance)
@@ -90,7 +90,7 @@ class ImportDialog(QDialog):
         self._tolerance.setEnabled(False)
         self._as_new = QCheckBox(self.tr("Give all of them &new ids"), self)
         self._as_new.setToolTip(
-            self.tr("Otherwise tracks with the ids of tracks of the session take their place")
+            self.tr("Otherwise they replace tracks of the session that have the same ids")
         )
         self._only_people = QCheckBox(self.tr("Only &people, no other classes"), self)
         line = QHBoxLayout()

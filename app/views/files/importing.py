@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -24,10 +25,10 @@ from app.presenters.files.importing import (
 from app.presenters.words import counted, tr
 from app.views.desk.desk import Desk
 from app.views.files.import_dialog import ImportDialog
-from app.views.widgets.questions import choose_file
+from app.views.widgets.questions import ask_unit, choose_file
 from app.views.widgets.work import Work
-from tracking.errors import SessionError, TrackwrightError
-from tracking.formats import READABLE, TRACK_ENDINGS, TrackFormat, format_named
+from tracking.errors import SessionError, TrackwrightError, UnitUnsaidError
+from tracking.formats import READABLE, TRACK_ENDINGS, Stated, TrackFormat, format_named
 from tracking.progress import Progress
 from tracking.session import Session, filmed_by
 from tracking.tracks import Labels
@@ -53,7 +54,8 @@ class Importing(QObject):
         """Ask for the file."""
         endings = " ".join(f"*{each}" for each in TRACK_ENDINGS)
         filters = f"{tr('Tracks of other tools')} ({endings})"
-        choose_file(self._window, tr("Import tracks"), filters, self.read)
+        last = self._window.remembered.last_folder("import")
+        choose_file(self._window, tr("Import tracks"), filters, self.read, last)
 
     def read_dropped(self, path: Path) -> None:
         """The same of a file that was dropped, where the command may be given, too."""
@@ -70,18 +72,31 @@ class Importing(QObject):
         now = desk.situation
         return drawable(now.while_busy() if self._work.busy else now)
 
-    def read(self, path: Path, known: TrackFormat | None = None) -> None:
-        """Read a file in the background and show what it holds."""
-        desk = self._window.desk
-        if desk is not None:
-            filmed = filmed_by(desk.document.recording)
-            title = tr("Reading {name}", name=path.name)
-            work = partial(read_tracks, path, filmed, known)
-            self._work.run(title, work, partial(self._look_over, desk))
+    def read(self, path: Path, known: TrackFormat | None = None, unit: str = "") -> None:
+        """Read a file in the background and show what it holds.
 
-    def _look_over(self, desk: Desk, read: ReadFile) -> None:
-        if desk is self._window.desk:
-            LookedOver(self, desk, read).open()
+        Where it does not say the unit of its lengths, the user is asked.
+        """
+        desk = self._window.desk
+        if desk is None:
+            return
+        filmed = replace(filmed_by(desk.document.recording), stated=Stated(unit))
+
+        def work(report: Progress) -> ReadFile | None:
+            try:
+                return read_tracks(path, filmed, known, report)
+            except UnitUnsaidError:
+                return None
+
+        def done(read: ReadFile | None) -> None:
+            if desk is not self._window.desk:
+                return
+            if read is None:
+                ask_unit(self._window, path.name, lambda unit: self.read(path, known, unit))
+            else:
+                LookedOver(self, desk, read).open()
+
+        self._work.run(tr("Reading {name}", name=path.name), work, done)
 
     def take(self, desk: Desk, read: ReadFile, fitted: Fitted) -> None:
         """Take the tracks: as an edit, or where there is no session as a new one.

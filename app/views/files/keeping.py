@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.presenters.explaining import explain
 from app.presenters.files import opening
+from app.presenters.track_colours import TrackColours
 from app.presenters.words import tr
 from app.views.widgets.work import Work
 from tracking.errors import CancelledError, TrackwrightError
@@ -70,7 +71,8 @@ class Keeping(QObject):
         elif self._work.busy:
             self._waits = True
         else:
-            work = partial(_kept, desk.document.recording, run, path)
+            document = desk.document
+            work = partial(_kept, document.recording, run, path, document.colours_watched)
             title = tr("Keeping the result")
             self._at_work = True
             ended = partial(self._end, then=then)
@@ -120,7 +122,11 @@ class Keeping(QObject):
 
 
 def _kept(
-    recording: Recording, run: Run, path: Path | None, report: Progress
+    recording: Recording,
+    run: Run,
+    path: Path | None,
+    seen: TrackColours | None,
+    report: Progress,
 ) -> Session | Exception:
     """The session, or why there is none: it is told together with what can be done.
 
@@ -128,7 +134,7 @@ def _kept(
         CancelledError: the window has closed meanwhile; the session is on disk, and given back.
     """
     try:
-        kept = opening.keep_run(recording, run, path)
+        kept = opening.keep_run(recording, run, path, seen)
     except (TrackwrightError, OSError) as error:
         return error
     try:

@@ -6,6 +6,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from app.presenters.files import opening
+from app.presenters.files.left_behind import (
+    changes_unsaved,
+    never_saved,
+    result_in_memory,
+    tracker_at_work,
+)
 from app.views.widgets.questions import ask_about_unsaved
 
 if TYPE_CHECKING:
@@ -28,20 +34,37 @@ class Leaving:
         self._agreed = True
 
     def asks(self) -> bool:
-        """Whether something would be lost that nobody agreed to lose; counts an agreement once."""
+        """Whether something was done here that is not saved, and nobody agreed to leave that.
+
+        Counts an agreement once.
+        """
         agreed, self._agreed = self._agreed, False
-        return not agreed and self._files.saving.unsaved
+        return not agreed and self._files.saving.changed_here
 
     def may_leave(self, again: Then) -> bool:
         """Whether the document can be let go; if not, ask, and do `again` afterwards."""
         if not self.asks():
             return True
         if self._files.tracker_found_some:
-            ask_about_unsaved(self._window, None, lambda: self._drop_tracked(again))
+            ask_about_unsaved(self._window, self._words(), None, lambda: self._drop_tracked(again))
         else:
             save, discard = lambda: self._save(again), lambda: self._discard(again)
-            ask_about_unsaved(self._window, save, discard)
+            ask_about_unsaved(self._window, self._words(), save, discard)
         return False
+
+    def _words(self) -> tuple[str, str]:
+        """The question, which names what it is about, and what is lost."""
+        desk, session = self._files.desk, self._files.session
+        if desk is None:
+            return "", ""
+        name = desk.document.recording.name
+        if self._files.tracker_found_some:
+            return tracker_at_work(name, desk.live.tracker, desk.live.status)
+        if session is None:
+            return result_in_memory(name)
+        if session.path is None or opening.is_unsaved_place(session.path):
+            return never_saved(name)
+        return changes_unsaved(session.path.name, name)
 
     def _drop_tracked(self, again: Then) -> None:
         """Only what the tracker found goes; `again` asks about edits, where there are any."""

@@ -71,5 +71,6 @@ class Mishaps(QObject):
             tr("Where is the recording now?"),
             "",
             lambda place: self._files.open_path(session, place),
+            self._window.remembered.last_folder("open"),
             folder=True,
         )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.presenters.files import opening
+from app.presenters.files.export_formats import proposed_session
 from app.presenters.words import tr
 from app.views.files.exporting import beside
 from app.views.files.leaving import Then
@@ -16,6 +17,7 @@ from app.views.widgets.questions import choose_new_file
 from app.views.widgets.remembered import Remembered
 from app.views.widgets.work import Work
 from tracking.errors import TrackwrightError
+from tracking.session import Session
 
 if TYPE_CHECKING:
     from app.views.files.files import Files
@@ -44,6 +46,23 @@ class Saving(QObject):
         self._files, self._window = files, window
         self._work, self._remembered = work, remembered
         self.proposed: Path | None = None
+        self._settled: object = None
+
+    def begin(self, session: Session | None) -> None:
+        """A session as it was opened, if it was: nothing of it is changed here yet."""
+        self._settled = _state(session)
+
+    @property
+    def changed_here(self) -> bool:
+        """Whether something unsaved was done since it was opened: in this window, by somebody.
+
+        Edits of an earlier sitting that are still unsaved stay where they are kept.
+        """
+        return self.unsaved and (
+            self._files.tracker_found_some
+            or self._files.keeping.holds
+            or _state(self._files.session) != self._settled
+        )
 
     @property
     def unsaved(self) -> bool:
@@ -69,10 +88,15 @@ class Saving(QObject):
         self._window.workspace.take_typed()
         if self._files.desk is not None:
             own = self._files.session.path if self._files.session is not None else None
-            name = "session.h5" if own is None or opening.is_unsaved_place(own) else own.name
-            start = self.proposed or beside(self._files.desk.document, name)
+            document = self._files.desk.document
+            kept = own is not None and not opening.is_unsaved_place(own)
+            name = (
+                own.name if own is not None and kept else proposed_session(document.recording.name)
+            )
+            start = self.proposed or beside(document, name)
             chosen = partial(self.save_to, then=then)
-            choose_new_file(self._window, tr("Save session"), start, _SESSIONS, chosen)
+            last = self._remembered.last_folder("session")
+            choose_new_file(self._window, tr("Save session"), start, _SESSIONS, chosen, last)
 
     def save_to(self, path: Path, then: Then | None = None) -> None:
         """Save at a place."""
@@ -85,12 +109,14 @@ class Saving(QObject):
 
         def saved(_: object) -> None:
             opening.finish_save(session, pending)
-            self._remembered.add_recent(path.resolve())
+            self._settled = settled
+            self._remembered.add_recent(path.resolve(), session.recording.name)
             self.said.emit(tr("Saved: {path}", path=path))
             self.changed.emit()
             if then is not None:
                 then()
 
+        settled = _state(session)
         try:
             pending = session.begin_save(path)
         except TrackwrightError as error:
@@ -99,3 +125,12 @@ class Saving(QObject):
         title = tr("Saving {name}", name=path.name)
         abandon = partial(session.abandon_save, pending)
         self._work.run(title, lambda _: pending.write(), saved, abandon, cancellable=False)
+
+
+def _state(session: Session | None) -> object:
+    """What tells whether somebody changed a session: what undo takes back is no change."""
+    if session is None:
+        return None
+    last = session.history.next_undo
+    edit = last.id if last is not None else 0
+    return session.created, edit, session.runs.serials, session.adopted_run

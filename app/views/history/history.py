@@ -7,6 +7,7 @@ import time
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.presenters.document.document import Document
+from app.presenters.history.undo_frame import is_seen_at
 from app.presenters.words import tr
 from app.views.history.history_panel import HistoryPanel
 from app.views.playing.playback import Playback
@@ -70,8 +71,9 @@ class HistoryWalk(QObject):
         except TrackwrightError as error:
             self.failed.emit(error)
             return
-        self._playback.pause()
-        self._playback.go(change.frame)
+        if not is_seen_at(change, self._playback.clock.frame, self._document.tracks):
+            self._playback.pause()
+            self._playback.go(change.frame)
         self.said.emit(tr("Done: {what}", what=change.text))
         self.changed.emit()
 

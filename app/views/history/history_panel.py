@@ -20,6 +20,7 @@ from app.presenters.scenes import HistoryItem
 from app.presenters.words import counted
 from app.views.history.history_model import ITEM, EditDelegate, HistoryModel, row_height
 from app.views.look.icons import IconButton
+from app.views.widgets.literal import literal
 from app.views.widgets.parts import Panel, quiet
 
 _ROWS = 5  # seen at least
@@ -65,7 +66,7 @@ class HistoryPanel(Panel):
         rows.setSpacing(4)
         rows.addLayout(self._build_filter())
         rows.addWidget(self._list, 1)
-        self._none = quiet(self.tr("No edit is like that."), self)
+        self._none = quiet(self.tr("No edit matches."), self)
         rows.addWidget(self._none)
         both = QVBoxLayout()  # no stack: what is hidden would keep its room
         both.addWidget(self._empty, 0, Qt.AlignmentFlag.AlignTop)
@@ -190,7 +191,7 @@ class HistoryPanel(Panel):
         if self._why_not_alone:
             alone.setEnabled(False)
             alone.setToolTip(self._why_not_alone)
-            menu.addAction(self._why_not_alone).setEnabled(False)
+            menu.addAction(literal(self._why_not_alone)).setEnabled(False)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
         """Enter on an edit goes to what it changed."""

@@ -222,8 +222,9 @@ class Labelling(QObject):
     # reviewed ranges
 
     def _mark(self, everybody: bool, start: int, end: int) -> None:
-        track = 0 if everybody else self._presenter.track
-        self._do(lambda: plan_mark_reviewed(self._presenter.labels, track, start, end))
+        track, session = 0 if everybody else self._presenter.track, self._document.session
+        table = session.tracks if session is not None else None
+        self._do(lambda: plan_mark_reviewed(self._presenter.labels, track, start, end, table))
 
     def _unmark(self, track: int, start: int, end: int) -> None:
         self._do(lambda: plan_unmark_reviewed(self._presenter.labels, track, start, end))

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.labelling.labelling_scene import LabellingScene, RangeLine
+from app.views.widgets.literal import literal
 from app.views.widgets.number_boxes import WholeBox, tell_beside
 from app.views.widgets.parts import quiet
 
@@ -55,7 +56,7 @@ class DrawnList(QWidget):
         self._rename_button = QPushButton(self.tr("Name"), self)
         self._rename_button.clicked.connect(self._edit)
         self._remove = QPushButton(self.tr("Take away"), self)
-        self._remove.setToolTip(self.tr("Take away what is chosen (Del)"))
+        self._remove.setToolTip(self.tr("Delete what is chosen (Del)"))
         self._remove.clicked.connect(lambda: self.removed.emit(self._list.currentRow()))
         line.addWidget(self._rename_button)
         line.addWidget(self._remove)
@@ -118,7 +119,7 @@ class RangesList(QWidget):
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
         self._unmark = QPushButton(self.tr("Take away"), self)
-        self._unmark.setToolTip(self.tr("Take the mark of the chosen range away"))
+        self._unmark.setToolTip(self.tr("Unmark the chosen range"))
         self._unmark.setEnabled(False)
         self._unmark.clicked.connect(self._take_away)
         self._empty = quiet(self.tr("Nothing is marked as reviewed yet."), self)
@@ -180,9 +181,8 @@ class RangesList(QWidget):
         who = scene.selected or self.tr("selected")
         self._one.setToolTip(self.tr("Mark {0}").format(who))
         room = _NAME_LETTERS * self.fontMetrics().averageCharWidth()
-        self._one.setText(
-            self.fontMetrics().elidedText(self._one.toolTip(), Qt.TextElideMode.ElideRight, room)
-        )
+        elide = self.fontMetrics().elidedText
+        self._one.setText(literal(elide(self._one.toolTip(), Qt.TextElideMode.ElideRight, room)))
 
     def _mark(self, everybody: bool) -> None:
         self.marked.emit(everybody, self._first.value(), self._last.value() + 1)

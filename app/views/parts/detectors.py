@@ -84,7 +84,7 @@ class Detectors(QObject):
             here = _labels_here(session, document.recording)
         own = session.path if session is not None else None
         before = [path for path in self._learnt if path != own and path.is_file()]
-        dialog = TrainDialog(here, before, self._window)
+        dialog = TrainDialog(here, before, self._remembered.last_folder("samples"), self._window)
         dialog.accepted.connect(lambda: self._begin(dialog))
         dialog.open()
 
@@ -165,7 +165,8 @@ class Detectors(QObject):
 
     def ask_open(self) -> None:
         """Ask for the file of a detector."""
-        choose_file(self._window, tr("Use a detector"), tr(_DETECTORS), self.use_file)
+        last = self._remembered.last_folder("detector")
+        choose_file(self._window, tr("Use a detector"), tr(_DETECTORS), self.use_file, last)
 
     def use_file(self, path: Path) -> None:
         """Track with the detector of a file, once it has been looked over."""
@@ -195,7 +196,8 @@ class Detectors(QObject):
         document = self._document
         if document is not None:
             start = beside(document, "detector.h5")
-        choose_new_file(self._window, tr("Save the detector"), start, tr(_DETECTORS), self.save_to)
+        last, title = self._remembered.last_folder("detector"), tr("Save the detector")
+        choose_new_file(self._window, title, start, tr(_DETECTORS), self.save_to, last)
 
     def save_to(self, path: Path) -> None:
         """Write the trained detector with the operating point as it stands."""

@@ -93,8 +93,8 @@ class Parts(QObject):
         said = tr("The {part} of {track} begins to fail in frame {frame}")
         if failure.by_rule:
             said = tr(
-                "The {part} of {track} begins to fail in frame {frame}, by a rule of the tracker: "
-                "its detector had not told so"
+                "The {part} of {track} begins to fail in frame {frame}, by a rule of the tracker;"
+                " its detector did not see it"
             )
         track = f"{failure.track} {who}".rstrip()
         return said.format(part=part_name(failure.part), track=track, frame=failure.frame)

@@ -69,6 +69,26 @@ class RocPlot(QWidget):
         share = min(alarms / self._most, 1.0)
         return QPointF(area.left() + share * area.width(), area.bottom() - found * area.height())
 
+    def tick_labels(self) -> list[tuple[QRectF, str]]:
+        """Shares along both axes, where they are written; fewer where they would touch."""
+        area, metrics = self._area(), QFontMetricsF(scaled_font(self.font(), _SMALL))
+        line, gap = metrics.height(), metrics.averageCharWidth()
+        alarms = [f"{100 * fifth / 5 * self._most:.3g} %" for fifth in range(6)]
+        found = [f"{20 * fifth} %" for fifth in range(6)]
+        widest = max(map(metrics.horizontalAdvance, alarms)) + gap
+        below = []
+        for fifth in _with_room(area.width() / 5, widest):
+            x = area.left() + fifth / 5 * area.width()
+            place = QRectF(x - widest / 2, area.bottom() + 0.6 * line, widest, line)
+            below.append((place, alarms[fifth]))
+        beside = []
+        for fifth in _with_room(area.height() / 5, line):
+            y = area.bottom() - fifth / 5 * area.height()
+            width = metrics.horizontalAdvance(found[fifth]) + 1
+            place = QRectF(area.left() - 6 - width, y - line / 2, width, line)
+            beside.append((place, found[fifth]))
+        return below + beside
+
     # drawing
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
@@ -100,11 +120,9 @@ class RocPlot(QWidget):
             painter.setPen(QPen(theme.grid_major, 1.0))
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
             painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
-            painter.setPen(theme.text_muted)
-            below = QRectF(x - 40, area.bottom() + 0.6 * line, 80, line)
-            painter.drawText(below, flags.AlignHCenter, f"{100 * share * self._most:.3g} %")
-            beside = QRectF(0, y - line / 2, area.left() - 6, line)
-            painter.drawText(beside, flags.AlignRight | flags.AlignVCenter, f"{100 * share:.0f} %")
+        painter.setPen(theme.text_muted)
+        for place, text in self.tick_labels():
+            painter.drawText(place, flags.AlignCenter, text)
         title = QRectF(area.left(), area.bottom() + 1.7 * line, area.width(), 1.3 * line)
         painter.setPen(theme.text)
         painter.drawText(title, flags.AlignCenter, self.tr("false alarms"))
@@ -160,3 +178,8 @@ class RocPlot(QWidget):
             super().keyPressEvent(event)
         else:
             self.stepped.emit(way)
+
+
+def _with_room(between: float, size: float) -> range:
+    """Which of six ticks, so far from each other, have a label of a size: evenly, 0 among them."""
+    return range(0, 6, next((step for step in (1, 2) if step * between > size), 5))

@@ -34,6 +34,7 @@ from app.presenters.words import tr
 from app.views.runs.settings_form import SettingsForm
 from app.views.widgets.parts import heading, quiet
 from app.views.widgets.questions import choose_file
+from app.views.widgets.remembered import LastFolder
 
 _TAUGHT = "Sessions and samples (*.h5 *.csv)"
 _ROWS = 4
@@ -48,7 +49,8 @@ class TrainDialog(QDialog):
     def __init__(
         self,
         here: Callable[[], Source] | None,
-        before: Sequence[Path] = (),
+        before: Sequence[Path],
+        last: LastFolder,
         parent: QWidget | None = None,
     ) -> None:
         """A dialog with what is learnt from so far.
@@ -56,8 +58,10 @@ class TrainDialog(QDialog):
         Args:
             here: gives the labels of the open session; None where none is open.
             before: sessions and samples that were learnt from the last time.
+            last: where one of them was chosen last.
         """
         super().__init__(parent)
+        self._last = last
         self.setWindowTitle(self.tr("Train the detector"))
         self._sources: list[Source] = []
         self._job: Job | None = None
@@ -120,9 +124,7 @@ class TrainDialog(QDialog):
         line = QHBoxLayout()
         add = QPushButton(self.tr("Add sessions or samples..."), self)
         add.setAutoDefault(False)
-        add.clicked.connect(
-            lambda: choose_file(self, self.tr("Add a session or samples"), tr(_TAUGHT), self.add)
-        )
+        add.clicked.connect(self._ask)
         self._off_list = QPushButton(self.tr("Take off the list"), self)
         self._off_list.setToolTip(self.tr("Do not learn from the chosen line; no file is touched"))
         self._off_list.setAutoDefault(False)
@@ -131,6 +133,10 @@ class TrainDialog(QDialog):
         line.addWidget(self._off_list)
         line.addStretch(1)
         return line
+
+    def _ask(self) -> None:
+        title = self.tr("Add a session or samples")
+        choose_file(self, title, tr(_TAUGHT), self.add, self._last)
 
     def _counts_grid(self) -> QGridLayout:
         grid = QGridLayout()
@@ -159,7 +165,7 @@ class TrainDialog(QDialog):
 
     def _read(self, read: Callable[[], Source]) -> None:
         if self._job is not None:
-            self._tell(self.tr("Wait until the session before is read"))
+            self._tell(self.tr("Wait until the previous session has been read"))
             return
 
         def work(_: Progress) -> object:

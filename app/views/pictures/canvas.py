@@ -42,6 +42,7 @@ class Canvas(QWidget, metaclass=AbstractQt):
     def __init__(self, upward: bool, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._viewport = Viewport(upward=upward)
+        self._seen_in = QRectF()  # where content was fitted to as the viewport was made
         self._fitted = True
         self._pressed_at: QPoint | None = None
         self._panning = False
@@ -98,11 +99,10 @@ class Canvas(QWidget, metaclass=AbstractQt):
 
     def fit(self) -> None:
         """Show the whole content, and keep doing so when the widget is resized."""
-        self._fitted = True
+        self._fitted, self._seen_in = True, self._area()
         content = self.content()
         if not content.isEmpty():
-            area = QRectF(self.rect()).marginsRemoved(self.contentsMargins().toMarginsF())
-            self._viewport = Viewport.fitting(content, area, self._viewport.upward)
+            self._viewport = Viewport.fitting(content, self._area(), self._viewport.upward)
         self.update()
 
     def show_close(self, content: QRectF) -> None:
@@ -111,9 +111,28 @@ class Canvas(QWidget, metaclass=AbstractQt):
             -content.width(), -content.height() / 2, content.width(), content.height() / 2
         )
         if not self.content().isEmpty() and not around.isEmpty():
-            self._fitted = False
-            self._viewport = Viewport.fitting(around, QRectF(self.rect()), self._viewport.upward)
-            self.update()
+            self._look(Viewport.fitting(around, QRectF(self.rect()), self._viewport.upward))
+
+    def bring_into_view(self, content: QRectF) -> None:
+        """Shift a zoomed view so that a part of the content that is not seen whole is."""
+        content = content.intersected(self.content())  # beyond it there is nothing to see
+        if self._fitted or content.isEmpty():
+            return
+        place, area = self._viewport.rect(content), QRectF(self.rect())
+        if place.width() > area.width() or place.height() > area.height():
+            self.show_close(content)
+        elif not area.contains(place):
+            self._look(self._viewport.moved(area.center() - place.center()))
+
+    def _area(self) -> QRectF:
+        """Where on the widget the content is fitted to."""
+        return QRectF(self.rect()).marginsRemoved(self.contentsMargins().toMarginsF())
+
+    def _look(self, viewport: Viewport) -> None:
+        """Show a view that the user chose, which shows no ground in place of content."""
+        self._fitted, self._seen_in = False, self._area()
+        self._viewport = viewport.kept_inside(self.content(), self._seen_in)
+        self.update()
 
     def zoom(self, factor: float, at: QPointF | None = None) -> None:
         """Enlarge around a point of the widget, its middle where none is given."""
@@ -123,22 +142,22 @@ class Canvas(QWidget, metaclass=AbstractQt):
         scale = self._viewport.scale * factor
         widest = 0.1 * min(self.width() / content.width(), self.height() / content.height())
         if widest <= scale <= 400 * widest * 10:
-            self._fitted = False
-            self._viewport = self._viewport.zoomed(at or QRectF(self.rect()).center(), factor)
-            self.update()
+            self._look(self._viewport.zoomed(at or QRectF(self.rect()).center(), factor))
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Large enough to work in."""
         return QSize(560, 420)
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
-        """Keep the content fitted, or its middle in the middle."""
+        """Keep the content fitted, or as many times larger than that, its middle in the middle."""
         super().resizeEvent(event)
         if self._fitted:
             self.fit()
-        elif event.oldSize().isValid():
-            grown = event.size() - event.oldSize()
-            self._viewport = self._viewport.moved(QPointF(grown.width() / 2, grown.height() / 2))
+        elif not self.content().isEmpty():
+            before, now = self._seen_in, self._area()
+            fitted, fits = (Viewport.fitting(self.content(), area).scale for area in (before, now))
+            moved = self._viewport.moved(now.center() - before.center())
+            self._look(moved.zoomed(now.center(), fits / fitted))
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802
         """Ground, then content."""
@@ -174,11 +193,9 @@ class Canvas(QWidget, metaclass=AbstractQt):
         if self._holding:
             self.drag_to(event.position())
             return
-        self._fitted = False
-        self._viewport = self._viewport.moved(QPointF(moved))
+        self._look(self._viewport.moved(QPointF(moved)))
         self._pressed_at = at
         self.setCursor(Qt.CursorShape.ClosedHandCursor)
-        self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:  # noqa: N802
         """A press that moved nothing was a click."""

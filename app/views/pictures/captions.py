@@ -23,7 +23,8 @@ class Captions:
 
     Attributes:
         name: of the eye, at the right. message: in the middle, above the others where they meet.
-        legend: at the left; a picture too low or too narrow for all three has none.
+        legend: at the left, or at the top where it hides nobody there; a picture too low or too
+            narrow for all three has none.
     """
 
     name: QRectF
@@ -37,9 +38,17 @@ class Captions:
 
 
 def lay_out(
-    metrics: QFontMetricsF, area: QRectF, name: str, message: str, legend: Sequence[LegendEntry]
+    metrics: QFontMetricsF,
+    area: QRectF,
+    name: str,
+    message: str,
+    legend: Sequence[LegendEntry],
+    people: Sequence[QRectF] = (),
 ) -> Captions:
-    """Low down, where heads are seldom, and none on another."""
+    """Low down, where heads are seldom, and none on another.
+
+    people: their boxes, of which the legend hides as little as can be.
+    """
     room = area.adjusted(_EDGE_PX, _EDGE_PX, -_EDGE_PX, -_EDGE_PX)
     eye = QRectF(QPointF(), note_size(metrics, name, room.width()))
     eye.moveBottomRight(room.bottomRight())
@@ -52,7 +61,22 @@ def lay_out(
     with_legend = above(said, [eye, told], _GAP_PX)
     if min(told.top(), with_legend.top()) < room.top() or told.right() > room.right():
         return Captions(eye, above(said, [eye], _GAP_PX), QRectF())
-    return Captions(eye, with_legend, told)
+    return Captions(eye, with_legend, _clear(told, room, [eye, with_legend], people))
+
+
+def _clear(
+    plate: QRectF, room: QRectF, words: Sequence[QRectF], people: Sequence[QRectF]
+) -> QRectF:
+    """The place of a plate, where it is or at the top, that hides the least of people."""
+    left, right = QRectF(plate), QRectF(plate)
+    left.moveTopLeft(room.topLeft())
+    right.moveTopRight(room.topRight())
+    places = [plate, *(one for one in (left, right) if not any(map(one.intersects, words)))]
+    return min(places, key=lambda place: sum(_area(place.intersected(one)) for one in people))
+
+
+def _area(rect: QRectF) -> float:
+    return rect.width() * rect.height()
 
 
 def draw_captions(

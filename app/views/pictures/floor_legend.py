@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.presenters.scenes import OverheadScene
@@ -23,24 +23,66 @@ _CLOUD = ((-4, 2), (0, -4), (3, 3), (-1, 1), (5, -2), (2, -1), (-5, -3), (-2, -1
 Sign = Callable[[QPainter, QPointF, Theme], None]
 
 
-def draw_floor_legend(
-    painter: QPainter, scene: OverheadScene, corner: QPointF, area: QRectF, theme: Theme
+class FloorLegend:
+    """A plate with the signs the scene has, in a corner where it hides nobody.
+
+    It stays in its corner until somebody comes there; where somebody is in every one, it goes.
+    """
+
+    def __init__(self) -> None:
+        self._corner = 0
+
+    def place(self, size: QSizeF, foot: QPointF, area: QRectF, taken: Sequence[QRectF]) -> QRectF:
+        """Where a plate hides nothing that is taken; empty: nowhere.
+
+        Args:
+            foot: its lower left corner, where that corner of the area is free.
+        """
+        inset = foot.x() - area.left()
+        inner = area.adjusted(inset, inset, -inset, -inset)
+        low, high = foot.y() - size.height(), inner.top()
+        right = inner.right() - size.width()
+        corners = [QPointF(foot.x(), low), QPointF(right, low), QPointF(foot.x(), high)]
+        order = [self._corner, *(at for at in range(len(corners)) if at != self._corner)]
+        for at in order:
+            plate = QRectF(corners[at], size)
+            if not any(plate.intersects(one) for one in taken):
+                self._corner = at
+                return plate
+        return QRectF()
+
+    def draw(
+        self,
+        painter: QPainter,
+        scene: OverheadScene,
+        foot: QPointF,
+        area: QRectF,
+        taken: Sequence[QRectF],
+        theme: Theme,
+    ) -> None:
+        """Draw it, as far as there is room; see `place`."""
+        metrics = QFontMetricsF(painter.font())
+        line = metrics.height() + 3
+        room = _MOST_OF_AREA * area.height() - (area.bottom() - foot.y()) - 2 * _PAD
+        lines = _lines(scene)[: max(0, int(room / line))]
+        width = max((metrics.horizontalAdvance(text) for _, text in lines), default=0.0)
+        size = QSizeF(width + _SIGN_PX + _GAP + 2 * _PAD, len(lines) * line + 2 * _PAD)
+        if not lines or size.width() > area.width() / 2:
+            return
+        plate = self.place(size, foot, area, taken)
+        if not plate.isEmpty():
+            _draw_plate(painter, plate, lines, line, theme)
+
+
+def _draw_plate(
+    painter: QPainter, plate: QRectF, lines: Sequence[tuple[Sign, str]], line: float, theme: Theme
 ) -> None:
-    """A plate with the signs the scene has, as far as there is room; corner: its lower left."""
-    metrics = QFontMetricsF(painter.font())
-    line = metrics.height() + 3
-    room = _MOST_OF_AREA * area.height() - (area.bottom() - corner.y()) - 2 * _PAD
-    lines = _lines(scene)[: max(0, int(room / line))]
-    width = max((metrics.horizontalAdvance(text) for _, text in lines), default=0.0)
-    width, height = width + _SIGN_PX + _GAP + 2 * _PAD, len(lines) * line + 2 * _PAD
-    if not lines or width > area.width() / 2:
-        return
-    plate = QRectF(corner.x(), corner.y() - height, width, height)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(faded(theme.window, 0.82))
     painter.drawRoundedRect(plate, 5, 5)
     for row, (sign, text) in enumerate(lines):
-        inside = QRectF(plate.left() + _PAD, plate.top() + _PAD + row * line, width, line)
+        top = plate.top() + _PAD + row * line
+        inside = QRectF(plate.left() + _PAD, top, plate.width(), line)
         sign(painter, QPointF(inside.left() + _SIGN_PX / 2, inside.center().y()), theme)
         inside.setLeft(inside.left() + _SIGN_PX + _GAP)
         painter.setPen(theme.text)

@@ -24,7 +24,7 @@ from app.views.pictures.floor import (
     draw_scale_bar,
     inner_corner,
 )
-from app.views.pictures.floor_legend import draw_floor_legend
+from app.views.pictures.floor_legend import FloorLegend
 from app.views.pictures.floor_naming import Floored, FloorNaming
 from app.views.pictures.floor_people import draw_floor_ghost, draw_floor_person
 from app.views.pictures.flow_map import FlowDrawing
@@ -72,6 +72,7 @@ class OverheadView(Canvas):
         self._held_off = QPointF()
         self._dragged = False
         self._naming = FloorNaming()
+        self._legend = FloorLegend()
         self._floor_key: tuple[object, ...] = ()
         self._floor_drawn = QPixmap()
         self._explained = True
@@ -85,6 +86,15 @@ class OverheadView(Canvas):
         if before is None or (before.bounds != scene.bounds and self._fitted):
             self.fit()
         self.update()
+
+    def show_person(self, track: int) -> None:
+        """Have a person seen who may stand outside of a zoomed view."""
+        people = self._scene.people if self._scene is not None else ()
+        place = next((one.position for one in people if one.track == track), None)
+        if place is not None:
+            around = QRectF(0, 0, 2 * _PERSON_RADIUS_M, 2 * _PERSON_RADIUS_M)
+            around.moveCenter(QPointF(*place))
+            self.bring_into_view(around)
 
     def show_labels(self, labels: FloorLabels) -> None:
         """Draw counting lines and regions."""
@@ -235,8 +245,15 @@ class OverheadView(Canvas):
         told = draw_legend(painter, self._truth.legend, foot, theme)
         if self._explained and self._flow is None:
             above = foot - QPointF(0, told + _LEGEND_PX) if told else foot
-            draw_floor_legend(painter, scene, above, area, theme)
+            self._legend.draw(painter, scene, above, area, self._taken(scene), theme)
         draw_scale_bar(painter, area, self.viewport, theme, self.tr("m"))
+
+    def _taken(self, scene: OverheadScene) -> list[QRectF]:
+        """Where people and their names are drawn."""
+        side = 2 * self._radius()
+        places = [self.viewport.point(*person.position) for person in scene.people]
+        rings = [QRectF(at.x() - side / 2, at.y() - side / 2, side, side) for at in places]
+        return rings + [plate for _, plate in self._naming.plates]
 
     def _floor(self, scene: OverheadScene, theme: Theme) -> QPixmap:
         """What does not move, drawn again only where the view or the look is another."""

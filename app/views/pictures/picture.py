@@ -95,6 +95,12 @@ class PictureView(Canvas):
             self.fit()
         self.update()
 
+    def show_person(self, track: int) -> None:
+        """Have a person seen who may stand outside of a zoomed view."""
+        box = next((one.box for one in self._scene.people if one.track == track), None)
+        if box is not None:
+            self.bring_into_view(QRectF(*box))
+
     def show_labels(self, labels: PictureLabels) -> None:
         """Draw what people drew and said at this instant."""
         self._labels = labels
@@ -316,7 +322,9 @@ class PictureView(Canvas):
 
     def _lay_out_captions(self, area: QRectF) -> Captions:
         """Before people's names, which keep clear of them."""
-        return lay_out(QFontMetricsF(scaled_font(self.font(), 0.92)), area, *self._words)
+        metrics = QFontMetricsF(scaled_font(self.font(), 0.92))
+        people = [self.viewport.rect(QRectF(*one.box)) for one in self._scene.people]
+        return lay_out(metrics, area, *self._words, people)
 
     @property
     def _low(self) -> bool:

@@ -83,6 +83,22 @@ class Viewport:
         """Shifted by widget units."""
         return Viewport(self.scale, self.origin_x + by.x(), self.origin_y + by.y(), self.upward)
 
+    def kept_inside(self, content: QRectF, area: QRectF) -> Viewport:
+        """Shifted as little as it takes that no part of an area is empty where content is hidden.
+
+        Along each axis the content covers the area, or all of it lies within where it is smaller.
+        """
+        place = self.rect(content)
+        across = _shift(place.left(), place.right(), area.left(), area.right())
+        along = _shift(place.top(), place.bottom(), area.top(), area.bottom())
+        return self.moved(QPointF(across, along))
+
+
+def _shift(start: float, end: float, first: float, last: float) -> float:
+    """The least shift by which a stretch covers the one from first to last, or lies within it."""
+    lowest, highest = sorted((first - start, last - end))
+    return min(max(0.0, lowest), highest)
+
 
 def polygon(points: Points) -> QPolygonF:
     """Points (n, 2) as a Qt polygon; rows that are not finite are left out."""

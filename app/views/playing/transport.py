@@ -19,6 +19,7 @@ from app.presenters.scenes import TransportScene
 from app.views.look.icons import IconButton
 from app.views.look.theme import current_theme, scaled_font
 from app.views.playing.room_left import RoomLeft
+from app.views.widgets.literal import literal
 from app.views.widgets.parts import Swatch, quiet
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
@@ -184,7 +185,7 @@ class TransportBar(QFrame):
         if before is None or before.speed != scene.speed:
             self._show_speed(scene.speed)
         if before is None or before.tracker != scene.tracker:
-            self._tracker.setText(scene.tracker)
+            self._tracker.setText(literal(scene.tracker))
             self._tracker.setVisible(bool(scene.tracker))
             self._tracker.setAccessibleName(self.tr("Tracker: {0}").format(scene.tracker))
         if before is None or (before.status, before.live) != (scene.status, scene.live):
@@ -217,8 +218,8 @@ class TransportBar(QFrame):
         self._follow.setVisible(following is not None)
         self._follow.setChecked(bool(following))
         self._follow.setText(self.tr("Following") if following else self.tr("Follow"))
-        on = self.tr("The views go with the tracker until you move the playhead  (Shift+L)")
-        off = self.tr("Go to where the tracker is, and on with it  (Shift+L)")
+        on = self.tr("The views follow the tracker until you move the playhead  (Shift+L)")
+        off = self.tr("Follow the tracker: go to its frame and on with it  (Shift+L)")
         self._follow.setToolTip(on if following else off)
         self._rest.fit()
 

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QLabel,
+    QPushButton,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -37,6 +38,7 @@ class ReviewPanel(Panel):
     Signals:
         item_chosen(object): the key of a suspicion that was clicked.
         kind_chosen(str): "" for all. order_chosen(str): the value of an `Order`.
+        search_asked(): tracks that no tracker made are to be looked through all the same.
         playing_chosen(bool): whether a stretch is played as soon as it is jumped to.
     """
 
@@ -44,6 +46,7 @@ class ReviewPanel(Panel):
     kind_chosen = Signal(str)
     order_chosen = Signal(str)
     playing_chosen = Signal(bool)
+    search_asked = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(self.tr("Review queue"), parent)
@@ -56,6 +59,8 @@ class ReviewPanel(Panel):
         self._title.setWordWrap(True)
         self._text = quiet("", self, "faint")
         self._text.setWordWrap(True)
+        self._ask = QPushButton(self.tr("Look for doubtful places"), self)
+        self._ask.clicked.connect(self.search_asked)
         self._also = FewLines(self)
         self._also.setFont(scaled_font(self.font(), 0.88))
         self._doing = quiet("", self, "faint")
@@ -72,7 +77,7 @@ class ReviewPanel(Panel):
         body.addWidget(self._list, 1)
         body.addWidget(self._also)
         body.addLayout(self._decisions)
-        for words in (self._title, self._text, self._doing, self._meter):
+        for words in (self._title, self._text, self._ask, self._doing, self._meter):
             body.addWidget(words)
         self.layout_body(body)
         self.show_scene(ReviewScene())
@@ -159,6 +164,7 @@ class ReviewPanel(Panel):
         self._also.setVisible(listed and bool(scene.also))  # else the rows have its room
         self._say(self._title, "" if listed else scene.title)
         self._say(self._text, "" if listed else scene.text)
+        self._ask.setVisible(scene.waits)
         self._say(self._doing, scene.doing)
         self._say(self._meter, scene.meter)
         self.keep_low(not listed)

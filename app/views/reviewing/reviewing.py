@@ -10,6 +10,8 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.correcting import EditKind
 from app.presenters.correcting.suspected import first_shown
 from app.presenters.document.document import Document
+from app.presenters.reviewing.edited_items import EditedItems
+from app.presenters.reviewing.no_items import empty_words, is_hand_made, waiting_words
 from app.presenters.reviewing.review import ReviewQueue, is_fixable, settled, verdict_on
 from app.presenters.reviewing.review_meter import MeterWords
 from app.presenters.reviewing.review_scene import Order, ReviewScene
@@ -55,11 +57,13 @@ class Reviewing(QObject):
         self._search = ReviewSearch(self._subject, recording, self)
         self._looked_at: tuple[Session | None, int, int | None] = None, 0, None
         self._labels: Labels | None = None
+        self._edited = EditedItems()
         self._meter: MeterWords | None = None
         self._marked: tuple[Suspicion, ...] | None = None
         self._play_until: int | None = None
         self._fixing: Suspicion | None = None
         self._problem = ""
+        self._hand_made = self._asked = False
         self._connect()
 
     def _connect(self) -> None:
@@ -72,6 +76,7 @@ class Reviewing(QObject):
         self._panel.kind_chosen.connect(self.narrow)
         self._panel.order_chosen.connect(self._sort_by)
         self._panel.playing_chosen.connect(self.set_plays)
+        self._panel.search_asked.connect(self.look_through)
 
     def close(self) -> None:
         """Look no further, and leave the panel empty."""
@@ -89,6 +94,7 @@ class Reviewing(QObject):
             self._search.stop()
             self._play_until = None
             self._looked_at, self._labels = (None, 0, None), None
+            self._hand_made = False
             self.queue.take((), Labels())
         elif not self._document.is_live:
             now = (session, session.tracks.revision, session.adopted_run)
@@ -100,23 +106,44 @@ class Reviewing(QObject):
                     self._meter = MeterWords(session.labels, session.history)
                 if anew:
                     self.queue.take((), session.labels)  # the same ids are other people
-                self._search.look(at_once=anew)
-            if session.labels is not self._labels:
-                before, self._labels = self._labels, session.labels
+                    self._hand_made, self._asked = is_hand_made(session), False
+                if not self._waits:
+                    self._search.look(at_once=anew)
+            before, self._labels = self._labels, session.labels
+            if session.labels is not before:
                 self.queue.take_labels(session.labels)
-                if before is not None and not first:
-                    self._return_to(before.verdicts.keys() - session.labels.verdicts.keys())
+            if first or before is None:
+                self._edited.begin(session.history)
+            else:
+                edited = self._document.edited
+                item = self._edited.follow(session.history, self.queue.current_key, edited)
+                undecided = before.verdicts.keys() - session.labels.verdicts.keys()
+                self._return_to(undecided or ({item} if item is not None else set()))
             self.queue.take_names(
                 {track: label.name for track, label in session.labels.tracks.items()}
             )
         self._show()
 
+    @property
+    def _waits(self) -> bool:
+        """No tracker made the tracks: nothing is flagged in them until somebody asks."""
+        return self._hand_made and not self._asked and not self._is_hidden
+
+    def look_through(self) -> None:
+        """Look for what may be wrong also in tracks that no tracker made."""
+        if self._document.session is not None and self._waits:
+            self._asked = True
+            self._search.look(at_once=True)
+            self._show()
+            self.changed.emit()
+
     def _return_to(self, undecided: Set[SuspicionKey]) -> None:
-        """A decision was undone: its suspicion is looked at again; of several none is."""
+        """A decision or an edit was undone: its item is looked at again; of several none is."""
         if len(undecided) == 1:
             (key,) = undecided
-            self.queue.return_to(key)
-            self._select(key[1])
+            if self.queue.current_key != key or self.queue.current is None:
+                self.queue.return_to(key)
+                self._select(key[1])
         elif undecided:
             self.queue.choose(None)
 
@@ -130,7 +157,7 @@ class Reviewing(QObject):
     def _take(self, found: tuple[Suspicion, ...]) -> None:
         session = self._document.session
         if session is not None:
-            self.queue.take(found, session.labels)
+            self.queue.take(found, session.labels, session.tracks)
             self._show()
             self.changed.emit()
 
@@ -267,7 +294,7 @@ class Reviewing(QObject):
         if session is None or end <= start:
             return
         labels, tracks = session.labels, (0,) if everybody else self._document.selection.all
-        self._do(lambda: plan_mark_reviewed(labels, tracks, start, end))
+        self._do(lambda: plan_mark_reviewed(labels, tracks, start, end, session.tracks))
 
     def unmark_watched(self) -> None:
         """Take back that the stretch just watched was reviewed, for who is selected or for all."""
@@ -305,6 +332,7 @@ class Reviewing(QObject):
             "suspicion": current is not None,
             "fixable": current is not None and is_fixable(current),
             "watched": self.watching.stretch[1] > 0,
+            "unflagged": self._waits,
         }
 
     def _show(self) -> None:
@@ -332,6 +360,7 @@ class Reviewing(QObject):
             title=title,
             text=text,
             meter=self._meter_text(),
+            waits=self._waits,
         )
 
     def _also(self, suspicion: Suspicion) -> str:
@@ -349,27 +378,9 @@ class Reviewing(QObject):
 
     def _empty_words(self) -> tuple[str, str]:
         """What is said where nothing is listed."""
-        if self._document.session is None:
-            return "", tr(
-                "What may be wrong is listed here once the recording is tracked, or labelled by "
-                "hand: W or Ins draws a person."
-            )
-        if self._document.is_live:
-            return "", tr("What may be wrong is looked for once the tracker is done.")
+        session = self._document.session
+        if session is not None and self._waits:
+            return waiting_words(session)
         if self._search.doing:
             return "", ""
-        if self._problem:
-            return tr("Not looked through"), self._problem
-        if not self._document.session.runs:
-            return tr("Labelled by hand"), tr(
-                "No tracker was at work: nothing is suspected of the people drawn so far. "
-                "W or Ins draws another one."
-            )
-        if not self._document.session.tracks.track_ids:
-            return tr("Nobody is tracked"), tr(
-                "There is nothing to review. Track again with other settings, or correct another "
-                "run: Ctrl+R lists them. W or Ins draws a person."
-            )
-        return tr("Nothing left to look at"), tr(
-            "Every suspicion is decided. Watch what is not reviewed yet, or score the tracks."
-        )
+        return empty_words(session, live=self._is_hidden, problem=self._problem)

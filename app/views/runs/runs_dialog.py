@@ -213,8 +213,8 @@ class RunsDialog(QDialog):
         self._correct.setToolTip(
             said
             or self.tr(
-                "Its tracks become the ones you correct. Where you have edited, or it has fewer "
-                "frames, you first see what would change, and take that as one edit."
+                "From then on you correct its tracks. If you have edited already, or it has fewer"
+                " frames, you first see what would change, and take that as one edit."
             )
         )
 

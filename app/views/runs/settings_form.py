@@ -133,7 +133,7 @@ class SettingsForm(QWidget):
             title = field.title
             label.setText(f"\u2022 {title}" if is_changed else title)
             shown = _said(field.default, _unit(field))
-            said = self.tr("Changed; as it comes: {0}").format(shown)
+            said = self.tr("Changed; the default is {0}").format(shown)
             label.setToolTip(said if is_changed else _words(field))
 
     def _add_group(self, name: str, rows: QVBoxLayout) -> QGridLayout:

@@ -90,7 +90,7 @@ class ScorePanel(Panel):
             self.add_to_heading(button)
         self._report = QToolButton(self)
         self._report.setText(self.tr("Report..."))
-        self._report.setToolTip(self.tr("A page of it all, for others, in a folder"))
+        self._report.setToolTip(self.tr("Write a page with all results into a folder, to pass on"))
         self._report.setProperty("outlined", True)
         self._report.clicked.connect(self.report_asked)
         self.add_to_heading(self._report)
@@ -124,7 +124,9 @@ class ScorePanel(Panel):
         self._threshold.setDecimals(2)
         self._threshold.setSingleStep(0.05)
         self._threshold.setKeyboardTracking(False)
-        self._threshold.setAccessibleName(self.tr("From where on they are one person"))
+        self._threshold.setAccessibleName(
+            self.tr("From where on two boxes or places count as one person")
+        )
         self._threshold.valueChanged.connect(self.threshold_chosen)
         line.addWidget(quiet(self.tr("Paired by"), self))
         line.addWidget(self._way, 1)
@@ -181,9 +183,12 @@ class ScorePanel(Panel):
         spin.setRange(_LEAST, _WIDEST_M if scene.on_floor else 1.0)
         spin.setSuffix(" m" if scene.on_floor else " IoU")
         spin.setToolTip(
-            self.tr("Farther apart than this they are not one person")
+            self.tr("Places farther apart than this are of different people")
             if scene.on_floor
-            else self.tr("Boxes that overlap less (intersection over union) are not one person")
+            else self.tr(
+                "Boxes that overlap less than this (intersection over union) are of "
+                "different people"
+            )
         )
         if not spin.hasFocus():
             spin.setValue(scene.threshold)

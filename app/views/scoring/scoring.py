@@ -20,7 +20,6 @@ from app.presenters.words import tr
 from app.views.desk.workspace import Workspace
 from app.views.playing.playback import Playback
 from app.views.timeline.axis import TimeAxis
-from app.views.widgets.questions import choose_file
 from tracking.errors import TrackwrightError
 from tracking.formats import TRACK_ENDINGS
 from tracking.progress import Progress
@@ -32,12 +31,14 @@ _TRUTHS = "Tracks ({endings})"
 class Scoring(QObject):
     """Scores in the background what is asked for, and shows it.
 
-    Signals: `changed()`, there is another score; `failed(error)`; `said(text)`.
+    Signals: `changed()`, there is another score; `truth_asked(filters)`, a file with the ground
+    truth is to be chosen, and `choose_file` gets it; `failed(error)`; `said(text)`.
     """
 
     changed = Signal()
     failed = Signal(object)
     said = Signal(str)
+    truth_asked = Signal(str)
 
     def __init__(
         self, document: Document, playback: Playback, workspace: Workspace, parent: QObject
@@ -156,7 +157,7 @@ class Scoring(QObject):
         """Ask for a file with the truth."""
         endings = " ".join(f"*{each}" for each in TRACK_ENDINGS)
         known = tr(_TRUTHS).format(endings=endings)
-        choose_file(self._workspace, tr("The truth"), known, self.choose_file)
+        self.truth_asked.emit(known)
 
     def choose_file(self, path: Path) -> None:
         """Take a file as truth."""

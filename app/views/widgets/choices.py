@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.presenters.scenes import ChoiceRow, Proposal
 from app.views.look.theme import current_theme, scaled_font
+from app.views.widgets.literal import literal
 from app.views.widgets.parts import quiet
 
 _WIDEST_ROW = 44
@@ -155,7 +156,7 @@ def _columns(options: tuple[str, ...]) -> int:
 
 def _segment(text: str, parent: QWidget) -> QToolButton:
     button = QToolButton(parent)
-    button.setText(text)
+    button.setText(literal(text))
     button.setAccessibleName(text)
     button.setCheckable(True)
     button.setProperty("segment", True)

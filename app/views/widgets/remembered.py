@@ -21,6 +21,24 @@ class Place:
     track: int = 0
 
 
+@dataclass(frozen=True, slots=True)
+class LastFolder:
+    """Where files of one kind were chosen last, so that the next is asked for there."""
+
+    remembered: Remembered
+    kind: str
+
+    @property
+    def folder(self) -> Path | None:
+        """None: none was chosen yet, or it has gone."""
+        text = self.remembered.text(f"folders/{self.kind}")
+        return Path(text) if text and Path(text).is_dir() else None
+
+    def note(self, chosen: Path) -> None:
+        """A file, or a folder among others, was chosen."""
+        self.remembered.set_text(f"folders/{self.kind}", str(chosen.absolute().parent))
+
+
 class Remembered:
     """Window state, look and recently opened files, kept in Qt's settings."""
 
@@ -34,11 +52,29 @@ class Remembered:
         texts = value if isinstance(value, list) else [value] if value else []
         return tuple(Path(str(text)) for text in texts)
 
-    def add_recent(self, path: Path) -> None:
-        """Put a path in front."""
+    @property
+    def recent_folder(self) -> Path | None:
+        """The folder of what was opened last, which is what is open; None: there is none."""
+        folders = (path.parent for path in self.recent)
+        return next((folder for folder in folders if folder.is_dir()), None)
+
+    def add_recent(self, path: Path, name: str = "") -> None:
+        """Put a path in front. name: of its recording."""
         others = [one for one in self.recent if one != path]
         kept = [str(one) for one in [path, *others][:_RECENT]]
         self._settings.setValue("recent", kept)
+        names = {**self._read("recent names"), str(path): name}
+        known = {text: names[text] for text in kept if text in names}
+        self._settings.setValue("recent names", json.dumps(known))
+
+    def recent_name(self, path: Path) -> str:
+        """What the recording of something opened before is called; "" where that is not known."""
+        name = self._read("recent names").get(str(path), "")
+        return name if isinstance(name, str) else ""
+
+    def last_folder(self, kind: str) -> LastFolder:
+        """Where files of a kind, "session" say, were chosen last."""
+        return LastFolder(self, kind)
 
     @property
     def left_open(self) -> tuple[Path, ...]:
@@ -53,7 +89,9 @@ class Remembered:
     def note_open(self, paths: Sequence[Path], place: Place) -> None:
         """Note what is open and where in it the user is, on disk at once."""
         self._settings.setValue("open", [str(path) for path in paths])
-        places = {text: pair for text, pair in self._places().items() if Path(text) not in paths}
+        places = {
+            text: pair for text, pair in self._read("places").items() if Path(text) not in paths
+        }
         latest = {str(path): [place.frame, place.track] for path in paths}
         kept = list({**latest, **places}.items())[:_PLACES]
         self._settings.setValue("places", json.dumps(dict(kept)))
@@ -66,18 +104,18 @@ class Remembered:
 
     def place(self, path: Path) -> Place:
         """Where the user was when a session or recording was open last; its start if never."""
-        match self._places().get(str(path)):
+        match self._read("places").get(str(path)):
             case [int() as frame, int() as track]:
                 return Place(frame, track)
         return Place()
 
-    def _places(self) -> dict[str, object]:
-        """By path, the latest first; whatever a damaged file says instead is forgotten."""
+    def _read(self, key: str) -> dict[str, object]:
+        """What is kept by path; whatever a damaged file says instead is forgotten."""
         try:
-            places = json.loads(self.text("places", "{}"))
-        except ValueError:
+            kept = json.loads(self.text(key, "{}"))
+        except (ValueError, RecursionError):
             return {}
-        return places if isinstance(places, dict) else {}
+        return kept if isinstance(kept, dict) else {}
 
     def text(self, key: str, default: str = "") -> str:
         """A remembered word."""

@@ -48,27 +48,49 @@ def match_score(typed: str, text: str) -> float | None:
 def best_commands(typed: str, items: tuple[CommandItem, ...]) -> list[CommandItem]:
     """The commands that match, best first; all in their own order where nothing is typed.
 
-    Among those that have what is typed alike (at the start of a word, within one, or only its
-    letters), what can be done now comes first.
+    What is written as typed, at the start of words or within them, leaves out what is only spelled
+    by the beginnings of its words ("dfh" for "Delete from here"). Among those that match alike,
+    what can be done now comes first.
     """
     if not typed.strip():
         return list(items)
     found: list[tuple[tuple[int, bool, float], CommandItem]] = []
     for item in items:
         text = f"{item.title} {item.menu}"
-        score = match_score(typed, text)
-        if score is not None:
-            found.append(((-_likeness(typed, text), not item.enabled, -score), item))
+        likeness = _likeness(typed, text)
+        if likeness is not None:
+            score = match_score(typed, text) or 0.0
+            found.append(((-likeness, not item.enabled, -score), item))
     found.sort(key=lambda pair: pair[0])
-    return [item for _, item in found[:_MOST_FOUND]]
+    written = any(-rank[0] > _SPELLED for rank, _ in found)
+    kept = [item for rank, item in found if -rank[0] > _SPELLED or not written]
+    return kept[:_MOST_FOUND]
 
 
-def _likeness(typed: str, text: str) -> int:
-    """2: a word begins as is typed; 1: it is written somewhere; 0: its letters are scattered."""
-    word, lower = typed.strip().lower(), text.lower()
-    if re.search(rf"(?<!\w){re.escape(word)}", lower):
-        return 2
-    return int(word in lower)
+_STARTS, _WITHIN, _SPELLED = 2, 1, 0
+"""How a text has what is typed: words begin so; it is written somewhere; beginnings spell it."""
+
+
+def _likeness(typed: str, text: str) -> int | None:
+    """How a text has every word that is typed; None: it has not."""
+    words, lower = typed.lower().split(), text.lower()
+    if all(re.search(rf"(?<!\w){re.escape(word)}", lower) for word in words):
+        return _STARTS
+    if all(word in lower for word in words):
+        return _WITHIN
+    return _SPELLED if _spells("".join(words), re.findall(r"\w+", lower)) else None
+
+
+def _spells(letters: str, words: list[str]) -> bool:
+    """Whether letters are made of beginnings of some of the words, in their order."""
+    if not letters:
+        return True
+    for at, word in enumerate(words):
+        lengths = range(min(len(letters), len(word)), 0, -1)
+        begun = (n for n in lengths if word.startswith(letters[:n]))
+        if any(_spells(letters[n:], words[at + 1 :]) for n in begun):
+            return True
+    return False
 
 
 class CommandPalette(QFrame):
@@ -105,7 +127,7 @@ class CommandPalette(QFrame):
         self._list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.itemClicked.connect(self._run)
-        self._none = quiet(self.tr("No command is called like that."), self)
+        self._none = quiet(self.tr("No command matches."), self)
         rows.addWidget(self._edit)
         rows.addWidget(self._list, 1)
         rows.addWidget(self._none)

@@ -106,7 +106,7 @@ class ShortcutsDialog(QDialog):
             column.addStretch(1)
             across.addLayout(column, 1)
         if not groups:
-            columns[0].insertWidget(0, quiet(self.tr("Nothing is called like that."), page))
+            columns[0].insertWidget(0, quiet(self.tr("Nothing matches."), page))
         return page
 
     def _group(self, menu: str, items: list[CommandItem], page: QWidget) -> QGridLayout:

@@ -89,7 +89,7 @@ def test_the_right_picture_says_which_frame_it_is(recording, tiny_session):
         said.append([scene.message for scene in scenes])
     document.session.close()
     assert said[0] == ["", "Frame 26 of this eye: the same instant"]
-    assert said[1] == ["", "Nothing was recorded of this instant: another frame is shown"]
+    assert said[1] == ["", "Nothing was recorded at this instant: another frame is shown"]
 
 
 @pytest.fixture

@@ -51,7 +51,8 @@ def shown(monkeypatch: pytest.MonkeyPatch) -> list[Shown]:
 
     monkeypatch.setattr("app.views.application.run", run)
     monkeypatch.setattr("app.cli.demo.has_display", lambda: True)
-    monkeypatch.setattr("app.cli.open_window.has_display", lambda: True)
+    monkeypatch.setattr("app.cli.open_window.why_no_window", lambda: "")
+    monkeypatch.setattr("app.cli.demo.why_no_window", lambda: "")
     return windows
 
 
@@ -152,7 +153,7 @@ def test_open_shows_what_is_named(
 def test_open_needs_a_screen(
     trackwright: Trackwright, footage: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("app.cli.open_window.has_display", lambda: False)
+    monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
     status, _, err = trackwright("open", footage)
     assert status == 1
     assert "no display" in err

@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+import os
 import shutil
+import sys
 from collections import namedtuple
 from pathlib import Path
 
+import h5py
+import numpy as np
 import pytest
 
-from app.cli.destination import check_file, check_folder, nearest_folder
+from app.cli.destination import (
+    check_file,
+    check_folder,
+    check_replaced,
+    check_text_replaced,
+    held_at,
+    nearest_folder,
+)
 from app.cli.display import has_display
 from tracking.errors import OutputError
 
@@ -83,3 +94,72 @@ def test_the_nearest_folder_is_the_one_that_exists(tmp_path: Path) -> None:
 )
 def test_a_display_is_seen(environment: dict[str, str], system: str, seen: bool) -> None:
     assert has_display(environment, system) is seen
+
+
+posix = pytest.mark.skipif(sys.platform == "win32", reason="links and pipes of POSIX")
+
+
+@posix
+@pytest.mark.parametrize("leads_to", [None, "/dev/null", "pipe", "circle"])
+def test_a_pipe_or_a_device_is_refused_before_the_work(
+    tmp_path: Path, leads_to: str | None
+) -> None:
+    out = tmp_path / "out.h5"
+    os.mkfifo(tmp_path / "pipe" if leads_to else out)
+    if leads_to:
+        (tmp_path / "circle").symlink_to(tmp_path / "circle")
+        out.symlink_to(tmp_path / leads_to)
+    with pytest.raises(OutputError, match=r"cannot write .* it is a (pipe|device|link)"):
+        check_file(out)
+
+
+@posix
+def test_a_link_may_name_a_session_and_nothing_else(tmp_path: Path) -> None:
+    (tmp_path / "text.csv").write_text("precious")
+    (tmp_path / "out.csv").symlink_to(tmp_path / "text.csv")
+    check_file(tmp_path / "out.csv")
+    with pytest.raises(OutputError, match=r"out\.csv: it is a link, which is not written through"):
+        check_text_replaced(tmp_path / "out.csv")
+    with pytest.raises(OutputError, match=r"out\.csv: it is a link, which is not written through"):
+        check_replaced(tmp_path / "out.csv", "trackwright-samples")
+
+
+def odd_format(file: h5py.File, kind: str) -> None:
+    """A root attribute `format` like no program's."""
+    odd = {
+        "numbers": np.arange(8),
+        "many": np.array(["trackwright-detector"] * 3, h5py.string_dtype()),
+        "reference": np.array(file.ref, h5py.ref_dtype),
+        "long": np.bytes_(b"x" * 60_000),
+    }
+    file.attrs["format"] = odd[kind]
+
+
+@pytest.mark.parametrize("kind", ["numbers", "many", "reference", "long"])
+def test_an_odd_format_says_nothing(tmp_path: Path, kind: str) -> None:
+    with h5py.File(tmp_path / "odd.h5", "w") as file:
+        odd_format(file, kind)
+    assert held_at(tmp_path / "odd.h5") == ""
+
+
+def test_what_stands_in_the_way_is_never_opened_by_hdf5_in_this_program(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, cut, text = tmp_path / "out.h5", tmp_path / "cut.h5", tmp_path / "text.h5"
+    with h5py.File(out, "w") as file:
+        file.attrs["format"] = "trackwright-detector"
+    cut.write_bytes(out.read_bytes()[:300])
+    text.write_text("no HDF5")
+
+    def opened(*_: object, **__: object) -> None:
+        raise AssertionError("the HDF5 library would read a file from anywhere")
+
+    monkeypatch.setattr(h5py, "File", opened)
+    check_replaced(out, "trackwright-detector")
+    assert [held_at(path) for path in (out, cut, text)] == ["trackwright-detector", "", None]
+    with pytest.raises(OutputError, match="is a detector and would be lost"):
+        check_replaced(out, "trackwright-samples")
+    with pytest.raises(OutputError, match="is an HDF5 file and would be lost"):
+        check_replaced(cut, "trackwright-samples")
+    with pytest.raises(OutputError, match="is a detector and would be lost"):
+        check_text_replaced(out)

@@ -64,7 +64,7 @@ def test_what_cannot_be_used_is_told_in_a_line(
     trackwright: Trackwright, footage: Path, tmp_path: Path, words: list[str], reason: str
 ) -> None:
     status, _, err = trackwright("track", footage, "-o", tmp_path / "s.h5", *PARTS, *words)
-    assert status == 1
+    assert status == 2
     assert err.count("\n") == 1
     assert reason in err
 

@@ -147,7 +147,7 @@ def test_impossible_scenes_are_told(
     trackwright: Trackwright, tmp_path: Path, words: list[str], reason: str
 ) -> None:
     status, out, err = trackwright("synth", tmp_path / "new", *words)
-    assert (status, out) == (1, "")
+    assert (status, out) == (2, "")
     assert reason in err
     assert err.count("\n") == 1  # and not that rendering begins
     assert list(tmp_path.iterdir()) == []
@@ -173,7 +173,7 @@ def test_help_of_synth_names_all_scenes(trackwright: Trackwright) -> None:
 def test_a_seed_no_session_can_hold_is_told(trackwright: Trackwright, tmp_path: Path) -> None:
     words = ["synth", tmp_path / "new", "--scene", "lobby", "--seed", str(10**26)]
     status, _, err = trackwright(*words)
-    assert status == 1
+    assert status == 2
     assert "give --seed 0 to 9223372036854775807" in err
 
 
@@ -208,4 +208,4 @@ def test_one_tracker_is_listed_by_its_name(trackwright: Trackwright) -> None:
     status, out, _ = trackwright("trackers", "flow", "--json")
     assert (status, [one["name"] for one in json.loads(out)["trackers"]]) == (0, ["flow"])
     status, _, err = trackwright("trackers", "flaw")
-    assert (status, "tracker flaw is unknown" in err) == (1, True)
+    assert (status, "tracker flaw is unknown" in err) == (2, True)

@@ -78,6 +78,10 @@ def test_reviewed_footage_is_listed_no_more(trackwright: Trackwright, session: P
         opened.save()
     told = json.loads(trackwright("review", session, "--json")[1])
     assert told["open"] == 0
+    assert told["found"] > 0
+    printed = trackwright("review", session)[1]
+    said = f"Nothing is left to look at: all {told['found']} suspicions are decided or reviewed."
+    assert printed.splitlines() == [said]
 
 
 def test_what_is_no_session_is_told(trackwright: Trackwright, tmp_path: Path) -> None:

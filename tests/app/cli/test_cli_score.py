@@ -81,13 +81,13 @@ def test_a_recordings_folder_stands_for_its_truth(
     ("options", "status", "reason"),
     [
         (["--match", "sound"], 2, "'sound' is not one of"),
-        (["--range", "9:3"], 1, "range 9:3 holds no frames"),
-        (["--range", "-1:5"], 1, "--range -1:5: frames count from 0"),
-        (["--range", "30:40"], 1, "choose one within 0:20"),
-        (["--range", "foo"], 1, "'foo' are not A:B, e.g. --range 100:400"),
-        (["--distances", "near"], 1, "e.g. --distances 0,5,10"),
-        (["--distances", "5,10"], 1, "distances must grow from 0 on"),
-        (["--match", "floor", "--radius", "-1"], 1, "radius -1.0 m is not above 0"),
+        (["--range", "9:3"], 2, "range 9:3 holds no frames"),
+        (["--range", "-1:5"], 2, "--range -1:5: frames count from 0"),
+        (["--range", "30:40"], 2, "choose one within 0:20"),
+        (["--range", "foo"], 2, "'foo' are not A:B, e.g. --range 100:400"),
+        (["--distances", "near"], 2, "e.g. --distances 0,5,10"),
+        (["--distances", "5,10"], 2, "distances must grow from 0 on"),
+        (["--match", "floor", "--radius", "-1"], 2, "radius -1.0 m is not above 0"),
     ],
 )
 def test_wrong_options_are_told(
@@ -166,7 +166,7 @@ def test_some_frames_are_measured_as_if_there_were_no_others(
 def test_frames_that_are_not_there_are_told(
     pair: tuple[str, str], capsys: pytest.CaptureFixture[str], frames: str, reason: str
 ) -> None:
-    assert run(["score", pair[0], "--truth", pair[1], "--frames", frames]) == 1
+    assert run(["score", pair[0], "--truth", pair[1], "--frames", frames]) == 2
     out, err = capsys.readouterr()
     assert (out, err.count("\n")) == ("", 1)
     assert reason in err

@@ -214,6 +214,19 @@ def test_definitions_of_another_program_can_be_asked_for(
     assert found == [1.0, 0.0]
 
 
+def test_a_switch_is_no_match_as_py_motmetrics_counts_matches(
+    trackwright: Trackwright, single: tuple[Path, Path, Path]
+) -> None:
+    truth, _, switched = single
+    words = ["score", switched, "--truth", truth, "--distances", "0,5", "--json"]
+    usual = json.loads(trackwright(*words)[1])
+    theirs = json.loads(trackwright(*words, "--as", "py-motmetrics")[1])
+    assert usual["id_switches"] == theirs["id_switches"] > 0
+    assert theirs["matches"] == usual["matches"] - usual["id_switches"]
+    assert theirs["recall"] == usual["recall"]
+    assert sum(one["matches"] for one in theirs["distances"]) == theirs["matches"]
+
+
 def test_passages_over_a_line_are_compared_with_those_that_happened(
     trackwright: Trackwright, single: tuple[Path, Path, Path]
 ) -> None:
@@ -312,7 +325,10 @@ def test_an_empty_side_is_told_in_a_line(
     trackwright: Trackwright, single: tuple[Path, Path, Path]
 ) -> None:
     truth, right, _ = single
-    for emptied, word in ((right, "everybody counts as missed"), (truth, "shares of truth are 0")):
+    for emptied, word in (
+        (right, "everybody counts as missed"),
+        (truth, "shares of the ground truth are 0"),
+    ):
         emptied.write_text("")
         status, out, err = trackwright("score", right, "--truth", truth, "--json")
         assert status == 0
@@ -338,3 +354,35 @@ def test_classes_of_the_later_challenges_say_what_counts(
     said = json.loads(trackwright(*words)[1])
     # A distractor takes its box along; a person who does not count, and a car, leave theirs.
     assert (said["truth_people"], said["misses"], said["false_positives"]) == (1, 0, 20)
+
+
+@pytest.mark.parametrize("name", ["label-studio", "x-anylabeling"])
+@pytest.mark.parametrize("of", ["recording", "session"])
+def test_percent_and_folders_are_scored_on_either_side(
+    trackwright: Trackwright, footage: Path, made: Path, tmp_path: Path, name: str, of: str
+) -> None:
+    exported = tmp_path / "theirs"
+    assert trackwright("export", made, "-o", exported, "--format", name)[0] == 0
+    other = footage if of == "recording" else made
+    for result, truth in ((exported, other), (made, exported)):
+        status, out, _ = trackwright("score", result, "--truth", truth, "--json")
+        assert status == 0
+        said = json.loads(out)
+        assert "sequences" not in said
+        assert said["MOTA"] > (0.99 if footage not in (result, truth) else 0.3)
+
+
+def test_folders_of_a_file_a_frame_are_sequences_among_others(
+    trackwright: Trackwright, made: Path, tmp_path: Path
+) -> None:
+    truths, results = tmp_path / "truths", tmp_path / "results"
+    for folder in (truths, results):
+        folder.mkdir()
+        assert trackwright("export", made, "-o", folder / "a", "--format", "x-anylabeling")[0] == 0
+    (truths / "b.txt").write_text(TRUTH)
+    (results / "b.txt").write_text(RIGHT)
+    status, out, _ = trackwright("score", results, "--truth", truths, "--json")
+    assert status == 0
+    said = json.loads(out)
+    assert {each: said["sequences"][each]["MOTA"] for each in "ab"} == {"a": 1, "b": 1}
+    assert trackwright("score", results / "a", "--truth", truths, "--json")[0] == 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from contextlib import closing
@@ -71,7 +72,7 @@ def test_a_wrong_order_is_told_before_any_work(
     trackwright: Trackwright, footage: Path, tmp_path: Path, words: list[str], reason: str
 ) -> None:
     status, out, err = trackwright("track", footage, "-o", tmp_path / "s.h5", *words)
-    assert (status, out) == (1, "")
+    assert (status, out) == (2, "")
     assert err.count("\n") == 1
     assert reason in err
     assert list(tmp_path.iterdir()) == []
@@ -132,7 +133,7 @@ def test_a_tracker_of_people_whole_takes_no_detector(
 ) -> None:
     words = ["-o", tmp_path / "s.h5", "--detector", "d.h5"]
     status, _, err = trackwright("track", footage, *words)
-    assert status == 1
+    assert status == 2
     assert "tracker stereo-joint knows no detector" in err
 
 
@@ -184,7 +185,7 @@ def test_distances_that_exclude_each_other_are_refused_before_any_work(
 ) -> None:
     far = ["--set", "stereo.nearest_m=20", "--set", "stereo.farthest_m=2"]
     status, _, err = trackwright("track", footage, "-o", tmp_path / "s.h5", *far)
-    assert status == 1
+    assert status == 2
     assert err.splitlines()[-1].startswith("trackwright: settings stereo.nearest_m=20")
     assert list(tmp_path.iterdir()) == []
 
@@ -249,11 +250,41 @@ def test_export_writes_what_the_session_scores(
     }
 
 
-def test_corrected_tracks_count_in_full_as_truth(
+def test_corrected_tracks_keep_their_confidence_but_as_ground_truth(
     trackwright: Trackwright, made: Path, tmp_path: Path
 ) -> None:
-    assert trackwright("export", made, "-o", tmp_path / "t.txt", "--format", "mot")[0] == 0
-    assert set(read_mot(tmp_path / "t.txt")["confidence"]) == {1.0}
+    with closing(Session.open(made)) as session:
+        sure = session.tracks.columns()["confidence"]
+    assert (sure[np.isfinite(sure)] < 1).any()
+    out, truth = tmp_path / "t.txt", tmp_path / "yard" / "gt" / "gt.txt"
+    truth.parent.mkdir(parents=True)
+    words = ["export", made, "--format", "mot16", "-o"]
+    assert trackwright(*words, out)[0] == 0
+    np.testing.assert_allclose(read_mot(out)["confidence"], sure, atol=2e-6)
+    for path, more in ((truth, []), (tmp_path / "any.txt", ["--ground-truth"])):
+        assert trackwright(*words, path, *more)[0] == 0
+        assert set(read_mot(path)["confidence"]) == {1.0}
+
+
+@pytest.mark.parametrize("name", ["csv", "coco", "pedpy-txt", "labels"])
+def test_ground_truth_is_asked_for_only_where_it_is_another_thing(
+    trackwright: Trackwright, made: Path, tmp_path: Path, name: str
+) -> None:
+    words = ["export", made, "-o", tmp_path / "out", "--format", name, "--ground-truth"]
+    status, _, err = trackwright(*words)
+    assert (status, "--ground-truth" in err) == (2, True)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_a_format_does_not_hold_is_told(
+    trackwright: Trackwright, made: Path, tmp_path: Path
+) -> None:
+    words = ["export", made, "--format", "coco", "-o", tmp_path / "t.json"]
+    _, printed, err = trackwright(*words, "--json")
+    (note,) = json.loads(printed)["notes"]
+    assert "places on the floor, velocities, visibility" in note
+    assert f"note: {note}" in err
+    assert "visibility" not in trackwright(*words[:3], "csv", *words[4:])[2]
 
 
 def test_a_run_can_be_exported(trackwright: Trackwright, made: Path, tmp_path: Path) -> None:
@@ -272,6 +303,27 @@ def test_a_session_is_not_overwritten_by_an_export(trackwright: Trackwright, ses
     assert session.read_bytes() == before
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="links and pipes of POSIX")
+def test_no_command_writes_through_a_link_or_into_a_pipe(
+    trackwright: Trackwright, session: Path, footage: Path, tmp_path: Path
+) -> None:
+    victim, link, pipe = (tmp_path / name for name in ("victim.txt", "link.txt", "pipe.h5"))
+    victim.write_text("precious")
+    link.symlink_to(victim)
+    os.mkfifo(pipe)
+    for words in (
+        ["export", session, "--format", "mot", "-o", link],
+        ["export", session, "--format", "mot", "-o", pipe],
+        ["log", session, "--csv", link],
+        ["count", session, "--line", "a:0,1:2,3", "--csv", pipe],
+        ["track", footage, "--force", "-o", pipe],
+    ):
+        status, out, err = trackwright(*words)
+        assert (status, out, err.count("\n")) == (1, "", 1), words
+        assert "it is a " in err
+    assert (victim.read_text(), link.is_symlink(), pipe.is_fifo()) == ("precious", True, True)
+
+
 def test_an_export_replaces_text_and_no_video(
     trackwright: Trackwright, session: Path, footage: Path, tmp_path: Path
 ) -> None:
@@ -284,14 +336,14 @@ def test_an_export_replaces_text_and_no_video(
     assert video.read_bytes() == before
     text = tmp_path / "t.txt"
     text.write_text("an older export\n")
-    assert trackwright("export", session, "-o", text, "--format", "mot")[0] == 0
+    assert trackwright("export", session, "-o", text, "--format", "mot", "--force")[0] == 0
     assert "older" not in text.read_text()
 
 
 def test_an_unknown_format_is_told(trackwright: Trackwright, made: Path, tmp_path: Path) -> None:
     words = ["export", made, "-o", tmp_path / "t.txt", "--format", "mpeg"]
     status, _, err = trackwright(*words)
-    assert status == 1
+    assert status == 2
     assert "choose one of: mot" in err
 
 

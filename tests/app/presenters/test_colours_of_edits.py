@@ -8,7 +8,9 @@ import pytest
 from app.presenters.correcting import EditKind
 from app.presenters.document import own_colours
 from app.presenters.document.document import Document
+from app.presenters.files import opening
 from app.presenters.palette import TRACK_COLOURS, usual_place
+from app.presenters.track_colours import TrackColours
 from tracking.editing import plan_reassign, plan_split
 from tracking.recording import open_recording
 from tracking.session import Session
@@ -49,6 +51,7 @@ def test_a_crowd_has_its_colours_later_however_short_it_is_there(recording, tiny
     opened = _document(recording, tiny_run, crowd, tmp_path / "crowd.h5")
     assert opened.colours_due is None  # another thread opens it
     document = Document(recording)
+    opened.session.colours = {}  # as one that nobody has looked at yet
     document.take_session(opened.session)
     due = document.colours_due
     document.session.close()
@@ -151,6 +154,7 @@ def test_who_was_watched_while_a_tracker_worked_keeps_the_colour_when_its_run_is
     if not quick:
         monkeypatch.setattr(own_colours, "_QUICK_ROWS", 0)
     live, session = Document(recording), document.session
+    session.colours = {}  # as one that was made a moment ago
     live.begin_live()
     for frame in (0, 55):  # 2 comes up where 1 and 25 have theirs already
         live._showing._live_colours.meet(session.tracks.of_frame(frame))
@@ -171,6 +175,7 @@ def _kept_from(recording, document, places):
     live = Document(recording)
     live.begin_live()
     live._showing._live_colours._place = dict(places)
+    document.session.colours = {}  # as one that was made a moment ago
     live.take_session(document.session)
     return _colours(live, *places)
 
@@ -201,3 +206,47 @@ def test_colours_of_a_run_that_was_dropped_are_not_those_of_another_run(recordin
     session.adopt_run(session.add_run(session.corrected_run, adopt=False))
     live.take_session(session)
     assert _colours(live, 1, 2, 25) == own
+
+
+def test_people_keep_the_colours_they_were_watched_in_when_their_session_is_opened_again(
+    recording, tiny_run, tmp_path
+):
+    ids = np.unique(tiny_run.tracks["track"]).tolist()
+    seen = TrackColours.kept({one: (usual_place(one) + 5) % len(TRACK_COLOURS) for one in ids})
+    path = tmp_path / "watched.h5"
+    opening.keep_run(recording, tiny_run, path, seen).close()
+    first, again = (_looked_at(recording, path, ids) for _ in range(2))
+    assert first == again == [seen.of(one) for one in ids]
+
+
+def test_colours_given_by_edits_are_the_same_when_a_saved_session_is_opened_again(
+    recording, document
+):
+    document.undo()
+    for at in (20, 40, 65):
+        table = document.session.tracks
+        document.apply(plan_split(table, max(table.of_frame(at)["track"].tolist()), at))
+    ids = document.session.tracks.track_ids
+    given = _colours(document, *ids)
+    path = document.session.path
+    document.session.save()
+    document.session.close()
+    assert _looked_at(recording, path, ids) == given
+
+
+def test_colours_of_the_run_that_is_corrected_no_more_are_not_those_of_another(
+    recording, tiny_run, tmp_path
+):
+    ids = np.unique(tiny_run.tracks["track"]).tolist()
+    seen = TrackColours.kept({one: (usual_place(one) + 5) % len(TRACK_COLOURS) for one in ids})
+    session = opening.keep_run(recording, tiny_run, tmp_path / "two.h5", seen)
+    session.adopt_run(session.add_run(tiny_run, adopt=False))
+    assert not session.colours
+    session.close()
+
+
+def _looked_at(recording, path, ids):
+    session = Session.open(path)
+    colours = _colours(Document(recording, session), *ids)
+    session.close()
+    return colours

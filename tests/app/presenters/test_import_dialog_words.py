@@ -56,8 +56,8 @@ def test_what_becomes_of_the_sessions_own_tracks_is_told(read):
     told = " ".join(scene.lines)
     assert "2 tracks, 80 rows, frames 0 to 39" in told
     assert "1 is added" in told
-    assert "1 has the id of a track of the session" in told
-    assert f"{FRAMES - 40} rows of theirs are not in the file and go" in told
+    assert "1 has the id of a track in the session" in told
+    assert f"{FRAMES - 40} rows of these tracks are not in the file and are deleted" in told
     assert "1 track of the session is not in the file and stays as it is" in told
     assert scene.why_not == ""
 

@@ -161,7 +161,7 @@ def test_an_empty_truth_is_scored_and_told_as_on_the_command_line(
             assert scored.errors.count(ErrorKind.FALSE_ALARM) == len(scored.errors) == rows
             assert scored.whole.clear.false_positives == json.loads(out)["false_positives"] == rows
             (note,) = presenter.scene("").notes
-            assert note.startswith("nobody.txt has nobody in these frames: the truth is empty")
+            assert note.startswith("nobody.txt has nobody in these frames: everybody")
             assert f"{tmp_path / note}" in err
 
 
@@ -238,6 +238,15 @@ def test_a_truth_with_classes_counts_as_on_the_command_line(presenter, tmp_path)
         np.testing.assert_array_equal(getattr(scored.truth.table, name), getattr(typed, name))
     assert scored.whole.truth_people == 1
     assert scored.truth.people.track_ids == (1,)
+
+
+def test_a_truth_of_ids_from_0_is_drawn_with_the_one_after_the_highest(presenter, tmp_path):
+    truth = tmp_path / "gt.txt"
+    truth.write_text("1,0,10,20,30,60,1\n1,6,90,20,30,60,1\n")
+    presenter.choose_file(truth)
+    scored = score_now(presenter)
+    assert scored.truth.people.track_ids == (6, 7)
+    assert scored.whole.truth_people == 2
 
 
 KITTI = "{} {} {} 0 0 -10 {} 20 {} 80 -1 -1 -1 -1000 -1000 -1000 -10"

@@ -44,7 +44,7 @@ def test_a_single_frame_is_told_as_the_only_one_found_and_not_as_certain():
 
 def test_two_who_are_far_apart_are_not_told_as_having_changed_over():
     said = _said_of(3.0, others=0)
-    assert said == "Frame 50 (00:05.00), nothing shows that they changed over: reasons"
+    assert said == "Frame 50 (00:05.00), no sign of a swap here: reasons"
 
 
 def test_where_nothing_speaks_for_a_frame_that_is_said():
@@ -52,7 +52,7 @@ def test_where_nothing_speaks_for_a_frame_that_is_said():
     on = Ground(two_people.table(), Labels(), Footing(None, 100, 10.0, (640, 480)))
     flow = EditFlow.begin(EditKind.SWAP, 4, 50, 10.0).with_other(7, found)
     said = planned_edit(flow, on).scene.details[0]
-    assert said == "Frame 50 (00:05.00), nothing shows that they changed over: reasons"
+    assert said == "Frame 50 (00:05.00), no sign of a swap here: reasons"
 
 
 @pytest.fixture

@@ -1,8 +1,11 @@
+import io
 import os
 import signal
 import subprocess
 import sys
+import threading
 import time
+import traceback
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,18 +13,20 @@ import numpy as np
 import pytest
 from patient import PATIENCE_S
 
-from app.tracking_process import TrackerProcess, TrackingRequest
+from app.tracking_process import TrackerProcess, TrackingRequest, child
 from app.tracking_process.messages import (
+    Kind,
     TrackerBug,
     packed_error,
     packed_notes,
     packed_steps,
+    receive,
     unpacked_error,
     unpacked_notes,
     unpacked_steps,
 )
 from tracking.errors import CalibrationError, RecordingError, TrackwrightError
-from tracking.pipeline import run_of_steps, track
+from tracking.pipeline import Tracking, run_of_steps, track
 from tracking.recording import OpenOptions, open_recording
 from tracking.trackers import Resume
 from tracking.tracks import TrackTable
@@ -117,9 +122,11 @@ def test_what_the_tracker_says_is_wrong_comes_across_as_the_same_error(request_)
 
 
 def test_a_bug_comes_across_with_its_trace():
-    bug = unpacked_error(packed_error(ZeroDivisionError("by zero"), "Traceback ... by zero"))
+    trace = "Traceback ...\n  in step\nZeroDivisionError: by zero\n"
+    bug = unpacked_error(packed_error(ZeroDivisionError("by zero"), trace))
     assert isinstance(bug, TrackerBug)
-    assert "Traceback" in str(bug)
+    assert str(bug) == "ZeroDivisionError: by zero"
+    assert trace in "".join(traceback.format_exception(bug))
     ours = unpacked_error(packed_error(CalibrationError("no floor", "say where"), ""))
     assert (type(ours), ours.reason, ours.to_do) == (CalibrationError, "no floor", "say where")
 
@@ -240,3 +247,20 @@ def test_what_there_is_to_tell_of_a_tracking_is_known_at_its_end(tiny_recording)
         for _ in process.batches():
             assert process.notes == ()
     assert "are the eyes swapped?" in process.notes[0]
+
+
+def test_a_child_sends_what_was_tracked_before_a_bug(request_, monkeypatch):
+    following = Tracking.__next__
+
+    def next_step(tracking):
+        if tracking.done == 2:
+            raise ZeroDivisionError("by nothing")
+        return following(tracking)
+
+    monkeypatch.setattr(Tracking, "__next__", next_step)
+    answers = io.BytesIO()
+    with pytest.raises(ZeroDivisionError):
+        child._track(request_, answers, threading.Event())
+    answers.seek(0)
+    sent = [payload for kind, payload in iter(lambda: receive(answers), None) if kind is Kind.STEPS]
+    assert sum(len(unpacked_steps(payload)) for payload in sent) == 2

@@ -26,7 +26,9 @@ def test_by_keys_a_format_is_chosen(qtbot, dark, heard):
 
 
 def test_every_format_says_what_it_holds():
-    assert all(each.about and each.ending.startswith(".") for each in FORMATS)
+    assert all(each.about for each in FORMATS)
+    assert {each.name for each in FORMATS if not each.ending} == {"x-anylabeling"}  # a folder
+    assert all(each.ending.startswith(".") for each in FORMATS if each.ending)
 
 
 def test_files_are_proposed_under_the_recordings_name():

@@ -29,7 +29,7 @@ def test_a_fault_in_closing_keeps_nobody_from_ending(monkeypatch):
 
 def _ended(monkeypatch, window):
     monkeypatch.setattr(ending, "QCoreApplication", Mock())
-    stand_in = SimpleNamespace(_notifier=Mock(), _window=window)
+    stand_in = SimpleNamespace(_window=window)
     stand_in._close = lambda: ending.EndBySignal._close(stand_in)
     ending.EndBySignal._end(stand_in)
     return ending.QCoreApplication.quit.called

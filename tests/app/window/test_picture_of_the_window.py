@@ -24,5 +24,5 @@ def test_a_picture_of_what_cannot_be_opened_is_an_error(qapp, no_threads_left, t
 def test_a_picture_that_cannot_be_written_is_an_error(
     qapp, no_threads_left, tiny_session, tmp_path
 ):
-    with pytest.raises(OutputError, match="cannot be written"):
+    with pytest.raises(OutputError, match="cannot write"):
         picture(tiny_session, tmp_path / "no" / "folder" / "window.png")

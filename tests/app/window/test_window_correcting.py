@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 from correcting_desk import CROWDED, opened_desk
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox, QPlainTextEdit
 
@@ -93,6 +93,58 @@ def test_a_swap_is_done_by_keys_alone_undone_and_done_again(window, desk, press)
     assert desk.playback.clock.frame == cut - 1  # undo goes where it changed something
     press(Key.Key_Z, _CTRL | _SHIFT)
     assert (_place(desk, b, 79), _place(desk, a, 79)) == before
+
+
+def test_tab_shows_who_stands_outside_a_zoomed_view(window, desk, press):
+    here = desk.document.tracks.of_frame(CROWDED)
+    people = list(zip(here["track"].tolist(), here["left"].tolist(), strict=True))
+    views = (window.workspace.left, window.workspace.overhead)
+    desk.document.selection.choose(0)
+    for view in views:
+        assert view.isVisible()
+        view.fit()
+        view.zoom(6.0, QPointF(view.width(), view.height()))  # at its lower right corner
+    seen = [_seen(window, track) for track, _ in people]
+    assert not all(seen)
+    for _ in people:
+        press(Key.Key_Tab)
+        assert _seen(window, desk.document.selection.track)
+    for view in views:
+        view.fit()
+    before = [view.viewport for view in views]
+    press(Key.Key_Tab)
+    assert [view.viewport for view in views] == before  # all is in view: nothing moves
+
+
+def _seen(window, track):
+    """Whether somebody's middle is within the picture and the floor."""
+    left, floor = window.workspace.left, window.workspace.overhead
+    box = next(one.box for one in left._scene.people if one.track == track)
+    place = next(one.position for one in floor._scene.people if one.track == track)
+    middle = left.viewport.rect(QRectF(*box)).center()
+    on_floor = floor.viewport.point(*place)
+    return all(QRectF(view.rect()).contains(at) for view, at in ((left, middle), (floor, on_floor)))
+
+
+def test_after_a_split_the_new_half_is_selected_and_after_undo_the_whole(desk, press):
+    press(Key.Key_Tab)
+    before, ids = desk.document.selection.track, set(_ids(desk))
+    press(Key.Key_S)
+    press(Key.Key_Return)
+    (new,) = set(_ids(desk)) - ids
+    assert desk.document.selection.all == (new,)
+    press(Key.Key_Z, _CTRL)
+    assert desk.document.selection.all == (before,)
+
+
+def test_a_name_given_and_taken_back_leaves_the_playhead_where_its_track_is_seen(desk, press):
+    press(Key.Key_Tab)
+    track = desk.document.selection.track
+    assert desk.document.session.tracks.frame_range(track)[0] < CROWDED
+    desk.editing.rename(track, "red coat")
+    press(Key.Key_Z, _CTRL)
+    assert desk.document.label(track).name == ""
+    assert desk.playback.clock.frame == CROWDED
 
 
 def test_esc_leaves_an_edit_without_doing_it(window, desk, press):

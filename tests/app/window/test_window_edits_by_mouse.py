@@ -139,10 +139,11 @@ def test_a_move_that_waits_for_enter_is_not_lost_by_a_drag_on_somebody_else(hand
     hands.desk.editing.pick(other)
     hands.press(Qt.Key.Key_V)
     hands.press(Qt.Key.Key_Right)
-    flow, fitted, start = hands.desk.document.flow, view.viewport, hands.box_on(someone).center()
+    view.zoom(2.0, hands.box_on(someone).center())
+    flow, zoomed, start = hands.desk.document.flow, view.viewport, hands.box_on(someone).center()
     hands.drag(view, start, start + QPointF(40, 0))
     assert hands.desk.document.flow == flow
-    assert view.viewport != fitted  # panned
+    assert view.viewport != zoomed  # panned
     before = hands.row(other, CROWDED)
     hands.press(Qt.Key.Key_Return)
     assert hands.row(other, CROWDED)["left"] == before["left"] + 1
@@ -153,11 +154,12 @@ def test_a_move_that_waits_for_enter_is_not_lost_by_a_drag_over_the_floor(hands,
     hands.desk.editing.pick(someone)
     hands.press(Qt.Key.Key_V)
     hands.press(Qt.Key.Key_Right)
-    flow, fitted, start = hands.desk.document.flow, view.viewport, hands.place_on(someone)
+    view.zoom(2.0, hands.place_on(someone))
+    flow, zoomed, start = hands.desk.document.flow, view.viewport, hands.place_on(someone)
     before = hands.row(someone, CROWDED)
     hands.drag(view, start, start + QPointF(40, 0))
     assert hands.desk.document.flow == flow
-    assert view.viewport != fitted  # panned
+    assert view.viewport != zoomed  # panned
     hands.press(Qt.Key.Key_Return)
     assert hands.row(someone, CROWDED)["left"] == before["left"] + 1
 
@@ -175,6 +177,7 @@ def test_escape_while_somebodys_box_is_dragged_leaves_it_where_it_was(hands, som
 def test_while_another_person_is_waited_for_a_drag_pans(hands, someone):
     view, row = hands.window.workspace.left, hands.row(someone, CROWDED)
     hands.choose_in_menu(view, hands.box_on(someone).center(), "tracks.swap")
+    view.zoom(2.0, hands.box_on(someone).center())
     before, start = view.viewport, hands.box_on(someone).center()
     hands.drag(view, start, start + QPointF(40, 0))
     assert view.viewport != before
@@ -275,7 +278,7 @@ def test_several_are_merged_into_the_one_picked_first(hands):
     assert a in hands.desk.document.session.tracks
 
 
-def test_the_preview_shows_what_goes_before_it_is_done(hands, someone):
+def test_the_preview_shows_what_goes_zoomed_is_done(hands, someone):
     views = hands.window.workspace
     hands.choose_in_menu(views.overhead, hands.place_on(someone), "tracks.delete_frame")
     for scene in (views.left._scene, views.overhead._scene):

@@ -11,6 +11,7 @@ import pytest
 from correcting_desk import opened_desk
 from patient import PATIENCE_S
 from PySide6.QtCore import Qt, QUrl
+from PySide6.QtWidgets import QMessageBox
 
 from app.presenters.files.export_formats import export_formats
 from app.presenters.files.exporting import exported
@@ -50,8 +51,15 @@ def test_every_format_is_exported_and_known_again(window, desk, qtbot, tmp_path)
         path = tmp_path / f"{each.name}{each.ending}"
         window.files.exporting.tracks_to(path, each.name)
         at_rest(window, qtbot)
-        assert path.is_file(), each.title
+        assert path.exists(), each.title
         assert format_of(path).read is not None
+
+
+def test_what_a_format_does_not_hold_stays_said_until_it_is_read(window, desk, qtbot, tmp_path):
+    window.files.exporting.tracks_to(tmp_path / "tracks.txt", "pedpy-txt")
+    at_rest(window, qtbot)
+    assert "PedPy text has none: boxes, velocities" in window.notice.text
+    assert window.statusBar().currentMessage().startswith("Exported: ")
 
 
 def test_an_export_that_was_cancelled_writes_nothing(window, desk, qtbot, tmp_path, monkeypatch):
@@ -82,6 +90,18 @@ def test_imported_tracks_are_one_edit_that_is_undone_at_once(window, desk, qtbot
     after = document.session.tracks.columns()
     for name, column in before.items():
         np.testing.assert_array_equal(after[name], column)
+
+
+def test_a_text_without_a_unit_is_read_in_the_one_that_is_answered(window, desk, qtbot, tmp_path):
+    path = tmp_path / "theirs.txt"
+    path.write_text("500 0 100 400 170\n500 1 110 400 170\n")
+    window.files.importing.read(path)
+    qtbot.waitUntil(lambda: window.findChild(QMessageBox, "unit") is not None)
+    box = window.findChild(QMessageBox, "unit")
+    assert path.name in box.text()
+    next(each for each in box.buttons() if each.text() == "Centimetres").click()
+    shown_dialog(window, qtbot).accept()
+    assert desk.document.session.tracks.of_track(500)["x"].tolist() == [1.0, 1.1]
 
 
 def test_of_a_dropped_file_good_rows_are_taken_only_on_a_word(window, desk, qtbot, tmp_path):
@@ -149,7 +169,7 @@ def test_a_file_is_not_imported_by_dropping_it_while_other_work_is_going_on(
 def test_each_ending_is_offered_once_though_formats_share_it(window, desk, monkeypatch):
     offered = []
     monkeypatch.setattr(
-        importing, "choose_file", lambda _w, _title, filters, _on: offered.append(filters)
+        importing, "choose_file", lambda _w, _title, filters, *_: offered.append(filters)
     )
     window.files.importing.ask()
     endings = re.findall(r"\*\.\w+", offered[0])

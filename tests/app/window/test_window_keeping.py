@@ -17,11 +17,11 @@ class FullDisk:
         self.full = True
         self.asked = 0
 
-    def __call__(self, recording, run, path=None):
+    def __call__(self, recording, run, path=None, seen=None):
         self.asked += 1
         if self.full:
             raise OutputError("session.h5 cannot be written: no space left on the device")
-        return self._keep_run(recording, run, path)
+        return self._keep_run(recording, run, path, seen)
 
 
 @pytest.fixture

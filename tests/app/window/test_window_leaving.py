@@ -51,6 +51,79 @@ def test_edits_not_saved_are_asked_for_also_while_a_tracker_begins(window, desk)
     assert window.files.saving.unsaved
 
 
+def test_the_question_names_the_session_and_its_recording(window, desk, qtbot, tiny_session):
+    _rename(desk, "first")
+    window.files.close_recording()
+    text = _answer(window, qtbot, _BUTTON.Cancel)
+    assert tiny_session.name in text
+    assert desk.document.recording.name in text
+
+
+def test_the_question_names_the_tracker_at_work(window, fresh, qtbot):
+    fresh.toggle()
+    qtbot.waitUntil(lambda: fresh.live.done > 3)
+    window.files.close_recording()
+    text = _answer(window, qtbot, _BUTTON.Discard)
+    assert f'{fresh.live.tracker} is still tracking "{fresh.document.recording.name}"' in text
+
+
+def test_an_edit_that_was_taken_back_is_not_asked_about(window, desk):
+    _rename(desk, "first")
+    desk.editing.undo()
+    assert window.files.may_leave(lambda: None)
+
+
+def test_a_result_in_place_of_one_that_was_dropped_is_asked_about(window, desk, qtbot):
+    session = desk.document.session
+    session.add_run(session.runs[0], adopt=False)
+    window.files.saving.save()
+    qtbot.waitUntil(lambda: not window.files.saving.unsaved)
+    assert not window.files.saving.changed_here
+    session.drop_run(1)
+    session.add_run(session.runs[0], adopt=False)
+    window.files.close_recording()
+    assert "Save" in _answer(window, qtbot, _BUTTON.Cancel)
+    assert window.desk is desk
+
+
+def test_a_result_that_was_added_and_dropped_again_is_not_asked_about(window, desk):
+    session = desk.document.session
+    session.add_run(session.runs[0], adopt=False)
+    session.drop_run(1)
+    assert window.files.may_leave(lambda: None)
+
+
+def test_unsaved_work_of_an_earlier_sitting_is_kept_and_not_asked_about_again(
+    window, desk, qtbot, tiny_session
+):
+    _rename(desk, "first")
+    track = desk.document.session.history.next_undo.change.tracks[0]
+    window.files.close_without_asking()
+    for _ in range(2):
+        window.files.open_path(tiny_session)
+        qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy)
+        assert window.desk.document.label(track).name == "first"
+        assert window.files.saving.unsaved
+        window.files.close_recording()
+        assert window.desk is None
+
+
+def test_a_session_that_was_never_saved_is_asked_about_where_it_was_made_alone(
+    window, fresh, qtbot
+):
+    fresh.toggle()
+    qtbot.waitUntil(lambda: window.files.session is not None and not window.work.busy)
+    path = window.files.session.path
+    window.files.close_recording()
+    assert fresh.document.recording.name in _answer(window, qtbot, _BUTTON.Cancel)
+    window.files.close_without_asking()
+    window.files.open_path(path)
+    qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy)
+    window.files.close_recording()
+    assert window.desk is None
+    assert path.is_file()
+
+
 def test_letting_a_tracker_go_does_not_let_edits_go(window, desk, qtbot):
     _rename(desk, "first")
     desk.tracking.track("stereo-colour")
@@ -134,16 +207,3 @@ def test_opening_another_recording_lets_the_first_one_go(
     gc.collect()
     assert let_go[0]() is None
     assert let_go[1]() is not None
-
-
-def test_after_a_tracker_has_failed_nothing_of_it_is_shown_and_play_tracks_anew(
-    window, fresh, qtbot
-):
-    fresh.toggle()
-    qtbot.waitUntil(lambda: len(fresh.document.tracks.ids) > 0)
-    fresh.live._worker._process._child.kill()
-    qtbot.waitUntil(lambda: "ended by itself" in window.notice.text)
-    assert not fresh.document.tracks.ids
-    fresh.playback.pause()
-    fresh.toggle()
-    assert fresh.live.running

@@ -157,7 +157,7 @@ def test_after_a_crash_the_window_opens_where_it_was_and_says_so(
     qtbot.waitUntil(lambda: _is_open(window))
     assert window.desk.playback.clock.frame == 42
     assert window.desk.document.selection.track == person
-    assert "here is where you were" in window.notice.text
+    assert "Here is where you were" in window.notice.text
 
 
 def test_a_recording_opens_again_where_it_was_left(window, qtbot, tiny_recording):
@@ -307,7 +307,7 @@ def test_one_uncalibrated_camera_plays_and_is_tracked_in_parts(window, qtbot, ti
     desk = window.desk
     said = window.workspace.timeline.findChild(TracksArea)._scene.message
     assert "Press Space" in said
-    assert "not known" in window.workspace.overhead._scene.message
+    assert "The position of the floor is unknown" in window.workspace.overhead._scene.message
     assert not window.workspace.eye_switch.isVisible()
     window.run_command("play.toggle")
     assert desk.live.tracker == "three-part"

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import shutil
+from pathlib import Path
+
 from PySide6.QtWidgets import QTabBar
 
 from app.views.desk.below_floor import BelowFloor
 
 
 def _tabs(window):
-    bar = window.workspace.findChild(BelowFloor).findChild(QTabBar)
+    bar = window.workspace.findChild(BelowFloor, "below floor").findChild(QTabBar)
     return [bar.tabText(at) for at in range(bar.count())] if bar.isVisible() else []
 
 
@@ -21,7 +24,7 @@ def test_the_panel_opened_last_is_shown_and_the_other_is_a_tab_away(window, desk
     assert _tabs(window) == ["Counting", "Parts over time"]
     assert (view.counting.isVisible(), view.curves.isVisible()) == (False, True)
     assert view.overhead.height() > 0.8 * room
-    view.findChild(BelowFloor).findChild(QTabBar).setCurrentIndex(0)
+    view.findChild(BelowFloor, "below floor").findChild(QTabBar).setCurrentIndex(0)
     assert (view.counting.isVisible(), view.curves.isVisible()) == (True, False)
 
 
@@ -32,4 +35,26 @@ def test_closing_a_panel_shows_the_one_that_is_left_and_then_none(window, desk):
     assert view.counting.isVisible()
     assert _tabs(window) == []
     window.run_command("view.counting")
-    assert not view.findChild(BelowFloor).isVisible()
+    assert not view.findChild(BelowFloor, "below floor").isVisible()
+
+
+def test_labelling_and_a_comparison_share_one_place_and_neither_squeezes_the_other(
+    window, desk, qtbot, tiny_session, tmp_path
+):
+    view = window.workspace
+    bar = view.findChild(BelowFloor, "labelling and comparison").findChild(QTabBar)
+    window.resize(1000, 640)
+    window.run_command("labels.parts")
+    qtbot.wait(1)
+    alone = view.labelling.height()
+    assert view.labelling.isVisible()
+    assert not bar.isVisible()
+    window.files.beside.compare_with(Path(shutil.copy(tiny_session, tmp_path / "other.h5")))
+    qtbot.waitUntil(view.compare.isVisible)
+    assert not view.labelling.isVisible()
+    assert bar.count() == 2
+    bar.setCurrentIndex(0)
+    qtbot.wait(1)
+    assert view.labelling.isVisible()
+    assert not view.compare.isVisible()
+    assert view.labelling.height() >= alone - 2 * bar.height()

@@ -5,13 +5,16 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from patient import PATIENCE_S
 from PySide6.QtCore import QSettings
 
+from app.views.application import borrowed_window, show_document
 from app.views.widgets.remembered import Place, Remembered
+from app.views.window.main_window import MainWindow
 
 _PROGRAM = """
 import sys
@@ -90,3 +93,69 @@ def test_what_was_open_when_the_process_was_killed_is_known(start, tmp_path, tin
     settings = _settings(tmp_path)
     assert settings.left_open == (tiny_recording.resolve(),)
     assert settings.place(tiny_recording.resolve()) == Place(0)
+
+
+_INTERRUPTED_WHILE_MADE = """
+import os, signal, sys
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QMainWindow
+from app.views import application
+from app.views.widgets.remembered import Remembered
+
+class Interrupt(QObject):
+    done = False
+    def eventFilter(self, watched, event):
+        if isinstance(watched, QMainWindow) and not self.done:
+            self.done = True
+            os.kill(os.getpid(), signal.SIGINT)
+        return False
+
+interrupt = Interrupt()
+application.start_application(Remembered()).installEventFilter(interrupt)
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.exit(application.run(None))
+"""
+_QUIT_BY_THE_SYSTEM = """
+import sys
+from PySide6.QtCore import QCoreApplication, QTimer
+from app.views import application
+from app.views.widgets.remembered import Remembered
+
+application.start_application(Remembered())
+timer = QTimer(interval=200)
+timer.timeout.connect(QCoreApplication.quit)
+timer.start()
+sys.exit(application.run(None))
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no such signals there")
+@pytest.mark.parametrize("program", [_INTERRUPTED_WHILE_MADE, _QUIT_BY_THE_SYSTEM])
+def test_a_window_is_taken_down_in_order_whenever_it_is_to_end(tmp_path, program):
+    names = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
+    homes = dict.fromkeys(names, str(tmp_path))
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=_ROOT,
+        env={**os.environ, **homes, "QT_QPA_PLATFORM": "offscreen"},
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE_S,
+    )
+    lines = [line for line in done.stderr.splitlines() if "This plugin does not" not in line]
+    assert (done.returncode, lines) == (0, [])
+
+
+def _draw(use: Callable[[MainWindow], None]) -> None:
+    with borrowed_window("dark", (800, 600)) as window:
+        use(window)
+
+
+def test_a_signal_while_a_window_is_only_drawn_interrupts_the_command(tiny_recording):
+    def interrupt(window: MainWindow) -> None:
+        window.work.changed.connect(lambda: os.kill(os.getpid(), signal.SIGINT))
+        show_document(window, tiny_recording)
+
+    with pytest.raises(KeyboardInterrupt):
+        _draw(interrupt)
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler

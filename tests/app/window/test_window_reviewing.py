@@ -8,14 +8,14 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
-from app.presenters.correcting import EditKind
+from app.presenters.correcting import EditKind, Reach
 from app.presenters.files import opening
 from app.presenters.playing.clock import LONGEST_STALL_S
 from app.presenters.reviewing.review_scene import Order
 from app.views.reviewing.review_panel import ReviewPanel
 from tracking.editing import plan_rename
 from tracking.recording import open_recording
-from tracking.session import Session
+from tracking.session import IMPORTED, Session
 from tracking.tracks import SIGNAL_COLUMNS, TRACK_COLUMNS, empty
 
 Key = Qt.Key
@@ -224,6 +224,53 @@ def test_what_was_watched_is_marked_for_who_is_selected(desk, press, qtbot):
     assert [seen.track for seen in desk.document.session.labels.reviewed] == [track]
 
 
+def test_marking_a_whole_track_leaves_the_playhead_and_marks_only_its_frames(desk, window, qtbot):
+    tracks = desk.document.session.tracks
+    late = max(tracks.track_ids, key=lambda one: tracks.frame_range(one)[0])
+    first, stop = tracks.frame_range(late)
+    assert first > 0
+    desk.playback.go(stop - 1)
+    desk.document.selection.choose(late)
+    for choose in (True, False):
+        desk.editing.begin(EditKind.REVIEW, Reach.WHOLE)
+        if choose:
+            assert desk.playback.clock.frame == stop - 1
+        desk.editing.confirm()
+        assert desk.playback.clock.frame == stop - 1
+        reviewed = desk.document.session.labels.reviewed
+        assert (reviewed[0].start, reviewed[-1].end) == (first, stop)
+        desk.editing.undo()
+        assert desk.playback.clock.frame == stop - 1
+        assert desk.document.session.labels.reviewed == ()
+
+
+def test_undoing_an_edit_goes_back_to_the_item_it_was_made_at(desk, press, to_the_swap, qtbot):
+    current = to_the_swap()
+    desk.editing.begin(EditKind.SWAP)  # by hand, not with E
+    desk.playback.go(current.frame)
+    desk.editing.put_cut(current.frame)
+    desk.editing.confirm()
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
+    assert desk.document.session.history.next_undo.kind == "swap"
+    press(Key.Key_N)
+    assert desk.reviewing.queue.current is None or desk.reviewing.queue.current != current
+    press(Key.Key_Z, _CTRL)
+    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
+    assert desk.reviewing.queue.current.tracks == current.tracks
+    assert abs(desk.reviewing.queue.current.frame - current.frame) <= desk.playback.clock.fps
+
+
+def test_undoing_an_edit_of_somebody_else_leaves_the_queue_where_it_is(desk, press, qtbot):
+    press(Key.Key_N)
+    first = desk.reviewing.queue.current
+    other = next(t for t in desk.document.tracks.ids if t not in first.tracks)
+    desk.editing.rename(other, "red coat")
+    press(Key.Key_N)
+    second = desk.reviewing.queue.current
+    press(Key.Key_Z, _CTRL)
+    assert desk.reviewing.queue.current == second
+
+
 def test_labels_alone_make_no_new_search(desk, qtbot):
     qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
     session = desk.document.session
@@ -300,6 +347,40 @@ def test_the_list_can_be_narrowed_sorted_and_clicked(desk, window, qtbot):
 def test_the_queue_is_empty_again_once_the_recording_is_closed(desk, window):
     window.files.close_without_asking()
     assert window.workspace.review._model.rowCount() == 0
+
+
+@pytest.fixture
+def imported(window, qtbot, swapped_session, tiny_recording, request, tmp_path):
+    """Tracks with the swap as another program gives them, sure of all rows alike or of each."""
+    with open_recording(tiny_recording) as recording:
+        source = Session.open(swapped_session[0])
+        (run,) = source.runs
+        source.close()
+        tracks = {**run.tracks, "confidence": request.param(run.tracks["confidence"])}
+        made = replace(run, tracker=IMPORTED, tracks=tracks)
+        session = Session.create(recording, [made], tmp_path / "imported.h5")
+        opening.remember_place(session, recording)
+        session.close()
+    window.files.open_path(session.path)
+    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    return window.desk
+
+
+@pytest.mark.parametrize("imported", [np.ones_like], indirect=True, ids=["ground truth"])
+def test_nothing_is_flagged_in_imported_ground_truth_unless_asked(imported, window, qtbot):
+    reviewing, panel = imported.reviewing, window.workspace.review
+    qtbot.wait(500)  # twice as long as a search waits
+    assert not reviewing.queue.items
+    assert panel._title.text() == "Imported labels"
+    assert panel._ask.isVisible()
+    qtbot.mouseClick(panel._ask, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: bool(reviewing.queue.items))
+    assert not panel._ask.isVisible()
+
+
+@pytest.mark.parametrize("imported", [np.asarray], indirect=True, ids=["a tracker's"])
+def test_what_another_tracker_found_is_looked_through_unasked(imported, qtbot):
+    qtbot.waitUntil(lambda: bool(imported.reviewing.queue.items))
 
 
 def test_where_nobody_is_tracked_there_is_nothing_to_review(

@@ -18,14 +18,14 @@ def desk(shifted_desk):
 
 def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tiny_run):
     desk.document.session.add_run(replace(tiny_run, seed=7), adopt=False)
-    window.run_command("review.runs")
+    window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     table = dialog._table
     assert [row.number for row in dialog._scene.rows] == [CORRECTED, 0, 1]
     assert table.item(1, 0).text() == "run 0, being corrected"
     dialog.choose(0)
     assert not dialog._compare.isEnabled()
-    assert "nothing is edited yet" in dialog._about.text()
+    assert "nothing has been edited yet" in dialog._about.text()
     assert table.item(2, 2).text() == "seed 7"
     qtbot.waitUntil(lambda: bool(table.item(2, 6).text()))
     assert float(table.item(2, 6).text()) >= float(table.item(1, 6).text())
@@ -38,7 +38,7 @@ def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tin
 def test_no_run_is_cut_off_and_the_truth_of_the_scores_is_named(window, desk, qtbot, tiny_run):
     for seed in range(7, 11):
         desk.document.session.add_run(replace(tiny_run, seed=seed), adopt=False)
-    window.run_command("review.runs")
+    window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     qtbot.waitUntil(dialog.windowHandle().isExposed)
     assert dialog._table.rowCount() == 6
@@ -69,7 +69,7 @@ def test_people_are_those_of_the_frames_that_are_scored(window, desk, qtbot):
     session.add_run(replace(early, tracks=rows), adopt=False)
     few, many = len(set(rows["track"].tolist())), len(set(whole["track"].tolist()))
     assert few < many
-    window.run_command("review.runs")
+    window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     assert _cells(dialog, "People")[1] == ""  # not yet known
     qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")))
@@ -81,7 +81,7 @@ def test_people_are_those_of_the_frames_that_are_scored(window, desk, qtbot):
 
 
 def test_runs_have_the_figures_that_one_is_chosen_by(window, desk, qtbot):
-    window.run_command("review.runs")
+    window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")))
     for title in ("MOTA", "Kept", "Misses", "False", "Floor error"):
@@ -92,14 +92,14 @@ def test_runs_have_the_figures_that_one_is_chosen_by(window, desk, qtbot):
 def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtbot):
     session = desk.document.session
     session.add_run(_late_part(session.runs[0]), adopt=False)
-    window.run_command("review.runs")
+    window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     figures = lambda: [dialog._table.item(row, 6).text() for row in (1, 2)]  # noqa: E731
     qtbot.waitUntil(lambda: all(figures()))
     assert "40 \u2013 79" in dialog._share.text()
     assert figures()[0] == figures()[1]
     dialog._share.setChecked(False)
-    assert "cannot be compared" in dialog._over.text()
+    assert "Do not compare rows" in dialog._over.text()
     qtbot.waitUntil(lambda: all(figures()))
     assert figures()[0] != figures()[1]
     dialog.reject()
@@ -108,7 +108,7 @@ def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtb
 def test_another_run_is_corrected_where_nobody_has_edited(window, desk, tiny_run, shifted_run):
     wrong = place(desk, shifted_run[1], 65)
     desk.document.session.add_run(tiny_run, adopt=False)
-    window.run_command("review.runs")
+    window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     dialog.choose(0)
     assert not dialog._correct.isEnabled()
@@ -204,7 +204,7 @@ def test_the_last_run_is_dropped_from_the_list_but_not_the_one_that_was_correcte
     window, desk, tiny_run
 ):
     desk.document.session.add_run(tiny_run, adopt=False)
-    window.run_command("review.runs")
+    window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     dialog._drop.click()
     assert len(desk.document.session.runs) == 1
@@ -217,7 +217,7 @@ def test_runs_open_with_the_table_in_use_and_a_run_chosen_that_is_not_corrected(
 ):
     desk.document.session.add_run(replace(tiny_run, seed=7), adopt=True)
     assert desk.document.session.adopted_run == 1
-    window.run_command("review.runs")
+    window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     assert dialog.chosen == [0]
     assert dialog.focusWidget() is dialog._table

@@ -143,7 +143,7 @@ def test_an_empty_truth_opens_the_score_with_everything_a_false_alarm(
     truth, view = tmp_path / "nobody.txt", window.workspace
     truth.write_text("")
     scored.scoring.choose_file(truth)
-    qtbot.waitUntil(lambda: "the truth is empty" in view.score._notes.text())
+    qtbot.waitUntil(lambda: "everybody tracked counts as a false alarm" in view.score._notes.text())
     assert not view.score._message.text()
     assert view.score.table.isVisible()
     lanes = {lane.kind: lane.count for lane in view.timeline.errors._scene.lanes}

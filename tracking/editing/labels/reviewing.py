@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from tracking.editing.change import Change, LabelState, State
 from tracking.editing.labels.labelling import writable
 from tracking.editing.scope import Scope, scope_text, tracks_text
@@ -12,7 +14,10 @@ from tracking.errors import EditError
 from tracking.tracks import (
     Labels,
     ReviewedRange,
+    TrackTable,
     Verdict,
+    between,
+    check_known,
     check_reviewed,
     check_verdict,
 )
@@ -20,12 +25,26 @@ from tracking.tracks import (
 _SAID = {"right": "Looked at, right", "fixed": "Put right", "dismissed": "Dismiss"}
 
 
-def plan_mark_reviewed(labels: Labels, tracks: int | Iterable[int], start: int, end: int) -> Change:
+def plan_mark_reviewed(
+    labels: Labels,
+    tracks: int | Iterable[int],
+    start: int,
+    end: int,
+    table: TrackTable | None = None,
+) -> Change:
     """Say that a track (0: all), or several, were looked at in frames start to end and are right.
 
-    Raises EditError for an empty range, and where all of it is marked already.
+    Args:
+        table: where given, only the frames are marked in which each track has a row.
+
+    Raises EditError for an empty range, where all of it is marked already, and where none of the
+    tracks has a row in it.
     """
-    marked = _ranges(tracks, start, end)
+    asked = _ranges(tracks, start, end)
+    marked = asked if table is None else _with_rows(asked, table)
+    if not marked:
+        raise EditError(f"{_who(asked)}: no boxes {scope_text(start, end)}; choose other frames")
+    start, end = min(seen.start for seen in marked), max(seen.end for seen in marked)
     new = _joined([*labels.reviewed, *marked])
     who = _who(marked)
     if new == labels.reviewed:
@@ -108,8 +127,23 @@ def _ranges(tracks: int | Iterable[int], start: int, end: int) -> list[ReviewedR
     return ranges
 
 
+def _with_rows(ranges: Sequence[ReviewedRange], table: TrackTable) -> list[ReviewedRange]:
+    """The parts of the ranges in which their track has rows; all tracks (0) stay as they are."""
+    found: list[ReviewedRange] = []
+    for seen in ranges:
+        if not seen.track:
+            found.append(seen)
+            continue
+        check_known(table, seen.track)
+        frames = table.frames_of_track(seen.track)
+        inside = frames[between(frames, seen.start, seen.end)]
+        runs = np.split(inside, np.flatnonzero(np.diff(inside) > 1) + 1)
+        found += [ReviewedRange(seen.track, int(r[0]), int(r[-1]) + 1) for r in runs if len(r)]
+    return found
+
+
 def _who(ranges: Sequence[ReviewedRange]) -> str:
-    tracks = tuple(seen.track for seen in ranges)
+    tracks = tuple(dict.fromkeys(seen.track for seen in ranges))
     if 0 in tracks:
         return "all tracks"
     return f"track {tracks[0]}" if len(tracks) == 1 else f"tracks {tracks_text(tracks)}"

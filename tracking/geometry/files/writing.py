@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +9,7 @@ import numpy as np
 from tracking.errors import OutputError
 from tracking.geometry.lens import Floats
 from tracking.geometry.stereo_calibration import StereoCalibration
+from tracking.replacing import replace_with
 
 _NUMBERS_A_LINE = 4
 
@@ -23,16 +22,10 @@ def write_calibration(path: Path, calibration: StereoCalibration) -> None:
     Raises:
         OutputError: the file cannot be written.
     """
-    unfinished = path.with_name(f".{path.name}.unfinished")
     try:
-        unfinished.write_text(format_calibration(calibration), "utf-8")
-        os.replace(unfinished, path)  # noqa: PTH105 - Path.replace says the same less plainly
-    except OSError as error:
-        with contextlib.suppress(OSError):
-            unfinished.unlink(missing_ok=True)
-        raise OutputError(
-            f"{path}: cannot be written ({error.strerror}); choose another folder"
-        ) from error
+        replace_with(path, format_calibration(calibration).encode())
+    except OutputError as error:
+        raise error.advising("choose another folder") from error
 
 
 def format_calibration(calibration: StereoCalibration) -> str:

@@ -89,7 +89,7 @@ def _data(one: DistanceScore) -> dict[str, Any]:
         "to_m": finite(one.to_m),
         "truth_rows": one.truth_rows,
         "result_rows": one.result_rows,
-        "matches": one.matches,
+        "matches": one.reported_matches,
         "misses": one.misses,
         "false_positives": one.false_positives,
         "id_switches": one.id_switches,

@@ -19,7 +19,10 @@ MOST_SWITCHES = 200
 """Listed of one result on one sequence."""
 
 _MARKUP = re.compile(r"([\\`*_{}\[\]<>#|~!&])")
-_CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff\u2028\u2029]")
+_CONTROL = re.compile(
+    "[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
+)
+"""Control characters, line ends, marks that turn the direction of writing, broken letters."""
 
 
 def markdown_of(report: ScoreReport) -> str:

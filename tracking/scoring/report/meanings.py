@@ -99,6 +99,7 @@ MEANINGS: Mapping[str, Mapping[str, Meaning]] = {
 }
 
 MOTMETRICS: Mapping[str, Meaning] = {
-    "MOTP": Meaning("Mean distance (1 − similarity) of matched rows.", "lower")
+    "MOTP": Meaning("Mean distance (1 − similarity) of matched rows.", "lower"),
+    "matches": _count("Rows of the truth with a partner, switches not counted.", "higher"),
 }
 """What means something else as py-motmetrics has it."""

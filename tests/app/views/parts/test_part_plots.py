@@ -105,3 +105,18 @@ def test_figures_beside_the_plot_of_a_training_touch_neither_its_frame_nor_each_
     told = [f"{20 * fifth * plot._most:.3g} %" for fifth in range(6)]
     assert max(map(metrics.horizontalAdvance, told)) < area.width() / 5
     assert metrics.height() < area.height() / 5
+
+
+@pytest.mark.parametrize("larger", [1.0, 1.3, 1.7, 3.0])
+@pytest.mark.parametrize("most", [0.2, 0.0333, 0.00125])
+def test_labels_of_the_training_plot_never_touch_each_other(qtbot, dark, larger, most):
+    plot = RocPlot()
+    qtbot.addWidget(plot)
+    plot.resize(plot.minimumSizeHint() * larger)
+    plot.show_up_to(most)
+    labels = plot.tick_labels()
+    metrics = QFontMetricsF(scaled_font(plot.font(), 0.88))
+    assert len(labels) >= 4  # both ends of both axes
+    for at, (place, text) in enumerate(labels):
+        assert metrics.horizontalAdvance(text) <= place.width()
+        assert not any(place.intersects(other) for other, _ in labels[at + 1 :])

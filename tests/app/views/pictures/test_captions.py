@@ -7,13 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from drawn_scenes import person, picture
-from PySide6.QtGui import QImage
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QFontMetricsF, QImage
 
 from app.presenters.scenes import LegendEntry
+from app.views.look.theme import scaled_font
 from app.views.pictures import box_names
+from app.views.pictures.captions import lay_out
 from app.views.pictures.picture import PictureView
 
-SAID = "Nothing was recorded of this instant: another frame is shown"
+SAID = "Nothing was recorded at this instant: another frame is shown"
 LEGEND = (
     LegendEntry((40, 200, 80), "foreground"),
     LegendEntry((60, 90, 220), "shadow, taken for ground"),
@@ -73,9 +76,15 @@ def test_a_message_wider_than_the_picture_goes_on_below(view, inked, size):
         assert not ink[:, -4:].any()
 
 
-def test_names_of_people_are_under_none_of_them(view, looks, inked, monkeypatch):
+def _words(view):
+    """Where name, message and legend stand beside the people who are shown."""
+    metrics = QFontMetricsF(scaled_font(view.font(), 0.92))
+    people = [view.viewport.rect(QRectF(*one.box)) for one in view._scene.people]
+    return lay_out(metrics, QRectF(view.rect()), "Right eye", SAID, LEGEND, people).taken
+
+
+def test_names_of_people_are_under_none_of_them(view, looks, monkeypatch):
     view.resize(480, 360)
-    words = inked("Right eye", SAID, LEGEND)
     plates = []
     monkeypatch.setattr(box_names, "draw_plate", lambda _, rect, *__: plates.append(rect))
     two_rows = [
@@ -85,16 +94,30 @@ def test_names_of_people_are_under_none_of_them(view, looks, inked, monkeypatch)
     ]
     looks("Right eye", SAID, LEGEND, two_rows)
     assert len(plates) > 8
-    for left, top, right, bottom in (plate.toAlignedRect().getCoords() for plate in plates):
-        assert not words[top:bottom, left:right].any()
+    assert len(_words(view)) == 3
+    assert not any(plate.intersects(words) for plate in plates for words in _words(view))
 
 
 @pytest.mark.parametrize("size", [(290, 217), (360, 270)])
-def test_the_number_of_who_is_selected_is_under_none_of_them(view, looks, inked, monkeypatch, size):
+def test_the_number_of_who_is_selected_is_under_none_of_them(view, looks, monkeypatch, size):
     view.resize(*size)
-    words = inked("Right eye", SAID, LEGEND)
     plates = []
     monkeypatch.setattr(box_names, "draw_plate", lambda _, rect, *__: plates.append(rect))
     looks("Right eye", SAID, LEGEND, [person(1, (120, 150, 40, 90), selected=True)])
-    left, top, right, bottom = plates[0].toAlignedRect().getCoords()
-    assert not words[top:bottom, left:right].any()
+    assert not any(plates[0].intersects(words) for words in _words(view))
+
+
+def test_the_legend_of_a_picture_goes_where_it_hides_nobody(view):
+    view.resize(480, 360)
+    metrics = QFontMetricsF(scaled_font(view.font(), 0.92))
+    area = QRectF(view.rect())
+    alone = lay_out(metrics, area, "Right eye", "", LEGEND).legend
+    below = QRectF(alone.left(), alone.top() - 40, 30, 100)
+    moved = lay_out(metrics, area, "Right eye", "", LEGEND, [below]).legend
+    assert not moved.isEmpty()
+    assert moved != alone
+    assert not moved.intersects(below)
+    corner = QRectF(0, 0, 60, 60)
+    again = lay_out(metrics, area, "Right eye", "", LEGEND, [below, corner]).legend
+    assert not any(again.intersects(one) for one in (below, corner))
+    assert lay_out(metrics, area, "Right eye", "", LEGEND, [corner]).legend == alone

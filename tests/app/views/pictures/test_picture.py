@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from drawn_scenes import BLUE, RED, person, picture
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor
 
 from app.presenters.scenes import Eye, LegendEntry, PictureScene, PreviewTrail
@@ -168,6 +168,7 @@ def test_the_wheel_keeps_the_point_under_the_cursor(view, wheel):
 
 def test_dragging_pans_and_picks_nobody(view, qtbot):
     view.show_scene(picture(person(1, (100, 60, 60, 120))))
+    view.zoom(2.0)
     start = on_widget(view, 130, 120)
     before = view.viewport.point(0, 0)
     with qtbot.assertNotEmitted(view.track_picked):
@@ -190,6 +191,79 @@ def test_a_fitted_picture_stays_fitted_when_the_widget_grows(view):
     view.resize(1280, 960)
     view.grab()
     assert view.viewport.scale == pytest.approx(4.0)
+
+
+def _hidden_and_empty(view) -> tuple[bool, bool]:
+    """Whether some of the picture is not seen, and whether some of the widget is empty."""
+    place, area = view.viewport.rect(view.content()), QRectF(view.rect())
+    inner = area.adjusted(0.01, 0.01, -0.01, -0.01)
+    return not area.adjusted(-0.01, -0.01, 0.01, 0.01).contains(place), not place.contains(inner)
+
+
+@pytest.mark.parametrize("corner", [QPoint(0, 0), QPoint(639, 0), QPoint(0, 479)])
+def test_a_zoomed_picture_covers_its_pane_also_after_it_is_resized_to_and_fro(view, corner):
+    view.zoom(3.0, QPointF(corner))
+    for size in ((500, 480), (640, 300), (900, 700), (640, 480), (300, 480), (640, 480)):
+        view.resize(*size)
+        view.grab()
+        assert _hidden_and_empty(view) == (True, False)
+
+
+@pytest.mark.parametrize("size", [(1280, 960), (320, 240)])
+def test_a_zoomed_picture_shows_the_same_part_when_the_pane_grows_or_shrinks(view, size):
+    view.zoom(3.0, QPointF(200, 300))
+    part = view.viewport.to_content(QPointF(0, 0)), view.viewport.to_content(QPointF(640, 480))
+    view.resize(*size)
+    view.grab()
+    now = view.viewport.to_content(QPointF(0, 0)), view.viewport.to_content(QPointF(*size))
+    for one, other in zip(part, now, strict=True):
+        assert (other.x(), other.y()) == pytest.approx((one.x(), one.y()))
+
+
+def test_somebody_at_the_edge_is_brought_into_view_without_ground_beside_them(view):
+    view.show_scene(picture(person(1, (290, 190, 30, 50))))
+    view.zoom(3.0, QPointF(0, 0))
+    view.show_person(1)
+    assert _hidden_and_empty(view) == (True, False)
+    assert QRectF(view.rect()).contains(view.viewport.rect(QRectF(290, 190, 29, 49)))
+
+
+def test_a_close_look_at_a_corner_shows_no_ground(view):
+    view.show_close(QRectF(0, 0, 20, 20))
+    assert _hidden_and_empty(view) == (True, False)
+
+
+def test_a_zoomed_picture_cannot_be_dragged_off_its_pane(view, qtbot):
+    view.zoom(2.0)
+    qtbot.mousePress(view, LEFT, pos=QPoint(20, 20))
+    for _ in range(2):
+        qtbot.mouseMove(view, QPoint(630, 470))
+    qtbot.mouseRelease(view, LEFT, pos=QPoint(630, 470))
+    assert _hidden_and_empty(view) == (True, False)
+    corner = view.viewport.point(-0.5, -0.5)
+    assert (corner.x(), corner.y()) == pytest.approx((0, 0))
+
+
+def test_zooming_out_at_an_edge_leaves_no_ground(view, wheel):
+    wheel(view, QPointF(320, 240), 6)
+    wheel(view, QPointF(639, 479), -3)
+    assert _hidden_and_empty(view) == (True, False)
+    wheel(view, QPointF(639, 479), -3)
+    assert _hidden_and_empty(view) == (False, False)
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.8])
+def test_who_stands_partly_outside_a_zoomed_picture_is_shown_whole(view, share):
+    box = QRectF(140, 60, 40, 80)
+    view.show_scene(picture(person(1, (140, 60, 40, 80))))
+    view.zoom(2.0, QPointF(0, 0))
+    edge = view.viewport.rect(box).right() - share * view.viewport.rect(box).width()
+    view._viewport = view.viewport.moved(QPointF(view.width() - edge, 0))
+    view.show_person(1)
+    assert QRectF(view.rect()).contains(view.viewport.rect(box))
+    seen = view.viewport
+    view.show_person(1)
+    assert view.viewport == seen  # seen whole: nothing moves
 
 
 def test_people_are_named_under_the_cursor(view):

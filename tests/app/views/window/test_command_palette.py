@@ -48,7 +48,23 @@ def test_what_can_be_done_now_comes_before_what_cannot_and_matches_as_well():
     unable = CommandItem("file.report", "File", "Export a score report...", (), False, "no score")
     scattered = CommandItem("a.b", "View", "Sort columns or reset", (), True)
     assert match_score("score", unable.title) > match_score("score", able.title)
-    assert best_commands("score", (scattered, unable, able)) == [able, unable, scattered]
+    assert best_commands("score", (scattered, unable, able)) == [able, unable]
+
+
+def test_letters_strewn_over_a_command_do_not_find_it():
+    strewn = (
+        CommandItem("review.next", "Review", "Next suspicion", (), True),
+        CommandItem("tracks.reset", "Correct", "Merge with the rest", (), True),
+        CommandItem("view.keys", "View", "Restore the older state", (), True),
+    )
+    assert match_score("reset", "Restore the older state") is not None
+    assert best_commands("reset", strewn) == []
+    layout = CommandItem("view.reset", "View", "Reset layout", (), False)
+    assert best_commands("reset", (*strewn, layout)) == [layout]
+
+
+def test_words_are_found_in_any_order():
+    assert best_commands("tracks exp", ITEMS)[0].command == "file.export"
 
 
 def test_all_commands_are_listed_before_anything_is_typed():

@@ -1,0 +1,44 @@
+"""Which item of the review queue was looked at when an edit was made."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from tracking.editing import History
+from tracking.review import SuspicionKey
+
+
+class EditedItems:
+    """Remembers the item of each edit of this sitting, so that undo goes back to it."""
+
+    def __init__(self) -> None:
+        self._item_of: dict[int, SuspicionKey | None] = {}
+        self._last = 0
+
+    def begin(self, history: History) -> None:
+        """Another session: its earlier edits have no item."""
+        self._item_of, self._last = {}, _last_in_force(history)
+
+    def follow(
+        self, history: History, current: SuspicionKey | None, tracks: Collection[int]
+    ) -> SuspicionKey | None:
+        """Call after each edit, undo and redo; the item of the edit that was undone, if any.
+
+        None also where several edits were undone at once, and where the edit had nothing to do
+        with the item's people.
+
+        Args:
+            current: the item that is looked at.
+            tracks: whom the edit touched, which was made last.
+        """
+        last, self._last = self._last, _last_in_force(history)
+        if self._last > last and self._last not in self._item_of:
+            related = current is not None and (not tracks or set(tracks) & set(current[1]))
+            self._item_of[self._last] = current if related else None
+        redo = history.next_redo
+        undone = self._last < last and redo is not None and redo.id == last
+        return self._item_of.get(last) if undone else None
+
+
+def _last_in_force(history: History) -> int:
+    return history.next_undo.id if history.next_undo is not None else 0

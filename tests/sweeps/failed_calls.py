@@ -1,0 +1,290 @@
+"""Every system call of saving, journalling, restoring, importing and exporting fails once.
+
+`failed_calls.py [--only SCENARIO] [--runs N]`. Each scenario runs once to list its calls on files
+of the session's folder; then once for each of those calls and each error it may give, with that one
+call failing (`strace --inject`). Whatever fails: no traceback, no hang, one clear line where a
+command ends, no acknowledged edit lost, nothing half-written under a final name, and a program that
+goes on can edit and save again. All calls that write come first, then those that read, in random
+order; --runs is the most faults of a scenario.
+
+Left out: `close`, since the system closes the handle even where it fails, and `fcntl`, since EACCES
+says there that another program holds a lock.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import random
+import shutil
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+
+from tests.sweeps.command import Outcome, complaint, preload
+from tests.sweeps.corrector import made_session
+from tests.sweeps.runner import Findings, asked_plan, emptied, sweep
+from tests.sweeps.session_state import Said, look, state
+from tests.sweeps.system_calls import calls, check, traced
+from tracking.editing import plan_rename, plan_swap
+from tracking.errors import TrackwrightError
+from tracking.session import Session, generations
+from tracking.session.saving import companions
+
+_READING = ("read", "pread64", "openat", "newfstatat", "statx", "getdents64", "flock")
+_WRITING = (
+    *("write", "pwrite64", "fsync", "fdatasync", "ftruncate", "fallocate", "rename", "renameat"),
+    *("renameat2", "unlink", "unlinkat", "link", "linkat", "mkdir", "mkdirat", "rmdir", "chmod"),
+    *("fchmod", "fchmodat", "sendfile", "copy_file_range", "utimensat"),
+)
+_ERRORS_READING = ("EIO", "EINTR", "EACCES")
+_ERRORS_WRITING = ("ENOSPC", "EIO", "EINTR", "EACCES", "EROFS")
+_STATUS_NO_RECOVERY = 97
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """What runs while one call fails.
+
+    Attributes:
+        work: in a folder made by `made_session` with edits waiting; says lines to a file.
+        made: names of files it makes. restores: it restores what was saved before.
+    """
+
+    work: Callable[[Path, Path], int]
+    made: tuple[str, ...] = ()
+    restores: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """The n-th call of a name by a thread fails with this error."""
+
+    call: str
+    number: int
+    error: str
+
+    @property
+    def option(self) -> str:
+        """As strace takes it."""
+        return f"inject={self.call}:error={self.error}:when={self.number}"
+
+
+def main() -> int:
+    """Fail each call; the exit status."""
+    check()
+    plan, asked = asked_plan(__doc__, 1 << 30, add_options)
+    names = [name for name in SCENARIOS if asked.only in ("", name)]
+    preload()
+
+    def work(folder: Path, numbers: Sequence[int], findings: Findings) -> None:
+        turn = numbers[0]
+        for name in names:
+            faults = in_turn(list(faults_of(name, folder, findings)), plan.seed)
+            for number, fault in enumerate(faults[: plan.runs]):
+                if number % plan.workers == turn and not findings.is_over:
+                    fail_once(name, fault, folder, findings)
+
+    # Every worker lists the calls for itself and takes its share of them.
+    workers = replace(plan, runs=plan.workers)
+    return sweep("failed_calls", workers, work)
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Which scenario; --runs is the most faults of each."""
+    parser.add_argument("--only", default="", help=f"one of: {', '.join(SCENARIOS)}")
+
+
+def in_turn(faults: list[Fault], seed: int) -> list[Fault]:
+    """Those of calls that write before those of calls that read, each in random order."""
+    random.Random(seed).shuffle(faults)
+    return sorted(faults, key=lambda fault: fault.call in _READING)
+
+
+def faults_of(name: str, folder: Path, findings: Findings) -> Iterator[Fault]:
+    """All calls a scenario makes on its folder, each with all the errors it may give."""
+    path = made(folder)
+    wanted = (*_READING, *_WRITING)
+    options = ("-e", f"trace={','.join(wanted)}")
+    outcome, report = traced(partial(SCENARIOS[name].work, path, folder / "said"), folder, options)
+    if outcome.status:
+        findings.violation(f"{name}: fails without a fault: {outcome.stderr}")
+    counted, found = Counter[tuple[int, str]](), set[tuple[str, int]]()
+    for call in calls(report):
+        counted[call.thread, call.name] += 1
+        if any(str(path.parent) in text for text in call.paths):
+            found.add((call.name, counted[call.thread, call.name]))
+    findings.count(f"calls of {name}", len(found))
+    for call_name, number in sorted(found):
+        errors = _ERRORS_READING if call_name in _READING else _ERRORS_WRITING
+        if call_name == "openat":
+            errors = _ERRORS_WRITING
+        yield from (Fault(call_name, number, error) for error in errors)
+
+
+def fail_once(name: str, fault: Fault, folder: Path, findings: Findings) -> None:
+    """Run a scenario with one fault, and look at what it leaves."""
+    path, said, scenario = made(folder), folder / "said", SCENARIOS[name]
+    if scenario.restores:
+        say_coming(path, said)
+    work = partial(scenario.work, path, said)
+    options = ("-e", f"trace={fault.call}", "-e", fault.option)
+    outcome, report = traced(work, folder, options)
+    findings.count(f"faults of {name}")
+    findings.count("ended with an error in one line", outcome.status == 1)
+    for wrong in wrongs(outcome, path, said, scenario):
+        findings.violation(f"{name}, {fault.option} ({failed(report)}): {wrong}")
+
+
+def failed(report: Path) -> str:
+    """Which call failed, and what it was called for."""
+    found = [call for call in calls(report) if call.error.endswith("(INJECTED)")]
+    return "; ".join(f"{call.name} {call.paths[-1:]}" for call in found) or "nothing"
+
+
+def wrongs(outcome: Outcome, path: Path, said: Path, scenario: Scenario) -> Iterator[str]:
+    """What is wrong with how a scenario ended and what it left."""
+    if outcome.status == _STATUS_NO_RECOVERY:
+        yield f"does not recover: {outcome.stderr.strip()[-500:]}"
+    elif told := complaint(outcome):
+        yield told
+    wrong, _ = look(path, Said.of_lines(said.read_text().splitlines()))
+    if wrong and not kept_aside(path, outcome):
+        yield wrong
+    if outcome.status == 0:
+        yield from (
+            f"done, but {one} is not there" for one in scenario.made if not there(path, one)
+        )
+
+
+def kept_aside(path: Path, outcome: Outcome) -> bool:
+    """Whether the program says that it keeps a file, or a journal, that it could not read."""
+    folder = companions(path)
+    aside = (*folder.glob("damaged-*.h5"), *folder.glob("kept-aside-*.sqlite"))
+    return bool(aside) and all(file.name in outcome.stderr for file in aside)
+
+
+def there(path: Path, name: str) -> bool:
+    """Whether a file a scenario makes is there, and not empty."""
+    file = path.with_name(name)
+    return file.is_file() and file.stat().st_size > 0
+
+
+def made(folder: Path) -> Path:
+    """A session of two saves with an edit that waits; what it is like is said."""
+    kept = folder / "kept"
+    if not kept.exists():
+        path = made_session(emptied(kept))
+        session = Session.open(path)
+        session.apply(plan_swap(session.tracks, 1, 2, 10))
+        session.save()
+        session.apply(plan_rename(session.tracks, session.labels, 1, "waits"))
+        session.close()
+    target = folder / "work"
+    shutil.rmtree(target, ignore_errors=True)
+    shutil.copytree(kept, target)
+    session = Session.look_into(target / "s.h5")
+    (folder / "said").write_text(f"= {state(session)}\n")
+    return target / "s.h5"
+
+
+# Scenarios
+
+
+def correct(path: Path, said: Path) -> int:
+    """Open, edit, save, undo; go on where something is refused."""
+    handle = os.open(said, os.O_WRONLY | os.O_APPEND)
+    try:
+        session = Session.open(path)
+    except TrackwrightError as why:
+        print(f"trackwright: {why}", file=sys.stderr)
+        return 1
+    if session.read_only:  # which is told; the next opening is as ever
+        session.close()
+        return 0
+    steps = (
+        *(renamed("a"), Session.save, renamed("b"), Session.undo, renamed("c"), Session.save),
+        *(Session.undo, Session.save, renamed("d")),
+    )
+    for step in steps:
+        with contextlib.suppress(TrackwrightError):
+            step(session)
+        os.write(handle, f"= {state(session)}\n".encode())
+    return went_on(session, handle)
+
+
+def renamed(name: str) -> Callable[[Session], object]:
+    """An edit."""
+    return lambda session: session.apply(plan_rename(session.tracks, session.labels, 2, name))
+
+
+def went_on(session: Session, handle: int) -> int:
+    """One more edit and save: where the fault comes then, the second try does it."""
+    for left in (1, 0):
+        try:
+            renamed(f"e{left}")(session)
+            os.write(handle, f"= {state(session)}\n".encode())
+            session.save()
+            session.close()
+            return 0
+        except TrackwrightError as why:
+            print(f"trackwright: {why}", file=sys.stderr)
+    return _STATUS_NO_RECOVERY
+
+
+def restore_and_correct(path: Path, said: Path) -> int:
+    """Restore, go on with what there is then, and edit."""
+    handle = os.open(said, os.O_WRONLY | os.O_APPEND)
+    session = Session.open(path)
+    if session.read_only:
+        session.close()
+        return 0
+    with contextlib.suppress(TrackwrightError):
+        session = session.restore(1)
+    os.write(handle, f"= {state(session)}\n".encode())
+    return went_on(session, handle)
+
+
+def typed(*words: str) -> Callable[[Path, Path], int]:
+    """A scenario: the command; S stands for the session, T for the tracks, D/ for the folder."""
+
+    def work(path: Path, said: Path) -> int:
+        from app.__main__ import run
+
+        known = {"S": str(path), "T": str(path.with_name("tracks.txt"))}
+        return run([known.get(word, word.replace("D/", f"{path.parent}/")) for word in words])
+
+    return work
+
+
+def say_coming(path: Path, said: Path) -> None:
+    """Say what a restore leads to."""
+    with said.open("a") as lines:
+        lines.write(f"~ {state(Session.look_into(generations(path)[0]))}\n")
+
+
+def exporting(name: str, file: str) -> Scenario:
+    """A session's tracks for another tool."""
+    return Scenario(typed("export", "S", "-o", f"D/{file}", "--format", name), (file,))
+
+
+SCENARIOS = {
+    "correct": Scenario(correct),
+    "restore": Scenario(restore_and_correct, restores=True),
+    "restore by command": Scenario(typed("restore", "S"), restores=True),
+    "import into": Scenario(typed("import", "T", "--into", "S", "--as-new")),
+    "log": Scenario(typed("log", "S", "--csv", "D/log.csv"), ("log.csv",)),
+    "export mot": exporting("mot", "out.txt"),
+    "export csv": exporting("csv", "out.csv"),
+    "export coco": exporting("coco", "out.json"),
+    "export cvat": exporting("cvat", "out.xml"),
+    "export pedpy-h5": exporting("pedpy-h5", "out.h5"),
+    "export jupedsim-sqlite": exporting("jupedsim-sqlite", "out.sqlite"),
+}
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""Files and folders made to harm, by hand, each with the command that meets it."""

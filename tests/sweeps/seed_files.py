@@ -1,0 +1,317 @@
+"""A whole file of each kind the program reads, and the commands that read it."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import h5py
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "session"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "formats"))
+
+from made_up_sessions import crashed, make_session
+from test_petrack_trc import of_version
+from test_sleap_projects import csv_file, project
+
+from tracking.editing import plan_label_part, plan_rename, plan_swap
+from tracking.failure.samples import samples_from_rows
+from tracking.formats import FORMATS, write_samples
+from tracking.formats.reading import with_all_columns
+from tracking.formats.writing import Exported, no_progress
+from tracking.synthesis import render_recording
+from tracking.tracks import PartLabel, TrackLabel, TrackTable
+
+FRAMES, PEOPLE = 12, 3
+_RESOURCES = Path(__file__).parents[2] / "resources"
+_HIDDEN = ".s.h5.trackwright"
+WINDOW = "the window"
+"""In the place of a command: the window is shown, with its settings from that file."""
+_SEEN = (
+    ("info", "W/s.h5", "--json"),
+    ("export", "W/s.h5", "-o", "W/tracks.csv", "--format", "csv"),
+    ("export", "W/s.h5", "-o", "W/run.csv", "--format", "csv", "--run", "0"),
+    ("log", "W/s.h5", "--json"),
+)
+"""All that a session says, as far as commands tell it."""
+_INFO = (("info", "W/rec", "--json"),)
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """One kind of file.
+
+    Attributes:
+        folder: of the kit, copied for each mutant. file: the one in it that is damaged.
+        commands: that read it, one after the other up to the first that fails; W/ stands for the
+            copy, K/ for the kit.
+        text: it is text. whole: what is told of a damaged one is what is told of the whole one,
+            or a note says that it is not. locked: another program holds it, a lock.
+        slow: reading it takes seconds, so that only one mutant of ten is made.
+    """
+
+    folder: str
+    file: str
+    commands: tuple[tuple[str, ...], ...]
+    text: bool = False
+    whole: bool = False
+    locked: bool = False
+    slow: bool = False
+
+
+def kinds(kit: Path) -> dict[str, Kind]:
+    """All kinds by name; their whole files are made in the kit, which takes some seconds."""
+    return {**of_sessions(kit), **of_recordings(kit), **of_tables(kit), **of_tracks(kit)}
+
+
+# Sessions and what stands beside them
+
+
+def of_sessions(kit: Path) -> dict[str, Kind]:
+    """A session with two saves and an edit that waits in its journal."""
+    session = make_session(kit / "session-being-edited")
+    session.apply(plan_swap(session.tracks, 1, 2, 10))
+    session.apply(plan_rename(session.tracks, session.labels, 1, "red coat"))
+    part = PartLabel(3, 1, 0, (1.0, 2.0, 3.0, 4.0), True, "person")
+    session.apply(plan_label_part(session.labels, (part,)))
+    session.save()
+    for number in range(3):
+        session.apply(plan_rename(session.tracks, session.labels, 2, f"waits {number}"))
+    crashed(session, kit / "waiting")
+    session.save()
+    session.close()
+    (kit / "session").mkdir()
+    shutil.copy(kit / "session-being-edited" / "s.h5", kit / "session")
+    shutil.copytree(kit / "session-being-edited", kit / "older")
+    shutil.copytree(kit / "older", kit / "locked")
+    (kit / "locked" / _HIDDEN / "lock").write_text(' {"process": 12, "computer": "desk"}')
+    restored = (("restore", "W/s.h5", "--list", "--json"), ("restore", "W/s.h5"))
+    return {
+        "session": Kind("session", "s.h5", _SEEN, whole=True),
+        "journal": Kind("waiting", f"{_HIDDEN}/journal.sqlite", _SEEN, whole=True),
+        "journal-wal": Kind("waiting", f"{_HIDDEN}/journal.sqlite-wal", _SEEN, whole=True),
+        "lock": Kind("locked", f"{_HIDDEN}/lock", restored[1:], text=True, locked=True),
+        "backup": Kind("older", f"{_HIDDEN}/s.1.h5", restored),
+    }
+
+
+# Recordings
+
+
+def of_recordings(kit: Path) -> dict[str, Kind]:
+    """Manifests, calibrations, pictures, videos, what a failure detector is and settings."""
+    render_recording(kit / "stereo" / "rec", "plaza", 2.0, 2, 3, size=(320, 240), fps=8.0)
+    rec = kit / "stereo" / "rec"
+    for name in ("xml", "kitti", "ros"):
+        shutil.copytree(rec, kit / name / "rec")
+    _calibrations(kit)
+    pictures = kit / "pictures" / "rec"
+    pictures.mkdir(parents=True)
+    for number in range(4):
+        picture = np.random.default_rng(number).integers(0, 255, (48, 64, 3)).astype(np.uint8)
+        cv2.imwrite(str(pictures / f"{number:06d}.png"), picture)
+    shutil.copytree(pictures, kit / "jpegs" / "rec")
+    for picture in (kit / "jpegs" / "rec").iterdir():
+        cv2.imwrite(str(picture.with_suffix(".jpg")), cv2.imread(str(picture)))
+        picture.unlink()
+    two = ("--frames", "0:2", "-o", "W/out.h5")
+    shown = (*_INFO, ("track", "W/rec", *two))
+    pictured = tuple((*words, "--fps", "8") for words in shown)
+    parts = ("track", "K/stereo/rec", "--tracker", "three-part", *two)
+    (kit / "detector").mkdir()
+    shutil.copy(_RESOURCES / "part_failures.h5", kit / "detector" / "d.h5")
+    (kit / "settings").mkdir()
+    show_window(kit / "settings" / "settings.ini", (kit / "session" / "s.h5",))
+    return {
+        "recording.toml": Kind("stereo", "rec/recording.toml", _INFO, text=True),
+        "calibration.yaml": Kind("stereo", "rec/calibration.yaml", _INFO, text=True),
+        "calibration.xml": Kind("xml", "rec/calibration.xml", _INFO, text=True),
+        "calib.txt": Kind("kitti", "rec/calib.txt", _INFO, text=True),
+        "camera_info.yaml": Kind("ros", "rec/right.yaml", _INFO, text=True),
+        "png": Kind("pictures", "rec/000000.png", pictured),
+        "jpeg": Kind("jpegs", "rec/000001.jpg", pictured),
+        "video": Kind("stereo", "rec/left.mp4", shown),
+        "settings": Kind(
+            "settings", "settings.ini", ((WINDOW, "W/settings.ini"),), text=True, slow=True
+        ),
+        "detector": Kind("detector", "d.h5", ((*parts, "--detector", "W/d.h5"),)),
+    }
+
+
+def show_window(settings: Path, opened: Sequence[Path] = ()) -> int:
+    """Show the window with what it remembers in this file, and close it."""
+    from PySide6.QtCore import QCoreApplication, QSettings
+
+    from app.views.application import start_application
+    from app.views.widgets.remembered import Place, Remembered
+    from app.views.window.main_window import MainWindow
+
+    kept = QSettings(str(settings), QSettings.Format.IniFormat)
+    remembered = Remembered(kept)
+    for path in opened:
+        remembered.add_recent(path)
+    if opened:
+        remembered.note_open(opened, Place(3, 1))
+    start_application(remembered)
+    window = MainWindow(remembered)
+    window.show()
+    QCoreApplication.processEvents()
+    window.close()
+    kept.sync()
+    return 0
+
+
+def _calibrations(kit: Path) -> None:
+    """The same two cameras in the words of other programs."""
+    read = cv2.FileStorage(str(kit / "xml" / "rec" / "calibration.yaml"), cv2.FILE_STORAGE_READ)
+    written = cv2.FileStorage(str(kit / "xml" / "rec" / "calibration.xml"), cv2.FILE_STORAGE_WRITE)
+    for name in ("M1", "D1", "M2", "D2", "R", "T"):
+        written.write(name, read.getNode(name).mat())
+    for name in ("image_width", "image_height"):
+        written.write(name, int(read.getNode(name).real()))
+    written.release()
+    rows = "\n".join(
+        f"P{camera}: 300 0 160 {-30 * camera} 0 300 120 0 0 0 1 0" for camera in range(4)
+    )
+    (kit / "kitti" / "rec" / "calib.txt").write_text(f"{rows}\n")
+    for name, offset in (("left", 0.0), ("right", -30.0)):
+        (kit / "ros" / "rec" / f"{name}.yaml").write_text(_ros(offset))
+    named = {
+        "xml": '"calibration.xml"',
+        "kitti": '"calib.txt"',
+        "ros": '["left.yaml", "right.yaml"]',
+    }
+    for folder, name in named.items():
+        manifest = kit / folder / "rec" / "recording.toml"
+        text = manifest.read_text().replace('"calibration.yaml"', name)
+        manifest.write_text(text)
+
+
+def _ros(offset: float) -> str:
+    rows = {
+        "camera_matrix": (3, 3, [300, 0, 160, 0, 300, 120, 0, 0, 1]),
+        "distortion_coefficients": (1, 5, [0, 0, 0, 0, 0]),
+        "rectification_matrix": (3, 3, [1, 0, 0, 0, 1, 0, 0, 0, 1]),
+        "projection_matrix": (3, 4, [300, 0, 160, offset, 0, 300, 120, 0, 0, 0, 1, 0]),
+    }
+    said = "image_width: 320\nimage_height: 240\ncamera_name: c\ndistortion_model: plumb_bob\n"
+    for name, (height, width, data) in rows.items():
+        said += f"{name}:\n  rows: {height}\n  cols: {width}\n  data: {data}\n"
+    return said
+
+
+# Tables of body parts
+
+
+def of_tables(kit: Path) -> dict[str, Kind]:
+    """Samples of the failure detector, labels of body parts, occluders."""
+    (kit / "tables").mkdir()
+    random = np.random.default_rng(4112)
+    rows = [("yard", 1 + at // 6, at, at % 3, at % 2, "Zoë", "unsure", "label") for at in range(12)]
+    samples = samples_from_rows(rows, random.normal(size=(12, 36)))
+    for name in ("samples.csv", "samples.h5"):
+        write_samples(kit / "tables" / name, samples)
+    lines = "".join(f"{frame},1,head,1,10,20,30,40\n" for frame in range(1, 6))
+    (kit / "tables" / "labels.csv").write_text(
+        f"frame,track,part,on,left,top,width,height\n{lines}"
+    )
+    shutil.copy(kit / "session" / "s.h5", kit / "tables" / "s.h5")
+
+    def trained(name: str) -> tuple[tuple[str, ...], ...]:
+        return (("train", f"W/{name}", "-o", "W/d.h5"),)  # too few to train from: read, then told
+
+    return {
+        "samples.csv": Kind("tables", "samples.csv", trained("samples.csv"), text=True),
+        "samples.h5": Kind("tables", "samples.h5", trained("samples.h5")),
+        "part-labels": Kind(
+            "tables", "labels.csv", (("import-labels", "W/labels.csv", "W/s.h5"),), text=True
+        ),
+    }
+
+
+# Tracks of other tools
+
+
+def of_tracks(kit: Path) -> dict[str, Kind]:
+    """A file of each format, as far as it can be written here, and those that are only read."""
+    found = {}
+    for name, each in FORMATS.items():
+        if each.read is not None and each.write is not None:
+            path = of_its_own(kit, f"{name}{each.extensions[0]}")
+            each.write(path, _exported(), no_progress)
+            binary = path.is_file() and b"\0" in path.read_bytes()
+            found[name] = _importing(name, path, text=not binary)
+    for name, (file, make) in _ONLY_READ.items():
+        path = of_its_own(kit, file)
+        make(path)
+        found[name] = _importing(name, path, text=not file.endswith((".h5", ".slp")))
+    scored = of_its_own(kit, "scored.txt")
+    shutil.copy(kit / "tracks-mot" / "mot.txt", scored)
+    words = ("score", "W/scored.txt", "--truth", "K/tracks-mot/mot.txt", "--json")
+    found["scored mot"] = Kind("tracks-scored", "scored.txt", (words,), text=True)
+    return found
+
+
+def of_its_own(kit: Path, file: str) -> Path:
+    """Where a file of tracks goes: a folder of its own."""
+    path = kit / f"tracks-{Path(file).stem}" / file
+    path.parent.mkdir()
+    return path
+
+
+def _importing(name: str, path: Path, *, text: bool) -> Kind:
+    words = ("import", f"W/{path.name}", "--recording", "K/stereo/rec", "-o", "W/out.h5")
+    damaged = min(path.iterdir()) if path.is_dir() else path  # some are a folder of files
+    return Kind(path.parent.name, str(damaged.relative_to(path.parent)), (words,), text=text)
+
+
+def _exported() -> Exported:
+    frame, track = np.repeat(np.arange(FRAMES), PEOPLE), np.tile(np.arange(PEOPLE) + 1, FRAMES)
+    count = len(frame)
+    random = np.random.default_rng(5)
+    rows = {name: random.uniform(20, 200, count) for name in ("left", "top", "width", "height")}
+    places = {name: random.normal(0, 3, count) for name in ("x", "y")}
+    columns = with_all_columns({"frame": frame, "track": track, **rows, **places})
+    labels = {1: TrackLabel('Zoë "<&>', {"bag": "yes"}), 2: TrackLabel("", {"class": "dog"})}
+    return Exported.of_table(
+        TrackTable(columns), frames=FRAMES, fps=8.0, size_px=(320, 240), name="yard", labels=labels
+    )
+
+
+def _sleap(path: Path) -> None:
+    points = np.random.default_rng(6).uniform(10, 200, (2, 2, 2, 9))
+    with h5py.File(path, "w") as file:
+        file.create_dataset("tracks", data=points, compression="gzip")
+        file["track_names"] = np.array([b"track_0", b"track_1"])
+        file["node_names"] = np.array([b"head", b"foot"])
+        file["track_occupancy"] = np.ones((9, 2), np.uint8)
+        file["instance_scores"] = np.ones((2, 9))
+
+
+def _idtracker(path: Path) -> None:
+    with h5py.File(path, "w") as file:
+        file["trajectories"] = np.random.default_rng(7).uniform(10, 200, (9, 2, 2))
+        file["id_probabilities"] = np.full((9, 2, 1), 0.5)
+        file.attrs["frames_per_second"] = 8.0
+
+
+def _sleap_table(path: Path) -> None:
+    csv_file(path, "track_0,0,0.5,,1,2,3,4", "track_0,1,,,5,6,,", "Zoë,1,,,1,1,2,1")
+
+
+def _trc(path: Path) -> None:
+    path.write_text(of_version(4), encoding="utf-8")
+
+
+_ONLY_READ = {
+    "sleap": ("sleap.h5", _sleap),
+    "sleap project": ("project.slp", project),
+    "sleap csv": ("sleap-table.csv", _sleap_table),
+    "idtracker": ("idtracker.h5", _idtracker),
+    "petrack-trc": ("petrack-trc.trc", _trc),
+}

@@ -1,0 +1,108 @@
+"""The system calls of a fork, as strace tells them or makes them fail.
+
+strace is attached to a fork that waits, so that nothing is imported or counted twice. Without
+strace there is no sweep: `check` says how to install it.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from tests.sweeps.command import LONGEST_S, Outcome, begin, ended
+
+_PR_SET_PTRACER, _ANY = 0x59616D61, -1
+_MOST_LETTERS = 1 << 26
+_LINE = re.compile(r"(\d+) +(.*)")
+_CALL = re.compile(r"(\w+)\((.*)\) += (-?\d+|\?)(.*)")
+_RESUMED = re.compile(r"<\.\.\. \w+ resumed>(.*)")
+_ATTACHED = "attached"
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """One system call: the thread, its name, its arguments as strace prints them, and the result.
+
+    Texts are in hexadecimal escapes (`strace -xx`), and handles bear the paths they stand for.
+    """
+
+    thread: int
+    name: str
+    arguments: str
+    result: int
+    error: str
+
+    @property
+    def paths(self) -> list[str]:
+        """All paths among the arguments: names, and those that handles stand for."""
+        found = re.findall(r'<((?:\\x..)+)>|"((?:\\x..)+)"', self.arguments)
+        return [text_of(handle or name).decode(errors="replace") for handle, name in found]
+
+
+def check() -> None:
+    """End the program with a line where there is no strace."""
+    if shutil.which("strace") is None:
+        sys.exit("this sweep needs strace (Linux): apt-get install strace")
+
+
+def traced(
+    work: Callable[[], int],
+    folder: Path,
+    asked: Sequence[str],
+    longest_s: float = LONGEST_S,
+) -> tuple[Outcome, Path]:
+    """Do work in a fork under strace with these options; how it ended, and what strace wrote."""
+    report, said = folder / "strace.txt", (folder / "stdout.txt", folder / "stderr.txt")
+    hear, say = os.pipe()
+
+    def waiting() -> int:
+        libc = ctypes.CDLL(None, use_errno=True)
+        libc.prctl(_PR_SET_PTRACER, ctypes.c_ulong(_ANY), 0, 0, 0)
+        os.read(hear, 1)
+        return work()
+
+    pid = begin(waiting, said)
+    words = ["strace", "-f", "-y", "-xx", "-s", str(_MOST_LETTERS), "-o", str(report)]
+    tracer = subprocess.Popen([*words, *asked, "-p", str(pid)], stderr=subprocess.PIPE, text=True)
+    assert tracer.stderr is not None
+    attached = tracer.stderr.readline()
+    os.write(say, b"!")
+    outcome = ended(pid, said, 0, longest_s)
+    _, rest = tracer.communicate()
+    os.close(hear)
+    os.close(say)
+    if _ATTACHED not in attached:
+        raise OSError(f"strace does not attach: {attached}{rest}")
+    return outcome, report
+
+
+def calls(report: Path) -> Iterator[Call]:
+    """The calls strace wrote, in the order in which they ended."""
+    begun: dict[int, str] = {}
+    with report.open(encoding="ascii") as lines:
+        for line in lines:
+            match = _LINE.match(line)
+            if match is None:
+                continue
+            thread, text = int(match[1]), match[2]
+            if text.endswith("<unfinished ...>"):
+                begun[thread] = text.removesuffix("<unfinished ...>")
+                continue
+            if (rest := _RESUMED.match(text)) is not None:
+                text = begun.pop(thread, "") + rest[1]
+            call = _CALL.fullmatch(text)
+            if call is not None:
+                result = -1 if call[3] == "?" else int(call[3])
+                yield Call(thread, call[1], call[2], result, call[4].strip())
+
+
+def text_of(escaped: str) -> bytes:
+    """The bytes of a text of hexadecimal escapes."""
+    return bytes.fromhex(escaped.replace("\\x", ""))

@@ -1,0 +1,27 @@
+"""Words in CSV are never formulas, and come back as they were."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tracking.cells import cell_of, text_of_cell
+
+
+@pytest.mark.parametrize("text", ['=HYPERLINK("x")', "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", "＝1"])
+def test_a_formula_stands_behind_an_apostrophe(text: str) -> None:
+    assert cell_of(text) == f"'{text}"
+
+
+@pytest.mark.parametrize("value", [-1, -0.5, "", "Gate -1", "'tis", "a=b", None])
+def test_numbers_and_other_words_stay_as_they_are(value: object) -> None:
+    assert cell_of(value) == value
+
+
+@given(st.text(alphabet="'=+-@\t\rab＝", max_size=8) | st.text())
+def test_every_text_comes_back(text: str) -> None:
+    cell = cell_of(text)
+    assert isinstance(cell, str)
+    assert not cell.startswith(("=", "+", "-", "@", "\t", "\r", "\n", "＝"))
+    assert text_of_cell(cell) == text
