@@ -54,13 +54,14 @@ class Journal:
     """The steps since the save it builds on, in order. One connection, one program."""
 
     def __init__(self, path: Path, mode: int = _PRIVATE) -> None:
-        """Open or make it in a folder that was checked; mode: the permissions of new files.
+        """Open the one that is there, in a folder that was checked.
 
+        mode: the permissions of new files beside it.
         Raises OutputError where that fails, SessionError where it is none.
         """
         self._path = path
         with _telling(path, "opened"):
-            _check_files(path, mode)
+            _check_files(path)
             self._base = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
         self._count = StepCount(path.with_name(f"{path.name}-count"), mode)
         try:
@@ -225,6 +226,11 @@ class Journal:
                 raise ValueError("its steps claim more than the file holds")
             yield row
 
+    def say_count(self) -> None:
+        """Say beside it how many steps it has, as where none of them is missing."""
+        if self._origin is not None:
+            self._count.write(*self._origin, self._last)
+
     def acknowledged(self, session: str, save: str) -> int:
         """How many steps were written that build on this save, as the count beside it says.
 
@@ -337,14 +343,16 @@ def _text_bytes(row: Row) -> int:
     return sum(len(said.encode("utf-8", "surrogatepass")) for said in row if isinstance(said, str))
 
 
-def _check_files(path: Path, mode: int) -> None:
-    """Refuse files that are not the user's own, or too large, and make the main one."""
-    for ending in ENDINGS[:-1]:
-        check_file(path.with_name(f"{path.name}{ending}"), MOST_BYTES)
+def _check_files(path: Path) -> None:
+    """Refuse files that are not the user's own, or too large, and a log without what it is of."""
+    log, *_ = (check_file(path.with_name(f"{path.name}{e}"), MOST_BYTES) for e in ENDINGS[:-1])
     foreign = path.with_name(f"{path.name}{FOREIGN_ENDING}")
     if check_file(foreign) is not None:
         raise SessionError(f"{foreign}: this is of another program; it is not a journal of edits")
-    os.close(open_file(path, os.O_RDWR | os.O_CREAT, mode, MOST_BYTES))
+    state = check_file(path, MOST_BYTES)
+    if state is None or (not state.st_size and log is not None and log.st_size):
+        # SQLite would begin a new one, and take the log away.
+        raise SessionError(f"{path}: the journal of edits is gone; its log or count is still there")
 
 
 def _make_file(path: Path, mode: int) -> None:

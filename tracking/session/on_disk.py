@@ -60,6 +60,8 @@ class OnDisk(Held):
         self._recovered = self._content = found.steps
         self._notes += (*found.notes, *found.damage)
         self._damage += found.damage
+        if found.failed is not None:
+            raise found.failed
 
     def _refuse_read_only(self) -> None:
         if self.read_only:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
-from tracking.errors import EditError, SessionError
+from tracking.errors import EditError, OutputError, SessionError
 from tracking.session.edited import Edited
 from tracking.session.image import Stamps
 from tracking.session.journal import Journal, Step
@@ -22,11 +23,13 @@ class Recovery:
         steps: how many steps were made again.
         notes: lines for the user.
         damage: those on what is damaged or does not fit, which come after the notes.
+        failed: why the journal, which was read, cannot be written; nothing in it was changed.
     """
 
     steps: int = 0
     notes: tuple[str, ...] = ()
     damage: tuple[str, ...] = ()
+    failed: OutputError | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,15 +49,15 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
     """Make the journal's edits again that the file misses; then the journal builds on this file.
 
     A journal, or the end of one, that is damaged or does not fit the file is kept aside and told,
-    never thrown away. Raises OutputError where the journal cannot be read or written for want of
-    room or rights.
+    never thrown away. Raises OutputError where the journal cannot be read for want of room or
+    rights.
     """
     try:
         journal = store.take_over()
         missing = missing_steps(journal, stamps)
     except SessionError as why:
-        aside = store.set_journal_aside()
-        return Recovery(damage=(f"{why.reason}; it was kept aside as {aside}: {_MAY_MISS}",))
+        reason = why.reason
+        return _replaced(store, stamps, (), lambda kept: f"{reason}; it was {kept}: {_MAY_MISS}")
     steps, made, misfit = missing.steps, 0, ""
     try:
         for step in steps:
@@ -63,19 +66,45 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
     except EditError as why:
         misfit = str(why)
     if not (misfit or missing.problem):
-        journal.start_over(stamps.session, stamps.save, journal.last - len(steps))
-        return Recovery(made, _told(steps))
-    aside = store.set_journal_aside()
-    store.begin_again(stamps.session, stamps.save, steps[:made])
-    left = len({step.entry.id for step in steps[made:]})
-    do = "does" if left == 1 else "do"
-    rest = (
-        f"{_edits(left)} {do} not fit ({misfit}); kept aside as {aside}"
-        if misfit
-        else f"the journal of edits is damaged ({missing.problem}); "
-        f"it was kept aside as {aside}: {_MAY_MISS}"
+        return _gone_on_with(journal, stamps, steps, store.kept_aside)
+
+    def damage(kept: str) -> str:
+        if misfit:
+            left = len({step.entry.id for step in steps[made:]})
+            return f"{_edits(left)} {'does' if left == 1 else 'do'} not fit ({misfit}); {kept}"
+        return f"the journal of edits is damaged ({missing.problem}); it was {kept}: {_MAY_MISS}"
+
+    return _replaced(store, stamps, steps[:made], damage)
+
+
+def _gone_on_with(
+    journal: Journal, stamps: Stamps, steps: Sequence[Step], aside: Path | None
+) -> Recovery:
+    """Let a sound journal build on the file. aside: see `Store.kept_aside`."""
+    cut_short = (
+        f"a journal was kept aside as {aside} when the session was opened before: {_MAY_MISS}"
     )
-    return Recovery(made, _told(steps[:made]), (rest,))
+    failed = None
+    try:
+        journal.start_over(stamps.session, stamps.save, journal.last - len(steps))
+    except OutputError as why:
+        failed = why
+    return Recovery(len(steps), _told(steps), () if aside is None else (cut_short,), failed)
+
+
+def _replaced(
+    store: Store, stamps: Stamps, steps: Sequence[Step], damage: Callable[[str], str]
+) -> Recovery:
+    """Keep the journal aside and go on with one that has what is sound of it.
+
+    damage: what is wrong with it, in a line that says, too, what was done with it.
+    """
+    failed: OutputError | None = None
+    try:
+        kept = f"kept aside as {store.replace_journal(stamps.session, stamps.save, steps)}"
+    except OutputError as why:
+        kept, failed = "left where it is", why
+    return Recovery(len(steps), _told(steps), (damage(kept),), failed)
 
 
 def missing_steps(journal: Journal, stamps: Stamps) -> Missing:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Sequence
+import sys
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from pathlib import Path
 
 from tracking.editing import Entry
@@ -35,6 +37,8 @@ class Store:
         self._begun: tuple[ThreadPoolExecutor, Future[Journal]] | None = None
         self._doubted = False
         self.others_aside: Path | None = None
+        self.kept_aside: Path | None = None
+        """What an opening kept aside that ended before it could tell."""
 
     @classmethod
     def claim(cls, path: Path) -> Store:
@@ -175,6 +179,7 @@ class Store:
 
     def _found(self) -> Journal:
         sync_folder(self._path.parent)  # what is journalled must not vanish with its new folder
+        self.kept_aside = journal_files.finish_replacing(self._folder)
         return Journal(self._folder / JOURNAL, permissions_of(self._path))
 
     @property
@@ -194,15 +199,22 @@ class Store:
         self._begun = (maker, maker.submit(self._begin, session, save))
         maker.shutdown(wait=False)
 
-    def _begin(self, session: str, save: str, steps: Sequence[Step] = ()) -> Journal:
+    def _begin(self, session: str, save: str) -> Journal:
         """A new journal. Raises SessionError where another program has made one by now."""
         sync_folder(self._path.parent)
         mode = permissions_of(self._path)
-        return Journal.begun(self._folder / JOURNAL, session, save, mode, steps)
+        return Journal.begun(self._folder / JOURNAL, session, save, mode)
 
-    def begin_again(self, session: str, save: str, steps: Sequence[Step]) -> None:
-        """Have a new journal on this save, with these steps, where none is."""
-        self._journal = self._begin(session, save, steps)
+    def replace_journal(self, session: str, save: str, steps: Sequence[Step] = ()) -> Path:
+        """Have a new journal on this save, with these steps, in the place of the one that is there.
+
+        Gives the name which that is kept aside as. Raises OutputError where that fails.
+        """
+        with self._closing_journal():
+            mode = permissions_of(self._path)
+            journal, aside = journal_files.replace(self._folder, session, save, mode, steps)
+        self._journal = journal
+        return aside
 
     @property
     def journal(self) -> Journal | None:
@@ -215,8 +227,21 @@ class Store:
 
     def set_journal_aside(self) -> Path:
         """Keep the journal under another name, so that a new one can begin; gives that name."""
-        self._close_journal()
-        return journal_files.set_aside(self._folder)
+        with self._closing_journal():
+            return journal_files.set_aside(self._folder)
+
+    @contextmanager
+    def _closing_journal(self) -> Iterator[None]:
+        """Close the journal after its files were moved.
+
+        While they are in place, SQLite would take the log away with what it says after damage.
+        """
+        if sys.platform == "win32":  # open files cannot be moved there
+            self._close_journal()
+        try:
+            yield
+        finally:
+            self._close_journal()
 
     def release(self, *, keep_journal: bool) -> None:
         """Give the session back, and take away what is needed no more.

@@ -16,7 +16,7 @@ from tracking.owned_files import check_folder, open_file
 from tracking.session.edited import Edited
 from tracking.session.image import Stamps
 from tracking.session.journal import ENDINGS, Journal, Step
-from tracking.session.journal_files import JOURNAL
+from tracking.session.journal_files import JOURNAL, present
 from tracking.session.journal_schema import MOST_BYTES
 from tracking.session.reading import read_session
 from tracking.session.recovery import missing_steps
@@ -59,7 +59,7 @@ def edits_wait(path: Path) -> bool:
     """
     try:
         check_folder(companions(path))
-        if not os.path.lexists(companions(path) / JOURNAL):
+        if not os.path.lexists(present(companions(path))):
             return False
         with _copied(path) as journal:
             return journal.last > 0
@@ -92,10 +92,11 @@ def _copied(path: Path) -> Iterator[Journal]:
     """A copy of the session's journal: reading the journal itself would write beside it."""
     beside = companions(path)
     check_folder(beside)
+    main = present(beside)
     with tempfile.TemporaryDirectory() as folder:
         for ending in ENDINGS:
             if ending != "-shm":
-                _copy(beside / f"{JOURNAL}{ending}", Path(folder))
+                _copy(beside / f"{main.name}{ending}", Path(folder) / f"{JOURNAL}{ending}")
         journal = Journal(Path(folder) / JOURNAL)
         try:
             yield journal
@@ -103,9 +104,9 @@ def _copied(path: Path) -> Iterator[Journal]:
             journal.close()
 
 
-def _copy(file: Path, folder: Path) -> None:
+def _copy(file: Path, copy: Path) -> None:
     """Copy a file of the user's own, of a size that a journal has, where it is there."""
     with contextlib.suppress(FileNotFoundError):
         handle = open_file(file, most_bytes=MOST_BYTES)
-        with os.fdopen(handle, "rb") as source, (folder / file.name).open("wb") as target:
+        with os.fdopen(handle, "rb") as source, copy.open("wb") as target:
             shutil.copyfileobj(source, target)
