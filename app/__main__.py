@@ -12,7 +12,7 @@ import typer
 
 from app.cli.commands import program
 from app.cli.failure import MISUSED, told
-from app.cli.output import say
+from app.cli.output import escape_what_stdout_lacks, say
 from app.interrupts import end_at_once
 
 NOT_BUILT = ("batch",)
@@ -34,6 +34,7 @@ def main() -> None:
         os.environ.setdefault(variable, "1")
     # Our own notes tell of broken pictures; OpenCV's warnings would stand amid them.
     os.environ.setdefault(_OPENCV_LOG, "SILENT")
+    escape_what_stdout_lacks()
     # A polite request to end leaves no more behind than Ctrl+C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     status = run(sys.argv[1:])

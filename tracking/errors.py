@@ -6,7 +6,27 @@ library below raises is converted at the boundary where it is called.
 
 from __future__ import annotations
 
+import errno
+import os
 from typing import Self
+
+_TO_DO = {
+    errno.EACCES: "choose another place, or have its owner let you",
+    errno.EPERM: "choose another place, or have its owner let you",
+    errno.ENOENT: "check the path",
+    errno.ENOTDIR: "a part of the path is no folder; check it",
+    errno.EISDIR: "name a file in it",
+    errno.ELOOP: "its links lead round in a circle; name the file itself",
+    errno.ENAMETOOLONG: "give a shorter one",
+    errno.ENOSPC: "make room",
+    errno.EDQUOT: "make room",
+    errno.EFBIG: "choose another disk",
+    errno.EROFS: "choose another place",
+    errno.EIO: "check the disk, and bring a copy of what is on it",
+    errno.EMFILE: "close other programs and try again",
+}
+_OF_NO_FILE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO, errno.EMFILE)
+"""What the system says of writing without naming the file, and is no mistake of the program."""
 
 
 class TrackwrightError(Exception):
@@ -73,3 +93,22 @@ class OutputError(TrackwrightError):
 
 class CancelledError(TrackwrightError):
     """The user stopped long work; nothing half-done was kept."""
+
+
+def told_by_system(error: BaseException) -> str:
+    """What the system says of a file, as a line a user can act on; "" where it is of none.
+
+    For errors that nothing below foresaw: it names the file, not what it was wanted for.
+    """
+    if not isinstance(error, OSError) or error.errno is None:
+        return ""
+    names = [
+        os.fsdecode(name)
+        for name in (error.filename, error.filename2)
+        if isinstance(name, str | bytes | os.PathLike)
+    ]
+    if not names and error.errno not in _OF_NO_FILE:
+        return ""
+    what = f"use {' and '.join(names)}" if names else "go on"
+    to_do = _TO_DO.get(error.errno, "check the path and its disk")
+    return f"cannot {what}: {error.strerror or type(error).__name__}; {to_do}"

@@ -116,7 +116,16 @@ class LiveTracker(QObject):
     def _run_so_far(self, error: Exception) -> Run | None:
         """What is kept of a tracker that could not go on; None: nothing."""
         run = self.kept.run_so_far(*self._run_asked())
-        return None if run is None else self._told_of(run, unstopped(explain(error)))
+        if run is None:
+            return None
+        why = unstopped(explain(error))
+        try:
+            return self._told_of(run, why)
+        except Exception:  # telling of it must neither lose the run nor hide why it ended
+            _log.warning("what came of the tracking cannot be told", exc_info=True)
+            tracks = len(set(run.tracks["track"].tolist()))
+            self.ended = Ended(run.tracker, run.frames, self._asked, tracks, tracks, 0, why)
+            return replace(run, notes=(*self.notes, self.ended.early))
 
     def _run_asked(self) -> tuple[str, Mapping[str, Any], int, Recording, Resume | None]:
         asked = self._request

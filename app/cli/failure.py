@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import os
 import sys
 import traceback
@@ -14,7 +13,7 @@ import platformdirs
 
 from app.cli.output import say
 from app.interrupts import INTERRUPTED, STOPPED
-from tracking.errors import SettingsError, TrackwrightError
+from tracking.errors import OutputError, SettingsError, TrackwrightError, told_by_system
 
 
 class EndedEarlyError(Exception):
@@ -40,7 +39,7 @@ def told(work: Callable[[], object], *, debug: bool) -> int:
         try:
             work()
         finally:
-            sys.stdout.flush()
+            _flush()
     except SystemExit as stop:
         if stop.code == INTERRUPTED:  # what Typer makes of Ctrl+C
             return _line(STOPPED, INTERRUPTED)
@@ -48,14 +47,29 @@ def told(work: Callable[[], object], *, debug: bool) -> int:
     except KeyboardInterrupt:
         return _line(STOPPED, INTERRUPTED)
     except BrokenPipeError:
-        # Whoever read our output has gone; say no more, also not when Python closes stdout.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _drop_stdout()  # whoever read our output has gone; say no more
         return FAILED
     except Exception as error:
         _shown(debug)
         # What was typed is no name, setting or value there is; all else is the input's fault.
         return _line(_reason(error), MISUSED if isinstance(error, SettingsError) else FAILED)
     return DONE
+
+
+def _flush() -> None:
+    """Have all output written. Raises OutputError where the system refuses."""
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        _drop_stdout()
+        raise OutputError(f"cannot write to stdout: {error.strerror}", "make room") from error
+
+
+def _drop_stdout() -> None:
+    """Have Python say nothing either when it closes stdout."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _reason(error: BaseException) -> str:
@@ -67,8 +81,8 @@ def _reason(error: BaseException) -> str:
         return str(error)
     if isinstance(error, MemoryError):
         return "not enough memory; try a shorter range of frames"
-    if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
-        return f"{error.filename}: the name is too long for a file; give a shorter one"
+    if said := told_by_system(error):
+        return said
     place = _logged(error)
     return (
         f"this is a bug in trackwright: {type(error).__name__}: {error}; please report it with "

@@ -6,7 +6,9 @@ the one place that prints.
 
 from __future__ import annotations
 
+import io
 import json
+import os
 import shutil
 import sys
 import tempfile
@@ -26,6 +28,19 @@ _HELD_BYTES = 16 << 20
 """Of a document that is not complete yet, before it is put on a disk."""
 _JOINERS = "\u200c\u200d"
 """Invisible letters that scripts and emoji need; they neither move nor hide anything."""
+
+
+def escape_what_stdout_lacks() -> None:
+    r"""Have letters that the encoding of stdout or stderr lacks written as Python writes them.
+
+    What is shown of 入口 in Latin-1 is `\u5165\u53e3`. Where either is closed, it goes nowhere.
+    """
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:
+            setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115
+        elif isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
 
 
 def shown(text: object) -> str:

@@ -18,7 +18,13 @@ from app.cli.part_options import refuse_missing_detector, settings_texts
 from app.cli.ranges import typed_range
 from app.cli.recordings import opened
 from app.presenters.files.opening import remember_place
-from tracking.errors import OutputError, SessionError, SettingsError, TrackwrightError
+from tracking.errors import (
+    OutputError,
+    SessionError,
+    SettingsError,
+    TrackwrightError,
+    told_by_system,
+)
 from tracking.pipeline import Tracking, track
 from tracking.recording import Recording
 from tracking.session import IMPORTED, Session
@@ -160,14 +166,15 @@ def keeping_what_was_tracked(
     try:
         yield
     except TrackerEndedError as ended:
-        place = _free_name(out)
         try:
+            place = _free_name(out)
             if save is None:
                 save_session(recording, ended.run, place)
             else:
                 save(ended.run, place)
-        except TrackwrightError as error:
-            kept = f"what it tracked could not be kept: {error}"
+        except (TrackwrightError, OSError) as error:
+            why = told_by_system(error) or error
+            kept = f"what it tracked could not be kept: {why}"
         else:
             first, end = ended.run.frames
             kept = f"frames {first}:{end} are kept in {place}"

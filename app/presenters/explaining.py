@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 
 from app.presenters.words import tr, unstopped
-from tracking.errors import TrackwrightError
+from tracking.errors import TrackwrightError, told_by_system
 from tracking.session import RecordingMissing
 
 _log = logging.getLogger(__name__)
@@ -16,15 +16,18 @@ _OPTION = " (--"
 def explain(error: BaseException) -> str:
     """The message for an error.
 
-    Those raised on purpose say what, where and what to do themselves. Anything else is a bug of
-    the program: it is logged with where it came from, and the user is told that the edits are
-    safe.
+    Those raised on purpose say what, where and what to do themselves; what the system says of a
+    file is told with what to do. Anything else is a bug of the program: it is logged with where
+    it came from, and the user is told that the edits are safe.
     """
     if isinstance(error, RecordingMissing):
         return error.reason
     if isinstance(error, TrackwrightError):
         to_do = error.to_do.partition(_OPTION)[0]
         return f"{error.reason}; {to_do}" if to_do else error.reason
+    if told := told_by_system(error):
+        _log.warning("unforeseen: %s", told, exc_info=error)
+        return told
     _log.error("unexpected error", exc_info=error)
     return tr(
         "A bug in trackwright: {kind}: {error}. Your edits are safe on disk; save, and start the "

@@ -8,12 +8,14 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from patient import PATIENCE_S
+from patient import PATIENCE_MS, PATIENCE_S
 from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
 from app.background import LiveTracker, live
+from app.presenters.runs.ended import Ended
 from app.tracking_process import TrackerProcess
+from tracking.errors import RecordingError
 from tracking.pipeline import track
 from tracking.recording import Recording, open_recording
 from tracking.trackers import StepResult
@@ -69,3 +71,24 @@ def test_it_ends_while_it_waits_for_the_window(tracker: LiveTracker):
     assert comes_to(FRAMES[0] + AHEAD, lambda: tracker.kept.frames[1])
     tracker.close()
     assert all(thread.name != "live tracker" for thread in threading.enumerate())
+
+
+def test_a_run_that_ended_early_is_kept_with_its_reason_where_nothing_can_be_told_of_it(
+    tracker: LiveTracker, steps: list[StepResult], qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+):
+    def ends_early(_: object) -> Iterator[tuple[StepResult, ...]]:
+        yield tuple(steps[:5])
+        raise RecordingError("left.mp4 breaks off")
+
+    def fails(*_: object) -> Ended:
+        raise ValueError("nothing can be compared")
+
+    monkeypatch.setattr(TrackerProcess, "batches", ends_early)
+    monkeypatch.setattr(live.Ended, "of", fails)
+    with qtbot.waitSignal(tracker.finished, timeout=PATIENCE_MS) as finished:
+        tracker.start()
+    (run,) = finished.args
+    assert run.frames == (FRAMES[0], FRAMES[0] + 5)
+    assert run.notes == ("stereo-direction ended after 5 of 15 frames: left.mp4 breaks off.",)
+    assert tracker.ended is not None
+    assert tracker.ended.why == "left.mp4 breaks off"

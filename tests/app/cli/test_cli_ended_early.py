@@ -97,3 +97,20 @@ def test_tracking_again_keeps_it_in_a_copy_of_the_session(
     with closing(Session.open(kept)) as session:
         assert [run.frames for run in session.runs] == [(0, 4), (3, 5)]
         assert not len(session.history)
+
+
+@pytest.mark.usefixtures("ends")
+def test_why_it_ended_is_told_also_where_the_system_refuses_what_was_tracked(
+    trackwright: Trackwright, recording: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise PermissionError(13, "Permission denied", "/data/recordings.json")
+
+    monkeypatch.setattr("app.cli.track.remember_place", refuse)
+    words = ("track", recording, "-o", tmp_path / "street.h5", "--tracker", "stereo-colour")
+    status, _, err = trackwright(*words)
+    last = err.splitlines()[-1]
+    assert status == 1
+    assert "ended after 3 of" in last
+    assert "ZeroDivisionError: by nothing" in last
+    assert "could not be kept: cannot use /data/recordings.json: Permission denied" in last
