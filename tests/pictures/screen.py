@@ -8,6 +8,8 @@ import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from app.cli.display import why_no_window
+
 _SCREEN = "1920x1200x24"
 _PATIENCE_S = 30
 
@@ -22,6 +24,7 @@ def virtual_screen() -> Iterator[None]:
             *("-nolisten", "tcp", "-terminate"),  # it also ends where this program was killed
         ],
         pass_fds=[write],
+        stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
     os.close(write)
@@ -34,6 +37,8 @@ def virtual_screen() -> Iterator[None]:
     before = {name: os.environ.get(name) for name in ("DISPLAY", "QT_QPA_PLATFORM")}
     os.environ |= {"DISPLAY": f":{number}", "QT_QPA_PLATFORM": "xcb"}
     try:
+        if missing := why_no_window():
+            raise SystemExit(missing)
         yield
     finally:
         server.terminate()
