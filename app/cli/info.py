@@ -6,13 +6,11 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from app.cli.destination import is_session
 from app.cli.option_groups import Bare
 from app.cli.output import print_json, print_table
 from app.cli.recordings import opened
-from tracking.formats import read_mot
+from tracking.formats import people_in_mot
 from tracking.recording import Recording
 
 _LONGEST = 60
@@ -65,7 +63,7 @@ def _truth_people(recording: Recording) -> int | None:
     """People in the truth beside the recording; None without one."""
     if recording.truth_path is None:
         return None
-    return len(np.unique(read_mot(recording.truth_path)["track"]))
+    return people_in_mot(recording.truth_path)
 
 
 def _rows(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:

@@ -11,7 +11,7 @@ import pytest
 from tests.pace import spent
 from tracking.errors import CancelledError, FormatError
 from tracking.formats import FORMATS, format_of, read_mot
-from tracking.formats.delimited import LONGEST_LINE
+from tracking.formats.line_survey import LONGEST_LINE
 from tracking.formats.reading import FEW_BAD, MOST_TOLD, Filmed, Imported
 from tracking.formats.row_rules import MAX_FRAME
 

@@ -9,7 +9,7 @@ from tracking.formats.catalogue import (
 )
 from tracking.formats.losses import losses
 from tracking.formats.measurable import Measurable, measurable
-from tracking.formats.mot_reading import read_mot
+from tracking.formats.mot_reading import people_in_mot, read_mot
 from tracking.formats.mot_writing import write_mot
 from tracking.formats.part_labels import GivenLabel, read_part_labels, write_part_labels
 from tracking.formats.reading import BadRow, Filmed, Imported, Stated
@@ -39,6 +39,7 @@ __all__ = [
     "losses",
     "measurable",
     "no_progress",
+    "people_in_mot",
     "read_mot",
     "read_part_labels",
     "read_samples",

@@ -9,10 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import partial
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.formats.delimited import NumberRows, Piece, RowShape, pieces_of
@@ -44,7 +47,12 @@ def _import(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Impo
     plain = partial(_plain, separator=separator)
     shape = RowShape("a row of this table", len(taken), len(taken), separator, plain)
     lines = _rows(first, pieces, separator, names, reading)
-    table, places = NumberRows(reading, shape).read(lines)
+
+    def trial(table: NDArray[np.float64], places: NDArray[np.int32]) -> None:
+        rows = dict(zip(taken, table.T, strict=True))
+        Reading(path).checked(rows, lambda row: f"line {places[row]}")
+
+    table, places = NumberRows(reading, shape, trial).read(lines)
     rows = dict(zip(taken, table.T, strict=True))
     return reading.imported(rows, lambda row: f"line {places[row]}")
 
@@ -92,7 +100,8 @@ def _rows(
 ) -> Iterator[Piece]:
     """The lines below the header, with the columns that are taken."""
     taken = [at for at, name in enumerate(names) if name in CORRECTED_COLUMNS]
-    for piece in (Piece(first.first + 1, first.lines[1:]), *others):
+    below = replace(first, first=first.first + 1, lines=first.lines[1:])
+    for piece in chain((below,), others):
         if len(taken) == len(names):
             yield piece
             continue
@@ -104,7 +113,7 @@ def _rows(
                 reason = f"{len(fields)} values where the header names {len(names)}"
                 reading.bad(f"line {number}", reason)
             lines.append(separator.join(fields[at] for at in taken) if whole else "")
-        yield Piece(piece.first, lines)
+        yield replace(piece, lines=lines)
 
 
 def _plain(text: str, separator: str) -> str:

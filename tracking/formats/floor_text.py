@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -84,7 +85,13 @@ def import_floor_text(path: Path, filmed: Filmed, report: Progress = no_progress
     """
     reading = Reading(path, report)
     comments = _Comments()
-    table, lines = NumberRows(reading, _SHAPE).read(comments.passed_over(pieces_of(path, report)))
+
+    def trial(table: NDArray[np.float64], lines: NDArray[np.int32]) -> None:
+        rows = {"frame": table[:, 1], "track": table[:, 0]}  # of lengths the unit is not known yet
+        Reading(path).checked(rows, lambda row: f"line {lines[row]}", least_track=0)
+
+    rows_of = NumberRows(reading, _SHAPE, trial)
+    table, lines = rows_of.read(comments.passed_over(pieces_of(path, report)))
     if comments.wrong_fps:
         wrong = f"the file says {comments.wrong_fps[:20]} frames a second"
         reading.notes.append(f"{wrong}, which is invalid and passed over")
@@ -119,7 +126,7 @@ class _Comments:
         for piece in pieces:
             rows = [self._row(line) for line in piece.lines]
             text = _AT_ENDS.sub("", _SPACES.sub(" ", "\n".join(rows)))
-            yield Piece(piece.first, text.split("\n") if rows else [])
+            yield replace(piece, lines=text.split("\n") if rows else [])
 
     def unit_of(self, path: Path, stated: str) -> str:
         """Of lengths, as the text or else the user says: "m" or "cm"."""

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -120,7 +121,7 @@ def _points_of_text(reading: Reading) -> tuple[NDArray[np.float64], NDArray[np.f
 
 
 def _without_header(first: Piece, rest: Iterator[Piece]) -> Iterator[Piece]:
-    yield Piece(first.first, ["", *first.lines[1:]])
+    yield replace(first, lines=["", *first.lines[1:]])
     yield from rest
 
 

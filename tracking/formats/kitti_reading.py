@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -41,7 +42,14 @@ def import_kitti(path: Path, filmed: Filmed, report: Progress = no_progress) -> 
     """
     reading = Reading(path, report)
     types: dict[str, int] = {DONT_CARE: 0}
-    table, lines = NumberRows(reading, _SHAPE).read(_with_numbered_types(reading, types))
+
+    def trial(table: NDArray[np.float64], lines: NDArray[np.int32]) -> None:
+        cared = np.flatnonzero(table[:, _TYPE] != types[DONT_CARE])
+        rows = {"frame": table[cared, _FRAME], "track": table[cared, _TRACK]}
+        Reading(path).checked(rows, lambda row: f"line {lines[cared[row]]}", least_track=0)
+
+    rows_of = NumberRows(reading, _SHAPE, trial)
+    table, lines = rows_of.read(_with_numbered_types(reading, types))
     cared = table[:, _TYPE] != types[DONT_CARE]
     regions = len(table) - int(cared.sum())
     if regions:
@@ -77,7 +85,7 @@ def _with_numbered_types(reading: Reading, types: dict[str, int]) -> Iterator[Pi
             raise FormatError(
                 f"{reading.path}: more than {_MOST_TYPES} types; is it KITTI's labels?"
             )
-        yield Piece(piece.first, lines)
+        yield replace(piece, lines=lines)
 
 
 def _is_type(word: str) -> bool:

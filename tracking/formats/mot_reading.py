@@ -39,10 +39,41 @@ def read_mot(path: Path) -> dict[str, NDArray[Any]]:
     """
     reading = Reading(path)
     rows = rows_by_frame(reading)
+    _check_no_bad(reading)
+    return rows
+
+
+def people_in_mot(path: Path) -> int:
+    """How many ids the rows of a MOT text have; of the rows nothing is kept, however many.
+
+    Raises FormatError as `read_mot`, but for an id that stands twice in a frame.
+    """
+    reading = Reading(path)
+    ids: set[int] = set()
+    for table, lines, _ in NumberRows(reading, _SHAPE).tables(pieces_of(path)):
+        ids.update(_ids_of(reading, table, lines).tolist())
+        _check_no_bad(reading)
+    _check_no_bad(reading)
+    return len(ids)
+
+
+def _ids_of(
+    reading: Reading, table: NDArray[np.float64], lines: NDArray[np.int32]
+) -> NDArray[np.int32]:
+    """The ids of some rows, after they are checked."""
+    good = reading.good  # the check counts those of this table alone
+    rows, places = _columns(reading, table, lines)
+    checked = reading.checked(rows, lambda row: f"line {places[row]}", least_track=0)
+    reading.good = good
+    ids: NDArray[np.int32] = np.unique(checked["track"])
+    return ids
+
+
+def _check_no_bad(reading: Reading) -> None:
     if reading.bad_count:
         first = reading.bad_rows[0]
-        raise FormatError(f"{path}, {first.place}: {first.reason}; correct or remove the row")
-    return rows
+        where = f"{reading.path}, {first.place}: {first.reason}"
+        raise FormatError(f"{where}; correct or remove the row")
 
 
 def rows_by_frame(reading: Reading) -> dict[str, NDArray[Any]]:
@@ -78,21 +109,43 @@ def import_mot(path: Path, _filmed: Filmed, report: Progress = no_progress) -> I
     )
 
 
-def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int64]]:
+def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int32]]:
     """The columns as `read_mot` gives them, unchecked, and the lines they stand on."""
-    table, lines = NumberRows(reading, _SHAPE).read(pieces_of(reading.path, reading.report))
-    finite = np.isfinite(table).all(axis=1)
+
+    def trial(table: NDArray[np.float64], lines: NDArray[np.int32]) -> None:
+        tried = Reading(reading.path)
+        rows, places = _columns(tried, table.copy(), lines)
+        tried.checked(rows, lambda row: f"line {places[row]}", least_track=0)
+
+    read = NumberRows(reading, _SHAPE, trial).read(pieces_of(reading.path, reading.report))
+    return _columns(reading, *read)
+
+
+def _columns(
+    reading: Reading, table: NDArray[np.float64], lines: NDArray[np.int32]
+) -> tuple[dict[str, NDArray[Any]], NDArray[np.int32]]:
+    """Those of a table as it stands in the text, which they take the place of in memory."""
+    finite = _finite(table)
     if not finite.all():
         for row in np.flatnonzero(~finite).tolist():
             reading.bad(f"line {lines[row]}", "a value is not a finite number")
         table, lines = table[finite], lines[finite]
     held = _names(table.shape[1])
-    columns: dict[str, NDArray[Any]] = dict(zip(held, table.T.copy(), strict=False))
+    columns: dict[str, NDArray[Any]] = dict(zip(held, table.T, strict=False))
     for name in (*_HEAD, *_WORLD, *_SEEN):
-        columns.setdefault(name, np.full(len(table), UNKNOWN))
+        if name not in columns:
+            columns[name] = np.full(len(table), UNKNOWN)
     columns["frame"] -= FIRST_FRAME
     _shift_to_zero(columns)
     return columns, lines
+
+
+def _finite(table: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """(n,) the rows of finite numbers; looked at by columns, which stand together in memory."""
+    finite = np.ones(len(table), bool)
+    for column in table.T:
+        finite &= np.isfinite(column)
+    return finite
 
 
 def _names(width: int) -> tuple[str, ...]:

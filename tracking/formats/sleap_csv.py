@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.delimited import MOST_ROWS
 from tracking.formats.label_text import label_of, left_out
+from tracking.formats.line_survey import MOST_ROWS
 from tracking.formats.reading import Filmed, Imported, Reading
 from tracking.formats.row_rules import MAX_FRAME
 from tracking.formats.sleap_points import (

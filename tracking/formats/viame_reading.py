@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from tracking.cells import text_of_cell
 from tracking.errors import FormatError
 from tracking.formats.cvat_track import kept_visibility
-from tracking.formats.delimited import MOST_ROWS
+from tracking.formats.delimited import TRIED_ROWS
 from tracking.formats.label_text import label_of
+from tracking.formats.line_survey import MOST_ROWS, too_many
 from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.formats.text_fields import fields_of, number_in, numbered_lines, whole_in
@@ -146,11 +147,17 @@ class _File:
         self._numbers.extend(side for side in box if side is not None)
         self._numbers.extend((confidence if confidence >= 0 else np.nan, 0.0 if occluded else 1.0))
         self._reading.good += 1
+        if self._reading.good == TRIED_ROWS:
+            self._try()
         if self._reading.good > MOST_ROWS:
-            raise FormatError(
-                f"{self._reading.path} has more than {MOST_ROWS} rows; split it first"
-            )
+            raise too_many(self._reading.path)
         return ""
+
+    def _try(self) -> None:
+        """Raise FormatError where the first rows are such that the file is refused in the end."""
+        line, frame, said = np.array(self._whole, np.int64).reshape(-1, 3).T
+        rows = {"frame": frame, "track": said}
+        Reading(self._reading.path).checked(rows, lambda row: f"line {line[row]}", least_track=0)
 
     def _take_attributes(self, track: int, fields: Sequence[str]) -> bool:
         """Keep what is said of the track; gives whether it is hidden in this frame."""
