@@ -8,12 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from made_tracks import BOX, assert_same, known_rows, table, through, tracks
 
 from tracking.errors import FormatError
 from tracking.formats import format_of
 from tracking.formats.reading import Filmed, Imported
 from tracking.formats.viame import VIAME
+from tracking.formats.viame_class import cell_of_class, class_of_cell
 from tracking.formats.viame_reading import import_viame
 from tracking.formats.writing import Exported
 from tracking.tracks import TrackLabel, TrackTable
@@ -147,6 +149,22 @@ def test_a_class_is_no_formula_and_comes_back(tmp_path: Path, kind: str) -> None
         cells = list(csv.reader(stream))[-1]
     assert cells[9] == f"'{kind}"
     assert not [cell for cell in cells if cell.startswith(("=", "+", "@"))]
+
+
+@pytest.mark.parametrize("kind", ["(", "(dog) big", "'(dog", "(a;=1", "a;=HYPERLINK(1)"])
+def test_a_class_is_no_attribute_and_comes_back(tmp_path: Path, kind: str) -> None:
+    labels = {3: TrackLabel("a;=1", {"class": kind, "(bag)": "b;'=2"})}
+    made = table([(0, 3)], [(1, 2, 3, 4)])
+    back = through(VIAME, tmp_path / "t.csv", Exported.of_table(made, labels=labels))
+    assert back.labels == labels
+    assert ";=" not in (tmp_path / "t.csv").read_text("utf-8")
+
+
+@given(st.text(alphabet="()'=;a -\"", min_size=1, max_size=8))
+def test_every_class_comes_back(name: str) -> None:
+    cell = cell_of_class(name)
+    assert not cell.startswith("(")
+    assert class_of_cell(cell) == name
 
 
 def test_other_classes_stand_as_they_are(tmp_path: Path) -> None:

@@ -20,6 +20,7 @@ from tracking.formats.line_survey import MOST_ROWS, too_many
 from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.formats.text_fields import fields_of, number_in, numbered_lines, whole_in
+from tracking.formats.viame_class import class_of_cell
 from tracking.progress import Progress, no_progress
 from tracking.tracks import TrackLabel
 
@@ -163,7 +164,7 @@ class _File:
         """Keep what is said of the track; gives whether it is hidden in this frame."""
         occluded = False
         for field in fields:
-            found = _ATTRIBUTE.match(field)
+            found = _ATTRIBUTE.match(text_of_cell(field))
             if found is None:
                 self._left_out += bool(field.strip())
             elif found[1] == "atr":
@@ -195,6 +196,6 @@ def _pairs_of(fields: Sequence[str]) -> tuple[list[tuple[str, float]] | None, Se
         score = number_in(fields[at + 1]) if at + 1 < len(fields) else None
         if score is None:
             return None, ()
-        pairs.append((text_of_cell(fields[at].strip()), score))
+        pairs.append((class_of_cell(fields[at].strip()), score))
         at += 2
     return pairs, fields[at:]

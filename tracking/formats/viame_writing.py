@@ -16,6 +16,7 @@ from tracking.formats.cvat_track import is_occluded
 from tracking.formats.label_text import CLASS, kind_of, line
 from tracking.formats.number_text import short_decimals
 from tracking.formats.row_rules import BOX
+from tracking.formats.viame_class import cell_of_class
 from tracking.formats.writing import Exported
 from tracking.progress import Progress
 from tracking.replacing import replacing
@@ -63,7 +64,7 @@ def export_viame(path: Path, exported: Exported, report: Progress) -> tuple[Path
 
 def _rows(track: int, rows: Columns, exported: Exported) -> Iterator[str]:
     label = exported.label(track)
-    kind, about = _as_csv([str(cell_of(kind_of(label)))])[:-1], _about(label)
+    kind, about = _as_csv([cell_of_class(kind_of(label))])[:-1], _about(label)
     hidden = is_occluded(rows["visibility"], rows["predicted"]).tolist()
     boxes = np.column_stack([rows[name] for name in BOX]).astype(np.float64)
     boxes[:, 2:] += boxes[:, :2]
@@ -82,12 +83,14 @@ def _rows(track: int, rows: Columns, exported: Exported) -> Iterator[str]:
 def _about(label: TrackLabel) -> str:
     """What is said of the track, which the format repeats in every line.
 
-    Each cell begins with a bracket, which no spreadsheet takes for a formula.
+    Each cell begins with a bracket, which is at the start of no formula.
     """
     said = {"name": line(label.name)}
     said |= {line(key): line(text) for key, text in label.attributes.items() if key != CLASS}
     fields = [
-        f"(trk-atr) {'_'.join(key.split())} {text}" for key, text in said.items() if key and text
+        str(cell_of(f"(trk-atr) {'_'.join(key.split())} {text}"))
+        for key, text in said.items()
+        if key and text
     ]
     return f",{_as_csv(fields)[:-1]}" if fields else ""
 
