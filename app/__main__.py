@@ -13,6 +13,7 @@ import typer
 from app.cli.commands import program
 from app.cli.failure import MISUSED, told
 from app.cli.output import escape_what_stdout_lacks, say
+from app.cli.sessions import saying_notes
 from app.interrupts import end_at_once
 
 NOT_BUILT = ("batch",)
@@ -49,7 +50,8 @@ def run(arguments: Sequence[str]) -> int:
     if words and words[0] in NOT_BUILT:
         say(f"trackwright: {words[0]} is not built yet")
         return MISUSED
-    return told(lambda: _obey(words), debug=debug)
+    with saying_notes():
+        return told(lambda: _obey(words), debug=debug)
 
 
 def _obey(words: list[str]) -> None:

@@ -26,6 +26,7 @@ def run_info(path: Path | None, bare: Bare, *, as_json: bool) -> None:
     if as_json:
         print_json(facts)
     else:
+        facts.pop("damage", None)  # told on stderr
         print_table(list(_rows(facts)))
 
 

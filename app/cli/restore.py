@@ -45,8 +45,7 @@ def _restored(path: Path, number: int) -> Session:
         if not path.is_file() or not generations(path.resolve()):
             raise
         restored, kept = replace_damaged(path, number)
-        for note in (f"the file that could not be read is kept as {kept}", *restored.notes):
-            say(f"note: {note}")
+        say(f"note: the file that could not be read is kept as {kept}")
         return restored
     with closing(session):
         check_generation(session.path or path, number)

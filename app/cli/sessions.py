@@ -1,7 +1,10 @@
-"""Sessions opened for a command, which says what is damaged of them."""
+"""Sessions that a command reads, and what of them is told."""
 
 from __future__ import annotations
 
+import logging
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,15 +13,44 @@ from app.cli.output import say
 if TYPE_CHECKING:
     from tracking.session import Session
 
+_LOGGER = "tracking.session.notes"
+"""That of `tracking.session.notes`, which takes too long to import for a page of help."""
+
+
+@contextmanager
+def saying_notes() -> Iterator[None]:
+    """What is found out of sessions while the block runs is on stderr, a line for each note.
+
+    The only place that tells it: whatever a command reads a session by, damage is told.
+    """
+    log, notes = logging.getLogger(_LOGGER), _Notes()
+    log.addHandler(notes)
+    try:
+        yield
+    finally:
+        log.removeHandler(notes)
+
+
+class _Notes(logging.Handler):
+    """Says each note once, however often the command reads the session."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._said: set[str] = set()
+
+    def emit(self, record: logging.LogRecord) -> None:
+        note = record.getMessage()
+        if note not in self._said:
+            self._said.add(note)
+            say(f"note: {note}")
+
 
 def opened_session(path: Path) -> Session:
-    """The session, with a line on stderr for everything that is damaged or may be missing.
+    """The session to be read only, with the edits that wait in its journal.
 
+    Nothing beside it is claimed or changed: another program may have it open.
     Raises SessionError as `Session.open` does.
     """
     from tracking.session import Session  # takes long to import
 
-    session = Session.open(path)
-    for note in session.damage:
-        say(f"note: {note}")
-    return session
+    return Session.look_into(path)

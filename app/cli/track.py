@@ -223,7 +223,7 @@ def _lost_with(out: Path) -> str:
     if not is_session(out):
         return "a file that is no session"
     try:
-        with closing(Session.open(out)) as session:
+        with closing(Session.look_into(out)) as session:
             if has_work(session):
                 return "what somebody did in it"
             if any(session.runs.tracker_of(run) == IMPORTED for run in range(len(session.runs))):

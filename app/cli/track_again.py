@@ -29,6 +29,7 @@ from tracking.errors import EditError, RecordingError, SessionError, SettingsErr
 from tracking.pipeline import track
 from tracking.recording import OpenOptions, Recording
 from tracking.session import RecordingMissing, Session
+from tracking.session.notes import tell
 from tracking.trackers import (
     TRACKERS,
     Resume,
@@ -136,7 +137,7 @@ def _opened(request: TrackAgainRequest) -> Iterator[tuple[Session, Recording]]:
         assert session is not None
         _check_named(session, opened.document.recording, request)
         for note in session.notes:
-            say(f"note: {note}")
+            tell(note)  # also that it is for reading only; what was told already is not repeated
         yield session, opened.document.recording
 
 

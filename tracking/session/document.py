@@ -13,6 +13,7 @@ from tracking.owned_files import real_path
 from tracking.session.image import Stamps, empty_snapshot
 from tracking.session.journal import Act
 from tracking.session.known import KnownRecordings
+from tracking.session.notes import tell
 from tracking.session.older import read_generation, standing_in
 from tracking.session.on_disk import OnDisk
 from tracking.session.pending import PendingSave, next_stamps
@@ -104,10 +105,11 @@ class Session(OnDisk):
         write it. Raises SessionError as `open`.
         """
         path = real_path(path)
-        waiting = read_with_waiting(path)
-        session = cls(read_session(path), path, author_named(None))
-        if waiting is not None:
-            session._edited, session._recovered = waiting
+        read = read_with_waiting(path)
+        session = cls(read.snapshot, path, author_named(None))
+        session._edited, session._recovered = read.edited, read.waiting
+        session._damage += read.damage
+        session._notes += read.damage
         session._why_read_only = "it was opened to be read only"
         return session
 
@@ -256,5 +258,5 @@ class Session(OnDisk):
         recording, notes = self._whereabouts.open(
             folder, search, known, allow_outside=allow_outside
         )
-        self._notes += [note for note in notes if note not in self._notes]
+        self._notes += [tell(note) for note in notes if note not in self._notes]
         return recording

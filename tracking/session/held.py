@@ -18,11 +18,6 @@ from tracking.session.store import Store
 from tracking.session.whereabouts import Whereabouts
 from tracking.tracks import Labels, Run, TrackTable
 
-_CHANGED = (
-    "{path} is damaged: its checksum does not hold, so names, texts or whole edits and labels in "
-    "it may be wrong or missing; compare it with a copy or a backup"
-)
-
 
 class Held:
     """The state of a session that is open; only `Session` changes it.
@@ -45,7 +40,7 @@ class Held:
         self._store: Store | None = None
         self._pending: PendingSave | None = None
         self._samples = KeptSamples()
-        self._damage = [_CHANGED.format(path=path)] if snapshot.changed else []
+        self._damage = list(snapshot.damage)
         self._notes = list(self._damage)
         self._why_read_only = ""
         self._recovered = 0

@@ -74,7 +74,7 @@ class Snapshot:
         edits: the log; touched: `TOUCHED_COLUMNS` of those of which it is known.
         runs: in memory, or still in a file they are copied from.
         newer: it was read from a file that may say more than this program knows.
-        changed: it was read from a file that is not as it was saved.
+        damage: what is damaged of the file it was read from, in lines for people.
         began_as: the adopted run where it is in memory already.
         samples: what the save before made of the labels.
         colours: place in the window's palette by track; of tracks nobody looked at none is known.
@@ -89,7 +89,7 @@ class Snapshot:
     edits: tuple[Entry, ...]
     touched: Columns
     newer: bool = False
-    changed: bool = False
+    damage: tuple[str, ...] = ()
     began_as: Run | None = None
     samples: KeptSamples = field(default_factory=KeptSamples)
     colours: Mapping[int, int] = field(default_factory=dict)

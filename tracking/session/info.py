@@ -16,10 +16,10 @@ from tracking.errors import EditError, SessionError
 from tracking.session.edited import Edited
 from tracking.session.hdf5 import opened, text_attribute
 from tracking.session.label_tables import read_labels
-from tracking.session.reading import check_file, read_recording
+from tracking.session.reading import check_file, checked, read_recording, read_stamps
 from tracking.session.reference import RecordingReference
 from tracking.session.run_notes import read_notes
-from tracking.session.waiting import read_with_waiting
+from tracking.session.waiting import may_wait, read_with_waiting
 from tracking.trackers import changed_settings
 from tracking.tracks import PART_NAMES, Labels
 
@@ -31,8 +31,10 @@ def describe(path: Path) -> dict[str, Any]:
 
     Raises SessionError as `Session.open` does.
     """
-    check_file(path)
-    waiting = read_with_waiting(path)
+    _, damage = checked(path)
+    with _told(path) as file:
+        stamps = read_stamps(file)
+    read = read_with_waiting(path) if may_wait(path, stamps) else None
     with _told(path) as file:
         recording = read_recording(file["recording"])
         return {
@@ -46,11 +48,12 @@ def describe(path: Path) -> dict[str, Any]:
             "stereo": recording.is_stereo,
             "calibrated": bool(recording.calibration),
             "duration_s": recording.frame_count / recording.fps if recording.fps else 0.0,
-            **(_in_file(file) if waiting is None else _as_opened(*waiting)),
+            **(_in_file(file) if read is None else _as_opened(read.edited, read.waiting)),
             "runs": [_run(file[f"runs/{number}"]) for number in range(len(file["runs"]))],
             "created": text_attribute(file, "created"),
             "modified": text_attribute(file, "modified"),
             "software": text_attribute(file, "software"),
+            "damage": [*damage, *(() if read is None else read.damage)],
         }
 
 

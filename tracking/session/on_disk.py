@@ -9,6 +9,7 @@ from tracking.errors import SessionError
 from tracking.owned_files import real_path
 from tracking.session.held import Held
 from tracking.session.journal import Act
+from tracking.session.notes import tell, tell_damage
 from tracking.session.pending import PendingSave, next_stamps
 from tracking.session.reading import saved_as
 from tracking.session.recovery import recover
@@ -58,7 +59,7 @@ class OnDisk(Held):
     def _recover(self, store: Store) -> None:
         found = recover(self._edited, store, self._stamps)
         self._recovered = self._content = found.steps
-        self._notes += (*found.notes, *found.damage)
+        self._notes += (*map(tell, found.notes), *map(tell_damage, found.damage))
         self._damage += found.damage
         if found.failed is not None:
             raise found.failed

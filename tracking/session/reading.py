@@ -17,6 +17,7 @@ from tracking.session.hdf5 import begin_columns, opened, read_columns, text_attr
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.label_tables import read_labels
 from tracking.session.layout import COLOUR_COLUMNS, EDIT_COLUMNS, SOURCE_COLUMNS, VERSION
+from tracking.session.notes import changed, tell_damage
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.session.saving import generations
@@ -34,41 +35,43 @@ def read_session(path: Path) -> Snapshot:
 
     Raises SessionError where it is missing, no session, damaged, hostile or too new.
     """
-    version, changed = _checked(path)
+    version, damage = checked(path)
     with opened(path) as file:
         snapshot = _READERS[version[0]](file, path)
-    return replace(snapshot, newer=version > VERSION, changed=changed)
+    return replace(snapshot, newer=version > VERSION, damage=damage)
 
 
 def saved_as(path: Path) -> tuple[str, str]:
     """Which session a file is, and which of its saves: see `Stamps`. Raises SessionError."""
     check_file(path)
     with opened(path) as file:
-        return text_attribute(file, "session"), text_attribute(file, "save")
+        stamps = read_stamps(file)
+    return stamps.session, stamps.save
 
 
 def check_file(path: Path) -> tuple[int, int]:
     """Have the file looked over by a program of its own; gives its format version.
 
-    One that bears this user's seal need not be: its structure is as it was saved.
-    Raises SessionError with the verdict where it is not safe to read.
+    One that bears this user's seal need not be: its structure is as it was saved. What is damaged
+    is told (see `notes`). Raises SessionError with the verdict where it is not safe to read.
     """
-    return _checked(path)[0]
+    return checked(path)[0]
 
 
-def _checked(path: Path) -> tuple[tuple[int, int], bool]:
-    """The version of a file that is safe to read, and whether it is not as it was saved."""
+def checked(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
+    """The version of a file that is safe to read, and what is damaged of it, which is told."""
     if path.is_dir():
         raise SessionError(f"{path}: this is a folder; name a session file")
     if not path.is_file():
         raise SessionError(f"{path}: there is no such session; check the path")
     if is_sealed(path):
-        return VERSION, False
+        return VERSION, ()
     verdict = verdicts_on([path])[0]
     if "refused" in verdict:
         raise SessionError(f"{path}{verdict['refused']}{_way_out(path, verdict['refused'])}")
     major, minor = verdict["version"]
-    return (int(major), int(minor)), is_changed(path)
+    damage = (tell_damage(changed(path)),) if is_changed(path) else ()
+    return (int(major), int(minor)), damage
 
 
 def check_files(paths: Sequence[Path]) -> list[str]:
@@ -110,7 +113,7 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
     if adopted >= len(file["runs"]):
         raise ValueError(f"the tracks began as run {adopted}, which is not there")
     return Snapshot(
-        stamps=_read_stamps(file),
+        stamps=read_stamps(file),
         recording=recording,
         runs=tuple(StoredRun(path, number) for number in range(len(file["runs"]))),
         tracks=table,
@@ -186,7 +189,8 @@ def _within(group: h5py.Group, name: str, most: float) -> float:
     return value
 
 
-def _read_stamps(file: h5py.File) -> Stamps:
+def read_stamps(file: h5py.File) -> Stamps:
+    """Which session and which of its saves the file is."""
     names = ("session", "save", "previous_save", "created", "modified", "software")
     said = {name: text_attribute(file, name) for name in names}
     return Stamps(**said, included=int(file.attrs["included_steps"]))

@@ -10,9 +10,8 @@ from tracking.errors import EditError, OutputError, SessionError
 from tracking.session.edited import Edited
 from tracking.session.image import Stamps
 from tracking.session.journal import Journal, Step
+from tracking.session.notes import MAY_MISS
 from tracking.session.store import Store
-
-_MAY_MISS = "edits made after the session was saved last may be missing"
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +56,7 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
         missing = missing_steps(journal, stamps)
     except SessionError as why:
         reason = why.reason
-        return _replaced(store, stamps, (), lambda kept: f"{reason}; it was {kept}: {_MAY_MISS}")
+        return _replaced(store, stamps, (), lambda kept: f"{reason}; it was {kept}: {MAY_MISS}")
     steps, made, misfit = missing.steps, 0, ""
     try:
         for step in steps:
@@ -70,9 +69,8 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
 
     def damage(kept: str) -> str:
         if misfit:
-            left = len({step.entry.id for step in steps[made:]})
-            return f"{_edits(left)} {'does' if left == 1 else 'do'} not fit ({misfit}); {kept}"
-        return f"the journal of edits is damaged ({missing.problem}); it was {kept}: {_MAY_MISS}"
+            return f"{do_not_fit(steps[made:])} ({misfit}); {kept}"
+        return f"the journal of edits is damaged ({missing.problem}); it was {kept}: {MAY_MISS}"
 
     return _replaced(store, stamps, steps[:made], damage)
 
@@ -82,7 +80,7 @@ def _gone_on_with(
 ) -> Recovery:
     """Let a sound journal build on the file. aside: see `Store.kept_aside`."""
     cut_short = (
-        f"a journal was kept aside as {aside} when the session was opened before: {_MAY_MISS}"
+        f"a journal was kept aside as {aside} when the session was opened before: {MAY_MISS}"
     )
     failed = None
     try:
@@ -105,6 +103,12 @@ def _replaced(
     except OutputError as why:
         kept, failed = "left where it is", why
     return Recovery(len(steps), _told(steps), (damage(kept),), failed)
+
+
+def do_not_fit(steps: Sequence[Step]) -> str:
+    """How many edits these are, and that they do not fit the session."""
+    left = len({step.entry.id for step in steps})
+    return f"{_edits(left)} {'does' if left == 1 else 'do'} not fit"
 
 
 def missing_steps(journal: Journal, stamps: Stamps) -> Missing:

@@ -6,41 +6,89 @@ import contextlib
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.editing import History
-from tracking.errors import EditError, OutputError, SessionError
+from tracking.errors import EditError, OutputError, SessionError, told_by_system
 from tracking.owned_files import check_folder, open_file
 from tracking.session.edited import Edited
-from tracking.session.image import Stamps
+from tracking.session.image import Snapshot, Stamps
 from tracking.session.journal import ENDINGS, Journal, Step
-from tracking.session.journal_files import JOURNAL, present
+from tracking.session.journal_files import JOURNAL, NEXT, present
 from tracking.session.journal_schema import MOST_BYTES
+from tracking.session.notes import MAY_MISS, tell_damage
 from tracking.session.reading import read_session
-from tracking.session.recovery import missing_steps
-from tracking.session.saving import companions
+from tracking.session.recovery import Missing, do_not_fit, missing_steps
+from tracking.session.saving import companions, file_state
+
+_COPIED = ("-count", "-wal", "")
+"""Of a journal's files, in order: the count must not count steps that the log comes to after it."""
+_TRIES = 5
+"""Looks at a journal that another program is writing to, before it counts as damaged."""
 
 
-def read_with_waiting(path: Path) -> tuple[Edited, int] | None:
-    """The session as it would open now, and how many steps of it only the journal holds.
+@dataclass(frozen=True, slots=True)
+class ReadSession:
+    """A session as it would open now.
 
-    None where nothing waits, or nothing that fits the file. Another program may have the session
-    open meanwhile. Raises SessionError where the session itself cannot be read.
+    Attributes:
+        snapshot: as it was saved; its tables are those of `edited`.
+        edited: with the steps that only the journal holds. waiting: how many these are.
+        damage: what may be missing of them, in lines that were told (see `notes`).
     """
-    if not edits_wait(path):
-        return None
+
+    snapshot: Snapshot
+    edited: Edited
+    waiting: int = 0
+    damage: tuple[str, ...] = ()
+
+
+def read_with_waiting(path: Path) -> ReadSession:
+    """The session as it would open now; another program may have it open meanwhile.
+
+    Raises SessionError where the session itself cannot be read.
+    """
+    for _ in range(_TRIES):
+        before = _states(path)
+        read = _read(path)
+        if not read.damage or _states(path) == before:  # else another program just wrote there
+            break
+    for note in read.damage:
+        tell_damage(note)
+    return read
+
+
+def _read(path: Path) -> ReadSession:
     snapshot = read_session(path)
     edited = Edited(snapshot.tracks, snapshot.labels, snapshot.history())
+    steps: Sequence[Step] = ()
     made = 0
     try:
-        for step in _steps(path, snapshot.stamps):
+        missing = _missing(path, snapshot.stamps)
+        steps, problem = missing.steps, missing.problem
+        for step in steps:
             edited.replay(step.act, step.entry)
             made += 1
-    except (EditError, SessionError, OutputError, OSError):
-        pass  # opening the session tells of what does not fit, and keeps it aside
-    return (edited, made) if made else None
+        note = f"the journal of edits is damaged ({problem}): {MAY_MISS}" if problem else ""
+    except EditError as why:
+        note = f"{do_not_fit(steps[made:])} ({why}): {MAY_MISS}"
+    except (SessionError, OutputError) as why:
+        note = f"{why.reason}: {MAY_MISS}"
+    except OSError as why:
+        note = f"{told_by_system(why) or why}: {MAY_MISS}"
+    return ReadSession(snapshot, edited, made, (note,) if note else ())
+
+
+def may_wait(path: Path, stamps: Stamps) -> bool:
+    """Whether edits, or what is left of a journal that had some, wait beside a session."""
+    try:
+        missing = _missing(path, stamps)
+    except (SessionError, OutputError, OSError):
+        return True
+    return bool(missing.steps or missing.problem)
 
 
 def read_history(path: Path) -> History:
@@ -48,8 +96,7 @@ def read_history(path: Path) -> History:
 
     Raises SessionError where the session cannot be read.
     """
-    waiting = read_with_waiting(path)
-    return read_session(path).history() if waiting is None else waiting[0].history
+    return read_with_waiting(path).edited.history
 
 
 def edits_wait(path: Path) -> bool:
@@ -82,9 +129,24 @@ def _written_s(file: Path) -> float:
         return 0.0
 
 
-def _steps(path: Path, stamps: Stamps) -> tuple[Step, ...]:
+def _missing(path: Path, stamps: Stamps) -> Missing:
+    """The steps that wait. Raises SessionError, OutputError or OSError where nobody can tell."""
+    beside = companions(path)
+    try:
+        check_folder(beside)
+    except FileNotFoundError:
+        return Missing()
+    if not os.path.lexists(present(beside)):
+        return Missing()
     with _copied(path) as journal:
-        return missing_steps(journal, stamps).steps
+        return missing_steps(journal, stamps)
+
+
+def _states(path: Path) -> list[tuple[int, int, int] | None]:
+    """What changes when another program saves the session or writes into its journal."""
+    beside = companions(path)
+    files = [beside / f"{name}{ending}" for name in (JOURNAL, NEXT) for ending in ENDINGS]
+    return [file_state(file) for file in (path, *files)]
 
 
 @contextmanager
@@ -94,14 +156,14 @@ def _copied(path: Path) -> Iterator[Journal]:
     check_folder(beside)
     main = present(beside)
     with tempfile.TemporaryDirectory() as folder:
-        for ending in ENDINGS:
-            if ending != "-shm":
-                _copy(beside / f"{main.name}{ending}", Path(folder) / f"{JOURNAL}{ending}")
-        journal = Journal(Path(folder) / JOURNAL)
+        for ending in _COPIED:
+            _copy(beside / f"{main.name}{ending}", Path(folder) / f"{JOURNAL}{ending}")
         try:
-            yield journal
-        finally:
-            journal.close()
+            with contextlib.closing(Journal(Path(folder) / JOURNAL)) as journal:
+                yield journal
+        except SessionError as why:  # of the copy, which nobody knows
+            reason = why.reason.replace(str(Path(folder) / JOURNAL), str(main))
+            raise SessionError(reason, why.to_do) from why
 
 
 def _copy(file: Path, copy: Path) -> None:

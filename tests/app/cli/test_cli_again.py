@@ -207,8 +207,10 @@ def test_another_recording_than_the_sessions_is_refused(
     assert trackwright("track", beside, *words)[0] == 0
     words += ["-o", tmp_path / "x.h5"]
     status, out, err = trackwright("track", other, *words)
-    assert (status, out, err.count("\n")) == (1, "", 1)
-    assert f"{other} is not the recording of {session}" in err
+    note, why = err.splitlines()
+    assert (status, out) == (1, "")
+    assert "has moved; it was found at" in note
+    assert f"{other} is not the recording of {session}" in why
     assert not (tmp_path / "x.h5").exists()
 
 

@@ -1,0 +1,41 @@
+"""What people should be told of a session that is read: said here, whoever reads it and why.
+
+Every way into a session comes upon its notes: opening it, looking into it, describing it, reading
+its log or a backup. Each says them to the logger of this module as it finds them, damage as
+warnings and all else as information. A program that listens there tells all of them; the window
+shows those of the session it has open instead (`Session.notes`). That a session opened for reading
+only is not said here: it concerns who wants to write, and is their error.
+"""
+
+from __future__ import annotations
+
+import logging
+from pathlib import Path
+
+LOGGER = "tracking.session.notes"
+_log = logging.getLogger(LOGGER)
+_log.setLevel(logging.INFO)
+_log.addHandler(logging.NullHandler())
+
+MAY_MISS = "edits made after the session was saved last may be missing"
+_CHANGED = (
+    "{path} is damaged: its checksum does not hold, so names, texts or whole edits and labels in "
+    "it may be wrong or missing; compare it with a copy or a backup"
+)
+
+
+def tell(note: str) -> str:
+    """Say a note, a line; gives it."""
+    _log.info("%s", note)
+    return note
+
+
+def tell_damage(note: str) -> str:
+    """Say what is damaged or may be missing, in a line; gives it."""
+    _log.warning("%s", note)
+    return note
+
+
+def changed(path: Path) -> str:
+    """The note on a file that is not as it was saved."""
+    return _CHANGED.format(path=path)
