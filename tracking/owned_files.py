@@ -24,6 +24,8 @@ from tracking.errors import UnsafeFileError
 FOLDER_MODE = 0o700
 """Of a folder for the program's own files: nobody else looks in."""
 _OTHERS = 0o077
+_TRIES = 100
+"""Of a call that a signal interrupts, which Python itself repeats only for some."""
 SAFE_FLAGS = (
     getattr(os, "O_NOFOLLOW", 0)  # a link is an error
     | getattr(os, "O_NONBLOCK", 0)  # a pipe without a writer does not make us wait
@@ -66,7 +68,7 @@ def check_folder(folder: Path) -> None:
         UnsafeFileError: it is a link, no folder, or another user's.
         OSError: it cannot be looked at; FileNotFoundError where nothing is there.
     """
-    state = os.lstat(folder)
+    state = look_at(folder)
     _check_kind(folder, state, stat.S_IFDIR)
     if not _is_own(state, folder.parent):
         raise _foreign(folder, state)
@@ -88,11 +90,22 @@ def check_file(path: Path, most_bytes: int | None = None) -> os.stat_result | No
         OSError: it cannot be looked at.
     """
     try:
-        state = os.lstat(path)
+        state = look_at(path)
     except FileNotFoundError:
         return None
     _check_state(path, state, most_bytes)
     return state
+
+
+def look_at(path: Path) -> os.stat_result:
+    """What stands at a path, links not followed; a disk that is interrupted is asked again.
+
+    Raises OSError where it cannot be looked at, FileNotFoundError where nothing is there.
+    """
+    for _ in range(_TRIES):
+        with contextlib.suppress(InterruptedError):
+            return os.lstat(path)
+    return os.lstat(path)
 
 
 def open_file(
@@ -141,8 +154,15 @@ def read_file(path: Path, most_bytes: int) -> bytes:
 
 
 def real_path(path: Path) -> Path:
-    """The file itself where a path is a link to it; links that lead nowhere in a circle stay."""
-    return Path(os.path.realpath(path)) if path.is_symlink() else path
+    """The file itself where a path is a link to it; links that lead nowhere in a circle stay.
+
+    So does a path that cannot be looked at: whoever opens it tells.
+    """
+    try:
+        is_link = stat.S_ISLNK(look_at(path).st_mode)
+    except (OSError, ValueError):
+        is_link = False
+    return Path(os.path.realpath(path)) if is_link else path
 
 
 def kind_of(path: Path) -> str:
@@ -150,7 +170,7 @@ def kind_of(path: Path) -> str:
 
     Raises OSError where it cannot be looked at, FileNotFoundError where nothing is there.
     """
-    return _kind_of(os.lstat(path))
+    return _kind_of(look_at(path))
 
 
 def permissions_of(path: Path) -> int:

@@ -53,11 +53,13 @@ class Scenario:
     Attributes:
         work: in a folder made by `made_session` with edits waiting; says lines to a file.
         made: names of files it makes. restores: it restores what was saved before.
+        only_opens: it changes nothing, so nothing may be kept aside either.
     """
 
     work: Callable[[Path, Path], int]
     made: tuple[str, ...] = ()
     restores: bool = False
+    only_opens: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,6 +157,8 @@ def wrongs(outcome: Outcome, path: Path, said: Path, scenario: Scenario) -> Iter
     wrong, _ = look(path, Said.of_lines(said.read_text().splitlines()))
     if wrong and not kept_aside(path, outcome):
         yield wrong
+    if scenario.only_opens and list(companions(path).glob("kept-aside-*")):
+        yield "a journal was kept aside"
     if outcome.status == 0:
         yield from (
             f"done, but {one} is not there" for one in scenario.made if not there(path, one)
@@ -272,7 +276,21 @@ def exporting(name: str, file: str) -> Scenario:
     return Scenario(typed("export", "S", "-o", f"D/{file}", "--format", name), (file,))
 
 
+def open_only(path: Path, said: Path) -> int:
+    """Open and close: what fails meanwhile is no damage, and nothing is kept aside."""
+    try:
+        session = Session.open(path)
+    except TrackwrightError as why:
+        print(f"trackwright: {why}", file=sys.stderr)
+        return 1
+    session.close()
+    for line in session.damage:
+        print(f"trackwright: {line}", file=sys.stderr)
+    return _STATUS_NO_RECOVERY if session.damage else 0
+
+
 SCENARIOS = {
+    "open": Scenario(open_only, only_opens=True),
     "correct": Scenario(correct),
     "restore": Scenario(restore_and_correct, restores=True),
     "restore by command": Scenario(typed("restore", "S"), restores=True),

@@ -5,13 +5,24 @@ from __future__ import annotations
 import contextlib
 import os
 import sqlite3
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
 from tracking.editing import Entry
 from tracking.errors import OutputError, SessionError
 from tracking.owned_files import check_file, open_file
+from tracking.session.journal_faults import is_damage, telling
+from tracking.session.journal_limits import (
+    FULL_BYTES,
+    LONGEST_CELL,
+    LONGEST_NAME,
+    MOST_BYTES,
+    MOST_STEPS,
+    SMALL_CELL,
+    TimeLimit,
+)
+from tracking.session.journal_reading import rows_in_order
 from tracking.session.journal_rows import Act as Act
 from tracking.session.journal_rows import (
     Contents,
@@ -20,16 +31,10 @@ from tracking.session.journal_rows import (
     numbered,
     row_of,
     steps_of,
+    text_bytes,
 )
 from tracking.session.journal_rows import Step as Step
-from tracking.session.journal_schema import (
-    FULL_BYTES,
-    INSERT,
-    MOST_BYTES,
-    MOST_STEPS,
-    limited_reading,
-    open_checked,
-)
+from tracking.session.journal_schema import INSERT, open_checked
 from tracking.session.lock import identity
 from tracking.session.step_count import StepCount
 
@@ -40,14 +45,6 @@ FOREIGN_ENDING = "-journal"
 _CHECKPOINT_PAGES = 8192
 """Of 4 KiB: an edit that comes upon it waits for the disk once more, so it shall be seldom."""
 _PRIVATE = 0o600
-_OF_THE_DISK = frozenset(
-    {
-        *(sqlite3.SQLITE_IOERR, sqlite3.SQLITE_FULL, sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_PERM),
-        *(sqlite3.SQLITE_READONLY, sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED),
-        *(sqlite3.SQLITE_PROTOCOL, sqlite3.SQLITE_NOLFS),
-    }
-)
-"""What SQLite says of disks and rights; all else it says is about what the file holds."""
 
 
 class Journal:
@@ -60,22 +57,23 @@ class Journal:
         Raises OutputError where that fails, SessionError where it is none.
         """
         self._path = path
-        with _telling(path, "opened"):
+        with telling(path, "opened"):
             _check_files(path)
             self._base = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
         self._count = StepCount(path.with_name(f"{path.name}-count"), mode)
         try:
-            with _telling(path, "opened"):
+            with telling(path, "opened"):
                 self._open()
         except BaseException:
             self.close()
             raise
 
     def _open(self) -> None:
-        self._problem = open_checked(self._base, self._path)
+        self._limit = TimeLimit()
+        self._problem = open_checked(self._base, self._path, self._limit)
         self._base.execute(f"PRAGMA wal_autocheckpoint={_CHECKPOINT_PAGES}")
         self._failed: Row | None = None
-        with limited_reading(self._base, damaged=bool(self._problem)):
+        with self._limited(LONGEST_NAME):
             origins = self._base.execute("SELECT session, save FROM origin LIMIT 2").fetchall()
         if len(origins) > 1 or any(not isinstance(said, str) for row in origins for said in row):
             raise SessionError(f"{self._path}: this is no journal of edits (its origin is damaged)")
@@ -84,22 +82,26 @@ class Journal:
         self._read_numbers()
         self._file = identity(self._path)
 
+    def _limited(self, longest: int) -> AbstractContextManager[None]:
+        """What opening and reading may take in all; longest: of a value, in bytes."""
+        return self._limit.kept(self._base, longest, damaged=bool(self._problem))
+
     def _read_numbers(self) -> None:
-        """Read the steps' numbers and checksums; of a damaged file those that can be read."""
-        numbers = self._base.cursor()
+        """Read the steps' numbers and checksums; of a damaged file nobody needs them."""
         self._last, self._checksums = 0, []
+        if self._problem:
+            return
         try:
-            with limited_reading(self._base, damaged=bool(self._problem)):
-                for number, checksum in numbers.execute(
+            with self._limited(LONGEST_NAME), contextlib.closing(self._base.cursor()) as rows:
+                for number, checksum in rows.execute(
                     "SELECT number, checksum FROM steps ORDER BY number"
                 ):
                     self._last = int(number)
                     self._checksums.append(str(checksum))
-        except sqlite3.Error:
-            if not self._problem:
+        except sqlite3.Error as why:
+            if not is_damage(why):
                 raise
-        finally:
-            numbers.close()
+            self._problem = str(why)
 
     @property
     def _checksum(self) -> str:
@@ -122,7 +124,7 @@ class Journal:
 
         Raises as opening does, and SessionError where a file has the name already.
         """
-        with _telling(path, "made"):
+        with telling(path, "made"):
             _make_file(path, mode)
         journal: Journal | None = None
         try:
@@ -142,6 +144,11 @@ class Journal:
     def last(self) -> int:
         """The number of the last step; 0 where there is none."""
         return self._last
+
+    @property
+    def may_have_steps(self) -> bool:
+        """Whether it has any, or is damaged, so that only reading it can tell."""
+        return bool(self._last or self._problem)
 
     @property
     def origin(self) -> tuple[str, str] | None:
@@ -164,7 +171,7 @@ class Journal:
         """Whether it holds what this program wrote to it and nothing else."""
         try:
             return self._tail() in (self._expected(), self._expected(self._failed))
-        except sqlite3.Error:  # closed, or its disk is gone
+        except (sqlite3.Error, OSError, MemoryError):  # closed, or its disk is gone
             return False
 
     def continues(self, other: Journal) -> bool:
@@ -180,10 +187,8 @@ class Journal:
         return (self._last, self._checksum) == (other._last, other._checksum)
 
     def _take_out(self, failed: Row, before: str) -> bool:
-        with _telling(self._path, "written"), self._transaction():
-            rows = self._base.execute(
-                "SELECT * FROM steps WHERE number >= ? ORDER BY number", (self._last - 1,)
-            ).fetchall()
+        with telling(self._path, "written"), self._transaction():
+            rows = self._rows_from(self._last - 1)
             kept = rows[0][-1] if len(rows) > 1 else self._first_checksum()
             if rows[-1] != failed or kept != before:
                 return False
@@ -191,6 +196,11 @@ class Journal:
         self._last -= 1
         self._checksums.pop()
         return True
+
+    def _rows_from(self, number: int) -> list[Row]:
+        select = "SELECT * FROM steps WHERE number >= ? ORDER BY number"
+        with TimeLimit().kept(self._base, LONGEST_CELL):
+            return self._base.execute(select, (number,)).fetchall()
 
     def has_others(self, other: Journal | None) -> bool:
         """Whether it has steps that the other one, which was written to, has not; None: none was.
@@ -206,25 +216,14 @@ class Journal:
         steps: list[Step] = []
         problem = ""
         try:
-            with (
-                _telling(self._path, "read"),
-                limited_reading(self._base, damaged=bool(self._problem)),
-                contextlib.closing(self._base.cursor()) as rows,
-            ):
-                rows.execute("SELECT * FROM steps ORDER BY number")
-                steps.extend(steps_of(self._fitting(rows), self._first_checksum()))
+            with telling(self._path, "read"), self._limited(SMALL_CELL):
+                first, damaged = self._first_checksum(), bool(self._problem)
+                used, limit = self._used_bytes(), self._limit
+                rows = rows_in_order(self._base, first, used, limit, damaged=damaged)
+                steps.extend(steps_of(rows, first))
         except (ValueError, SessionError) as why:
             problem = str(why)
         return Contents(tuple(steps), problem or self._problem)
-
-    def _fitting(self, rows: Iterable[Row]) -> Iterator[Row]:
-        """The rows; damaged pages that several rows claim are not read again and again."""
-        left = self._used_bytes()
-        for row in rows:
-            left -= _text_bytes(row)
-            if left < 0:
-                raise ValueError("its steps claim more than the file holds")
-            yield row
 
     def say_count(self) -> None:
         """Say beside it how many steps it has, as where none of them is missing."""
@@ -251,13 +250,13 @@ class Journal:
             )
         row = row_of(Step(self._last + 1, act, entry), self._checksum)
         self._failed = row
-        with _telling(self._path, "written"), self._transaction():
+        with telling(self._path, "written"), self._transaction():
             self._check_tail()
             self._base.execute(INSERT, row)
         self._failed = None
         self._last += 1
         self._checksums.append(row[-1])
-        self._bytes += _text_bytes(row)
+        self._bytes += text_bytes(row)
         self._count.write(*self._origin, self._last)
 
     def start_over(self, session: str, save: str, included: int = 0) -> None:
@@ -267,11 +266,9 @@ class Journal:
         """
         if not included and self._origin == (session, save):
             return
-        with _telling(self._path, "written"), self._transaction():
+        with telling(self._path, "written"), self._transaction():
             self._check_tail()
-            rows = self._base.execute(
-                "SELECT * FROM steps WHERE number > ? ORDER BY number", (included,)
-            ).fetchall()
+            rows = self._rows_from(included + 1)
             self._base.execute("DELETE FROM origin")
             self._base.execute("INSERT INTO origin VALUES (?, ?)", (session, save))
             self._base.execute("DELETE FROM steps")
@@ -282,12 +279,13 @@ class Journal:
         """Write steps into a journal that has none, all of them or none."""
         if steps and self._origin is not None:
             rows = numbered((row_of(step, "") for step in steps), *self._origin)
-            with _telling(self._path, "written"), self._transaction():
+            with telling(self._path, "written"), self._transaction():
                 self._base.executemany(INSERT, rows)
             self._started(*self._origin)
 
     def _started(self, session: str, save: str) -> None:
         self._origin = (session, save)
+        self._limit = TimeLimit()
         self._read_numbers()
         self._count.write(session, save, self._last)
         self._bytes = self._used_bytes()
@@ -304,9 +302,10 @@ class Journal:
 
     def _tail(self) -> tuple[object, object]:
         """What the file says it builds on, and its last step's number and checksum."""
-        origin = self._base.execute("SELECT session, save FROM origin").fetchone()
         last = "SELECT number, checksum FROM steps ORDER BY number DESC LIMIT 1"
-        return origin, self._base.execute(last).fetchone()
+        with TimeLimit().kept(self._base, LONGEST_NAME):
+            origin = self._base.execute("SELECT session, save FROM origin").fetchone()
+            return origin, self._base.execute(last).fetchone()
 
     def _expected(self, failed: Row | None = None) -> tuple[object, object]:
         """The tail as this program left it; failed: a step of which it cannot know."""
@@ -338,14 +337,9 @@ class Journal:
         self._count.close()
 
 
-def _text_bytes(row: Row) -> int:
-    """How much room the texts of a row take."""
-    return sum(len(said.encode("utf-8", "surrogatepass")) for said in row if isinstance(said, str))
-
-
 def _check_files(path: Path) -> None:
     """Refuse files that are not the user's own, or too large, and a log without what it is of."""
-    log, *_ = (check_file(path.with_name(f"{path.name}{e}"), MOST_BYTES) for e in ENDINGS[:-1])
+    log, _ = (check_file(path.with_name(f"{path.name}{e}"), MOST_BYTES) for e in ("-wal", "-shm"))
     foreign = path.with_name(f"{path.name}{FOREIGN_ENDING}")
     if check_file(foreign) is not None:
         raise SessionError(f"{foreign}: this is of another program; it is not a journal of edits")
@@ -363,17 +357,3 @@ def _make_file(path: Path, mode: int) -> None:
         raise SessionError(
             f"{path}: another program has begun a journal of edits; nothing was changed: try again"
         ) from why
-
-
-@contextmanager
-def _telling(path: Path, what: str) -> Iterator[None]:
-    try:
-        yield
-    except (sqlite3.Error, OSError) as why:
-        # The lower byte is the kind of error, the others say more about it.
-        if isinstance(why, OSError) or getattr(why, "sqlite_errorcode", 0) & 0xFF in _OF_THE_DISK:
-            raise OutputError(
-                f"{path}: the journal of edits cannot be {what} ({why}); "
-                "make room or choose a folder you may write to"
-            ) from why
-        raise SessionError(f"{path}: this is no journal of edits ({why})") from why

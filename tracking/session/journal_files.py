@@ -10,12 +10,11 @@ from __future__ import annotations
 import contextlib
 import errno
 import itertools
-import os
 import uuid
 from collections.abc import Sequence
 from pathlib import Path
 
-from tracking.owned_files import sync_folder
+from tracking.owned_files import look_at, sync_folder
 from tracking.session.journal import ENDINGS, FOREIGN_ENDING, Journal, Step
 from tracking.session.saving import telling_where
 
@@ -130,7 +129,7 @@ def _free_name(folder: Path) -> Path:
 def _last_aside(folder: Path, endings: Sequence[str]) -> Path | None:
     """The main file that was kept aside last, where it lacks files of these endings."""
     kept = list(folder.glob(f"{_ASIDE}*.sqlite"))
-    last = max(kept, key=lambda file: os.lstat(file).st_ctime_ns, default=None)
+    last = max(kept, key=lambda file: look_at(file).st_ctime_ns, default=None)
     if last is None or any(_lies_there(folder / f"{last.name}{ending}") for ending in endings):
         return None
     return last
@@ -138,15 +137,15 @@ def _last_aside(folder: Path, endings: Sequence[str]) -> Path | None:
 
 def _clear(folder: Path) -> None:
     """Take away what a program left that ended while it made a journal."""
-    for file in folder.glob(f"{_BEING_MADE}*"):
-        with contextlib.suppress(OSError):
+    with contextlib.suppress(OSError):  # it harms nobody
+        for file in folder.glob(f"{_BEING_MADE}*"):
             file.unlink()
 
 
 def _lies_there(file: Path) -> bool:
     """As `os.path.lexists`, which calls a disk that fails a file that is not there."""
     try:
-        os.lstat(file)
+        look_at(file)
     except (FileNotFoundError, NotADirectoryError):
         return False
     return True

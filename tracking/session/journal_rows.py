@@ -47,9 +47,22 @@ class Contents:
     problem: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class Pieces:
+    """A text that is too large to be held whole.
+
+    Attributes:
+        size_bytes: of all of it, in UTF-8.
+        parts: its bytes, in order.
+    """
+
+    size_bytes: int
+    parts: Iterable[bytes]
+
+
 def first_checksum(session: str, save: str) -> str:
     """The checksum the first step follows on: it stands for the save a journal builds on."""
-    return _checksum("", (session, save))
+    return checksum("", (session, save))
 
 
 def row_of(step: Step, before: str) -> Row:
@@ -61,16 +74,16 @@ def row_of(step: Step, before: str) -> Row:
         *((entry.before, entry.after) if applied else ("", "")),
         *(entry.undoes, entry.scope.as_text if entry.scope else ""),
     )
-    return (*values, _checksum(before, values))
+    return (*values, checksum(before, values))
 
 
 def numbered(rows: Iterable[Row], session: str, save: str) -> Iterator[Row]:
     """The rows with numbers from 1 on and checksums that build on another save."""
-    checksum = first_checksum(session, save)
+    before = first_checksum(session, save)
     for number, row in enumerate(rows, 1):
         values = (number, *row[1:-1])
-        checksum = _checksum(checksum, values)
-        yield (*values, checksum)
+        before = checksum(before, values)
+        yield (*values, before)
 
 
 def steps_of(rows: Iterable[Row], before: str) -> Iterator[Step]:
@@ -78,7 +91,7 @@ def steps_of(rows: Iterable[Row], before: str) -> Iterator[Step]:
     for number, row in enumerate(rows, 1):
         if tuple(map(type, row)) != _TYPES or row[0] != number or row[1] not in _ACTS:
             raise ValueError(f"step {number} is damaged")
-        before = _checksum(before, row[:-1])
+        before = checksum(before, row[:-1])
         if row[-1] != before:
             raise ValueError(f"step {number} is damaged: it is not what its checksum says")
         yield _step(row)
@@ -92,11 +105,22 @@ def _step(row: Row) -> Step:
         raise ValueError(f"step {number} is damaged: {why}") from why
 
 
-def _checksum(before: str, values: Iterable[Any]) -> str:
+def checksum(before: str, values: Iterable[Any]) -> str:
     """Of values and all that stands before them; where one ends and the next begins counts."""
     seen = hashlib.blake2b(before.encode(), digest_size=_CHECKSUM_BYTES)
     for value in values:
-        text = str(value).encode("utf-8", "surrogatepass")
-        seen.update(len(text).to_bytes(8, "little"))
-        seen.update(text)
+        pieces = value if isinstance(value, Pieces) else _whole(value)
+        seen.update(pieces.size_bytes.to_bytes(8, "little"))
+        for part in pieces.parts:
+            seen.update(part)
     return seen.hexdigest()
+
+
+def _whole(value: object) -> Pieces:
+    text = str(value).encode("utf-8", "surrogatepass")
+    return Pieces(len(text), (text,))
+
+
+def text_bytes(row: Row) -> int:
+    """How much room the texts of a row take."""
+    return sum(len(said.encode("utf-8", "surrogatepass")) for said in row if isinstance(said, str))

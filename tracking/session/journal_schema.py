@@ -7,18 +7,27 @@ program or an older one makes them. Until that is known, SQLite may do little, a
 
 from __future__ import annotations
 
+import contextlib
+import errno
+import os
 import re
 import sqlite3
 import sys
-import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
-from tracking.editing.log.text import LARGEST_TEXT
 from tracking.errors import SessionError
-from tracking.session.journal_rows import numbered
+from tracking.owned_files import open_file
+from tracking.session.journal_limits import (
+    LONGEST_OLD_CELL,
+    LONGEST_ROW,
+    LONGEST_SCHEMA,
+    MOST_BYTES,
+    MOST_STEPS,
+    TimeLimit,
+)
+from tracking.session.journal_rows import checksum, first_checksum
 
 _ORIGIN = {"session": "TEXT NOT NULL", "save": "TEXT NOT NULL"}
 _STEPS = {
@@ -42,27 +51,7 @@ _LATER_COLUMNS = {
 _COLUMNS: Mapping[str, str] = MappingProxyType({**_STEPS, **_LATER_COLUMNS})
 
 INSERT = f"INSERT INTO steps VALUES ({', '.join('?' * len(_COLUMNS))})"
-MOST_STEPS = 100_000
-"""In one journal: a person's work of months; each is made again when the session is opened."""
-_LONGEST_SCHEMA = 1 << 16
-"""Bytes of one line of the schema, and of a statement; ours have under a thousand."""
-_LONGEST_ROW = 2 * LARGEST_TEXT + (1 << 20)
-"""Bytes of a step: both sides of the largest edit, and its other words."""
-FULL_BYTES = 1 << 28
-"""A journal's file of this size takes no further step."""
-MOST_BYTES = FULL_BYTES + _LONGEST_ROW + (1 << 25)
-"""Of a file of a journal: what a last step may make of one that is almost full, with SQLite's own
-pages and what its log holds before it is emptied."""
-_LONGEST_CELL = LARGEST_TEXT + (1 << 10)
-"""Bytes of one value that is read: one side of the largest edit."""
-_LONGEST_DAMAGED_CELL = 1 << 20
-"""The same where pages are damaged: a value may then claim far more than the file holds."""
-_OPS_A_CALL = 50
-"""Steps of SQLite's own machine from one look at the clock to the next: a few rows, as each row
-may take long."""
-_SCHEMA_S, _SOUND_S, _DAMAGED_S = 5.0, 60.0, 5.0
-"""The longest a read may take: of the schema, of a journal's whole file from a slow disk, and of
-what is left in a damaged one."""
+_READ_BYTES = 1 << 20
 _READING = frozenset({sqlite3.SQLITE_SELECT, sqlite3.SQLITE_READ, sqlite3.SQLITE_PRAGMA})
 _WRITING = frozenset(
     {
@@ -73,8 +62,10 @@ _WRITING = frozenset(
 )
 
 
-def open_checked(base: sqlite3.Connection, path: Path) -> str:
+def open_checked(base: sqlite3.Connection, path: Path, limit: TimeLimit) -> str:
     """See that a database is a journal or empty, and make an empty or older one a present one.
+
+    limit: how long reading it may take in all.
 
     Returns:
         What is wrong with the file's pages; "" where they are sound.
@@ -82,14 +73,16 @@ def open_checked(base: sqlite3.Connection, path: Path) -> str:
     Raises:
         SessionError: it is another database, or has more steps than any journal.
         sqlite3.Error: what SQLite says of a file that is damaged or cannot be read or written.
+        OSError: the disk fails, or reading takes too long.
     """
     _restrict(base)
-    lines = _schema_lines(base)
+    with limit.kept(base, LONGEST_SCHEMA, damaged=True):
+        lines = base.execute("SELECT type, name, sql FROM sqlite_schema LIMIT 3").fetchall()
     lacking = _lacking(lines, path)
-    base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _LONGEST_ROW)
+    base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LONGEST_ROW)
     base.set_authorizer(_allowing(_WRITING))
-    with limited_reading(base):
-        problem = _pages_checked(base)
+    with limit.kept(base):
+        problem = _pages_checked(base, path)
         if lines and not problem:  # what is left of a damaged one is read up to its limits
             _check_count(base, path)
     if not lines:
@@ -102,36 +95,17 @@ def open_checked(base: sqlite3.Connection, path: Path) -> str:
     elif lacking:
         if problem:
             raise SessionError(f"{path}: the journal of edits is damaged ({problem})")
-        _bring_up_to_date(base, lacking)
+        with limit.kept(base, LONGEST_OLD_CELL):
+            _bring_up_to_date(base, lacking)
     return problem
-
-
-@contextmanager
-def limited_reading(base: sqlite3.Connection, *, damaged: bool = False) -> Iterator[None]:
-    """Have SQLite give up what is read inside where it takes too long or a value is too large.
-
-    damaged: the file's pages are, so that its values may claim more than there is.
-    """
-    longest = _LONGEST_DAMAGED_CELL if damaged else _LONGEST_CELL
-    before = base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, longest)
-    try:
-        with _deadline(base, _DAMAGED_S if damaged else _SOUND_S):
-            yield
-    finally:
-        base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, before)
-
-
-def _schema_lines(base: sqlite3.Connection) -> list[tuple[object, ...]]:
-    with _deadline(base, _SCHEMA_S):
-        return base.execute("SELECT type, name, sql FROM sqlite_schema LIMIT 3").fetchall()
 
 
 def _restrict(base: sqlite3.Connection) -> None:
     # A flipped bit may leave text that is no UTF-8: its checksum tells, not an error.
     base.text_factory = lambda text: text.decode("utf-8", "surrogateescape")
     base.set_authorizer(_allowing(_READING))
-    base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _LONGEST_SCHEMA)
-    base.setlimit(sqlite3.SQLITE_LIMIT_SQL_LENGTH, _LONGEST_SCHEMA)
+    base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LONGEST_SCHEMA)
+    base.setlimit(sqlite3.SQLITE_LIMIT_SQL_LENGTH, LONGEST_SCHEMA)
     base.setlimit(sqlite3.SQLITE_LIMIT_ATTACHED, 0)
     base.setlimit(sqlite3.SQLITE_LIMIT_TRIGGER_DEPTH, 1)
     if sys.version_info >= (3, 12):
@@ -187,13 +161,19 @@ def _bring_up_to_date(base: sqlite3.Connection, lacking: list[str]) -> None:
     for name in lacking:
         base.execute(f"ALTER TABLE steps ADD COLUMN {name} {_LATER_COLUMNS[name]}")
     for session, save in base.execute("SELECT session, save FROM origin LIMIT 1").fetchall():
-        rows = base.execute("SELECT * FROM steps ORDER BY number").fetchall()
-        base.execute("DELETE FROM steps")
-        try:
-            base.executemany(INSERT, numbered(rows, session, save))
-        except UnicodeError as why:
-            raise SessionError("the journal of edits is damaged (its text is no UTF-8)") from why
+        _give_checksums(base, session, save)
     base.execute("COMMIT")
+
+
+def _give_checksums(base: sqlite3.Connection, session: str, save: str) -> None:
+    """Number all steps from 1 and give them checksums, one after the other."""
+    before = first_checksum(session, save)
+    numbers = base.execute("SELECT number FROM steps ORDER BY number").fetchall()
+    update = "UPDATE steps SET number = ?, checksum = ? WHERE number = ?"
+    for new, old in enumerate(numbers, 1):
+        row = base.execute("SELECT * FROM steps WHERE number = ?", old).fetchone()
+        before = checksum(before, (new, *row[1:-1]))
+        base.execute(update, (new, before, *old))
 
 
 def _check_count(base: sqlite3.Connection, path: Path) -> None:
@@ -204,20 +184,29 @@ def _check_count(base: sqlite3.Connection, path: Path) -> None:
         )
 
 
-def _pages_checked(base: sqlite3.Connection) -> str:
-    found = str(base.execute("PRAGMA quick_check(1)").fetchone()[0])
-    return "" if found == "ok" else " ".join(found.split())[:200]
+def _pages_checked(base: sqlite3.Connection, path: Path) -> str:
+    """What is wrong with the file's pages. Raises OSError where it is the disk that fails."""
+    found = _quick_check(base)
+    if found == "ok":
+        return ""
+    # SQLite says of a page that the disk did not give, too, that it is damaged.
+    for file in (path, path.with_name(f"{path.name}-wal")):
+        with contextlib.suppress(FileNotFoundError):
+            _read_through(file)
+    if _quick_check(base) == "ok":
+        raise OSError(errno.EIO, "its disk failed while it was read")
+    return " ".join(found.split())[:200]
 
 
-@contextmanager
-def _deadline(base: sqlite3.Connection, seconds: float) -> Iterator[None]:
-    """Have SQLite give up a statement inside that still runs after so long."""
-    end_s = time.monotonic() + seconds
-    base.set_progress_handler(lambda: int(time.monotonic() > end_s), _OPS_A_CALL)
-    try:
-        yield
-    finally:
-        base.set_progress_handler(None, 0)
+def _quick_check(base: sqlite3.Connection) -> str:
+    return str(base.execute("PRAGMA quick_check(1)").fetchone()[0])
+
+
+def _read_through(file: Path) -> None:
+    handle = open_file(file, most_bytes=MOST_BYTES)
+    with os.fdopen(handle, "rb", buffering=0) as data:
+        while data.read(_READ_BYTES):
+            pass
 
 
 def _allowing(actions: frozenset[int]) -> Callable[..., int]:

@@ -60,9 +60,13 @@ def check_file(path: Path) -> tuple[int, int]:
 
 def checked(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
     """The version of a file that is safe to read, and what is damaged of it, which is told."""
-    if path.is_dir():
+    try:
+        is_folder, is_there = path.is_dir(), path.is_file()
+    except OSError as why:  # its disk fails, or it may not be looked at
+        raise SessionError(f"{path}: the session cannot be looked at: {why.strerror}") from why
+    if is_folder:
         raise SessionError(f"{path}: this is a folder; name a session file")
-    if not path.is_file():
+    if not is_there:
         raise SessionError(f"{path}: there is no such session; check the path")
     if is_sealed(path):
         return VERSION, ()

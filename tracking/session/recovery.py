@@ -119,7 +119,7 @@ def missing_steps(journal: Journal, stamps: Stamps) -> Missing:
     Raises SessionError where it belongs to another file, so that replaying it would be wrong.
     """
     origin, own = journal.origin, (stamps.session, stamps.save)
-    if origin is None or not journal.last:
+    if origin is None or not journal.may_have_steps:
         # Begun by a program that died before its first edit, whatever it built on; or it has lost
         # them all.
         return Missing(problem=_lost(journal.acknowledged(*own), 0))

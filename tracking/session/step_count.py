@@ -16,8 +16,8 @@ from pathlib import Path
 
 from tracking.errors import UnsafeFileError
 from tracking.owned_files import open_file
+from tracking.session.journal_limits import MOST_COUNT_BYTES
 
-_MOST_BYTES = 4096
 _NAME_BYTES = 16
 
 
@@ -29,7 +29,7 @@ class StepCount:
         self._handle: int | None = None
         with contextlib.suppress(OSError, UnsafeFileError):
             flags = os.O_RDWR | os.O_CREAT
-            self._handle = open_file(path, flags, mode, most_bytes=_MOST_BYTES)
+            self._handle = open_file(path, flags, mode, most_bytes=MOST_COUNT_BYTES)
 
     def write(self, session: str, save: str, steps: int) -> None:
         """Say how many steps there are on a save."""
@@ -44,7 +44,7 @@ class StepCount:
             return 0
         try:
             os.lseek(self._handle, 0, os.SEEK_SET)
-            line = os.read(self._handle, _MOST_BYTES)
+            line = os.read(self._handle, MOST_COUNT_BYTES)
             steps = int(line.split()[1])
         except (OSError, ValueError, IndexError):
             return 0

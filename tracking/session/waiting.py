@@ -18,7 +18,7 @@ from tracking.session.edited import Edited
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.journal import ENDINGS, Journal, Step
 from tracking.session.journal_files import JOURNAL, NEXT, present
-from tracking.session.journal_schema import MOST_BYTES
+from tracking.session.journal_limits import MOST_BYTES
 from tracking.session.notes import MAY_MISS, tell_damage
 from tracking.session.reading import read_session
 from tracking.session.recovery import Missing, do_not_fit, missing_steps
@@ -109,7 +109,7 @@ def edits_wait(path: Path) -> bool:
         if not os.path.lexists(present(companions(path))):
             return False
         with _copied(path) as journal:
-            return journal.last > 0
+            return journal.may_have_steps
     except FileNotFoundError:
         return False
     except (SessionError, OutputError, OSError):

@@ -1,0 +1,91 @@
+"""Reading a journal's steps: a large one comes into memory only where its checksum is right."""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+from collections.abc import Iterator
+
+from tracking.session.journal_limits import LONGEST_CELL, TimeLimit
+from tracking.session.journal_rows import Pieces, Row, checksum, text_bytes
+
+_PIECE_BYTES = 1 << 20
+
+
+def rows_in_order(
+    base: sqlite3.Connection,
+    before: str,
+    used_bytes: int,
+    limit: TimeLimit,
+    *,
+    damaged: bool = False,
+) -> Iterator[Row]:
+    """The rows of steps; whoever asks for the next one has found the one before it sound.
+
+    Args:
+        base: the journal, with a limit to the values that are read before anything is known.
+        before: the checksum that the first step follows on.
+        limit: of the time, which is running; it is renewed with each sound row.
+        used_bytes: of the file: damaged pages that several rows claim are not read again and again.
+        damaged: its pages are, so that a large value may claim far more than there is.
+
+    Raises:
+        ValueError: in a few words, where a row cannot be one of a journal.
+    """
+    left, number = used_bytes, 1
+    while True:
+        try:
+            for row in _small_rows(base, number):
+                left = _left(left, text_bytes(row))
+                yield row
+                limit.renew()
+                number, before = number + 1, row[-1]
+            return
+        except sqlite3.DataError as why:
+            if damaged or why.sqlite_errorcode != sqlite3.SQLITE_TOOBIG:
+                raise
+        row = _large_row(base, number, before, left)
+        left = _left(left, text_bytes(row))
+        yield row
+        limit.renew()
+        number, before = number + 1, row[-1]
+
+
+def _left(left: int, size_bytes: int) -> int:
+    if size_bytes > left:
+        raise ValueError("its steps claim more than the file holds")
+    return left - size_bytes
+
+
+def _small_rows(base: sqlite3.Connection, number: int) -> Iterator[Row]:
+    with contextlib.closing(base.cursor()) as rows:
+        yield from rows.execute("SELECT * FROM steps WHERE number >= ? ORDER BY number", (number,))
+
+
+def _large_row(base: sqlite3.Connection, number: int, before: str, left: int) -> Row:
+    """A row that is not read before it is known to be as it was written."""
+    names = "number, act, edit, time, author, kind, text, frame, undoes, scope, checksum"
+    small = base.execute(f"SELECT {names} FROM steps WHERE number = ?", (number,)).fetchone()
+    if small is None:
+        raise ValueError(f"step {number} is damaged")
+    *said, undoes, scope, wanted = small
+    with (
+        base.blobopen("steps", "before", number, readonly=True) as one,
+        base.blobopen("steps", "after", number, readonly=True) as other,
+    ):
+        _left(left, len(one) + len(other))
+        sides = (Pieces(len(side), _parts(side)) for side in (one, other))
+        found = checksum(before, (*said, *sides, undoes, scope))
+    if found != wanted:
+        raise ValueError(f"step {number} is damaged: it is not what its checksum says")
+    limit = base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LONGEST_CELL)
+    try:
+        row = base.execute("SELECT * FROM steps WHERE number = ?", (number,)).fetchone()
+    finally:
+        base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, limit)
+    return tuple(row)
+
+
+def _parts(value: sqlite3.Blob) -> Iterator[bytes]:
+    while part := value.read(_PIECE_BYTES):
+        yield part
