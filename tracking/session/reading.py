@@ -63,7 +63,9 @@ def checked(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
     try:
         is_folder, is_there = path.is_dir(), path.is_file()
     except OSError as why:  # its disk fails, or it may not be looked at
-        raise SessionError(f"{path}: the session cannot be looked at: {why.strerror}") from why
+        raise SessionError(
+            f"{path}: the session cannot be looked at: {why.strerror or why}"
+        ) from why
     if is_folder:
         raise SessionError(f"{path}: this is a folder; name a session file")
     if not is_there:
