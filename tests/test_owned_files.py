@@ -226,3 +226,32 @@ def test_what_stands_beside_a_file_gets_its_permissions(tmp_path: Path, victim: 
     victim.chmod(0o444)
     assert permissions_of(victim) == 0o644
     assert permissions_of(tmp_path / "nothing") == 0o600
+
+
+def test_a_file_that_is_only_read_may_have_further_names(tmp_path: Path, victim: Path) -> None:
+    place = tmp_path / "second"
+    place.hardlink_to(victim)
+    assert check_file(place, is_written=False) is not None
+    with pytest.raises(UnsafeFileError, match="2 names"):
+        check_file(place)
+    link = tmp_path / "link"
+    link.symlink_to(victim)
+    with pytest.raises(UnsafeFileError, match="is a link"):
+        check_file(link, is_written=False)
+
+
+def test_a_folder_that_another_program_takes_away_at_that_moment_is_made(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    place, mkdir = tmp_path / "folder", Path.mkdir
+    there = [True, True]
+
+    def mkdir_of_what_goes(folder: Path, *options: int) -> None:
+        if there:  # it was there, and is gone before anybody looks
+            there.pop()
+            raise FileExistsError(17, "File exists", str(folder))
+        mkdir(folder, *options)
+
+    monkeypatch.setattr(Path, "mkdir", mkdir_of_what_goes)
+    make_folder(place)
+    check_folder(place)

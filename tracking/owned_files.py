@@ -34,6 +34,8 @@ SAFE_FLAGS = (
     | getattr(os, "O_BINARY", 0)
 )
 """For `os.open`, where it is to open nothing but a file."""
+_TRIES = 20
+"""Of making a folder that another program takes away at that moment."""
 _KINDS = {
     stat.S_IFDIR: "a folder",
     stat.S_IFREG: "a file",
@@ -54,11 +56,17 @@ def make_folder(folder: Path) -> None:
         UnsafeFileError: what is there is a link, no folder, or another user's.
         OSError: it cannot be made.
     """
-    try:
-        folder.mkdir(FOLDER_MODE)
-    except FileExistsError:
-        check_folder(folder)
-        _close_to_others(folder)
+    for _ in range(_TRIES):
+        try:
+            folder.mkdir(FOLDER_MODE)
+        except FileExistsError:
+            try:
+                check_folder(folder)
+            except FileNotFoundError:  # another program takes it away while it is empty
+                continue
+            _close_to_others(folder)
+        return
+    check_folder(folder)
 
 
 def check_folder(folder: Path) -> None:
@@ -74,7 +82,9 @@ def check_folder(folder: Path) -> None:
         raise _foreign(folder, state)
 
 
-def check_file(path: Path, most_bytes: int | None = None) -> os.stat_result | None:
+def check_file(
+    path: Path, most_bytes: int | None = None, *, is_written: bool = True
+) -> os.stat_result | None:
     """Refuse what is not a regular file of the user's under one name only; None: nothing is there.
 
     For files that a library opens by their name, such as SQLite. Their folder must have been
@@ -83,6 +93,8 @@ def check_file(path: Path, most_bytes: int | None = None) -> os.stat_result | No
     Args:
         path: the file.
         most_bytes: the largest size to take; None: any.
+        is_written: False: it is only read, which changes no other file: it may have further names
+            (hard links), as programs make them that keep many copies of a folder.
 
     Raises:
         UnsafeFileError: it is a link, no regular file, has further names, is another user's or is
@@ -93,7 +105,7 @@ def check_file(path: Path, most_bytes: int | None = None) -> os.stat_result | No
         state = look_at(path)
     except FileNotFoundError:
         return None
-    _check_state(path, state, most_bytes)
+    _check_state(path, state, most_bytes, is_written=is_written)
     return state
 
 
@@ -196,11 +208,13 @@ def sync_folder(folder: Path) -> None:
             os.close(handle)
 
 
-def _check_state(path: Path, state: os.stat_result, most_bytes: int | None) -> None:
+def _check_state(
+    path: Path, state: os.stat_result, most_bytes: int | None, *, is_written: bool = True
+) -> None:
     _check_kind(path, state, stat.S_IFREG)
     if not _is_own(state, path.parent):
         raise _foreign(path, state)
-    if state.st_nlink > 1:  # 0: it was removed a moment ago, and is ours alone
+    if is_written and state.st_nlink > 1:  # 0: it was removed a moment ago, and is ours alone
         raise UnsafeFileError(
             f"{path} has {state.st_nlink} names (hard links), so writing it would change "
             "another file",

@@ -78,6 +78,7 @@ def _facts(generation: Generation) -> dict[str, Any]:
         "tracks": generation.tracks,
         "path": str(generation.path),
         "problem": generation.problem or None,
+        "damage": generation.damage or None,
     }
 
 
@@ -87,4 +88,5 @@ def _line(generation: Generation) -> str:
     when = generation.saved[:19].replace("T", " ")
     size = f"{generation.size_bytes / 2**20:.1f} MB"
     held = f"{counted(generation.edits, 'edit')}, {counted(generation.tracks, 'track')}"
-    return f"{generation.number}  saved {when} UTC  {held}  {size}"
+    line = f"{generation.number}  saved {when} UTC  {held}  {size}"
+    return f"{line}  {generation.damage}" if generation.damage else line

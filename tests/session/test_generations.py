@@ -15,7 +15,7 @@ from made_up_sessions import make_run, state_of
 
 from tracking.editing import plan_rename, plan_swap
 from tracking.errors import OutputError, SessionError
-from tracking.session import Session, generations
+from tracking.session import Session, generations, list_generations
 from tracking.session.saving import companions
 
 
@@ -217,3 +217,62 @@ def test_a_crash_while_restoring_leaves_the_old_or_the_restored_one(
     kept = [state_of_file(file) for file in generations(again.path)]
     assert all(state in [*kept, state_of(again)] for state in states[1:])
     again.close()
+
+
+def flip(file: Path, text: bytes) -> None:
+    """One flipped bit in a text of a session file."""
+    data = bytearray(file.read_bytes())
+    data[data.rindex(text)] ^= 1
+    file.write_bytes(data)
+
+
+@pytest.fixture
+def of_damaged_backup(session: Session) -> Path:
+    """A session whose newest older generation has a flipped bit in a name; the others are sound."""
+    session.apply(plan_rename(session.tracks, session.labels, 1, "red coat"))
+    session.save()
+    for frame in (10, 11):
+        session.apply(plan_swap(session.tracks, 1, 2, frame))
+        session.save()
+    session.close()
+    assert session.path is not None
+    flip(generations(session.path)[0], b"red coat")
+    return session.path
+
+
+def test_damage_of_a_backup_is_told_before_it_is_restored(of_damaged_backup: Path) -> None:
+    listed = list_generations(of_damaged_backup)
+    assert ["checksum does not hold" in kept.damage for kept in listed] == [True, False, False]
+    assert not any(kept.problem for kept in listed)
+
+
+def test_damage_of_a_backup_is_told_when_it_is_restored(
+    of_damaged_backup: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    backup = generations(of_damaged_backup)[0]
+    with closing(Session.open(of_damaged_backup)) as session:
+        assert session.damage == ()
+        with closing(session.restore(1)) as restored:
+            assert [str(backup) in note for note in restored.damage] == [True]
+    assert f"{backup} is damaged" in caplog.text
+    caplog.clear()
+    with closing(Session.open(of_damaged_backup)) as session, closing(session.restore(3)) as older:
+        assert older.damage == ()
+    assert "damaged" not in caplog.text
+
+
+@pytest.mark.skipif(not hasattr(os, "link"), reason="a disk with second names")
+def test_a_backup_with_two_names_is_restored_and_never_written(
+    session: Session, states: list[tuple[object, ...]], tmp_path: Path
+) -> None:
+    """As in a copy of the folder by hard links."""
+    second = tmp_path / "copy-of-last-night.h5"
+    second.hardlink_to(generations(session.path or Path())[1])
+    before = second.read_bytes()
+    assert not any(kept.problem for kept in session.generations())
+    with closing(session.restore(2)) as restored:
+        assert state_of(restored) == states[-3]
+        restored.apply(plan_swap(restored.tracks, 1, 2, 20))
+        for _ in range(7):
+            restored.save()
+    assert second.read_bytes() == before

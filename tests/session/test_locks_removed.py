@@ -14,7 +14,7 @@ from made_up_sessions import crashed, edit, make_session, state_of
 
 from tracking.editing import plan_rename, plan_split
 from tracking.errors import OutputError, SessionError
-from tracking.session import Session
+from tracking.session import Session, store
 from tracking.session.journal import Journal
 from tracking.session.saving import companions
 from tracking.session.store import Store
@@ -286,3 +286,24 @@ def test_a_disk_that_refuses_while_restoring_refuses_edits_only_meanwhile(
     assert state_of(again) == state_of(restored)
     again.close()
     restored.close()
+
+
+def test_a_folder_that_goes_before_the_lock_is_in_it_is_made_again(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Another program closes the session and takes the empty folder away meanwhile."""
+    session.close()
+    assert session.path is not None
+    make, goes = store.make_folder, [True, True]
+
+    def make_what_goes(folder: Path) -> None:
+        make(folder)
+        if goes:
+            goes.pop()
+            folder.rmdir()
+
+    monkeypatch.setattr(store, "make_folder", make_what_goes)
+    again = Session.open(session.path)
+    assert (again.read_only, again.notes, goes) == (False, (), [])
+    edit(again)
+    again.close(discard=True)

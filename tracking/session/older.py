@@ -31,6 +31,7 @@ class Generation:
         edits, undone_edits: how many of each the log has, as `trackwright info` counts them.
         tracks: how many corrected tracks.
         problem: why the file cannot be read; "" where it can.
+        damage: what is damaged of one that can be read, in a line; "": nothing is known to be.
     """
 
     number: int
@@ -41,6 +42,7 @@ class Generation:
     undone_edits: int = 0
     tracks: int = 0
     problem: str = ""
+    damage: str = ""
 
 
 def list_generations(path: Path) -> tuple[Generation, ...]:
@@ -51,10 +53,10 @@ def list_generations(path: Path) -> tuple[Generation, ...]:
     """
     _check_folder(path)
     files = generations(path)
-    problems = _problems(path, files)
+    found = _found(path, files)
     return tuple(
-        _described(number, file, problem)
-        for number, (file, problem) in enumerate(zip(files, problems, strict=True), 1)
+        replace(_described(number, file, problem), damage=damage)
+        for number, (file, (problem, damage)) in enumerate(zip(files, found, strict=True), 1)
     )
 
 
@@ -68,7 +70,7 @@ def check_generation(path: Path, number: int) -> None:
 
 
 def read_generation(path: Path, number: int) -> tuple[Path, Snapshot]:
-    """The file of an older generation and what it says.
+    """The file of an older generation and what it says; what is damaged of it is told.
 
     Raises SessionError where there is none of that number, where it cannot be read, and where a
     newer program made it.
@@ -95,12 +97,15 @@ def _check_folder(path: Path) -> None:
         check_folder(companions(path))
 
 
-def _problems(path: Path, files: Sequence[Path]) -> list[str]:
-    """Why each of the files cannot be read; "" where it can."""
+def _found(path: Path, files: Sequence[Path]) -> list[tuple[str, str]]:
+    """Why each of the files cannot be read, else what is damaged of it; "" where it is sound."""
     problems = [_problem(path, file) for file in files]
     own = [file for file, problem in zip(files, problems, strict=True) if not problem]
     checked = dict(zip(own, reading.check_files(own), strict=True))
-    return [problem or checked[file] for file, problem in zip(files, problems, strict=True)]
+    return [
+        (problem, "") if problem else checked[file]
+        for file, problem in zip(files, problems, strict=True)
+    ]
 
 
 def _problem(path: Path, file: Path) -> str:

@@ -80,12 +80,19 @@ def checked(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
     return (int(major), int(minor)), damage
 
 
-def check_files(paths: Sequence[Path]) -> list[str]:
-    """Why each of the files is not safe to read; "" where it is. One other program for all."""
+def check_files(paths: Sequence[Path]) -> list[tuple[str, str]]:
+    """Why each of the files is not safe to read, else what is damaged of it; "" where it is sound.
+
+    One other program looks at all. Nothing is told: these are not the session that is read.
+    """
     asked = [path for path in paths if not is_sealed(path)]
     verdicts = dict(zip(asked, verdicts_on(asked), strict=True))
-    refused = {path: verdict.get("refused") for path, verdict in verdicts.items()}
-    return [f"{path}{why}" if (why := refused.get(path)) else "" for path in paths]
+    found = []
+    for path in paths:
+        why = verdicts.get(path, {}).get("refused")
+        damaged = path in verdicts and not why and is_changed(path)
+        found.append((f"{path}{why}" if why else "", changed(path) if damaged else ""))
+    return found
 
 
 def verdicts_on(paths: Sequence[Path]) -> list[dict[str, Any]]:

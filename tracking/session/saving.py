@@ -57,13 +57,15 @@ def generations(path: Path) -> tuple[Path, ...]:
 def check_backup(path: Path, backup: Path) -> None:
     """Refuse an older generation of the session at `path` that is not a file of the user's own.
 
+    It is only read, so it may have further names, as in copies of the folder by hard links.
+
     Raises UnsafeFileError where it, or the folder it stands in, is a link, a pipe, a device or
     another user's.
     """
     with contextlib.suppress(FileNotFoundError):  # which reading it tells
         check_folder(companions(path))
         if not _is_same(backup, path):  # as after a save that failed once it had kept it
-            check_file(backup)
+            check_file(backup, is_written=False)
 
 
 def replace_verified(
@@ -207,7 +209,7 @@ def _is_kept(path: Path) -> bool:
     if _is_same(newest, path):
         return True
     try:
-        is_file = check_file(newest) is not None
+        is_file = check_file(newest, is_written=False) is not None
     except UnsafeFileError:  # it says nothing about what was kept
         return False
     return is_file and filecmp.cmp(newest, path, shallow=False)

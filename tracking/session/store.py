@@ -19,6 +19,9 @@ from tracking.session.journal_files import JOURNAL
 from tracking.session.lock import SessionLock
 from tracking.session.saving import clear_leftovers, companions, telling_where
 
+_TRIES = 20
+"""Of taking the lock in a folder that another program takes away at that moment."""
+
 
 class Store:
     """The right to write one session.
@@ -280,9 +283,16 @@ def is_open(path: Path) -> bool:
 
 def _locked(path: Path) -> SessionLock:
     """The session's lock, taken; the folder it lies in is made where there is none."""
-    make_folder(companions(path))
     lock = _lock_of(path)
-    if not lock.acquire():
+    for tries_left in reversed(range(_TRIES)):
+        make_folder(companions(path))
+        try:
+            taken = lock.acquire()
+            break
+        except FileNotFoundError:  # another program let go and took the empty folder away
+            if not tries_left:
+                raise
+    if not taken:
         raise SessionError(f"{path}: the session is open in {lock.holder()}; close it there first")
     return lock
 

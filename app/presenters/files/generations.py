@@ -54,7 +54,7 @@ def what_differs(
     report(0, 2)
     _, then = read_generation(path, number)
     report(1, 2)
-    lines = [*_edits_apart(entries, then.edits), *_tracks_apart(now, then.tracks)]
+    lines = [*then.damage, *_edits_apart(entries, then.edits), *_tracks_apart(now, then.tracks)]
     report(2, 2)
     return tuple(lines) or (tr("Nothing: it equals the session as it is now."),)
 

@@ -99,7 +99,6 @@ class OlderStates(QObject):
             session.close()
             return
         desk.tracking.take_session(session)
-        self.said.emit(
-            tr("Restored. The state before is kept as the newest older state: File > Restore")
-        )
+        done = tr("Restored. The state before is kept as the newest older state: File > Restore")
+        self.said.emit(" ".join((done, *session.damage)))
         self.changed.emit()
