@@ -67,6 +67,7 @@ def check_replaced(path: Path, replaceable: str) -> None:
             cannot be read.
     """
     check_target(path)
+    _check_not_protected(path, "-o")
     if path.is_file() and (held := held_at(path)) != replaceable:
         if held is not None:
             raise OutputError(_would_be_lost(path, _kind_of(held), "-o"))
@@ -80,14 +81,30 @@ def check_text_replaced(path: Path, option: str = "-o") -> None:
         option: with which the export is named.
 
     Raises:
-        OutputError: what stands there is no text, or a link; FormatError where it cannot be read.
+        OutputError: what stands there is no text, a link, or a recording's own, such as its
+            calibration; FormatError where it cannot be read.
     """
     check_target(path)
+    _check_not_protected(path, option)
     if path.is_file():
         if (held := held_at(path)) is not None or is_session(path):
             what = "a session" if held is None else _kind_of(held)
             raise OutputError(_would_be_lost(path, what, option))
         _check_is_text(path, option)
+
+
+def _check_not_protected(path: Path, option: str) -> None:
+    """Refuse to lose what a recording is made of, its ground truth, or what a session keeps.
+
+    A ground truth that an export wrote there is its own to write again.
+    """
+    if not path.is_file():
+        return
+    from app.presenters.files.own_files import is_own  # these take longer to import than the rest
+    from app.presenters.files.protected import protected
+
+    if (what := protected(path)) and not is_own(path):
+        raise OutputError(_would_be_lost(path, what, option))
 
 
 def _check_is_text(path: Path, option: str) -> None:

@@ -22,10 +22,10 @@ from app.cli.output import (
     shown,
     text_at,
 )
-from app.cli.own_files import is_own, remember
 from app.cli.sessions import opened_session
 from app.presenters.files.exporting import exported
 from app.presenters.files.opening import known_recordings
+from app.presenters.files.own_files import is_own, remember
 from tracking.errors import FormatError, OutputError
 from tracking.formats import (
     FORMATS,
@@ -85,7 +85,7 @@ def run_export(request: ExportRequest, *, as_json: bool) -> None:
     else:
         check_file(out)
         check_text_replaced(out)
-        _check_is_own([out], force=request.force)
+        check_is_own([out], force=request.force)
     with closing(opened_session(request.session)) as session:
         view = _view(session) if wanted.in_camera else None
         tracks = exported(session, request.run, view)
@@ -118,7 +118,7 @@ def _check_is_text(wanted: TrackFormat) -> None:
         raise typer.BadParameter(reason, param_hint="--out")
 
 
-def _check_is_own(places: Sequence[Path], *, force: bool) -> None:
+def check_is_own(places: Sequence[Path], *, force: bool) -> None:
     """Ask before files are lost that export did not write.
 
     Raises OutputError: somebody said no, or nobody can be asked.
@@ -185,14 +185,14 @@ def _check_parts_place(name: str, out: Path, *, force: bool) -> None:
     check_file(out)
     if name == "labels":
         check_text_replaced(out)
-        _check_is_own([out], force=force)
+        check_is_own([out], force=force)
         return
     try:
         places = sample_files(out)
     except FormatError as error:
         raise typer.BadParameter(str(error), param_hint="--out") from error
     check_replaced(out, HDF5_FORMAT)
-    _check_is_own(places, force=force)
+    check_is_own(places, force=force)
 
 
 def _write_labels(session: Session, path: Path, place: Path) -> tuple[list[Path], int]:

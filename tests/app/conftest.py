@@ -156,3 +156,10 @@ def parted_session(tiny_recording: Path, tiny_run: Run, tmp_path: Path) -> Path:
         opening.remember_place(session, recording)
         session.close()
     return path
+
+
+@pytest.fixture(autouse=True)
+def own_state(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is remembered of exports is the tests' own."""
+    folder = tmp_path_factory.mktemp("state")
+    monkeypatch.setattr("app.presenters.files.own_files.user_state_path", lambda *_, **__: folder)

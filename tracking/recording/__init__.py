@@ -6,6 +6,7 @@ from tracking.recording.frame import Image, StereoFrame
 from tracking.recording.instants import Instants
 from tracking.recording.manifest import (
     MANIFEST_NAME,
+    TRUTH_NAME,
     Manifest,
     format_manifest,
     manifest_text,
@@ -19,6 +20,7 @@ from tracking.recording.recording import Recording
 
 __all__ = [
     "MANIFEST_NAME",
+    "TRUTH_NAME",
     "Fingerprint",
     "FrameCache",
     "Image",

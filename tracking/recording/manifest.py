@@ -15,6 +15,8 @@ from tracking.recording.limits import checked_fps, checked_ground
 from tracking.replacing import replace_with
 
 MANIFEST_NAME = "recording.toml"
+TRUTH_NAME = "truth.txt"
+"""MOT text of the ground truth beside it."""
 FORMAT = 1
 _T = TypeVar("_T", bound=str)
 _MAX_BYTES = 64 * 1024

@@ -17,6 +17,7 @@ from tracking.recording.eyes import Eyes
 from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.recording.frame import StereoFrame
 from tracking.recording.locate import Located
+from tracking.recording.manifest import TRUTH_NAME
 from tracking.recording.oddities import first_frame_note
 
 
@@ -58,7 +59,7 @@ class Recording:
         self.manifest_text: str = located.text
         self.own_manifest: bool = located.own
         self.calibration_text: str = calibrated.text
-        truth = located.path / "truth.txt"
+        truth = located.path / TRUTH_NAME
         self.truth_path: Path | None = truth if truth.is_file() else None
         self._eyes = eyes
         self._times_s = _uneven_times(eyes, self.fps, self.frame_count)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from app.presenters.files.own_files import is_own
+from app.presenters.files.protected import protected
 from tracking.errors import OutputError, SessionError
 from tracking.formats import Exported, begins_as_hdf5
 from tracking.geometry import View
@@ -70,11 +72,13 @@ def exporting(
 
 
 def refuse_to_lose(path: Path) -> None:
-    """A session is not written over by what is exported.
+    """A session, and what a recording is made of, are not written over by what is exported.
 
     Raises:
         OutputError: there is one of that name.
     """
+    if path.is_file() and (what := protected(path)) and not is_own(path):
+        raise OutputError(f"{path} is {what} and would be lost; choose another name")
     if path.is_file() and begins_as_hdf5(path):
         try:
             check_file(path)

@@ -14,6 +14,7 @@ from app.presenters.document.document import Document
 from app.presenters.files import opening
 from app.presenters.files.export_formats import export_formats, proposed_folder, proposed_name
 from app.presenters.files.exporting import exporting, refuse_to_lose
+from app.presenters.files.own_files import remember
 from app.presenters.scoring.reporting import Reported, reporting
 from app.presenters.scoring.subject import Scored, worked_out
 from app.presenters.words import tr
@@ -96,6 +97,7 @@ class Exporting(QObject):
             refuse_to_lose(path)
             exported = put_together()
             made = write(path, exported, report)
+            remember(made)
             others = [file.name for file in made if file != path]
             beside = tr("Beside it: {files}", files=", ".join(others)) if others else ""
             return beside, losses(kind, exported, path)

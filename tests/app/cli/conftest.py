@@ -50,10 +50,3 @@ def trackwright(capsys: pytest.CaptureFixture[str]) -> Trackwright:
         return (status, *capsys.readouterr())
 
     return typed
-
-
-@pytest.fixture(autouse=True)
-def own_state(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What is remembered of exports is the tests' own."""
-    folder = tmp_path_factory.mktemp("state")
-    monkeypatch.setattr("app.cli.own_files.user_state_path", lambda *_, **__: folder)

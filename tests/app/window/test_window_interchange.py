@@ -13,10 +13,12 @@ from patient import PATIENCE_S
 from PySide6.QtCore import Qt, QUrl
 from PySide6.QtWidgets import QMessageBox
 
+from app.cli.export import check_is_own
 from app.presenters.files.export_formats import export_formats
 from app.presenters.files.exporting import exported
 from app.views.files import exporting, importing
 from app.views.files.import_dialog import ImportDialog
+from tracking.errors import OutputError
 from tracking.formats import format_of, read_mot
 from tracking.session import Session
 
@@ -53,6 +55,16 @@ def test_every_format_is_exported_and_known_again(window, desk, qtbot, tmp_path)
         at_rest(window, qtbot)
         assert path.exists(), each.title
         assert format_of(path).read is not None
+
+
+def test_the_command_line_replaces_what_the_window_exported(window, desk, qtbot, tmp_path):
+    path = tmp_path / "tracks.txt"
+    window.files.exporting.tracks_to(path)
+    at_rest(window, qtbot)
+    check_is_own([path], force=False)
+    path.write_text("put right by hand")
+    with pytest.raises(OutputError, match="was changed since"):
+        check_is_own([path], force=False)
 
 
 def test_what_a_format_does_not_hold_stays_said_until_it_is_read(window, desk, qtbot, tmp_path):

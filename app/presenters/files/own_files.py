@@ -1,4 +1,6 @@
-"""Files that `export` wrote, known again by their content: it replaces them without a question.
+"""Files that an export wrote, known again by their content: `export` replaces them without asking.
+
+Exports of the window and of the command line are kept in one record.
 
 A person's state folder holds what was written where, as digests. A file that somebody changed since
 is theirs.
@@ -36,7 +38,7 @@ def remember(files: Iterable[Path]) -> None:
 
 
 def is_own(path: Path) -> bool:
-    """Whether a file is as `export` wrote it there."""
+    """Whether a file is as an export wrote it there."""
     written = _known().get(str(path.resolve()))
     try:
         return written is not None and written == _digest(path)
