@@ -1,4 +1,4 @@
-"""`restore`: an older generation of a session, listed or had back."""
+"""`restore`: a backup of a session, listed or had back."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from tracking.session import (
 
 
 def run_restore(path: Path, number: int, *, only_list: bool, as_json: bool) -> None:
-    """List the generations that are kept, or put one in the session's place.
+    """List the backups that are kept, or put one in the session's place.
 
-    What the session is now, with edits that were never saved, becomes the newest generation; a
+    What the session is now, with edits that were never saved, becomes the newest backup; a
     file that cannot be read is kept beside it instead.
     Raises SessionError where there is none of that number, or another program has the session.
     """
@@ -38,7 +38,7 @@ def run_restore(path: Path, number: int, *, only_list: bool, as_json: bool) -> N
 
 
 def _restored(path: Path, number: int) -> Session:
-    """The session as it was; where it cannot be opened, its older generation takes its place."""
+    """The session as it was; where it cannot be opened, its backup takes its place."""
     try:
         session = Session.open(path)
     except SessionError:
@@ -65,7 +65,7 @@ def _print(path: Path, *, as_json: bool) -> None:
     for generation in kept:
         print_line(_line(generation))
     if not kept:
-        print_line("no older generation is kept yet; every save keeps the one before it")
+        print_line("no backup is kept yet; every save keeps the one before it")
 
 
 def _facts(generation: Generation) -> dict[str, Any]:

@@ -113,7 +113,7 @@ GOOD = ("yard", "1", "3", "0", "1", "", "", "label", *("1.5",) * 36)
         ("head_x", "nan", "not a finite number"),
     ],
 )
-def test_a_sample_that_cannot_be_meant_is_named_by_its_line(
+def test_a_sample_that_is_invalid_is_named_by_its_line(
     tmp_path: Path, column: str, value: str, why: str
 ) -> None:
     names = (*SAMPLE_COLUMNS, *FEATURE_NAMES)
@@ -176,9 +176,7 @@ def test_the_shortest_table_of_labels_is_read(tmp_path: Path) -> None:
         ("2,1,head,off", "line 2 speaks of the same part"),
     ],
 )
-def test_a_label_that_cannot_be_meant_is_named_by_its_line(
-    tmp_path: Path, line: str, why: str
-) -> None:
+def test_a_label_that_is_invalid_is_named_by_its_line(tmp_path: Path, line: str, why: str) -> None:
     path = tmp_path / "l.csv"
     path.write_text(f"frame,track,part,on\n2,1,head,on\n{line}\n", encoding="utf-8")
     with pytest.raises(FormatError, match=f"line 3: .*{why}"):

@@ -1,4 +1,4 @@
-"""Older generations are listed and had back; nothing is lost by it."""
+"""Backups are listed and had back; nothing is lost by it."""
 
 from __future__ import annotations
 
@@ -136,10 +136,10 @@ def test_runs_of_a_restored_generation_are_its_own(session: Session) -> None:
 
 
 def test_a_generation_that_is_not_there_is_told(session: Session) -> None:
-    with pytest.raises(SessionError, match=r"no older generation 1 \(none is kept yet"):
+    with pytest.raises(SessionError, match=r"no backup 1 \(none is kept yet"):
         session.restore(1)
     session.save()
-    with pytest.raises(SessionError, match=r"no older generation 2 \(there are 1, 1 is the newest"):
+    with pytest.raises(SessionError, match=r"no backup 2 \(there are 1, 1 is the newest"):
         session.restore(2)
 
 
@@ -228,7 +228,7 @@ def flip(file: Path, text: bytes) -> None:
 
 @pytest.fixture
 def of_damaged_backup(session: Session) -> Path:
-    """A session whose newest older generation has a flipped bit in a name; the others are sound."""
+    """A session whose newest backup has a flipped bit in a name; the others are sound."""
     session.apply(plan_rename(session.tracks, session.labels, 1, "red coat"))
     session.save()
     for frame in (10, 11):

@@ -38,7 +38,7 @@ def path(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def saved_thrice(tmp_path: Path) -> Path:
-    """A session that is closed, with two older generations."""
+    """A session that is closed, with two backups."""
     session = make_session(tmp_path)
     for _ in range(2):
         edit(session)

@@ -209,14 +209,14 @@ class Session(OnDisk):
         self._content += 1
         return logged
 
-    # Older generations
+    # Backups
 
     def restore(self, number: int) -> Session:
-        """Have an older generation back; gives that session, and this one is closed.
+        """Have a backup back; gives that session, and this one is closed.
 
         Nothing is lost: what this session is now, with the edits that are not saved yet, is the
-        newest generation then, and no generation is dropped before the next save.
-        Raises SessionError where there is no such generation, it cannot be read, or this session
+        newest backup then, and no backup is dropped before the next save.
+        Raises SessionError where there is no such backup, it cannot be read, or this session
         is open for reading only; OutputError, with everything as it was, where saving fails.
         """
         self._refuse_read_only()

@@ -1,4 +1,4 @@
-"""Older generations of a session: what was saved before, listed and had back."""
+"""Backups of a session: what was saved before, listed and had back."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Generation:
 
 
 def list_generations(path: Path) -> tuple[Generation, ...]:
-    """The older generations that are kept beside a session, the newest first.
+    """The backups that are kept beside a session, the newest first.
 
     No table is read; one that is damaged, or no file of the user's own, is listed with its problem.
     Raises UnsafeFileError where the folder they stand in is a link or another user's.
@@ -61,16 +61,16 @@ def list_generations(path: Path) -> tuple[Generation, ...]:
 
 
 def check_generation(path: Path, number: int) -> None:
-    """Raise SessionError where no older generation of that number is kept, or none can be."""
+    """Raise SessionError where no backup of that number is kept, or none can be."""
     _check_folder(path)
     count = len(generations(path))
     if not 1 <= number <= count:
         kept = f"there are {count}, 1 is the newest" if count else "none is kept yet"
-        raise SessionError(f"{path} has no older generation {number} ({kept})")
+        raise SessionError(f"{path} has no backup {number} ({kept})")
 
 
 def read_generation(path: Path, number: int) -> tuple[Path, Snapshot]:
-    """The file of an older generation and what it says; what is damaged of it is told.
+    """The file of a backup and what it says; what is damaged of it is told.
 
     Raises SessionError where there is none of that number, where it cannot be read, and where a
     newer program made it.

@@ -21,7 +21,7 @@ class PendingSave:
         snapshot, path: what to write and where to.
         content: the session's count of changes that the snapshot holds.
         store: the right to write there.
-        most: how many older generations are kept.
+        most: how many backups are kept.
         written: done when the new file is in its place; holds the error where that failed.
     """
 

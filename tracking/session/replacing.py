@@ -1,4 +1,4 @@
-"""An older generation in the place of a session file that cannot be read."""
+"""A backup in the place of a session file that cannot be read."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ from tracking.session.store import Store
 
 
 def replace_damaged(path: Path, number: int) -> tuple[Session, Path]:
-    """Have an older generation back where the session itself cannot be opened.
+    """Have a backup back where the session itself cannot be opened.
 
     The damaged file is kept beside it, and so are edits of a journal that builds on that file:
     they are told in the notes of the session.
 
     Args:
-        number: 1 is the generation saved last before the damaged file.
+        number: 1 is the backup saved last before the damaged file.
 
     Returns:
         The session as it was saved then, and where the damaged file is kept.
 
     Raises:
-        SessionError: there is no such generation, it cannot be read either, or another program has
+        SessionError: there is no such backup, it cannot be read either, or another program has
             the session. OutputError: it cannot be written; everything is as it was.
     """
     path = real_path(path)
@@ -42,7 +42,7 @@ def replace_damaged(path: Path, number: int) -> tuple[Session, Path]:
     try:
         kept = _set_aside(path)
         try:
-            with telling_where(path, "the older generation was not put in its place"):
+            with telling_where(path, "the backup was not put in its place"):
                 _copy_over(file, path)
         except BaseException:
             kept.unlink(missing_ok=True)  # the file itself is still in its place

@@ -23,7 +23,7 @@ from tracking.session.image_file import ImageFile
 
 GENERATIONS = 5
 UNLIMITED = 999_999
-"""Generations kept while one of them is restored: none is dropped then."""
+"""Backups kept while one of them is restored: none is dropped then."""
 _TRIES, _PAUSE_S = 20, 0.1
 
 
@@ -37,12 +37,12 @@ def file_state(path: Path) -> tuple[int, int, int] | None:
 
 
 def companions(path: Path) -> Path:
-    """The folder beside a session that holds its lock, journal and older generations."""
+    """The folder beside a session that holds its lock, journal and backups."""
     return path.with_name(f".{path.name}.trackwright")
 
 
 def generations(path: Path) -> tuple[Path, ...]:
-    """The older generations of a session that are kept, the newest first.
+    """The backups of a session that are kept, the newest first.
 
     None where the folder beside the session is not the user's own. Before one is read,
     `check_backup` says whether it is a file that was kept here.
@@ -55,7 +55,7 @@ def generations(path: Path) -> tuple[Path, ...]:
 
 
 def check_backup(path: Path, backup: Path) -> None:
-    """Refuse an older generation of the session at `path` that is not a file of the user's own.
+    """Refuse a backup of the session at `path` that is not a file of the user's own.
 
     It is only read, so it may have further names, as in copies of the folder by hard links.
 
@@ -71,7 +71,7 @@ def check_backup(path: Path, backup: Path) -> None:
 def replace_verified(
     path: Path, write: Callable[[ImageFile], None], most: int = GENERATIONS
 ) -> None:
-    """Put what `write` writes in the session's place; the file that was there becomes a generation.
+    """Put what `write` writes in the session's place; the file that was there becomes a backup.
 
     At every moment a whole file stands under the name: the old one until the new one is on the
     disk and read back equal. Of the older ones the newest are kept, so many at most.
@@ -174,7 +174,7 @@ def _replace(new: Path, path: Path) -> None:
 
 
 def _keep_generation(path: Path) -> None:
-    """Give the present file a second name, as the newest generation; the others grow older.
+    """Give the present file a second name, as the newest backup; the others grow older.
 
     A save that failed later on may have kept it already: saving again and again on a disk that
     refuses must not push the older ones out.
@@ -204,7 +204,7 @@ def _drop_oldest(path: Path, most: int) -> None:
 
 
 def _is_kept(path: Path) -> bool:
-    """Whether the newest generation is the present file."""
+    """Whether the newest backup is the present file."""
     newest = _generation(path, 1)
     if _is_same(newest, path):
         return True
@@ -225,7 +225,7 @@ def _is_same(backup: Path, path: Path) -> bool:
 
 
 def _ages(path: Path) -> list[int]:
-    """The ages of the generations that are kept, ascending from 1."""
+    """The ages of the backups that are kept, ascending from 1."""
     names = re.compile(rf"{re.escape(path.stem)}\.([1-9]\d{{0,5}}){re.escape(path.suffix)}")
     try:
         found = [names.fullmatch(file.name) for file in companions(path).iterdir()]

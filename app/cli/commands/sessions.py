@@ -131,14 +131,20 @@ def log(
 def restore(
     session: Annotated[Path, typer.Argument(help="A session.")],
     generation: Annotated[
-        int, typer.Option(min=1, help="Which older one: 1 is the one saved last before this.")
+        int,
+        typer.Option(
+            "--backup",
+            "--generation",
+            min=1,
+            help="Which backup: 1 is the one saved last before this; --generation is its old name.",
+        ),
     ] = 1,
     only_list: Annotated[
         bool, typer.Option("--list", help="Only list the ones that are kept.")
     ] = False,
     json: options.Json = False,
 ) -> None:
-    """Put an older generation in a session's place; what it is now is kept as the newest one."""
+    """Put a backup in a session's place; what it is now is kept as the newest one."""
     from app.cli.restore import run_restore
 
     run_restore(session, generation, only_list=only_list, as_json=json)

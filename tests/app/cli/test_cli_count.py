@@ -171,7 +171,7 @@ def test_lines_in_the_picture_need_no_calibration(
         (["--line", GATE, "--jitter", "-1"], "jitter_m=-1.0: must be a number from 0 to 5 m"),
     ],
 )
-def test_what_cannot_be_meant_is_misuse(
+def test_an_invalid_line_region_or_step_is_misuse(
     trackwright: Trackwright, made: Path, words: list[str], told: str
 ) -> None:
     status, printed, said = trackwright("count", made, *words)

@@ -67,7 +67,7 @@ def test_restore_lists_what_is_kept(trackwright: Trackwright, edited: Path) -> N
 
 
 def test_restore_puts_an_older_one_in_place(trackwright: Trackwright, edited: Path) -> None:
-    status, printed, _ = trackwright("restore", edited, "--generation", "2", "--json")
+    status, printed, _ = trackwright("restore", edited, "--backup", "2", "--json")
     assert (status, json.loads(printed)["edits"]) == (0, 0)
     with closing(Session.open(edited)) as session:
         assert len(session.history) == 0
@@ -83,9 +83,9 @@ def test_restore_tells_what_is_wrong(
         assert "open in process" in said
         status, _, said = trackwright("restore", edited, "--generation", "9")
         assert (status, len(said.splitlines())) == (1, 1)
-        assert "no older generation 9" in said
+        assert "no backup 9" in said
     status, _, said = trackwright("restore", edited, "--generation", "9")
-    assert (status, "no older generation 9" in said) == (1, True)
+    assert (status, "no backup 9" in said) == (1, True)
     status, _, said = trackwright("restore", tmp_path / "none.h5", "--list")
     assert (status, "no such session" in said) == (1, True)
 

@@ -164,7 +164,7 @@ def test_without_visibility_everybody_is_seen(
         ("visibility.csv", "frame,id,visibility\n0,1,nan\n", "'0,1,nan' is no visibility"),
     ],
 )
-def test_truth_of_parts_that_cannot_be_meant_is_one_line(
+def test_an_invalid_truth_of_parts_is_one_line(
     trackwright: Trackwright, followed: Path, recording: Path, name: str, content: str, reason: str
 ) -> None:
     head = "frame,id,part,left,top,width,height,visible_pixels\n"

@@ -5,9 +5,7 @@ from tracking.errors import FormatError, SessionError
 
 
 def test_errors_raised_on_purpose_speak_for_themselves():
-    assert explain(SessionError("a.h5: damaged; open a generation")) == (
-        "a.h5: damaged; open a generation"
-    )
+    assert explain(SessionError("a.h5: damaged; open a backup")) == ("a.h5: damaged; open a backup")
 
 
 def test_a_bug_is_logged_with_where_it_came_from_and_told_as_one(caplog):
