@@ -13,18 +13,21 @@ import os
 import re
 import sqlite3
 import sys
+import time
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
 from tracking.errors import SessionError
 from tracking.owned_files import open_file
+from tracking.session.journal_faults import is_of_the_disk
 from tracking.session.journal_limits import (
     LONGEST_OLD_CELL,
     LONGEST_ROW,
     LONGEST_SCHEMA,
     MOST_BYTES,
     MOST_STEPS,
+    PROCESSOR_S,
     TimeLimit,
 )
 from tracking.session.journal_rows import checksum, first_checksum
@@ -75,10 +78,7 @@ def open_checked(base: sqlite3.Connection, path: Path, limit: TimeLimit) -> str:
         sqlite3.Error: what SQLite says of a file that is damaged or cannot be read or written.
         OSError: the disk fails, or reading takes too long.
     """
-    _restrict(base)
-    with limit.kept(base, LONGEST_SCHEMA, damaged=True):
-        lines = base.execute("SELECT type, name, sql FROM sqlite_schema LIMIT 3").fetchall()
-    lacking = _lacking(lines, path)
+    lines, lacking = check_schema(base, path, limit)
     base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LONGEST_ROW)
     base.set_authorizer(_allowing(_WRITING))
     with limit.kept(base):
@@ -98,6 +98,19 @@ def open_checked(base: sqlite3.Connection, path: Path, limit: TimeLimit) -> str:
         with limit.kept(base, LONGEST_OLD_CELL):
             _bring_up_to_date(base, lacking)
     return problem
+
+
+def check_schema(
+    base: sqlite3.Connection, path: Path, limit: TimeLimit
+) -> tuple[list[tuple[object, ...]], list[str]]:
+    """The lines of a database's schema, and the columns that it lacks as a journal of now.
+
+    From here on SQLite may only read. Raises as `open_checked`.
+    """
+    _restrict(base)
+    with limit.kept(base, LONGEST_SCHEMA, damaged=True):
+        lines = base.execute("SELECT type, name, sql FROM sqlite_schema LIMIT 3").fetchall()
+    return lines, _lacking(lines, path)
 
 
 def _restrict(base: sqlite3.Connection) -> None:
@@ -190,9 +203,13 @@ def _pages_checked(base: sqlite3.Connection, path: Path) -> str:
     if found == "ok":
         return ""
     # SQLite says of a page that the disk did not give, too, that it is damaged.
-    for file in (path, path.with_name(f"{path.name}-wal")):
-        with contextlib.suppress(FileNotFoundError):
-            _read_through(file)
+    code = re.search(r"error code=(\d+)", found)
+    if code is not None and is_of_the_disk(int(code[1])):
+        raise OSError(errno.EIO, "its disk fails")
+    if "failed to get page" in found:
+        for file in (path, path.with_name(f"{path.name}-wal")):
+            with contextlib.suppress(FileNotFoundError):
+                _read_through(file)
     if _quick_check(base) == "ok":
         raise OSError(errno.EIO, "its disk failed while it was read")
     return " ".join(found.split())[:200]
@@ -203,10 +220,13 @@ def _quick_check(base: sqlite3.Connection) -> str:
 
 
 def _read_through(file: Path) -> None:
+    """Raise OSError where not all of a file can be read, in the time that reading may take."""
+    end_s = time.monotonic() + PROCESSOR_S
     handle = open_file(file, most_bytes=MOST_BYTES)
     with os.fdopen(handle, "rb", buffering=0) as data:
         while data.read(_READ_BYTES):
-            pass
+            if time.monotonic() > end_s:
+                raise TimeoutError(errno.ETIMEDOUT, "it takes too long")
 
 
 def _allowing(actions: frozenset[int]) -> Callable[..., int]:

@@ -12,20 +12,19 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.editing import History
-from tracking.errors import EditError, OutputError, SessionError, told_by_system
+from tracking.errors import EditError, OutputError, SessionError, UnsafeFileError, told_by_system
 from tracking.owned_files import check_folder, open_file
 from tracking.session.edited import Edited
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.journal import ENDINGS, Journal, Step
-from tracking.session.journal_files import JOURNAL, NEXT, present
-from tracking.session.journal_limits import MOST_BYTES
+from tracking.session.journal_files import JOURNAL, NEXT, are_there, present
+from tracking.session.journal_limits import MOST_BYTES, MOST_COUNT_BYTES
+from tracking.session.journal_sizes import files_to_copy
 from tracking.session.notes import MAY_MISS, tell_damage
 from tracking.session.reading import read_session
 from tracking.session.recovery import Missing, do_not_fit, missing_steps
 from tracking.session.saving import companions, file_state
 
-_COPIED = ("-count", "-wal", "")
-"""Of a journal's files, in order: the count must not count steps that the log comes to after it."""
 _TRIES = 5
 """Looks at a journal that another program is writing to, before it counts as damaged."""
 
@@ -106,7 +105,7 @@ def edits_wait(path: Path) -> bool:
     """
     try:
         check_folder(companions(path))
-        if not os.path.lexists(present(companions(path))):
+        if not are_there(companions(path)):
             return False
         with _copied(path) as journal:
             return journal.may_have_steps
@@ -136,7 +135,7 @@ def _missing(path: Path, stamps: Stamps) -> Missing:
         check_folder(beside)
     except FileNotFoundError:
         return Missing()
-    if not os.path.lexists(present(beside)):
+    if not are_there(beside):
         return Missing()
     with _copied(path) as journal:
         return missing_steps(journal, stamps)
@@ -155,20 +154,25 @@ def _copied(path: Path) -> Iterator[Journal]:
     beside = companions(path)
     check_folder(beside)
     main = present(beside)
+    endings = files_to_copy(main)
     with tempfile.TemporaryDirectory() as folder:
-        for ending in _COPIED:
-            _copy(beside / f"{main.name}{ending}", Path(folder) / f"{JOURNAL}{ending}")
+        copy = Path(folder) / JOURNAL
+        # It must not count steps that the log comes to after it, so it is first.
+        with contextlib.suppress(UnsafeFileError):
+            _copy(main, copy, "-count", MOST_COUNT_BYTES)
+        for ending in endings:
+            _copy(main, copy, ending, MOST_BYTES)
         try:
-            with contextlib.closing(Journal(Path(folder) / JOURNAL)) as journal:
+            with contextlib.closing(Journal(copy)) as journal:
                 yield journal
-        except SessionError as why:  # of the copy, which nobody knows
-            reason = why.reason.replace(str(Path(folder) / JOURNAL), str(main))
-            raise SessionError(reason, why.to_do) from why
+        except (SessionError, OutputError) as why:  # of the copy, which nobody knows
+            raise type(why)(why.reason.replace(str(copy), str(main)), why.to_do) from why
 
 
-def _copy(file: Path, copy: Path) -> None:
-    """Copy a file of the user's own, of a size that a journal has, where it is there."""
+def _copy(main: Path, copy: Path, ending: str, most_bytes: int) -> None:
+    """Copy a file of the journal, of a size that such a one has, where it is there."""
     with contextlib.suppress(FileNotFoundError):
-        handle = open_file(file, most_bytes=MOST_BYTES)
-        with os.fdopen(handle, "rb") as source, copy.open("wb") as target:
-            shutil.copyfileobj(source, target)
+        handle = open_file(main.with_name(f"{main.name}{ending}"), most_bytes=most_bytes)
+        target = copy.with_name(f"{copy.name}{ending}")
+        with os.fdopen(handle, "rb") as source, target.open("wb") as file:
+            shutil.copyfileobj(source, file)
