@@ -29,6 +29,20 @@ ROWS_ARE_REFUSED = [
     ("viame", b"# 1: Detection or Track-id\n", b"1,,0,1,2,3,4,1,-1,person,1\n"),
     ("sleap", b"track,frame_idx,instance.score,a.x,a.y\n", b"track_0,0.5,1,1,1\n"),
 ]
+CVAT_BOX = b'<box frame="1" xtl="1" ytl="1" xbr="2" ybr="2" outside="0" occluded="0"/>\n'
+COCO_BOX = b'{"id":1,"image_id":1,"track_id":1,"category_id":1,"bbox":[1,2,3,4]},'
+TREES_ARE_REFUSED = [
+    ("cvat", b"<annotations>", b"<x/>", b"</annotations>", "without boxes"),
+    ("cvat", b"<annotations><track id='1'>", b"<x/>", b"</track></annotations>", "without boxes"),
+    ("cvat", b"<annotations>", b'<image id="1"/>', b"</annotations>", "CVAT for images"),
+    ("cvat", b"<annotations><track id='1' label='person'>", CVAT_BOX, b"<box", "is cut short"),
+    ("coco", b'{"images":[],', b'"a":1,', b'"z":1}', "more members"),
+    ("coco", b'{"videos":[', b'{"id":1},', b'{"id":2}]}', "more than 10000 videos"),
+    ("coco", b'{"annotations":[', COCO_BOX, b'{"id":', "is cut short"),
+    ("label-studio", b'[{"id":1,"annotations":[{"result":[', b"1,", b"1]}]}]", "is no object"),
+    ("label-studio", b"[", b'{"id":1,"annotations":[]},', b"{}]", "20000 annotations"),
+    ("label-studio", b"[{", b'"id":1,', b'"z":1}]', "more members"),
+]
 READ = """
 import sys
 from pathlib import Path
@@ -63,14 +77,15 @@ def outcome(name: str, path: Path) -> tuple[str, int]:
     return said, int(peak_kib) >> 10
 
 
-def written(folder: Path, head: bytes, again: bytes, size: int = SIZE) -> Path:
-    """A file that begins so, and goes on with the same again and again."""
+def written(folder: Path, head: bytes, again: bytes, tail: bytes = b"") -> Path:
+    """A file that begins so, goes on with the same again and again, and ends so."""
     path = folder / "tracks.txt"
     many = again * -(-(1 << 20) // len(again))
     with path.open("wb") as stream:
         stream.write(head)
-        while stream.tell() < size:
+        while stream.tell() < SIZE:
             stream.write(many)
+        stream.write(tail)
     return path
 
 
@@ -84,6 +99,19 @@ def test_a_large_text_that_is_refused_takes_little_memory_and_work(
     assert said.startswith("refused: ")
     assert peak_mib < MOST_MIB
     assert time.paces < 300
+
+
+@pytest.mark.parametrize(("name", "head", "again", "tail", "why"), TREES_ARE_REFUSED)
+def test_large_xml_and_json_that_is_refused_takes_little_memory_and_work(
+    tmp_path: Path, name: str, head: bytes, again: bytes, tail: bytes, why: str
+) -> None:
+    path = written(tmp_path, head, again, tail)
+    with spent() as time:
+        said, peak_mib = outcome(name, path)
+    assert said.startswith("refused: ")
+    assert why in said
+    assert peak_mib < MOST_MIB
+    assert time.paces < 400
 
 
 def rows_of_mot(frames: int, people: int) -> bytes:

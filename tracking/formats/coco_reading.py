@@ -12,8 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
+from tracking.formats.filled_rows import MOST_TRACKS
 from tracking.formats.json_stream import elements_of
 from tracking.formats.label_text import label_of
+from tracking.formats.line_survey import MOST_ROWS
 from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX, MAX_FRAME
 from tracking.progress import Progress, no_progress
@@ -27,6 +29,17 @@ _START = re.compile(
 _WIDEST_PX = 1 << 20
 _LARGEST = 1 << 62
 """A whole number beyond it is no measure of anything."""
+
+
+_MOST = {
+    "info": 1000,
+    "videos": 10_000,
+    "images": MAX_FRAME,
+    "tracks": MOST_TRACKS,
+    "categories": 100_000,
+    "annotations": MOST_ROWS,
+}
+"""Elements of each member; a file is of one video."""
 
 
 def looks_like_coco(_path: Path, head: bytes) -> bool:
@@ -64,6 +77,8 @@ class _File:
 
     def take(self, member: str, at: int, value: Any) -> None:
         """One element of a member."""
+        if at >= _MOST[member]:
+            raise FormatError(f"{self._reading.path} has more than {at} {member}; split it first")
         if not isinstance(value, dict):
             if at >= 0:
                 self._reading.bad(f"{member}[{at}]", "is no object")

@@ -20,9 +20,12 @@ _START = re.compile(
     rb"(\xef\xbb\xbf)?\s*(<\?xml[^>]*\?>\s*)?(<!--.*?-->\s*)*<annotations[\s>]", re.S
 )
 _MOST_DIGITS = 18
+_MOST_BESIDE = 200_000
+"""Elements that are no part of a track, such as labels of a task: many times what any has."""
 _OTHER_SHAPES = frozenset(
     {"polygon", "polyline", "points", "cuboid", "ellipse", "mask", "skeleton"}
 )
+_OF_TRACKS = _OTHER_SHAPES | {"track", "box", "attribute"}
 
 
 def looks_like_cvat(_path: Path, head: bytes) -> bool:
@@ -53,7 +56,7 @@ class _File:
         self._open: list[str] = []
         self._track: CvatTrack | None = None
         self._attribute = ""
-        self._images = 0
+        self._images = self._beside = 0
 
     def start(self, name: str, attributes: Mapping[str, str], line: int) -> None:
         """See `xml_stream.Elements`."""
@@ -61,6 +64,8 @@ class _File:
             raise FormatError(f"{self._reading.path} is XML, but none of CVAT's: export it again")
         inside = self._open[-1] if self._open else ""
         self._open.append(name)
+        if name not in _OF_TRACKS or (self._track is None and name != "track"):
+            self._count_beside()
         if name == "track" and inside == "annotations":
             self._track = CvatTrack(attributes, line)
         elif name == "image":
@@ -88,6 +93,13 @@ class _File:
             raise FormatError(f"{path} holds {self.meta.tasks} tasks; export one of them alone")
         if self._images and not self.tracks:
             raise FormatError(f"{path} is CVAT for images; export the task as CVAT for video")
+
+    def _count_beside(self) -> None:
+        """Raise FormatError where far more is said than in any of CVAT's files of a video."""
+        self._beside += 1
+        if self._beside > _MOST_BESIDE:
+            self.check()
+            raise FormatError(f"{self._reading.path} holds hardly more than elements without boxes")
 
     def _shape(self, name: str, attributes: Mapping[str, str], line: int) -> None:
         assert self._track is not None

@@ -12,7 +12,7 @@ from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager
 from io import TextIOWrapper
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any, BinaryIO, TextIO
 
 from tracking.errors import FormatError
 from tracking.progress import Progress, no_progress
@@ -21,6 +21,8 @@ JsonPath = tuple[str | int, ...]
 """Where a value stands in a file: names of members, and elements of arrays from 0."""
 
 MOST_BYTES = 4 << 30
+"""So much the longest sessions take: a box has 100 to 200 bytes. Nothing of the file is held; where
+it is none of these, what it holds is capped much earlier."""
 LONGEST_ELEMENT = 4 << 20
 """Characters; an outline of a person drawn with every pixel is far shorter."""
 
@@ -30,6 +32,11 @@ _TEXT_PART = re.compile(r'[^"\\]*+(?:\\.[^"\\]*+)*+', re.DOTALL)
 _SPACE = re.compile(r"[ \t\r\n]*")
 _MOST_PASSED_OVER = 100_000
 """Elements of members that are not wanted."""
+_MOST_MEMBERS = 10_000
+"""Of one object that is entered, which has tens."""
+_TAIL = 1 << 16
+"""Bytes at the end, which tell a file that was cut short before all of it is read."""
+_ENDS = (b"}", b"]")
 _BETWEEN = "},"
 _SOME = 1000
 """So many elements are read one by one where they could not be read together."""
@@ -77,11 +84,21 @@ def _opened(path: Path, report: Progress) -> Iterator[_Text]:
         if size > MOST_BYTES:
             raise FormatError(f"{path} is larger than {MOST_BYTES >> 30} GB; split it first")
         with path.open("rb") as held, TextIOWrapper(held, encoding="utf-8-sig") as stream:
+            _check_end(path, held, size)
             yield _Text(path, stream, lambda: report(min(held.tell(), size), size))
     except OSError as error:
         raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
     except UnicodeDecodeError as error:
         raise FormatError(f"{path} is not text; give a JSON file") from error
+
+
+def _check_end(path: Path, held: BinaryIO, size: int) -> None:
+    """Refuse a long file that ends within; held is at its beginning, and is so again."""
+    if size > _TAIL:
+        held.seek(size - _TAIL)
+        if not held.read(_TAIL).rstrip(b" \t\r\n\0").endswith(_ENDS):
+            raise FormatError(f"{path} is cut short: it ends within its JSON; export it again")
+        held.seek(0)
 
 
 class _Text:
@@ -100,17 +117,23 @@ class _Text:
         self._take("{")
         if self._sign() == "}":
             return
-        while True:
-            name = self._value()
-            if not isinstance(name, str):
-                raise self._wrong("a name is missing")
-            self._take(":")
+        for name in self._names():
             if name not in wanted and self._sign() == '"':
                 self._pass_over_text()
             else:
                 yield from self._wanted(name, wanted)
+
+    def _names(self) -> Iterator[str]:
+        """The names of an object that has some; its values are to be taken between them."""
+        for _ in range(_MOST_MEMBERS):
+            name = self._value()
+            if not isinstance(name, str):
+                raise self._wrong("a name is missing")
+            self._take(":")
+            yield name
             if self._take(",", "}") == "}":
                 return
+        raise self._wrong("an object has more members than any of these files'")
 
     def values(
         self, place: JsonPath, inside: Callable[[JsonPath], bool]
@@ -131,14 +154,8 @@ class _Text:
         if self._sign() == "}":
             self._take("}")
             return
-        while True:
-            name = self._value()
-            if not isinstance(name, str):
-                raise self._wrong("a name is missing")
-            self._take(":")
+        for name in self._names():
             yield from self.values((*place, name), inside)
-            if self._take(",", "}") == "}":
-                return
 
     def _elements_of(
         self, place: JsonPath, inside: Callable[[JsonPath], bool]

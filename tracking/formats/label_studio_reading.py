@@ -46,6 +46,8 @@ _KEPT = frozenset(
     }
 )
 _MOST_KEYFRAMES = 20_000_000
+_MOST_ANNOTATIONS = 20_000
+"""Of all tasks together: a file is of one video, and has a few of them."""
 _LONGEST_TIME = 64
 
 
@@ -141,6 +143,8 @@ class _File:
         owner, rest = place[:3], place[3:]
         if len(rest) == 1:
             self._annotation(owner, place[1] == _PREDICTIONS).said[str(rest[0])] = value
+        elif len(rest) == 2:
+            self._reading.bad(_named(place), "is no object")
         elif len(rest) >= 3:
             self._annotation(owner, place[1] == _PREDICTIONS)
             inner = rest[2:]
@@ -167,6 +171,9 @@ class _File:
 
     def _annotation(self, owner: JsonPath, predicted: bool) -> _Annotation:
         if owner not in self._annotations:
+            if len(self._annotations) == _MOST_ANNOTATIONS:
+                path, most = self._reading.path, _MOST_ANNOTATIONS
+                raise FormatError(f"{path} has more than {most} annotations; keep the task of one")
             filled = FilledRows(self._reading.path)
             self._annotations[owner] = _Annotation(owner[0], predicted, filled)
         return self._annotations[owner]

@@ -23,6 +23,9 @@ from tracking.errors import FormatError
 from tracking.progress import Progress, no_progress
 
 MOST_BYTES = 4 << 30
+"""So much the longest sessions take: a box has 100 to 200 bytes. Nothing of the file is held."""
+_TAIL = 1 << 16
+"""Bytes at the end, which tell a file that was cut short before all of it is read."""
 _PIECE = 1 << 18
 _DEEPEST = 32
 _LONGEST = 1 << 16
@@ -87,7 +90,14 @@ def _opened(path: Path, member: str) -> tuple[AbstractContextManager[IO[bytes]],
     """The XML, and how many bytes it is said to have."""
     with path.open("rb") as stream:
         if stream.read(len(ZIP)) != ZIP:
-            return path.open("rb"), path.stat().st_size
+            size = path.stat().st_size
+            if size > _TAIL:
+                stream.seek(size - _TAIL)
+                if not stream.read(_TAIL).rstrip(b" \t\r\n\0").endswith(b">"):
+                    raise FormatError(
+                        f"{path} is cut short: it ends within its XML; export it again"
+                    )
+            return path.open("rb"), size
     try:
         archive = zipfile.ZipFile(path)
         return archive.open(member), archive.getinfo(member).file_size
