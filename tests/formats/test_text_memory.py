@@ -28,6 +28,7 @@ ROWS_ARE_REFUSED = [
     ("pedpy-txt", b"# framerate: 25 fps\n# id frame x/m y/m\n", b"1 1 1 1\n"),
     ("viame", b"# 1: Detection or Track-id\n", b"1,,0,1,2,3,4,1,-1,person,1\n"),
     ("sleap", b"track,frame_idx,instance.score,a.x,a.y\n", b"track_0,0.5,1,1,1\n"),
+    ("sleap", b"track,frame_idx,instance.score,a.x,a.y\n", b"track_0,1,1,1,1\n"),
 ]
 CVAT_BOX = b'<box frame="1" xtl="1" ytl="1" xbr="2" ybr="2" outside="0" occluded="0"/>\n'
 COCO_BOX = b'{"id":1,"image_id":1,"track_id":1,"category_id":1,"bbox":[1,2,3,4]},'

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
+from tracking.formats.delimited import TRIED_ROWS
 from tracking.formats.label_text import label_of, left_out
 from tracking.formats.line_survey import MOST_ROWS
 from tracking.formats.reading import Filmed, Imported, Reading
@@ -80,8 +81,19 @@ class _Table:
             self._reading.bad(f"line {number}", reason)
         else:
             self._reading.good += 1
+            if self._reading.good == TRIED_ROWS:
+                self._try()
         if self._reading.good > MOST_ROWS or len(self._tracks) > _MOST_TRACKS:
             raise FormatError(f"{self._reading.path} has more rows or tracks than any; split it")
+
+    def _try(self) -> None:
+        """Raise FormatError where the first rows are such that the file is refused in the end."""
+        line, frame, held = np.array(self._whole, np.int64).reshape(-1, 3).T
+        if self._tracks:
+            tracked = held >= 0
+            line, rows = line[tracked], {"frame": frame[tracked], "track": held[tracked]}
+            tried = Reading(self._reading.path)
+            tried.checked(rows, lambda row: f"line {line[row]}", least_track=0)
 
     def imported(self) -> Imported:
         """The tracks."""
