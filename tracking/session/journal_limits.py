@@ -80,6 +80,11 @@ class TimeLimit:
         self._processor_s, self._disk_s = PROCESSOR_S, DISK_S
         self._add(time.thread_time(), time.monotonic())
 
+    def check(self) -> None:
+        """While it runs: raise TimeoutError where it is over, as amid one large value."""
+        if self._is_over():
+            raise TimeoutError(errno.ETIMEDOUT, "it takes too long")
+
     def _add(self, processor_s: float, disk_s: float) -> None:
         self._processor_s += processor_s
         self._disk_s += disk_s

@@ -44,7 +44,7 @@ def rows_in_order(
         except sqlite3.DataError as why:
             if damaged or why.sqlite_errorcode != sqlite3.SQLITE_TOOBIG:
                 raise
-        row = _large_row(base, number, before, left)
+        row = _large_row(base, number, before, left, limit)
         left = _left(left, text_bytes(row))
         yield row
         limit.renew()
@@ -62,7 +62,9 @@ def _small_rows(base: sqlite3.Connection, number: int) -> Iterator[Row]:
         yield from rows.execute("SELECT * FROM steps WHERE number >= ? ORDER BY number", (number,))
 
 
-def _large_row(base: sqlite3.Connection, number: int, before: str, left: int) -> Row:
+def _large_row(
+    base: sqlite3.Connection, number: int, before: str, left: int, limit: TimeLimit
+) -> Row:
     """A row that is not read before it is known to be as it was written."""
     names = "number, act, edit, time, author, kind, text, frame, undoes, scope, checksum"
     small = base.execute(f"SELECT {names} FROM steps WHERE number = ?", (number,)).fetchone()
@@ -74,18 +76,20 @@ def _large_row(base: sqlite3.Connection, number: int, before: str, left: int) ->
         base.blobopen("steps", "after", number, readonly=True) as other,
     ):
         _left(left, len(one) + len(other))
-        sides = (Pieces(len(side), _parts(side)) for side in (one, other))
+        sides = (Pieces(len(side), _parts(side, limit)) for side in (one, other))
         found = checksum(before, (*said, *sides, undoes, scope))
     if found != wanted:
         raise ValueError(f"step {number} is damaged: it is not what its checksum says")
-    limit = base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LONGEST_CELL)
+    limit.renew()
+    longest = base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LONGEST_CELL)
     try:
         row = base.execute("SELECT * FROM steps WHERE number = ?", (number,)).fetchone()
     finally:
-        base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, limit)
+        base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, longest)
     return tuple(row)
 
 
-def _parts(value: sqlite3.Blob) -> Iterator[bytes]:
+def _parts(value: sqlite3.Blob, limit: TimeLimit) -> Iterator[bytes]:
     while part := value.read(_PIECE_BYTES):
+        limit.check()
         yield part

@@ -23,7 +23,9 @@ from tests.sweeps.hostile_files.case import (
 
 _LOCK, _JOURNAL, _OLDER = f"{HIDDEN}/lock", f"{HIDDEN}/journal.sqlite", f"{HIDDEN}/s.1.h5"
 _ENDLESS = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i FROM n"
-_COLUMNS = "number, act, edit, time, author, kind, text, frame, before, after, undoes, scope"
+_COLUMNS = (
+    "number, act, edit, time, author, kind, text, frame, before, after, undoes, scope, checksum"
+)
 
 
 def _replaced(file: str, target: str) -> Callable[[Path], None]:
@@ -49,7 +51,7 @@ def _sql(*statements: str, whole: bool = True) -> Callable[[Path], None]:
 
 def _many(count: int) -> str:
     numbers = f"WITH RECURSIVE n(i) AS (SELECT 9 UNION ALL SELECT i + 1 FROM n WHERE i < {count})"
-    values = "SELECT i, 'apply', i, '', '', 'x', 'x', 0, '{}', '{}', 0, '' FROM n"
+    values = "SELECT i, 'apply', i, '', '', 'x', 'x', 0, '{}', '{}', 0, '', '' FROM n"
     return f"{numbers} INSERT INTO steps {values}"
 
 
@@ -124,7 +126,8 @@ JOURNALS = (
         _sql(
             "DROP TABLE steps",
             f"CREATE VIEW steps({_COLUMNS}) AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL "
-            "SELECT i + 1 FROM n) SELECT i, 'apply', i, '', '', '', '', 0, '', '', 0, '' FROM n",
+            "SELECT i + 1 FROM n) "
+            "SELECT i, 'apply', i, '', '', '', '', 0, '', '', 0, '', '' FROM n",
         ),
         EXPORT,
         None,
