@@ -19,6 +19,24 @@ from tracking.session import (
 )
 
 
+def run_accept(path: Path, *, as_json: bool) -> None:
+    """Take a session that was found damaged as it is, so that it is told no more.
+
+    Raises SessionError where it cannot be read, or another program has it.
+    """
+    with closing(Session.open(path)) as session:
+        _refuse_read_only(session, path, "changed")
+        count = session.accept_damage()
+        if count:
+            session.save()
+        else:
+            say("no damage of it is known; nothing was changed")
+    if as_json:
+        print_json({"accepted": count, "session": str(path)})
+    else:
+        print_line(path)
+
+
 def run_restore(path: Path, number: int, *, only_list: bool, as_json: bool) -> None:
     """List the backups that are kept, or put one in the session's place.
 
@@ -49,10 +67,14 @@ def _restored(path: Path, number: int) -> Session:
         return restored
     with closing(session):
         check_generation(session.path or path, number)
-        if session.read_only:
-            why = session.why_read_only.removeprefix(f"{session.path}: ")
-            raise SessionError(f"{path} cannot be restored: {why}")
+        _refuse_read_only(session, path, "restored")
         return session.restore(number)
+
+
+def _refuse_read_only(session: Session, path: Path, what: str) -> None:
+    if session.read_only:
+        why = session.why_read_only.removeprefix(f"{session.path}: ")
+        raise SessionError(f"{path} cannot be {what}: {why}")
 
 
 def _print(path: Path, *, as_json: bool) -> None:

@@ -208,12 +208,12 @@ def test_a_flipped_bit_in_plain_text_is_told(word, key, tmp_path, monkeypatch):
         damaged.close()
 
 
-def test_a_damaged_session_that_is_saved_again_is_news_no_more(copy, monkeypatch):
+def test_a_damaged_session_that_is_saved_again_is_whole_and_was_found_damaged(copy, monkeypatch):
     damaged = Session.open(flipped(copy, b"Lobby, camera"))
     damaged.save()
     damaged.close()
     again = Session.open(copy)
-    assert again.notes == ()
+    assert ["was found damaged" in note for note in again.notes] == [True]
     again.close()
 
 

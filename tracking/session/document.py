@@ -19,7 +19,7 @@ from tracking.session.on_disk import OnDisk
 from tracking.session.pending import PendingSave, next_stamps
 from tracking.session.reading import read_session
 from tracking.session.reference import Footage, refer_to
-from tracking.session.saving import UNLIMITED, file_state, generations
+from tracking.session.saving import UNLIMITED, file_state, generations, keep_damaged
 from tracking.session.stamping import author_named, made_up, now, software
 from tracking.session.store import Store
 from tracking.session.waiting import read_with_waiting
@@ -230,6 +230,10 @@ class Session(OnDisk):
         file = next(kept for kept in generations(path) if file_state(kept) == known)
         stamps = next_stamps(older.stamps, self._stamps, store)
         recording = self._whereabouts.reference
+        if older.changed:
+            kept = keep_damaged(path, file).name
+            findings = (*older.findings[:-1], replace(older.findings[-1], kept=kept))
+            older = replace(older, findings=findings, changed=False)
         snapshot = replace(standing_in(older, file), stamps=stamps, recording=recording)
         pending = PendingSave(snapshot, path, 0, store, UNLIMITED)
         pending.write()
@@ -238,6 +242,22 @@ class Session(OnDisk):
         restored._store, self._store = store, None
         store.rebase(stamps.session, stamps.save, stamps.included)
         return restored
+
+    def accept_damage(self) -> int:
+        """Take the session as it is: damage that was found of it is told no more once it is saved.
+
+        Gives how much there was; that it was found, and when accepted, stays in the file.
+        Raises SessionError for a session open for reading only.
+        """
+        self._refuse_read_only()
+        open_ones = [one for one in self._findings if not one.accepted]
+        if open_ones:
+            at = now()
+            self._findings = [
+                one if one.accepted else replace(one, accepted=at) for one in self._findings
+            ]
+            self._content += 1
+        return len(open_ones)
 
     # The recording
 

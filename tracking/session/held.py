@@ -41,6 +41,9 @@ class Held:
         self._pending: PendingSave | None = None
         self._samples = KeptSamples()
         self._damage = list(snapshot.damage)
+        self._findings = list(snapshot.findings)
+        # The place of the finding of which the file is still as it was found.
+        self._unkept = len(snapshot.findings) - 1 if snapshot.changed else None
         self._notes = list(self._damage)
         self._why_read_only = ""
         self._recovered = 0
@@ -165,4 +168,5 @@ class Held:
             began_as=self._runs.in_memory(self._adopted),
             samples=self._samples,
             colours=dict(self.colours),
+            findings=tuple(self._findings),
         )

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from tracking.editing import TOUCHED_COLUMNS, Entry, History, TouchIndex
 from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS, Samples
+from tracking.session.findings import Finding, write_findings
 from tracking.session.image_file import ImageFile
 from tracking.session.label_tables import tables_of
 from tracking.session.layout import (
@@ -74,7 +75,9 @@ class Snapshot:
         edits: the log; touched: `TOUCHED_COLUMNS` of those of which it is known.
         runs: in memory, or still in a file they are copied from.
         newer: it was read from a file that may say more than this program knows.
-        damage: what is damaged of the file it was read from, in lines for people.
+        changed: it was read from a file that is not as it was saved.
+        damage: what is damaged of that file, or was once, in lines for people.
+        findings: the damage that was ever found of the session.
         began_as: the adopted run where it is in memory already.
         samples: what the save before made of the labels.
         colours: place in the window's palette by track; of tracks nobody looked at none is known.
@@ -89,7 +92,9 @@ class Snapshot:
     edits: tuple[Entry, ...]
     touched: Columns
     newer: bool = False
+    changed: bool = False
     damage: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
     began_as: Run | None = None
     samples: KeptSamples = field(default_factory=KeptSamples)
     colours: Mapping[int, int] = field(default_factory=dict)
@@ -124,6 +129,7 @@ def write_image(snapshot: Snapshot, image: ImageFile) -> None:
     packer = Packer(image)
     with h5py.File(image, "w") as file:
         _write_stamps(file, snapshot.stamps)
+        write_findings(file, snapshot.findings)
         _write_recording(packer, file.create_group("recording"), snapshot.recording)
         runs = file.create_group("runs")
         for number, run in enumerate(snapshot.runs):

@@ -16,7 +16,7 @@ from tracking.errors import EditError, SessionError
 from tracking.session.edited import Edited
 from tracking.session.hdf5 import opened, text_attribute
 from tracking.session.label_tables import read_labels
-from tracking.session.reading import check_file, checked, read_recording, read_stamps
+from tracking.session.reading import check_file, checked, read_recording, read_stamps, told_findings
 from tracking.session.reference import RecordingReference
 from tracking.session.run_notes import read_notes
 from tracking.session.waiting import may_wait, read_with_waiting
@@ -34,6 +34,7 @@ def describe(path: Path) -> dict[str, Any]:
     _, damage = checked(path)
     with _told(path) as file:
         stamps = read_stamps(file)
+        damage += told_findings(file, path)
     read = read_with_waiting(path) if may_wait(path, stamps) else None
     with _told(path) as file:
         recording = read_recording(file["recording"])

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import os
+from dataclasses import replace
 from pathlib import Path
 
 from tracking.editing import Entry
 from tracking.errors import SessionError
 from tracking.owned_files import real_path
+from tracking.session.findings import Finding
 from tracking.session.held import Held
 from tracking.session.journal import Act
 from tracking.session.notes import tell, tell_damage
 from tracking.session.pending import PendingSave, next_stamps
 from tracking.session.reading import saved_as
 from tracking.session.recovery import recover
+from tracking.session.saving import companions, keep_damaged
+from tracking.session.stamping import now
 from tracking.session.store import Store
 from tracking.session.waiting import edits_wait
 
@@ -61,8 +66,20 @@ class OnDisk(Held):
         self._recovered = self._content = found.steps
         self._notes += (*map(tell, found.notes), *map(tell_damage, found.damage))
         self._damage += found.damage
+        self._findings += [Finding(now(), self._without_folder(note)) for note in found.damage]
         if found.failed is not None:
             raise found.failed
+
+    def _without_folder(self, note: str) -> str:
+        """A note with names of files beside the session alone: the session travels."""
+        return note if self._path is None else note.replace(f"{companions(self._path)}{os.sep}", "")
+
+    def _keep_as_found(self, path: Path) -> None:
+        """Before the first save: it would seal what is damaged anew."""
+        if self._unkept is not None:
+            found, kept = self._findings[self._unkept], keep_damaged(path).name
+            self._findings[self._unkept] = replace(found, kept=kept)
+            self._unkept = None
 
     def _refuse_read_only(self) -> None:
         if self.read_only:
@@ -116,6 +133,7 @@ class OnDisk(Held):
             self._refuse_read_only()
             if self._store is not None:
                 self._make_sure(self._store)
+            self._keep_as_found(target)
         store = self._store if own and self._store is not None else Store.claim(target)
         stamps = next_stamps(self._stamps, self._stamps, store if own else None)
         snapshot = self._as_it_is(stamps, self._whereabouts.seen_from(target.parent, self._path))
@@ -133,7 +151,7 @@ class OnDisk(Held):
         self._store, self._path = pending.store, pending.path
         self._stamps, self._whereabouts.reference = stamps, pending.snapshot.recording
         self._runs.stored_in(pending.path, len(pending.snapshot.runs))
-        self._saved, self._pending = pending.content, None
+        self._saved, self._pending, self._unkept = pending.content, None, None
         self._begin_journal()
         try:
             if self.dirty and not own:  # edits made meanwhile are in no journal of this file

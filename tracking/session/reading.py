@@ -13,6 +13,7 @@ import h5py
 from tracking.editing import TOUCHED_COLUMNS, Entry, History, Scope, TouchIndex, touched
 from tracking.errors import EditError, SessionError
 from tracking.session import inspection
+from tracking.session.findings import CHECKSUM, Finding, read_findings
 from tracking.session.hdf5 import begin_columns, opened, read_columns, text_attribute
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.label_tables import read_labels
@@ -23,6 +24,7 @@ from tracking.session.runs import StoredRun
 from tracking.session.saving import generations
 from tracking.session.seal import holds as is_sealed
 from tracking.session.seal import is_changed
+from tracking.session.stamping import now
 from tracking.session.unpacking import Unpacking
 from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, TrackTable
 from tracking.untrusted import DAMAGED, verdicts_of
@@ -38,7 +40,22 @@ def read_session(path: Path) -> Snapshot:
     version, damage = checked(path)
     with opened(path) as file:
         snapshot = _READERS[version[0]](file, path)
-    return replace(snapshot, newer=version > VERSION, damage=damage)
+        findings, known = read_findings(file), told_findings(file, path)
+    if damage:
+        findings = (*findings, Finding(now(), CHECKSUM))
+    return replace(
+        snapshot,
+        newer=version > VERSION,
+        changed=bool(damage),
+        damage=(*damage, *known),
+        findings=findings,
+    )
+
+
+def told_findings(file: h5py.File, path: Path) -> tuple[str, ...]:
+    """What was found damaged of the session before and nobody has accepted: told once more."""
+    open_ones = [one for one in read_findings(file) if not one.accepted]
+    return tuple(tell_damage(one.note(path)) for one in open_ones)
 
 
 def saved_as(path: Path) -> tuple[str, str]:

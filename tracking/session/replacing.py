@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import os
 import shutil
 from pathlib import Path
 
@@ -11,9 +10,8 @@ from tracking.owned_files import real_path, sync_folder
 from tracking.session.document import Session
 from tracking.session.older import read_generation
 from tracking.session.saving import (
-    companions,
     copy_file,
-    free_name,
+    keep_damaged,
     telling_where,
     unfinished_name,
 )
@@ -40,7 +38,7 @@ def replace_damaged(path: Path, number: int) -> tuple[Session, Path]:
     file, _ = read_generation(path, number)
     store = Store.claim(path)
     try:
-        kept = _set_aside(path)
+        kept = keep_damaged(path)
         try:
             with telling_where(path, "the backup was not put in its place"):
                 _copy_over(file, path)
@@ -50,18 +48,6 @@ def replace_damaged(path: Path, number: int) -> tuple[Session, Path]:
     finally:
         store.release(keep_journal=True)
     return Session.open(path), kept
-
-
-def _set_aside(path: Path) -> Path:
-    """The file under a second name that nothing has; gives it."""
-    aside = free_name(companions(path) / f"damaged-{path.suffix}")
-    with telling_where(aside, "the damaged file cannot be kept"):
-        try:
-            os.link(path, aside)
-        except OSError:  # a disk without second names
-            copy_file(path, aside)
-        sync_folder(aside.parent)
-    return aside
 
 
 def _copy_over(file: Path, path: Path) -> None:

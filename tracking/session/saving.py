@@ -111,6 +111,23 @@ def free_name(path: Path) -> Path:
     return next(name for name in names if not os.path.lexists(name))
 
 
+def keep_damaged(path: Path, file: Path | None = None) -> Path:
+    """Keep a damaged file of a session for good, under a name that nothing has; gives it.
+
+    file: which one, as a backup; None: the session's own. It stays where it is, too.
+    Raises OutputError where that fails.
+    """
+    file = path if file is None else file
+    kept = free_name(companions(path) / f"damaged-{path.suffix}")
+    with telling_where(kept, "the damaged file cannot be kept"):
+        try:
+            os.link(file, kept)
+        except OSError:  # a disk without second names
+            copy_file(file, kept)
+        sync_folder(kept.parent)
+    return kept
+
+
 def copy_file(source: Path, target: Path) -> None:
     """Have a file's bytes in a new file, on the disk when this returns, or nothing.
 

@@ -142,9 +142,22 @@ def restore(
     only_list: Annotated[
         bool, typer.Option("--list", help="Only list the ones that are kept.")
     ] = False,
+    accept_damage: Annotated[
+        bool,
+        typer.Option(
+            "--accept-damage",
+            help="Restore nothing: take a session that was found damaged as it is, so that no "
+            "command tells it any more.",
+        ),
+    ] = False,
     json: options.Json = False,
 ) -> None:
     """Put a backup in a session's place; what it is now is kept as the newest one."""
-    from app.cli.restore import run_restore
+    from app.cli.restore import run_accept, run_restore
 
+    if accept_damage and only_list:
+        raise typer.BadParameter("give it without --list", param_hint="--accept-damage")
+    if accept_damage:
+        run_accept(session, as_json=json)
+        return
     run_restore(session, generation, only_list=only_list, as_json=json)

@@ -161,8 +161,8 @@ def test_edits_that_another_program_is_making_are_read_and_never_told_as_damage(
         other.apply(plan_swap(other.tracks, first, second, 10))
         copy = waiting._copy
 
-        def copy_slowly(file: Path, place: Path) -> None:
-            copy(file, place)
+        def copy_slowly(main: Path, place: Path, ending: str, most_bytes: int) -> None:
+            copy(main, place, ending, most_bytes)
             if steps:
                 steps.pop(0)()
 
@@ -170,3 +170,19 @@ def test_edits_that_another_program_is_making_are_read_and_never_told_as_damage(
         _, printed, told = trackwright("log", named)
     assert "missing" not in told
     assert len(printed.splitlines()) == 3
+
+
+def test_damage_is_told_after_a_save_until_it_is_accepted(
+    trackwright: Trackwright, damaged: Path, tmp_path: Path
+) -> None:
+    assert trackwright("import", tmp_path / "rows.txt", "--into", damaged)[0] == 0
+    told = trackwright("review", damaged)[2]
+    assert told.count("was found damaged on") == 1
+    status, out, told = trackwright("restore", damaged, "--accept-damage")
+    assert (status, out.strip()) == (0, str(damaged))
+    status, out, told = trackwright("review", damaged)
+    assert (status, "damaged" in told) == (0, False)
+    status, out, told = trackwright("restore", damaged, "--accept-damage", "--json")
+    assert (status, json.loads(out)["accepted"]) == (0, 0)
+    assert "no damage of it is known" in told
+    assert trackwright("restore", damaged, "--accept-damage", "--list")[0] == 2
