@@ -270,6 +270,13 @@ def test_a_large_step_that_nobody_wrote_is_not_held_in_memory(emptied: Path) -> 
     assert grown_kib < 60 * 1024
 
 
+def test_the_last_sound_step_before_one_that_is_too_large_is_recovered(emptied: Path) -> None:
+    base = sqlite3.connect(journal_of(emptied), isolation_level=None)
+    base.execute("UPDATE steps SET checksum = hex(zeroblob(1000000)) WHERE number = 5")
+    base.close()
+    opens_told(emptied, 4)
+
+
 @pytest.fixture
 def large(session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A session beside a journal of three edits, the second of which counts as large."""

@@ -6,6 +6,7 @@ import contextlib
 import sqlite3
 from collections.abc import Iterator
 
+from tracking.session.journal_faults import is_damage
 from tracking.session.journal_limits import LONGEST_CELL, TimeLimit
 from tracking.session.journal_rows import Pieces, Row, checksum, text_bytes
 
@@ -41,14 +42,20 @@ def rows_in_order(
                 limit.renew()
                 number, before = number + 1, row[-1]
             return
-        except sqlite3.DataError as why:
-            if damaged or why.sqlite_errorcode != sqlite3.SQLITE_TOOBIG:
+        except sqlite3.Error as why:
+            # Python asks for one row ahead: the one that it did not give may be sound.
+            if not is_damage(why):
                 raise
-        row = _large_row(base, number, before, left, limit)
-        left = _left(left, text_bytes(row))
-        yield row
+            is_large = not damaged and why.sqlite_errorcode == sqlite3.SQLITE_TOOBIG
+            asked = (
+                _large_row(base, number, before, left, limit) if is_large else _row(base, number)
+            )
+            if asked is None:
+                raise
+        left = _left(left, text_bytes(asked))
+        yield asked
         limit.renew()
-        number, before = number + 1, row[-1]
+        number, before = number + 1, asked[-1]
 
 
 def _left(left: int, size_bytes: int) -> int:
@@ -60,6 +67,11 @@ def _left(left: int, size_bytes: int) -> int:
 def _small_rows(base: sqlite3.Connection, number: int) -> Iterator[Row]:
     with contextlib.closing(base.cursor()) as rows:
         yield from rows.execute("SELECT * FROM steps WHERE number >= ? ORDER BY number", (number,))
+
+
+def _row(base: sqlite3.Connection, number: int) -> Row | None:
+    row: Row | None = base.execute("SELECT * FROM steps WHERE number = ?", (number,)).fetchone()
+    return row
 
 
 def _large_row(
@@ -83,10 +95,12 @@ def _large_row(
     limit.renew()
     longest = base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LONGEST_CELL)
     try:
-        row = base.execute("SELECT * FROM steps WHERE number = ?", (number,)).fetchone()
+        row = _row(base, number)
     finally:
         base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, longest)
-    return tuple(row)
+    if row is None:
+        raise ValueError(f"step {number} is damaged")
+    return row
 
 
 def _parts(value: sqlite3.Blob, limit: TimeLimit) -> Iterator[bytes]:
