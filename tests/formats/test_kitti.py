@@ -113,7 +113,11 @@ GOOD = "4 1 Pedestrian 0 0 -10 0 0 1 1 -1 -1 -1 0 0 0 -10"
         ("4 -1 Pedestrian 0 0 -10 0 0 1 1 -1 -1 -1 0 0 0 -10", "id is not a positive"),
         ("5 1 Pedestrian 0 0 -10 5 0 1 1 -1 -1 -1 0 0 0 -10", "negative size"),
         ("5 1 Pedestrian 0 0 -10 nan 0 1 1 -1 -1 -1 0 0 0 -10", "finite"),
-        ("5 1 <script> 0 0 -10 0 0 1 1 -1 -1 -1 0 0 0 -10", "'<script>' is not a number"),
+        ("5 1 <script> 0 0 -10 0 0 1 1 -1 -1 -1 0 0 0 -10", "'<script>' is no word"),
+        *(
+            (f"5 1 {number} 0 0 -10 0 0 1 1 -1 -1 -1 0 0 0 -10", f"{number!r} is no word")
+            for number in ("0", "1", "7", "-1", "1.5")
+        ),
         ("5 1 Pedestrian 0 0", "5 values"),
         ("-5 1 Pedestrian 0 0 -10 0 0 1 1 -1 -1 -1 0 0 0 -10", "frame number"),
         ("5 1 Pedestrian 0 0 -10 0 0 1 1 -1 -1 -1 9e300 0 0 -10", "farther"),

@@ -179,6 +179,20 @@ def test_an_invalid_keyframe_is_told_with_its_place(
     assert reason in bad.reason
 
 
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"id": "b", "type": "choices", "value": {"choices": ["sunny"]}},
+        region(name="b"),
+        region(key(0), name="b"),
+    ],
+    ids=["no box", "no keyframes", "invalid keyframes"],
+)
+def test_a_region_without_keyframes_is_passed_over(tmp_path: Path, other: dict[str, Any]) -> None:
+    for regions in ([other, region(key(2, False))], [region(key(2, False)), other]):
+        assert lefts(imported(tmp_path, [task(*regions)])) == {(1, 1): 64}
+
+
 def test_percent_without_the_size_of_the_picture_are_refused(tmp_path: Path) -> None:
     with pytest.raises(FormatError, match="import it with its recording"):
         imported(tmp_path, [task(region(key(1)))], Filmed())

@@ -73,13 +73,20 @@ def import_kitti(path: Path, filmed: Filmed, report: Progress = no_progress) -> 
 
 
 def _with_numbered_types(reading: Reading, types: dict[str, int]) -> Iterator[Piece]:
-    """The lines with a number for each type, which is added to the types, and single blanks."""
+    """The lines with a number for each type, which is added to the types, and single blanks.
+
+    A line whose type is no word is told as invalid and left empty: a number would be taken for one
+    of those given here.
+    """
     for piece in pieces_of(reading.path, reading.report):
         lines = []
-        for line in piece.lines:
+        for number, line in enumerate(piece.lines, piece.first):
             fields = line.split()
             if len(fields) > _TYPE and _is_type(fields[_TYPE]):
                 fields[_TYPE] = str(types.setdefault(fields[_TYPE], len(types)))
+            elif _SHAPE.least <= len(fields) <= _SHAPE.most:
+                reading.bad(f"line {number}", f"the type {fields[_TYPE][:40]!r} is no word")
+                fields = []
             lines.append(" ".join(fields))
         if len(types) > _MOST_TYPES:
             raise FormatError(

@@ -29,6 +29,8 @@ _TRACK_ID = re.compile(rf"(?:{TRACK_PREFIX})?(\d{{1,10}})")
 _FULL_TURN = 360.0
 _SHOWN_AS = 3
 """Whole numbers kept of a keyframe: its frame, whether it is enabled, and its number."""
+_NUMBERS = len(BOX) + 2
+"""And its sides, turn and time."""
 
 Floats = NDArray[np.float64]
 
@@ -177,10 +179,10 @@ class Region:
         return [int(number) for number in whole[again, 2]]
 
     def _columns(self) -> tuple[NDArray[np.int64], Floats]:
-        """(n, 3) `_SHOWN_AS` and (n, 6) sides, turn and time, by frame."""
+        """(n, 3) `_SHOWN_AS` and (n, 6) `_NUMBERS`, by frame."""
         whole = np.array(self._whole, np.int64).reshape(-1, _SHOWN_AS)
         order = np.argsort(whole[:, 0], kind="stable")
-        return whole[order], np.array(self._numbers).reshape(len(whole), -1)[order]
+        return whole[order], np.array(self._numbers).reshape(-1, _NUMBERS)[order]
 
     def _spans(
         self, stop: int | None, frames: int | None
