@@ -217,9 +217,25 @@ def test_a_damaged_session_that_is_saved_again_is_whole_and_was_found_damaged(co
     again.close()
 
 
-def test_a_session_that_another_program_wrote_into_is_not_called_damaged(copy):
+def test_a_session_that_another_program_wrote_into_is_told_to_lack_its_checksum(copy):
     with h5py.File(copy, "a") as file:
         file.attrs["remark"] = "mine"
+    session = Session.open(copy)
+    assert ["another program wrote into it" in note for note in session.notes] == [True]
+    session.close()
+
+
+def test_a_session_whose_end_was_overwritten_is_told_to_lack_its_checksum(copy):
+    whole = copy.read_bytes()
+    copy.write_bytes(whole[:-100] + bytes(range(100)))
+    session = Session.open(copy)
+    assert ["damaged at its end" in note for note in session.notes] == [True]
+    session.close()
+
+
+def test_a_session_of_an_older_format_needs_no_checksum(copy):
+    with h5py.File(copy, "a") as file:
+        file.attrs["format_version"] = "1.4"
     session = Session.open(copy)
     assert session.notes == ()
     session.close()

@@ -22,6 +22,11 @@ _CHANGED = (
     "{path} is damaged: its checksum does not hold, so names, texts or whole edits and labels in "
     "it may be wrong or missing; compare it with a copy or a backup"
 )
+_NO_SEAL = (
+    "{path} is damaged at its end, or another program wrote into it: the checksum that every save "
+    "ends with is gone, so it cannot be told whether names, texts, edits and labels in it are as "
+    "they were saved; compare it with a copy or a backup"
+)
 
 
 def tell(note: str) -> str:
@@ -39,3 +44,8 @@ def tell_damage(note: str) -> str:
 def changed(path: Path) -> str:
     """The note on a file that is not as it was saved."""
     return _CHANGED.format(path=path)
+
+
+def without_seal(path: Path) -> str:
+    """The note on a file that must have a checksum and has none."""
+    return _NO_SEAL.format(path=path)

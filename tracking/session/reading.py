@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -18,18 +18,20 @@ from tracking.session.hdf5 import begin_columns, opened, read_columns, text_attr
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.label_tables import read_labels
 from tracking.session.layout import COLOUR_COLUMNS, EDIT_COLUMNS, SOURCE_COLUMNS, VERSION
-from tracking.session.notes import changed, tell_damage
+from tracking.session.notes import changed, tell_damage, without_seal
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.session.saving import generations
 from tracking.session.seal import holds as is_sealed
-from tracking.session.seal import is_changed
+from tracking.session.seal import is_changed, is_missing
 from tracking.session.stamping import now
 from tracking.session.unpacking import Unpacking
 from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, TrackTable
 from tracking.untrusted import DAMAGED, verdicts_of
 
 _MOST_FPS, _WIDEST = 1e6, 1 << 20
+_ALL_SEALED = (1, 5)
+"""From this version of the format on, every save ends the file with a checksum."""
 
 
 def read_session(path: Path) -> Snapshot:
@@ -92,9 +94,21 @@ def checked(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
     verdict = verdicts_on([path])[0]
     if "refused" in verdict:
         raise SessionError(f"{path}{verdict['refused']}{_way_out(path, verdict['refused'])}")
+    version = _version(verdict)
+    damaged = _damage_of(path, version)
+    return version, (tell_damage(damaged),) if damaged else ()
+
+
+def _version(verdict: Mapping[str, Any]) -> tuple[int, int]:
     major, minor = verdict["version"]
-    damage = (tell_damage(changed(path)),) if is_changed(path) else ()
-    return (int(major), int(minor)), damage
+    return int(major), int(minor)
+
+
+def _damage_of(path: Path, version: tuple[int, int]) -> str:
+    """What is damaged of a file that is safe to read, in a line; "" where nothing is known."""
+    if version >= _ALL_SEALED and is_missing(path):
+        return without_seal(path)
+    return changed(path) if is_changed(path) else ""
 
 
 def check_files(paths: Sequence[Path]) -> list[tuple[str, str]]:
@@ -106,9 +120,10 @@ def check_files(paths: Sequence[Path]) -> list[tuple[str, str]]:
     verdicts = dict(zip(asked, verdicts_on(asked), strict=True))
     found = []
     for path in paths:
-        why = verdicts.get(path, {}).get("refused")
-        damaged = path in verdicts and not why and is_changed(path)
-        found.append((f"{path}{why}" if why else "", changed(path) if damaged else ""))
+        verdict = verdicts.get(path)
+        why = verdict.get("refused") if verdict else ""
+        damaged = _damage_of(path, _version(verdict)) if verdict and not why else ""
+        found.append((f"{path}{why}" if why else "", damaged))
     return found
 
 

@@ -102,6 +102,15 @@ def is_changed(path: Path) -> bool:
         return False
 
 
+def is_missing(path: Path) -> bool:
+    """Whether a file ends without anybody's seal; False where it cannot be told."""
+    try:
+        with path.open("rb", buffering=0) as file:
+            return _end_of(file) is None
+    except (OSError, ValueError):
+        return False
+
+
 @dataclass(frozen=True, slots=True)
 class _End:
     """What a seal says: of a file of `size` bytes, without it, and `pieces` in it."""
