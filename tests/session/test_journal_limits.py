@@ -226,7 +226,7 @@ def test_starting_over_and_taking_a_step_out_end_in_time(
     journal, other = Journal(journal_of(emptied)), Journal(journal_of(emptied))
     assert journal.origin is not None
     row = other._base.execute("SELECT * FROM steps WHERE number = 5").fetchone()
-    other._last, other._checksums, other._failed = 4, other._checksums[:4], row
+    other._last, other._checksums, other._failed = 4, other._checksums[:4], (5, row[-1])
     request.getfixturevalue("no_time")
     with pytest.raises(OutputError, match="takes too long"):
         journal.start_over(journal.origin[0], "another save", 2)

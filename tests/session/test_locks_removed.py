@@ -187,7 +187,8 @@ def fail_commits(monkeypatch: pytest.MonkeyPatch) -> None:
         checksums, last, origin = list(self._checksums), self._last, self._origin
         append(self, *what)
         row = self._base.execute("SELECT * FROM steps WHERE number = ?", (self._last,)).fetchone()
-        self._checksums, self._last, self._origin, self._failed = checksums, last, origin, row
+        self._checksums, self._last, self._origin = checksums, last, origin
+        self._failed = (row[0], row[-1])
         raise OutputError("the disk failed")
 
     monkeypatch.setattr(Journal, "append", failing)

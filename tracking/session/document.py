@@ -205,7 +205,13 @@ class Session(OnDisk):
             self._make_sure(self._store)
             if self._saved < self._base:
                 self._put_base_on_disk()
-        logged = self._edited.do(act, entry, change, self._keep)
+        known = 0 if self._store is None else self._store.steps
+        try:
+            logged = self._edited.do(act, entry, change, self._keep)
+        except BaseException:
+            if self._store is not None:
+                self._store.take_back(known)
+            raise
         self._content += 1
         return logged
 

@@ -29,7 +29,7 @@ class Edited:
     def do(
         self, act: Act, entry: Entry, change: Change, keep: Callable[[Act, Entry], None]
     ) -> Entry:
-        """Validate, apply, have it kept, then log it; where keeping fails, nothing has changed.
+        """Validate, apply, have it kept, then log it; where any of it fails, nothing has changed.
 
         change: the entry's own, as it was made; undo applies its inverse.
         """
@@ -37,10 +37,14 @@ class Edited:
         labels = apply_change(self.tracks, self.labels, made)
         try:
             keep(act, entry)
+            logged = self._log(act, entry, change)
         except BaseException:
             apply_change(self.tracks, labels, made.inverse)
             raise
         self.labels = labels
+        return logged
+
+    def _log(self, act: Act, entry: Entry, change: Change) -> Entry:
         if act == "undo":
             return self.history.mark_undone()
         if act == "redo":

@@ -27,6 +27,7 @@ from tracking.session.journal_rows import Act as Act
 from tracking.session.journal_rows import (
     Contents,
     Row,
+    checksum,
     first_checksum,
     numbered,
     row_of,
@@ -72,7 +73,7 @@ class Journal:
         self._limit = TimeLimit()
         self._problem = open_checked(self._base, self._path, self._limit)
         self._base.execute(f"PRAGMA wal_autocheckpoint={_CHECKPOINT_PAGES}")
-        self._failed: Row | None = None
+        self._failed: tuple[int, str] | None = None  # number and checksum of a step
         with self._limited(LONGEST_NAME):
             origins = self._base.execute("SELECT session, save FROM origin LIMIT 2").fetchall()
         if len(origins) > 1 or any(not isinstance(said, str) for row in origins for said in row):
@@ -182,19 +183,23 @@ class Journal:
         """
         if self._problem or self._origin != other._origin:
             return False
-        if other._failed is not None and self._last == other._last + 1:
-            return self._take_out(other._failed, other._checksum)
-        return (self._last, self._checksum) == (other._last, other._checksum)
+        failed = other._failed
+        last = other._last if failed is None else failed[0] - 1
+        before = other._checksums[last - 1] if last else other._first_checksum()
+        if failed is not None and self._last == last + 1:
+            return self._take_out(failed, before)
+        return (self._last, self._checksum) == (last, before)
 
-    def _take_out(self, failed: Row, before: str) -> bool:
+    def _take_out(self, failed: tuple[int, str], before: str) -> bool:
         with telling(self._path, "written"), self._transaction():
             rows = self._rows_from(self._last - 1)
             kept = rows[0][-1] if len(rows) > 1 else self._first_checksum()
-            if rows[-1] != failed or kept != before:
+            if checksum(kept, rows[-1][:-1]) != failed[1] or kept != before:
                 return False
             self._base.execute("DELETE FROM steps WHERE number = ?", (self._last,))
         self._last -= 1
         self._checksums.pop()
+        self.say_count()
         return True
 
     def _rows_from(self, number: int) -> list[Row]:
@@ -249,15 +254,25 @@ class Journal:
                 f"{self._path}: the journal of edits is full; save the session, then go on"
             )
         row = row_of(Step(self._last + 1, act, entry), self._checksum)
-        self._failed = row
+        used = text_bytes(row)
+        self._failed = (row[0], row[-1])  # whatever ends this before its last line
         with telling(self._path, "written"), self._transaction():
             self._check_tail()
             self._base.execute(INSERT, row)
-        self._failed = None
-        self._last += 1
+        self._bytes += used
+        self._count.write(*self._origin, row[0])
         self._checksums.append(row[-1])
-        self._bytes += text_bytes(row)
-        self._count.write(*self._origin, self._last)
+        self._last = row[0]
+        self._failed = None
+
+    def take_back(self, last: int) -> bool:
+        """Let the step after that one, which was the last, count as one that was not written.
+
+        What was done came to nothing after all; see `continues`. False: no step was written.
+        """
+        if self._failed is None and self._last == last + 1:
+            self._failed = (self._last, self._checksum)
+        return self._failed is not None
 
     def start_over(self, session: str, save: str, included: int = 0) -> None:
         """Build on another save, which has taken in the steps up to this number.
@@ -307,10 +322,10 @@ class Journal:
             origin = self._base.execute("SELECT session, save FROM origin").fetchone()
             return origin, self._base.execute(last).fetchone()
 
-    def _expected(self, failed: Row | None = None) -> tuple[object, object]:
+    def _expected(self, failed: tuple[int, str] | None = None) -> tuple[object, object]:
         """The tail as this program left it; failed: a step of which it cannot know."""
         if failed is not None:
-            return self._origin, (failed[0], failed[-1])
+            return self._origin, failed
         return self._origin, (self._last, self._checksum) if self._last else None
 
     @contextmanager

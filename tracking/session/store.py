@@ -95,9 +95,19 @@ class Store:
             if journal is None:
                 journal = self._journal = self._begin(session, save)
             journal.append(act, entry)
-        except (OutputError, SessionError):
+        except BaseException:
             self._doubted = True
             raise
+
+    @property
+    def steps(self) -> int:
+        """How many steps this program knows of in the journal."""
+        return 0 if self.journal is None else self.journal.last
+
+    def take_back(self, steps: int) -> None:
+        """A step after so many came to nothing: it is taken out before the journal is used."""
+        if self._journal is not None and self._journal.take_back(steps):
+            self._doubted = True
 
     def rebase(self, session: str, save: str, included: int) -> None:
         """Let the journal build on the file that was just written, which holds so many steps."""

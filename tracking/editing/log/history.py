@@ -239,12 +239,15 @@ class History:
         """
         if entry.id != len(self._entries) + 1 or entry.undone:
             raise EditError(f"edit {entry.id} is not the next of the log")
-        for at in self._undone:
-            self._entries[at] = replace(self._entries[at], abandoned=True)
+        # What may take much memory is first: where it does not suffice, nothing has changed.
+        boxes = touched(entry.change if change is None else change)
+        abandoned = [(at, replace(self._entries[at], abandoned=True)) for at in self._undone]
+        self._touches.add(entry.id, boxes)
+        for at, older in abandoned:
+            self._entries[at] = older
         self._undone.clear()
         self._done.append(len(self._entries))
         self._entries.append(entry)
-        self._touches.add(entry.id, touched(entry.change if change is None else change))
         self._take_back(entry, in_force=True)
 
     def mark_undone(self) -> Entry:
