@@ -13,6 +13,7 @@ often are, may also work in the folder of another user where what stands there i
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import stat
 import sys
@@ -34,6 +35,13 @@ SAFE_FLAGS = (
     | getattr(os, "O_BINARY", 0)
 )
 """For `os.open`, where it is to open nothing but a file."""
+_FOLDERS_NOT_SYNCED = frozenset(
+    {
+        *(errno.EINVAL, errno.EBADF, errno.EISDIR, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP),
+        *(errno.EACCES, errno.EPERM),
+    }
+)
+"""What systems say of a folder that they never sync, or that may be written to but not opened."""
 _TRIES = 20
 """Of making a folder that another program takes away at that moment."""
 _KINDS = {
@@ -197,15 +205,19 @@ def sync_folder(folder: Path) -> None:
     """Make a folder's new names last through a power cut.
 
     Windows does so by itself, and some network disks cannot: there is nothing to do about either.
+    Raises OSError where the disk fails: the names may not last.
     """
     if sys.platform == "win32":
         return
-    with contextlib.suppress(OSError):
+    try:
         handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
         try:
             os.fsync(handle)
         finally:
             os.close(handle)
+    except OSError as why:
+        if why.errno not in _FOLDERS_NOT_SYNCED:
+            raise
 
 
 def _check_state(

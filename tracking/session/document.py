@@ -242,7 +242,12 @@ class Session(OnDisk):
             older = replace(older, findings=findings, changed=False)
         snapshot = replace(standing_in(older, file), stamps=stamps, recording=recording)
         pending = PendingSave(snapshot, path, 0, store, UNLIMITED)
-        pending.write()
+        try:
+            pending.write()
+        except BaseException:
+            if not self._is_own_file():  # the backup is in place: no edit of this one fits it
+                self._saved, self._base = -1, self._content
+            raise
         restored = Session(standing_in(snapshot, path), path, self.author)
         restored._whereabouts.place = self._whereabouts.place
         restored._store, self._store = store, None

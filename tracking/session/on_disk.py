@@ -104,7 +104,9 @@ class OnDisk(Held):
     def save(self, path: Path | None = None) -> Path:
         """Save, there or under its own name; afterwards this is the session of that file.
 
-        Raises OutputError, with the old file byte for byte as it was, where that fails;
+        Raises OutputError, with the old file byte for byte as it was, where that fails; where it
+        is only not certain that the new file lasts, it is in its place, and the journal keeps the
+        edits until another save succeeds.
         SessionError where another program has the file or no path was ever named.
         """
         return self._write(self.begin_save(path))

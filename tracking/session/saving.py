@@ -75,7 +75,8 @@ def replace_verified(
 
     At every moment a whole file stands under the name: the old one until the new one is on the
     disk and read back equal. Of the older ones the newest are kept, so many at most.
-    Raises OutputError, with the old file untouched.
+    Raises OutputError, with the old file untouched, or, where the disk fails at the very last, with
+    the new one in its place that a power cut may undo.
     """
     folder = companions(path)
     beside = unfinished_name(path)

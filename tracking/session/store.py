@@ -191,9 +191,14 @@ class Store:
         return self._journal
 
     def _found(self) -> Journal:
-        sync_folder(self._path.parent)  # what is journalled must not vanish with its new folder
+        self._sync_folder()
         self.kept_aside = journal_files.finish_replacing(self._folder)
         return Journal(self._folder / JOURNAL, permissions_of(self._path))
+
+    def _sync_folder(self) -> None:
+        """What is journalled must not vanish with the folder it lies in, which may be new."""
+        with telling_where(self._path, "its folder cannot be written to"):
+            sync_folder(self._path.parent)
 
     @property
     def has_files_of_journal(self) -> bool:
@@ -214,7 +219,7 @@ class Store:
 
     def _begin(self, session: str, save: str) -> Journal:
         """A new journal. Raises SessionError where another program has made one by now."""
-        sync_folder(self._path.parent)
+        self._sync_folder()
         mode = permissions_of(self._path)
         return Journal.begun(self._folder / JOURNAL, session, save, mode)
 
