@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from made_tracks import table, through
 
-from tracking.formats import FORMATS, Exported
+from tracking.formats import FORMATS, Exported, Filmed, no_progress
 from tracking.tracks import TrackLabel
 
 SURE = [0.59, 0.0, 1.0, np.nan]
@@ -28,6 +28,19 @@ def tracks(**known: bool) -> Exported:
 def test_confidence_comes_back_from_results(tmp_path: Path, name: str, corrected: bool) -> None:
     found = through(FORMATS[name], tmp_path / "out", tracks(corrected=corrected)).columns
     np.testing.assert_allclose(found["confidence"], SURE, atol=2e-6)
+
+
+@pytest.mark.parametrize("name", [*SCORED, "viame", "x-anylabeling"])
+def test_confidence_comes_back_to_the_last_bit(tmp_path: Path, name: str) -> None:
+    places = [(frame, 1) for frame in range(500)]
+    made = table(places, [BOXES[0]] * len(places)).columns()
+    sure = np.random.default_rng(4).random(len(places), np.float32)
+    exported = Exported({**made, "confidence": sure}, None, len(places), size_px=(640, 480))
+    kind, path = FORMATS[name], tmp_path / "out"
+    assert kind.write is not None
+    assert kind.read is not None
+    kind.write(path, exported, no_progress)
+    np.testing.assert_array_equal(kind.read(path, Filmed()).columns["confidence"], sure)
 
 
 @pytest.mark.parametrize("name", SCORED)

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from tracking.formats.coco_reading import import_coco, looks_like_coco
 from tracking.formats.coco_writing import export_coco
+from tracking.formats.label_text import label_as_read
 from tracking.formats.track_format import Content, TrackFormat
 
 COCO = TrackFormat(
@@ -27,4 +28,5 @@ COCO = TrackFormat(
     dont_cares=True,
     holds=frozenset((Content.BOXES, Content.CONFIDENCE, Content.CLASSES, Content.NAMES)),
     needs=Content.BOXES,
+    label_as_read=label_as_read,
 )

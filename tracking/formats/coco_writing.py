@@ -13,6 +13,7 @@ import numpy as np
 import tracking
 from tracking.errors import FormatError
 from tracking.formats.label_text import PERSON, kind_of
+from tracking.formats.number_text import short_decimals
 from tracking.formats.row_rules import BOX
 from tracking.formats.writing import ROWS_AT_ONCE, Exported
 from tracking.progress import Progress
@@ -113,12 +114,11 @@ def _annotations(
 ) -> Iterator[str]:
     whole = [rows[name].tolist() for name in ("frame", "track")]
     box = [rows[name].tolist() for name in BOX]
-    judged = [exported.confidence(rows).tolist(), exported.counted(rows).tolist()]
+    judged = [short_decimals(exported.confidence(rows)).tolist(), exported.counted(rows).tolist()]
     for at, (frame, track, left, top, width, height, confidence, counts) in enumerate(
         zip(*whole, *box, *judged, strict=True), start=first
     ):
-        # Stored with 32 bits; the digits beyond are noise of the conversion.
-        score = "" if math.isnan(confidence) else f', "score": {confidence:.6g}'
+        score = "" if math.isnan(confidence) else f', "score": {confidence!r}'
         yield (
             f'{{"id": {at}, "image_id": {frame + _FIRST_IMAGE}, "video_id": {_VIDEO}, '
             f'"track_id": {track}, "category_id": {kind[track]}, '

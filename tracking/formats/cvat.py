@@ -12,15 +12,17 @@ interpolated. A track that is told by keyframes alone is filled in as CVAT does:
 to the next, and held from the last one to the end of the task where no `outside` ends it.
 
 CVAT numbers tracks anew; so each has an attribute `track_id`, which is taken where a file has it.
-The attribute `name` is the person's, others are attributes of the track; a `label` other than
-person is its class. `occluded` is visibility 0, as is predicted, and below a half. The format has
-no places on the floor. Source: CVAT's XML annotation format 1.1 and what CVAT 2 writes.
+The attribute `name` is the person's, others are attributes of the track: one that is called `name`
+or `track_id` here is written with a `_` behind. A `label` other than person is its class.
+`occluded` is visibility 0, as is predicted, and below a half. The format has no places on the
+floor. Source: CVAT's XML annotation format 1.1 and what CVAT 2 writes.
 """
 
 from __future__ import annotations
 
 from tracking.formats.cvat_reading import import_cvat, looks_like_cvat
 from tracking.formats.cvat_writing import export_cvat
+from tracking.formats.label_text import label_as_read
 from tracking.formats.track_format import Content, TrackFormat
 
 CVAT = TrackFormat(
@@ -34,4 +36,5 @@ CVAT = TrackFormat(
         (Content.BOXES, Content.VISIBILITY, Content.SOURCES, Content.CLASSES, Content.NAMES)
     ),
     needs=Content.BOXES,
+    label_as_read=label_as_read,
 )

@@ -15,7 +15,7 @@ from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import SIDES, filled, rows_filled
 from tracking.formats.cvat_meta import Meta
 from tracking.formats.filled_rows import MOST_TRACKS, FilledRows
-from tracking.formats.label_text import label_of
+from tracking.formats.label_text import key_of, label_of
 from tracking.formats.reading import Imported, Reading
 from tracking.tracks import LARGEST_NUMBER, Source, TrackLabel
 
@@ -23,6 +23,7 @@ BOX_NUMBERS = ("xtl", "ytl", "xbr", "ybr")
 TRACK_ID = "track_id"
 """The attribute that keeps an id on its way through CVAT, which numbers tracks anew."""
 NAME = "name"
+OWN_KEYS = frozenset({TRACK_ID, NAME})
 AUTOMATIC = "auto"
 """The source of a track nobody corrected."""
 
@@ -68,8 +69,11 @@ class CvatTrack:
     @property
     def label(self) -> TrackLabel:
         """What is said of the whole track."""
-        own = {NAME, TRACK_ID}
-        others = {key: text for key, text in self.attributes.items() if key not in own}
+        others = {
+            key_of(OWN_KEYS, key): text
+            for key, text in self.attributes.items()
+            if key not in OWN_KEYS
+        }
         return label_of(self.attributes.get(NAME, ""), self.kind, others)
 
 

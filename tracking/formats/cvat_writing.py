@@ -10,13 +10,13 @@ import numpy as np
 
 from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import keyframes_of
-from tracking.formats.cvat_track import AUTOMATIC, NAME, TRACK_ID, is_occluded
-from tracking.formats.label_text import CLASS, PERSON, kind_of, line
+from tracking.formats.cvat_track import AUTOMATIC, NAME, OWN_KEYS, TRACK_ID, is_occluded
+from tracking.formats.label_text import PERSON, attributes_of, key_beside, kind_of, line
 from tracking.formats.row_rules import BOX
 from tracking.formats.writing import Exported
 from tracking.progress import Progress
 from tracking.replacing import replacing
-from tracking.tracks import Columns, Source
+from tracking.tracks import Columns, Source, TrackLabel
 
 _MANUAL = "manual"
 
@@ -69,9 +69,9 @@ def _labels(exported: Exported) -> Iterator[str]:
     """The kinds of things, each with the attributes its tracks have."""
     attributes: dict[str, set[str]] = {PERSON: set()}
     for label in exported.labels.values():
-        attributes.setdefault(kind_of(label), set()).update(map(line, label.attributes))
+        attributes.setdefault(kind_of(label), set()).update(_further(label))
     for kind, names in sorted(attributes.items()):
-        own = [TRACK_ID, NAME, *sorted(names - {CLASS, TRACK_ID, NAME, ""})]
+        own = [TRACK_ID, NAME, *sorted(names)]
         yield (
             f"        <label><name>{escape(kind)}</name><type>rectangle</type>"
             f"<attributes>{''.join(map(_attribute_kind, own))}</attributes></label>\n"
@@ -89,10 +89,14 @@ def _track(track: int, rows: Columns, exported: Exported, frames: int) -> Iterat
     label = exported.label(track)
     source = _MANUAL if np.any(rows["source"] == Source.PERSON) else AUTOMATIC
     yield f'  <track id="{track}" label={quoteattr(kind_of(label))} source="{source}">\n'
-    said = {TRACK_ID: str(track), NAME: line(label.name)}
-    said |= {line(key): line(text) for key, text in label.attributes.items() if key != CLASS}
+    said = {TRACK_ID: str(track), NAME: line(label.name), **_further(label)}
     yield from _boxes(rows, _attributes(said), frames)
     yield "  </track>\n"
+
+
+def _further(label: TrackLabel) -> dict[str, str]:
+    """What the label says beside name and class."""
+    return {key_beside(OWN_KEYS, key): text for key, text in attributes_of(label).items()}
 
 
 def _attributes(said: Mapping[str, str]) -> str:

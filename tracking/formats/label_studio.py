@@ -14,8 +14,9 @@ each tag and no ids of regions. Written is the full one, with an annotation.
   leaves them out for videos, and then the recording tells it.
 - Regions are called by random texts. Those written here are called `track-7`, which keeps the id on
   its way through Label Studio; others get free ids, by their order. The texts of a region's `meta`
-  are the person's name, then attributes as `KEY: VALUE`; its label is the class. `origin` is
-  "prediction" where a tracker placed a whole track. Who is hidden is not in the format.
+  are the person's name, then attributes as `KEY: VALUE` (`%3A` in KEY is a colon before a blank);
+  its label is the class. `origin` is "prediction" where a tracker placed a whole track.
+  Who is hidden is not in the format.
 - Of several annotations of a task the one marked as ground truth is read, else the newest. Rows of
   predictions are a tracker's.
 
@@ -32,6 +33,7 @@ from __future__ import annotations
 
 from tracking.formats.label_studio_reading import import_label_studio, looks_like_label_studio
 from tracking.formats.label_studio_writing import export_label_studio
+from tracking.formats.label_text import label_as_read
 from tracking.formats.track_format import Content, TrackFormat
 
 LABEL_STUDIO = TrackFormat(
@@ -44,4 +46,5 @@ LABEL_STUDIO = TrackFormat(
     in_percent=True,
     holds=frozenset((Content.BOXES, Content.SOURCES, Content.CLASSES, Content.NAMES)),
     needs=Content.BOXES,
+    label_as_read=label_as_read,
 )

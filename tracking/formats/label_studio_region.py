@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from tracking.formats.filled_rows import held_until
 from tracking.formats.json_numbers import number_of, whole_of
-from tracking.formats.label_text import label_of
+from tracking.formats.label_text import label_of, unescaped
 from tracking.formats.row_rules import BOX, MAX_FRAME
 from tracking.tracks import LARGEST_NUMBER, Source, TrackLabel
 
@@ -24,6 +24,8 @@ PREDICTION = "prediction"
 TRACK_PREFIX = "track-"
 """A region written here is called by it and the track's id."""
 
+COLON_WITHIN = ":(?= )"
+"""In an attribute's key: it would be told for its end."""
 _SIDES = ("x", "y", "width", "height")
 _TRACK_ID = re.compile(rf"(?:{TRACK_PREFIX})?(\d{{1,10}})")
 _FULL_TURN = 360.0
@@ -121,7 +123,7 @@ class Region:
         text = meta.get("text", "") if isinstance(meta, dict) else ""
         name, *others = (text if isinstance(text, list) else [text]) or [""]
         about = (other.partition(": ") for other in others if isinstance(other, str))
-        attributes = {key: value for key, colon, value in about if colon}
+        attributes = {unescaped(key): value for key, colon, value in about if colon}
         kind = kind if isinstance(kind, str) else ""
         return label_of(name if isinstance(name, str) else "", kind, attributes)
 

@@ -11,8 +11,14 @@ import numpy as np
 
 from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import keyframes_of
-from tracking.formats.label_studio_region import FIRST_FRAME, PERCENT, PREDICTION, TRACK_PREFIX
-from tracking.formats.label_text import CLASS, kind_of, line
+from tracking.formats.label_studio_region import (
+    COLON_WITHIN,
+    FIRST_FRAME,
+    PERCENT,
+    PREDICTION,
+    TRACK_PREFIX,
+)
+from tracking.formats.label_text import attributes_of, escaped, kind_of, line
 from tracking.formats.row_rules import BOX
 from tracking.formats.writing import Exported
 from tracking.progress import Progress
@@ -69,9 +75,7 @@ def _region(track: int, rows: Columns, exported: Exported, frames: int) -> Itera
         "original_height": height,
     }
     about = [line(label.name)]
-    about += [
-        f"{line(key)}: {line(text)}" for key, text in label.attributes.items() if key != CLASS
-    ]
+    about += [f"{escaped(key, COLON_WITHIN)}: {text}" for key, text in attributes_of(label).items()]
     said |= {"meta": {"text": about}} if any(about) else {}
     value: dict[str, Any] = {"labels": [kind_of(label)], "framesCount": frames}
     value |= {} if exported.fps is None else {"duration": frames / exported.fps}

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Collection, Mapping
 
-from tracking.tracks import LONGEST_NAME, TrackLabel
+from tracking.tracks import LONGEST_NAME, LONGEST_VALUE, TrackLabel
 
 PERSON = "person"
 CLASS = "class"
@@ -12,6 +13,8 @@ CLASS = "class"
 
 _MOST_ATTRIBUTES = 64
 _OF_PEOPLE = frozenset({"", "person", "pedestrian", "people", "human"})
+_ESCAPED = "20|25|3A"
+"""Signs that stand in keys as URLs have them: a blank, % itself and a colon."""
 
 
 def label_of(
@@ -23,11 +26,40 @@ def label_of(
         name: of the person. kind: what kind of thing it is; nothing is kept of people's.
         attributes: further ones; those beyond `_MOST_ATTRIBUTES` are left out.
     """
-    kept = {line(key): line(value) for key, value in list((attributes or {}).items())}
-    kept = {key: value for key, value in kept.items() if key and value}
+    kept = _lines(attributes or {})
     if line(kind).lower() not in _OF_PEOPLE:
         kept = {CLASS: line(kind), **kept}
     return TrackLabel(line(name), dict(list(kept.items())[:_MOST_ATTRIBUTES]))
+
+
+def attributes_of(label: TrackLabel) -> dict[str, str]:
+    """All attributes of a label but its class, one line each; those without text are left out."""
+    return _lines({key: text for key, text in label.attributes.items() if key != CLASS})
+
+
+def label_as_read(label: TrackLabel) -> TrackLabel:
+    """What comes back of a label whose `kind_of`, name and `attributes_of` a file holds."""
+    return label_of(label.name, kind_of(label), attributes_of(label))
+
+
+def key_beside(own: Collection[str], key: str) -> str:
+    """An attribute's key where a format has keys of its own: `_` stands behind one like these."""
+    return f"{key}_" if key.rstrip("_") in own else key
+
+
+def key_of(own: Collection[str], written: str) -> str:
+    """What `key_beside` was given."""
+    return written[:-1] if written.endswith("_") and written.rstrip("_") in own else written
+
+
+def escaped(key: str, signs: str) -> str:
+    """A key in which nothing fits `signs`, a pattern of one blank or colon: as URLs have them."""
+    return re.sub(rf"%(?={_ESCAPED})|{signs}", lambda found: f"%{ord(found[0]):02X}", key)
+
+
+def unescaped(key: str) -> str:
+    """What `escaped` was given."""
+    return re.sub(f"%({_ESCAPED})", lambda found: chr(int(found[1], 16)), key)
 
 
 def kind_of(label: TrackLabel) -> str:
@@ -45,7 +77,12 @@ def left_out(count: int, one: str, many: str) -> str:
     return f"1 {one} is left out" if count == 1 else f"{count} {many} are left out"
 
 
-def line(text: object) -> str:
+def line(text: object, longest: int = LONGEST_NAME) -> str:
     """A text as one line of printable signs, at most as long as names are."""
-    signs = " ".join(str(text)[: 8 * LONGEST_NAME].split())
-    return "".join(sign for sign in signs if sign.isprintable())[:LONGEST_NAME].strip()
+    signs = " ".join(str(text)[: 8 * longest].split())
+    return "".join(sign for sign in signs if sign.isprintable())[:longest].strip()
+
+
+def _lines(attributes: Mapping[str, str]) -> dict[str, str]:
+    kept = {line(key): line(text, LONGEST_VALUE) for key, text in attributes.items()}
+    return {key: text for key, text in kept.items() if key and text}

@@ -25,6 +25,8 @@ _COLUMNS = {
 _SURE = (Content.CONFIDENCE, Content.VISIBILITY)
 """Where all that is known is 1, nothing is said."""
 _ONE = {Content.BOXES: "box", Content.PLACES: "place on the floor"}
+_TOLD = 40
+"""Letters of an attribute's key in a note."""
 _IS_RESULT = (
     "written as a result, with confidence; ground truth is what is written to gt/gt.txt, "
     "label_02/ or truth.txt"
@@ -39,7 +41,11 @@ def losses(kind: TrackFormat, exported: Exported, path: Path) -> tuple[str, ...]
     """
     truth = exported.is_ground_truth(path)
     there = {each for each in Content if _is_there(exported, each, truth=truth)}
-    notes = [_rows_lost(kind, exported), _contents_lost(kind, exported, there, truth=truth)]
+    notes = [
+        _rows_lost(kind, exported),
+        _contents_lost(kind, exported, there, truth=truth),
+        _labels_changed(kind, exported),
+    ]
     confidence = Content.CONFIDENCE in there and kind.confidence_in_results
     if confidence and exported.corrected and not truth:
         notes.append(_IS_RESULT)
@@ -69,6 +75,31 @@ def _contents_lost(
     told = f"left out, as {kind.title} has none: {', '.join(lost)}"
     reason = "; places need the recording's camera and floor, which are not known or out of reach"
     return told + reason if no_view and Content.PLACES in lost else told
+
+
+def _labels_changed(kind: TrackFormat, exported: Exported) -> str:
+    """How many labels do not come back as they are, and the first of them; "" where all do."""
+    if kind.label_as_read is None:
+        return ""
+    changed = [
+        (track, what)
+        for track, label in sorted(exported.labels.items())
+        if (what := _difference(label, kind.label_as_read(label)))
+    ]
+    if not changed:
+        return ""
+    track, what = changed[0]
+    others = f", as do those of {len(changed) - 1} others" if len(changed) > 1 else ""
+    return f"{what} of track {track} comes back changed or not at all{others}"
+
+
+def _difference(label: TrackLabel, back: TrackLabel) -> str:
+    """What is another in a label that comes back, as messages name it; "" where nothing is."""
+    if label.name != back.name:
+        return "the name"
+    there, after = dict(label.attributes), dict(back.attributes)
+    keys = [key for key in (*there, *after) if there.get(key) != after.get(key)]
+    return f"the attribute {keys[0][:_TOLD]!r}" if keys else ""
 
 
 def _is_there(exported: Exported, content: Content, *, truth: bool) -> bool:

@@ -11,6 +11,7 @@ from typing import Protocol
 from tracking.formats.reading import Filmed, Imported
 from tracking.formats.writing import Exported
 from tracking.progress import Progress
+from tracking.tracks import TrackLabel
 
 HEAD_BYTES = 1 << 16
 """So much of a file is enough to tell its format."""
@@ -66,6 +67,8 @@ class TrackFormat:
         holds: what is written of the tracks, in full or in the format's grades.
         needs: rows without it (boxes or places) are not written; None: all rows are.
         unit_unsaid: its files may leave out their unit; then the user says it, see `Stated`.
+        label_as_read: what comes back of a track's label that is written, without its notes; None:
+            names and attributes are not in the format.
         confidence_in_results: confidence is written in results alone, not in ground truth.
     """
 
@@ -84,6 +87,7 @@ class TrackFormat:
     needs: Content | None = None
     unit_unsaid: bool = False
     confidence_in_results: bool = False
+    label_as_read: Callable[[TrackLabel], TrackLabel] | None = None
 
     @property
     def is_folder(self) -> bool:

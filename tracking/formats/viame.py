@@ -9,6 +9,8 @@ so nothing is shifted. Lines that begin with `#` are comments; `# metadata` may 
 - `(trk-atr) KEY VALUE` belongs to the track: `name` is the person's, others are attributes. Of
   `(atr) KEY VALUE`, which belong to one frame, `occluded true` is visibility 0; others are left
   out, as are lengths, `(kp)`, `(poly)`, `(hole)`, `(mask)` and `(note)`.
+- Written, a blank in KEY is `%20`, and an attribute called `name` has the key `name_`; attributes
+  beyond 48 kB of a track are left out, as its lines could not be read back.
 - Written, who is hidden (predicted, or of whom less than half is seen) has `(atr) occluded true`.
   The second value is the time in the video where the frames a second are known. A confidence nobody
   knows is 1; keyframes and places on the floor are not in the format.
@@ -20,6 +22,7 @@ read_/write_object_track_set_viame_csv; DIVE's server/dive_utils/serializers/via
 from __future__ import annotations
 
 from tracking.formats.track_format import Content, TrackFormat
+from tracking.formats.viame_class import label_as_read
 from tracking.formats.viame_reading import import_viame, looks_like_viame
 from tracking.formats.viame_writing import export_viame
 
@@ -34,4 +37,5 @@ VIAME = TrackFormat(
         (Content.BOXES, Content.CONFIDENCE, Content.VISIBILITY, Content.CLASSES, Content.NAMES)
     ),
     needs=Content.BOXES,
+    label_as_read=label_as_read,
 )

@@ -11,16 +11,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.cells import text_of_cell
 from tracking.errors import FormatError
 from tracking.formats.cvat_track import kept_visibility
 from tracking.formats.delimited import TRIED_ROWS
-from tracking.formats.label_text import label_of
 from tracking.formats.line_survey import MOST_ROWS, too_many
 from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.formats.text_fields import fields_of, number_in, numbered_lines, whole_in
-from tracking.formats.viame_class import class_of_cell
+from tracking.formats.viame_class import OF_TRACK, attribute_in, class_of_cell, label_in
 from tracking.progress import Progress, no_progress
 from tracking.tracks import TrackLabel
 
@@ -38,11 +36,11 @@ _FPS = re.compile(r"\bfps: *\"?(\d{1,5}(?:\.\d{1,12})?)\b", re.IGNORECASE)
 _UNKNOWN = -1.0
 _LEAST = 9
 """Values before classes and attributes."""
-_ATTRIBUTE = re.compile(r"\((atr|trk-atr)\) +(\S+)\s+(.+)", re.DOTALL)
-_NAME, _OCCLUDED = "name", "occluded"
+_OCCLUDED = "occluded"
 _MOST_COMMENTS = 10_000
 _MOST_TRACKS = 1_000_000
-_MOST_ATTRIBUTES = 64
+_MOST_ATTRIBUTES = 65
+"""Of a track; its name is one of them."""
 
 
 def looks_like_viame(_path: Path, head: bytes) -> bool:
@@ -164,25 +162,24 @@ class _File:
         """Keep what is said of the track; gives whether it is hidden in this frame."""
         occluded = False
         for field in fields:
-            found = _ATTRIBUTE.match(text_of_cell(field))
+            found = attribute_in(field)
             if found is None:
                 self._left_out += bool(field.strip())
-            elif found[1] == "atr":
-                is_occluded = found[2] == _OCCLUDED
+            elif found[0] != OF_TRACK:
+                is_occluded = found[1] == _OCCLUDED
                 self._tells_hidden |= is_occluded
-                occluded |= is_occluded and found[3].strip().lower() == "true"
+                occluded |= is_occluded and found[2].strip().lower() == "true"
                 self._left_out += not is_occluded
             elif track in self._said or len(self._said) < _MOST_TRACKS:
                 kept = self._said.setdefault(track, {})
-                if found[2] in kept or len(kept) < _MOST_ATTRIBUTES:
-                    kept[found[2]] = found[3]
+                if found[1] in kept or len(kept) < _MOST_ATTRIBUTES:
+                    kept[found[1]] = found[2]
         return occluded
 
     def _labels(self, ids: dict[int, int]) -> dict[int, TrackLabel]:
         labels = {}
         for said, track in ids.items():
-            about = dict(self._said.get(said, {}))
-            label = label_of(about.pop(_NAME, ""), self._kinds.get(said, ""), about)
+            label = label_in(self._kinds.get(said, ""), self._said.get(said, {}))
             if not label.is_empty:
                 labels[track] = label
         return labels

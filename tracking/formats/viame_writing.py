@@ -10,17 +10,16 @@ from pathlib import Path
 import numpy as np
 
 import tracking
-from tracking.cells import cell_of
 from tracking.errors import FormatError
 from tracking.formats.cvat_track import is_occluded
-from tracking.formats.label_text import CLASS, kind_of, line
+from tracking.formats.label_text import kind_of
 from tracking.formats.number_text import short_decimals
 from tracking.formats.row_rules import BOX
-from tracking.formats.viame_class import cell_of_class
+from tracking.formats.viame_class import cell_of_class, cells_of_label
 from tracking.formats.writing import Exported
 from tracking.progress import Progress
 from tracking.replacing import replacing
-from tracking.tracks import Columns, TrackLabel
+from tracking.tracks import Columns
 
 _HEADER = (
     "# 1: Detection or Track-id",
@@ -64,7 +63,8 @@ def export_viame(path: Path, exported: Exported, report: Progress) -> tuple[Path
 
 def _rows(track: int, rows: Columns, exported: Exported) -> Iterator[str]:
     label = exported.label(track)
-    kind, about = _as_csv([cell_of_class(kind_of(label))])[:-1], _about(label)
+    kind, cells = _as_csv([cell_of_class(kind_of(label))])[:-1], cells_of_label(label)
+    about = f",{_as_csv(cells)[:-1]}" if cells else ""
     hidden = is_occluded(rows["visibility"], rows["predicted"]).tolist()
     boxes = np.column_stack([rows[name] for name in BOX]).astype(np.float64)
     boxes[:, 2:] += boxes[:, :2]
@@ -78,21 +78,6 @@ def _rows(track: int, rows: Columns, exported: Exported) -> Iterator[str]:
             f"{track},{_time_of(frame, exported.fps)},{frame},{left!r},{top!r},{right!r},"
             f"{bottom!r},{score!r},{_NO_LENGTH},{kind},{score!r}{occluded}{about}\n"
         )
-
-
-def _about(label: TrackLabel) -> str:
-    """What is said of the track, which the format repeats in every line.
-
-    Each cell begins with a bracket, which is at the start of no formula.
-    """
-    said = {"name": line(label.name)}
-    said |= {line(key): line(text) for key, text in label.attributes.items() if key != CLASS}
-    fields = [
-        str(cell_of(f"(trk-atr) {'_'.join(key.split())} {text}"))
-        for key, text in said.items()
-        if key and text
-    ]
-    return f",{_as_csv(fields)[:-1]}" if fields else ""
 
 
 def _time_of(frame: int, fps: float | None) -> str:

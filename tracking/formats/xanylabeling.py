@@ -26,6 +26,7 @@ Sources: X-AnyLabeling's label_file.py, shape.py, schema.py (the members of a fi
 
 from __future__ import annotations
 
+from tracking.formats.label_text import label_as_read
 from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.xanylabeling_folder import holds_frames, looks_like_frame
 from tracking.formats.xanylabeling_reading import import_xanylabeling
@@ -42,4 +43,5 @@ X_ANYLABELING = TrackFormat(
     dont_cares=True,
     holds=frozenset((Content.BOXES, Content.CONFIDENCE, Content.CLASSES, Content.NAMES)),
     needs=Content.BOXES,
+    label_as_read=label_as_read,
 )

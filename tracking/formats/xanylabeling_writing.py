@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from tracking.errors import FormatError
-from tracking.formats.label_text import CLASS, kind_of, line
+from tracking.formats.label_text import attributes_of, kind_of, line
+from tracking.formats.number_text import short_decimals
 from tracking.formats.row_rules import BOX
 from tracking.formats.writing import Exported
 from tracking.formats.xanylabeling_folder import ENDING
@@ -59,23 +60,21 @@ def _frame(name: str, size_px: tuple[int, int], shapes: list[str]) -> str:
 
 def _said(label: TrackLabel) -> dict[str, Any]:
     """What a label gives each of a track's shapes."""
-    others = {line(key): line(text) for key, text in label.attributes.items() if key != CLASS}
     return {
         "label": kind_of(label),
         "description": line(label.name),
-        "attributes": {key: text for key, text in others.items() if key and text},
+        "attributes": attributes_of(label),
     }
 
 
 def _shapes(rows: Columns, exported: Exported, labels: dict[int, dict[str, Any]]) -> Iterator[str]:
     numbers = [rows[name].tolist() for name in ("track", *BOX)]
-    numbers += [exported.confidence(rows).tolist(), exported.counted(rows).tolist()]
+    numbers += [short_decimals(exported.confidence(rows)).tolist(), exported.counted(rows).tolist()]
     for track, left, top, width, height, confidence, counted in zip(*numbers, strict=True):
         if math.isnan(left):
             continue
         right, bottom = left + width, top + height
-        # Stored with 32 bits; the digits beyond are noise of the conversion.
-        score = None if math.isnan(confidence) else float(f"{confidence:.6g}")
+        score = None if math.isnan(confidence) else confidence
         shape = {
             **(labels.get(track) or _said(TrackLabel())),
             "score": score,

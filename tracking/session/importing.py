@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing import Entry, Thinned, on_the_floor, plan_import, thin_dense
-from tracking.editing.labels.labelling import LONGEST_KEY, LONGEST_NOTES, LONGEST_VALUE
+from tracking.editing.labels.labelling import LONGEST_NOTES
 from tracking.errors import EditError
 from tracking.formats import BadRow, Filmed, Imported
 from tracking.formats.label_text import is_person
@@ -24,7 +24,9 @@ from tracking.session.imported_ids import id_of_zero, new_ids
 from tracking.session.stamping import software
 from tracking.tracks import (
     DETECTION_COLUMNS,
+    LONGEST_KEY,
     LONGEST_NAME,
+    LONGEST_VALUE,
     PARTICLE_COLUMNS,
     TRACK_COLUMNS,
     Columns,

@@ -17,7 +17,9 @@ from tracking.tracks.columns import (
     empty,
 )
 from tracking.tracks.label_checks import (
+    LONGEST_KEY,
     LONGEST_NAME,
+    LONGEST_VALUE,
     check_line,
     check_name,
     check_occluder,
@@ -58,7 +60,9 @@ __all__ = [
     "HEAD",
     "HIP_LEG",
     "LARGEST_NUMBER",
+    "LONGEST_KEY",
     "LONGEST_NAME",
+    "LONGEST_VALUE",
     "PARTICLE_COLUMNS",
     "PARTS",
     "PART_COLUMNS",

@@ -26,7 +26,8 @@ from tracking.tracks.part_labels import PART_SOURCES, PartLabel
 from tracking.tracks.validation import LARGEST_NUMBER
 
 MOST_CORNERS = 500
-LONGEST_NAME = 200
+LONGEST_NAME, LONGEST_KEY, LONGEST_VALUE = 200, 100, 2_000
+"""Characters of a name, and of an attribute's key and text."""
 _FARTHEST = 1e9
 """Pixels or metres; nothing anybody draws lies farther out."""
 

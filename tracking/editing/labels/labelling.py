@@ -6,9 +6,17 @@ from dataclasses import replace
 
 from tracking.editing.change import Change, LabelState, State
 from tracking.errors import EditError
-from tracking.tracks import LONGEST_NAME, Labels, TrackLabel, TrackTable, check_known
+from tracking.tracks import (
+    LONGEST_KEY,
+    LONGEST_NAME,
+    LONGEST_VALUE,
+    Labels,
+    TrackLabel,
+    TrackTable,
+    check_known,
+)
 
-LONGEST_NOTES, LONGEST_KEY, LONGEST_VALUE = 20_000, 100, 2_000
+LONGEST_NOTES = 20_000
 """Characters a person may write; what a file says is read whatever its length."""
 
 
