@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 import sys
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +17,7 @@ import pytest
 from tracking.errors import OutputError
 from tracking.geometry import Camera, StereoCalibration, write_calibration
 from tracking.recording import Manifest, write_manifest
-from tracking.replacing import part_of, replace_with, replacing, replacing_folder
+from tracking.replacing import part_of, replace_with, replacing, replacing_bytes, replacing_folder
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="links and pipes of POSIX")
 
@@ -204,3 +207,35 @@ def test_a_folder_is_made_on_a_disk_that_cannot_sync_folders(
     with replacing_folder(tmp_path / "made") as folder:
         (folder / "a").write_text("a")
     assert (tmp_path / "made" / "a").read_text() == "a"
+
+
+@pytest.mark.parametrize("open_one", [replacing, replacing_bytes, part_of, replacing_folder])
+@pytest.mark.parametrize(
+    "error",
+    [
+        OSError(errno.EIO, "Input/output error", "/footage/left.mp4"),
+        BrokenPipeError(errno.EPIPE, "Broken pipe"),
+    ],
+    ids=["a file that is read", "whoever reads along is gone"],
+)
+def test_an_error_of_another_file_is_not_told_as_one_of_the_output(
+    tmp_path: Path, open_one: Callable[[Path], AbstractContextManager[Any]], error: OSError
+) -> None:
+    with pytest.raises(OSError, match=error.strerror) as told, open_one(tmp_path / "out"):
+        raise error
+    assert told.value is error
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("open_one", [part_of, replacing_folder])
+@pytest.mark.parametrize("names_it", [True, False])
+def test_an_error_of_the_unfinished_output_is_told_of_the_output(
+    tmp_path: Path, open_one: Callable[[Path], AbstractContextManager[Path]], names_it: bool
+) -> None:
+    def fails() -> None:
+        with open_one(tmp_path / "out") as part:
+            name = (str(part / "0.png"),) if names_it else ()
+            raise OSError(errno.ENOSPC, "No space left on device", *name)
+
+    with pytest.raises(OutputError, match=r"cannot write .*/out: No space left"):
+        fails()

@@ -54,6 +54,7 @@ def replacing(path: Path) -> Iterator[TextIO]:
     Raises:
         OutputError: the folder is missing or not writable, the disk is full, `path` is a folder, a
             link, a pipe or a device.
+        OSError: the block's own, where it names another file or is of a closed pipe.
     """
     with (
         part_of(path) as part,
@@ -86,6 +87,8 @@ def part_of(path: Path) -> Iterator[Path]:
         part.replace(path)
         sync_folder(path.parent)
     except OSError as error:
+        if not _is_of(error, part, path):
+            raise
         raise _told(path, error.strerror or str(error)) from error
     finally:
         with contextlib.suppress(OSError):
@@ -114,6 +117,8 @@ def replacing_folder(path: Path) -> Iterator[Path]:
         yield part
         _finish_folder(part, path, allowed)
     except OSError as error:
+        if not _is_of(error, part, path):
+            raise
         raise _told(path, error.strerror or str(error), _ANOTHER_FOLDER) from error
     finally:
         shutil.rmtree(part, ignore_errors=True)
@@ -200,6 +205,14 @@ def _sync(path: Path) -> None:
         os.fsync(handle)
     finally:
         os.close(handle)
+
+
+def _is_of(error: OSError, part: Path, path: Path) -> bool:
+    """Whether the system complains of what is written, not of another file or of whoever reads."""
+    if not isinstance(error.filename, str | bytes | os.PathLike):
+        return not isinstance(error, BrokenPipeError)
+    named = Path(os.fsdecode(error.filename))
+    return named in (part, path, *path.parents) or part in named.parents
 
 
 def _told(path: Path, reason: str, advice: str = _ANOTHER_PLACE) -> OutputError:

@@ -28,9 +28,11 @@ _MOST_BYTES = 4 << 20
 def remember(files: Iterable[Path]) -> None:
     """Files that were just written. Where nothing can be kept they are asked about next time."""
     known = _known()
-    for file in filter(Path.is_file, files):
-        known.pop(name := str(file.resolve()), None)
-        known[name] = _digest(file)
+    for file in files:
+        with contextlib.suppress(OSError):
+            if file.is_file():
+                known.pop(name := str(file.resolve()), None)
+                known[name] = _digest(file)
     with contextlib.suppress(OSError, OutputError):
         _ledger().parent.mkdir(parents=True, exist_ok=True)
         with replacing(_ledger()) as stream:
