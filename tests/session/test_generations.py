@@ -274,3 +274,12 @@ def test_a_backup_with_two_names_is_restored_and_never_written(
         for _ in range(7):
             restored.save()
     assert second.read_bytes() == before
+
+
+def test_a_backup_that_goes_while_it_is_restored_is_told(
+    session: Session, states: list[tuple[object, ...]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tracking.session.document.generations", lambda _: ())
+    with pytest.raises(SessionError, match="backup 2 was taken away"):
+        session.restore(2)
+    assert state_of(session) == states[-1]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import shutil
 import sqlite3
 from pathlib import Path
@@ -12,7 +14,7 @@ from made_up_sessions import crashed, edit, make_recording, make_run, make_sessi
 
 from tracking.editing import Change, State, plan_split
 from tracking.errors import OutputError, SessionError
-from tracking.session import Session
+from tracking.session import Session, generations
 from tracking.session.journal import Journal
 from tracking.session.journal_rows import numbered
 from tracking.session.saving import companions
@@ -83,6 +85,64 @@ def test_nobody_saves_over_a_session_that_is_open(session: Session, tmp_path: Pa
         other.save(session.path)
     assert other.path == tmp_path / "other" / "s.h5"
     other.close()
+
+
+def test_a_journal_that_cannot_be_moved_yet_does_not_undo_a_save_over_its_session(
+    session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = make_session(tmp_path / "other")
+    edit(other, swaps=3)
+    theirs, path = state_of(other), other.path
+    other.close()
+    assert path is not None
+    rename = Path.replace
+
+    def fails(file: Path, target: Path) -> Path:
+        if file.name.startswith("journal.sqlite"):
+            raise OSError(errno.EIO, os.strerror(errno.EIO))
+        return rename(file, target)
+
+    with monkeypatch.context() as failing:
+        failing.setattr(Path, "replace", fails)
+        assert session.save(path) == session.path == path
+        before = state_of(session)
+        with pytest.raises(OutputError, match="cannot be kept aside"):
+            edit(session)
+        assert state_of(session) == before
+    with pytest.raises(SessionError, match="kept-aside-1"):  # said once
+        edit(session)
+    edit(session)
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert (state_of(again), again.damage) == (state_of(session), ())
+    again.close()
+    was = tmp_path / "was"  # what stood there before, with its edits
+    (was / companions(path).name).mkdir(parents=True)
+    shutil.copy(generations(path)[0], was / path.name)
+    for file in companions(path).glob("kept-aside-1.sqlite*"):
+        ending = file.name.removeprefix("kept-aside-1.sqlite")
+        shutil.copy(file, was / companions(path).name / f"journal.sqlite{ending}")
+    found = Session.open(was / path.name)
+    assert (state_of(found), found.damage) == (theirs, ())
+    found.close()
+
+
+def test_a_save_that_cannot_begin_locks_nobody_out(
+    session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = make_session(tmp_path / "other")
+    other.close()
+    assert other.path is not None
+
+    def fails(*_: object) -> None:
+        raise SessionError("its runs are out of reach")
+
+    with monkeypatch.context() as failing:
+        failing.setattr(Session, "_as_it_is", fails)
+        with pytest.raises(SessionError, match="out of reach"):
+            session.save(other.path)
+    again = Session.open(other.path)
+    assert not again.read_only
+    again.close()
 
 
 def test_the_journal_of_another_save_is_kept_aside(session: Session, tmp_path: Path) -> None:

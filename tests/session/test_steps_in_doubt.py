@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import sqlite3
+import zlib
+from functools import partial
 from pathlib import Path
 
 import pytest
-from made_up_sessions import crashed, edit, state_of
+from made_up_sessions import crashed, edit, make_session, state_of
 
 from tracking.editing import plan_split
 from tracking.session import Session
@@ -60,3 +64,51 @@ def test_an_edit_that_does_not_apply_leaves_the_step_before_it(
     again = Session.open(crashed(session, tmp_path / "after"))
     assert (state_of(again), again.damage, again.recovered) == (state_of(session), (), 2)
     again.close()
+
+
+class SaysItFailed(sqlite3.Connection):
+    """A database whose disk says that what it just did for good has failed."""
+
+    commits_left = 0
+
+    def execute(self, statement: str, *values: object) -> sqlite3.Cursor:
+        done = super().execute(statement, *values)
+        if statement == "COMMIT" and SaysItFailed.commits_left:
+            SaysItFailed.commits_left -= 1
+            why = sqlite3.OperationalError("disk I/O error")
+            why.sqlite_errorcode = sqlite3.SQLITE_IOERR
+            raise why
+        return done
+
+
+def test_a_journal_that_was_said_not_to_start_over_is_no_other_program_s(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sqlite3, "connect", partial(sqlite3.connect, factory=SaysItFailed))
+    session = make_session(tmp_path)
+    edit(session, swaps=2)
+    pending = session.begin_save()
+    pending.write()
+    edit(session)  # while it is saved: the journal keeps it
+    monkeypatch.setattr(SaysItFailed, "commits_left", 1)
+    session.finish_save(pending)
+    assert SaysItFailed.commits_left == 0
+    edit(session, swaps=2)
+    again = Session.open(crashed(session, tmp_path / "after"))
+    assert (state_of(again), again.damage, again.recovered) == (state_of(session), (), 3)
+    again.close()
+    session.close()
+
+
+def test_a_count_of_steps_that_the_system_writes_in_pieces_is_whole(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    edit(session)
+    write = os.write
+    monkeypatch.setattr(os, "write", lambda handle, data: write(handle, data[:10]))
+    edit(session)
+    monkeypatch.undo()
+    assert session.path is not None
+    count = session.path.with_name(".s.h5.trackwright") / "journal.sqlite-count"
+    digest, steps, checked = count.read_bytes().split()
+    assert (int(steps), int(checked, 16)) == (2, zlib.crc32(digest + b" " + steps))

@@ -233,7 +233,10 @@ class Session(OnDisk):
         known = file_state(file)
         if self.dirty:
             self._write(replace(self.begin_save(), most=UNLIMITED))
-        file = next(kept for kept in generations(path) if file_state(kept) == known)
+        found = [kept for kept in generations(path) if file_state(kept) == known]
+        if known is None or not found:
+            raise SessionError(f"{path}: backup {number} was taken away meanwhile")
+        file = found[0]
         stamps = next_stamps(older.stamps, self._stamps, store)
         recording = self._whereabouts.reference
         if older.changed:

@@ -74,6 +74,7 @@ class Journal:
         self._problem = open_checked(self._base, self._path, self._limit)
         self._base.execute(f"PRAGMA wal_autocheckpoint={_CHECKPOINT_PAGES}")
         self._failed: tuple[int, str] | None = None  # number and checksum of a step
+        self._attempted: tuple[tuple[str, str], list[str]] | None = None  # origin and checksums
         with self._limited(LONGEST_NAME):
             origins = self._base.execute("SELECT session, save FROM origin LIMIT 2").fetchall()
         if len(origins) > 1 or any(not isinstance(said, str) for row in origins for said in row):
@@ -178,10 +179,15 @@ class Journal:
     def continues(self, other: Journal) -> bool:
         """Whether this is the other one's file opened anew, with the steps it wrote and no others.
 
+        It may have started over, too, where the other one could not know that it succeeded.
         A further step is taken out where it is, to the letter, the one of which the other said
         that it could not be written. False where anything else is there: another program's step.
         """
-        if self._problem or self._origin != other._origin:
+        if self._problem:
+            return False
+        if (self._origin, self._checksums) == other._attempted:
+            return True
+        if self._origin != other._origin:
             return False
         failed = other._failed
         last = other._last if failed is None else failed[0] - 1
@@ -283,12 +289,15 @@ class Journal:
             return
         with telling(self._path, "written"), self._transaction():
             self._check_tail()
-            rows = self._rows_from(included + 1)
+            rows = list(numbered(self._rows_from(included + 1), session, save))
+            self._attempted = (session, save), [row[-1] for row in rows]
             self._base.execute("DELETE FROM origin")
             self._base.execute("INSERT INTO origin VALUES (?, ?)", (session, save))
             self._base.execute("DELETE FROM steps")
-            self._base.executemany(INSERT, numbered(rows, session, save))
-        self._started(session, save)
+            self._base.executemany(INSERT, rows)
+        with telling(self._path, "read"):
+            self._started(session, save)
+        self._attempted = None
 
     def _put_all(self, steps: Sequence[Step]) -> None:
         """Write steps into a journal that has none, all of them or none."""

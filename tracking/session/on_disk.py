@@ -137,8 +137,14 @@ class OnDisk(Held):
                 self._make_sure(self._store)
             self._keep_as_found(target)
         store = self._store if own and self._store is not None else Store.claim(target)
-        stamps = next_stamps(self._stamps, self._stamps, store if own else None)
-        snapshot = self._as_it_is(stamps, self._whereabouts.seen_from(target.parent, self._path))
+        try:
+            stamps = next_stamps(self._stamps, self._stamps, store if own else None)
+            place = self._whereabouts.seen_from(target.parent, self._path)
+            snapshot = self._as_it_is(stamps, place)
+        except BaseException:
+            if store is not self._store:
+                store.release(keep_journal=True)
+            raise
         self._pending = PendingSave(snapshot, target, self._content, store)
         return self._pending
 
@@ -147,8 +153,8 @@ class OnDisk(Held):
         stamps, own = pending.snapshot.stamps, pending.store is self._store
         if own:
             pending.store.rebase(stamps.session, stamps.save, stamps.included)
-        elif pending.store.has_files_of_journal:
-            pending.store.set_journal_aside()  # of the session that was there before
+        else:
+            pending.store.clear_journal()  # of the session that was there before
         left = None if own else self._store
         self._store, self._path = pending.store, pending.path
         self._stamps, self._whereabouts.reference = stamps, pending.snapshot.recording

@@ -11,6 +11,7 @@ from tracking.session.document import Session
 from tracking.session.older import read_generation
 from tracking.session.saving import (
     copy_file,
+    file_state,
     keep_damaged,
     telling_where,
     unfinished_name,
@@ -32,18 +33,21 @@ def replace_damaged(path: Path, number: int) -> tuple[Session, Path]:
 
     Raises:
         SessionError: there is no such backup, it cannot be read either, or another program has
-            the session. OutputError: it cannot be written; everything is as it was.
+            the session. OutputError: it cannot be written; everything is as it was, or the damaged
+            file is kept and the backup is in its place, where its name may not last.
     """
     path = real_path(path)
-    file, _ = read_generation(path, number)
     store = Store.claim(path)
     try:
-        kept = keep_damaged(path)
+        file, _ = read_generation(path, number)
+        damaged, kept = file_state(path), keep_damaged(path)
         try:
             with telling_where(path, "the backup was not put in its place"):
                 _copy_over(file, path)
         except BaseException:
-            kept.unlink(missing_ok=True)  # the file itself is still in its place
+            if file_state(path) == damaged:  # otherwise this is the only one
+                with contextlib.suppress(OSError):
+                    kept.unlink()
             raise
     finally:
         store.release(keep_journal=True)
@@ -59,5 +63,6 @@ def _copy_over(file: Path, path: Path) -> None:
             shutil.copymode(path, beside)
         beside.replace(path)
     finally:
-        beside.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            beside.unlink(missing_ok=True)
     sync_folder(path.parent)

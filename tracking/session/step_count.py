@@ -36,7 +36,9 @@ class StepCount:
         if self._handle is not None:
             with contextlib.suppress(OSError):
                 os.lseek(self._handle, 0, os.SEEK_SET)
-                os.write(self._handle, _line(session, save, steps))
+                line = _line(session, save, steps)
+                while line:  # a system may write less than it is given
+                    line = line[os.write(self._handle, line) :]
 
     def read(self, session: str, save: str) -> int:
         """How many steps there were on a save; 0 where it does not say."""

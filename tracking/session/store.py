@@ -118,6 +118,9 @@ class Store:
             journal.start_over(session, save, included)
         except (OutputError, SessionError):  # it stays longer; the file says what it holds
             self._doubted = True
+        except BaseException:
+            self._doubted = True
+            raise
 
     def _is_in_place(self) -> bool:
         journal = self.journal
@@ -211,7 +214,7 @@ class Store:
         A new file is on the disk for good after several waits for it: the first edit need not
         stand them. Where it fails nothing is said: that edit tries again, and tells.
         """
-        if self.journal is not None:
+        if self.journal is not None or self._doubted:
             return
         maker = ThreadPoolExecutor(1, "journal")
         self._begun = (maker, maker.submit(self._begin, session, save))
@@ -247,6 +250,17 @@ class Store:
         """Keep the journal under another name, so that a new one can begin; gives that name."""
         with self._closing_journal():
             return journal_files.set_aside(self._folder)
+
+    def clear_journal(self) -> None:
+        """Keep the journal aside of a session whose file was just replaced by another one.
+
+        Where that fails, the file stands all the same: the first edit sees to it, and tells.
+        """
+        try:
+            if self.has_files_of_journal:
+                self.set_journal_aside()
+        except OutputError:
+            self._doubted = True
 
     @contextmanager
     def _closing_journal(self) -> Iterator[None]:
