@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import csv
+import io
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tracking.cells import cell_of, text_of_cell
+from tracking.cells import CsvWriter, cell_of, text_of_cell
 
 
 @pytest.mark.parametrize("text", ['=HYPERLINK("x")', "+1", "-1", "@SUM(A1)", "\t1", "\r1", "＝1"])
@@ -43,3 +46,14 @@ def test_every_text_comes_back(text: str) -> None:
     for part in (cell, *cell.split(";")[1:], *cell.split("\n")[1:]):
         assert not part.startswith(("=", "+", "-", "@", "\t", "\r", "\n", "＝"))
     assert text_of_cell(cell) == text
+
+
+@given(st.lists(st.text(alphabet='ab\r\n,"', max_size=6), min_size=1, max_size=4))
+def test_no_letter_of_a_cell_ends_a_row(cells: list[str]) -> None:
+    stream = io.StringIO(newline="")
+    CsvWriter(stream).writerow(cells)
+    text = stream.getvalue()
+    quoted = text.split('"')[1::2]
+    assert text.count("\r") == sum(part.count("\r") for part in quoted)
+    assert text.count("\n") == sum(part.count("\n") for part in quoted) + 1
+    assert list(csv.reader(io.StringIO(text, newline=""))) == [cells]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from collections.abc import Iterator
 from pathlib import Path
 
-from tracking.cells import cell_of
+from tracking.cells import CsvWriter, cell_of
 from tracking.counting.counts import Counts, LineCount
 from tracking.counting.occupancy import Occupancy
 from tracking.replacing import replacing
@@ -37,7 +36,7 @@ def rows_of(counts: Counts) -> Iterator[Row]:
 def write_counts(path: Path, counts: Counts) -> None:
     """Write the rows under `HEADINGS` as CSV, whole or not at all. Raises OutputError."""
     with replacing(path) as stream:
-        writer = csv.writer(stream, lineterminator="\n")
+        writer = CsvWriter(stream)
         writer.writerow(HEADINGS)
         for row in rows_of(counts):
             writer.writerow(cell_of(c) if at == _NAME else c for at, c in enumerate(row))

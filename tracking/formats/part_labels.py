@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from tracking.cells import cell_of
+from tracking.cells import CsvWriter, cell_of
 from tracking.errors import EditError, FormatError
 from tracking.failure import FEATURE_NAMES
 from tracking.formats.lines import header_of, numbered_rows, place_of
@@ -78,7 +77,7 @@ def write_part_labels(path: Path, labels: Iterable[PartLabel]) -> None:
     Raises OutputError where the file cannot be written.
     """
     with replacing(path) as stream:
-        rows = csv.writer(stream, lineterminator="\n")
+        rows = CsvWriter(stream)
         rows.writerow((*_NEEDED, *_ALSO))
         for label in labels:
             box = (repr(float(value)) for value in label.box)

@@ -7,7 +7,6 @@ file, and cannot: it does not say whose samples they are.
 
 from __future__ import annotations
 
-import csv
 import io
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
@@ -17,7 +16,7 @@ import h5py
 import numpy as np
 
 import tracking
-from tracking.cells import cell_of
+from tracking.cells import CsvWriter, cell_of
 from tracking.errors import FormatError
 from tracking.failure import BESIDES, FEATURE_NAMES, SAMPLE_COLUMNS, Samples
 from tracking.failure.samples import TEXT
@@ -57,7 +56,7 @@ def _writer_of(path: Path) -> Callable[[Path, Samples], list[Path]]:
 
 def _write_csv(path: Path, samples: Samples) -> list[Path]:
     with replacing(path) as stream:
-        rows = csv.writer(stream, lineterminator="\n")
+        rows = CsvWriter(stream)
         rows.writerow(_COLUMNS)
         columns = [samples.columns[name].tolist() for name in (*SAMPLE_COLUMNS, *SHARED)]
         for named, features in zip(

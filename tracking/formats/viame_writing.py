@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 import tracking
+from tracking.cells import CsvWriter
 from tracking.errors import FormatError
 from tracking.formats.cvat_track import is_occluded
 from tracking.formats.label_text import kind_of
@@ -96,5 +96,5 @@ def _time_of(frame: int, fps: float | None) -> str:
 def _as_csv(fields: list[str]) -> str:
     """A line of values, quoted where they need it."""
     text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerow(fields)
+    CsvWriter(text).writerow(fields)
     return text.getvalue()

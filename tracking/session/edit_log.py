@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import math
 from collections.abc import Iterable, Iterator
@@ -10,7 +9,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from tracking.cells import cell_of
+from tracking.cells import CsvWriter, cell_of
 from tracking.editing import Change, Entry, History, LabelState, State
 from tracking.errors import EditError
 from tracking.progress import Progress
@@ -34,7 +33,7 @@ def write_log_csv(history: History, path: Path, progress: Progress | None = None
     Raises OutputError where it cannot be written.
     """
     with replacing(path) as stream:
-        lines = csv.writer(stream, lineterminator="\n")
+        lines = CsvWriter(stream)
         lines.writerow(LOG_COLUMNS)
         for entry in _told(history, progress):
             lines.writerow(map(cell_of, _row(history, entry)))
