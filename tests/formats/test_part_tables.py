@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+from collections.abc import Callable
 from pathlib import Path
 
 import h5py
@@ -223,3 +225,34 @@ def test_what_is_no_text_is_refused(tmp_path: Path) -> None:
         read_part_labels(path)
     with pytest.raises(FormatError, match="cannot read"):
         read_part_labels(tmp_path / "missing.csv")
+
+
+SAMPLE_HEAD = (",".join((*SAMPLE_COLUMNS, *FEATURE_NAMES)) + "\n").encode()
+HEAD = b"frame,track,part,on\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (b"ab," * 2_000_000, "line 1: longer than 64 kB"),
+        (HEAD + b"1,1,head," + b"on" * 3_000_000, "line 2: longer than 64 kB"),
+        (b'"\n",' * 1_000_000, "longer than 64 kB"),
+        (HEAD + b"\n" * 6_000_000, "hardly more than empty lines"),
+        (HEAD + b",,,\n" * 1_000_000, "hardly more than empty lines"),
+    ],
+    ids=["header", "row", "lines in quotes", "empty lines", "empty rows"],
+)
+@pytest.mark.parametrize("read", [read_part_labels, read_samples])
+def test_a_table_of_hardly_any_rows_is_refused_in_little_memory(
+    tmp_path: Path, read: Callable[[Path], object], text: bytes, message: str
+) -> None:
+    path = tmp_path / "t.csv"
+    path.write_bytes(text if read is read_part_labels else text.replace(HEAD, SAMPLE_HEAD))
+    tracemalloc.start()
+    try:
+        with pytest.raises(FormatError, match=message):
+            read(path)
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert peak < 8 << 20

@@ -5,12 +5,15 @@ from __future__ import annotations
 import csv
 from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
+from typing import TextIO
 
 from tracking.cells import text_of_cell
 from tracking.errors import FormatError
+from tracking.formats.line_survey import LONGEST_LINE, MOST_EMPTY, too_long
 
 _MOST_BYTES = 1 << 30
-_LONGEST_LINE = 1 << 16
+_TOLD = 40
+"""Letters of a column's name in a message."""
 _SEPARATORS = {";": "semicolons", "\t": "tabs"}
 """Of other kinds of tables, as messages call them."""
 
@@ -28,19 +31,26 @@ def numbered_rows(
         needed: columns it must have. also: columns it may have; others are refused.
         most_bytes: a larger file is not read.
 
-    Raises FormatError where the file is missing, too large, no text, or a row has too few or too
-    many values.
+    Raises FormatError where the file is missing, too large, no text, a row is longer than
+    `LONGEST_LINE` or has too few or too many values, or there is hardly more than empty rows.
     """
+    filled = empty = 0
     try:
         if path.stat().st_size > most_bytes:
             raise FormatError(f"{path} is larger than {most_bytes >> 20} MB; split it first")
         with path.open(encoding="utf-8-sig", newline="") as stream:
-            rows = csv.reader(stream, strict=True)
+            lines = _Lines(path, stream)
+            rows = csv.reader(iter(lines), strict=True)
             header = [name.strip() for name in next(rows, [])]
             _check_header(path, header, needed, also)
             for row in rows:
+                lines.held = 0
                 if not any(value.strip() for value in row):
+                    empty += 1
+                    if empty > max(filled, MOST_EMPTY):
+                        raise FormatError(f"{path} is hardly more than empty lines; is it a table?")
                     continue
+                filled += 1
                 if len(row) != len(header):
                     raise FormatError(
                         f"{place_of(path, rows.line_num)}: {len(row)} values where the header "
@@ -55,11 +65,31 @@ def numbered_rows(
         raise FormatError(f"{path} is not CSV ({error}); write it anew") from error
 
 
+class _Lines:
+    """The lines of a text as they are asked for, refused where those of a row are too long.
+
+    Attributes:
+        held: characters since the row began; whoever reads rows begins anew at 0.
+    """
+
+    def __init__(self, path: Path, stream: TextIO) -> None:
+        self._path, self._stream = path, stream
+        self.held = 0
+
+    def __iter__(self) -> Iterator[str]:
+        number = 0
+        while line := self._stream.readline(LONGEST_LINE + 1):
+            number, self.held = number + 1, self.held + len(line)
+            if self.held > LONGEST_LINE:
+                raise too_long(self._path, number)
+            yield line
+
+
 def header_of(path: Path) -> list[str]:
     """The names in the first line of a CSV file; none where it has none that can be read."""
     try:
         with path.open(encoding="utf-8-sig", newline="") as stream:
-            return [name.strip() for name in next(csv.reader([stream.readline(_LONGEST_LINE)]), [])]
+            return [name.strip() for name in next(csv.reader([stream.readline(LONGEST_LINE)]), [])]
     except (OSError, UnicodeDecodeError, csv.Error):
         return []  # reading the table itself says why
 
@@ -84,4 +114,4 @@ def _check_header(
     if unknown or len(set(header)) < len(header):
         name = unknown[0] if unknown else next(n for n in header if header.count(n) > 1)
         what = "is none of ours" if unknown else "stands there twice"
-        raise FormatError(f"{path}, line 1: the column {name!r} {what}; take it out")
+        raise FormatError(f"{path}, line 1: the column {name[:_TOLD]!r} {what}; take it out")
