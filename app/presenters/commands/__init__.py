@@ -65,6 +65,7 @@ def _item(command: Command, now: Situation, checked: frozenset[str]) -> CommandI
         enabled=not why_not,
         why_not=why_not,
         checked=command.name in checked if command.checkable else None,
+        also=tr(command.also) if command.also else "",
     )
 
 

@@ -90,6 +90,7 @@ class Command:
         icon: of the drawings that ship with the program; "" for none.
         now: what stands in brackets behind the title, e.g. a file in use; "" for nothing.
         alone: the title where the recording has one camera; "" for the same.
+        also: further words that the search finds it by.
     """
 
     name: str
@@ -103,3 +104,4 @@ class Command:
     submenu: str = ""
     now: Callable[[Situation], str] = lambda _: ""
     alone: str = ""
+    also: str = ""

@@ -7,6 +7,8 @@ from typing import Final
 from app.presenters.commands.checks import floor, recording, two_eyes
 from app.presenters.commands.command import Command
 
+_LOOK = "theme colours"
+
 COMMANDS: Final = (
     Command("view.left", "View", "Left eye", ("1",), recording, checkable=True, alone="Picture"),
     Command("view.both", "View", "Both eyes", ("2",), two_eyes, True),
@@ -200,6 +202,15 @@ COMMANDS: Final = (
         recording,
         submenu="Timeline",
     ),
+    Command(
+        "view.whole",
+        "View",
+        "Show the whole picture and floor",
+        ("Shift+A",),
+        recording,
+        also="zoom fit all",
+        separated=True,
+    ),
     Command("view.next_pane", "View", "To the next part of the window", ("F6",), recording),
     Command(
         "view.look_system",
@@ -209,9 +220,10 @@ COMMANDS: Final = (
         checkable=True,
         separated=True,
         submenu="Look",
+        also=_LOOK,
     ),
-    Command("view.look_light", "View", "Look: light", checkable=True, submenu="Look"),
-    Command("view.look_dark", "View", "Look: dark", checkable=True, submenu="Look"),
+    Command("view.look_light", "View", "Look: light", checkable=True, submenu="Look", also=_LOOK),
+    Command("view.look_dark", "View", "Look: dark", checkable=True, submenu="Look", also=_LOOK),
     Command(
         "view.floor_legend",
         "View",

@@ -41,6 +41,11 @@ class Pictured:
     truth: bool = False
 
     @property
+    def lasting(self) -> str:
+        """What holds for the next recording, too, for :func:`pictured_from`."""
+        return " ".join(f"{'+' if getattr(self, name) else '-'}{name}" for name in _LASTING)
+
+    @property
     def kinds(self) -> Kinds:
         """What of the picture is asked for, worked out in the background."""
         return Kinds(self.foreground, self.disparity, self.ramp)
@@ -49,6 +54,19 @@ class Pictured:
     def bodies(self) -> bool:
         """Whether something of what trackers of one camera think of is laid over."""
         return self.tracklets or self.outlines or self.evaluation
+
+
+_LASTING = (
+    *("grid", "particles", "trails", "labels", "parts", "part_particles", "counts"),
+    "floor_legend",
+)
+"""Panels, and what is worked out on request, are asked for anew in each recording."""
+
+
+def pictured_from(lasting: str) -> Pictured:
+    """The choice as it was left; whatever a damaged file says instead is forgotten."""
+    said = {word[1:]: word[0] == "+" for word in lasting.split() if word[0] in "+-"}
+    return Pictured(**{name: said[name] for name in _LASTING if name in said})
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ class CommandItem:
         command: id, e.g. "edit.swap". title: e.g. "Swap with...".
         menu: where it stands, e.g. "File", "Correct > Delete".
         keys: in Qt's portable text, e.g. "Ctrl+Shift+Z"; the first is shown.
-        why_not: said where it is not enabled.
+        why_not: said where it is not enabled. also: further words that the search finds it by.
     """
 
     command: str
@@ -23,6 +23,7 @@ class CommandItem:
     enabled: bool
     why_not: str = ""
     checked: bool | None = None
+    also: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -184,6 +184,11 @@ class Workspace(QWidget):
         self.eye_switch.show_scene(mode, stereo)
         self.eye_switch.setVisible(stereo)
 
+    def show_whole(self) -> None:
+        """Show all of the pictures and of the floor, and keep doing so."""
+        for view in (self.left, self.right, self.overhead):
+            view.fit()
+
     def take_typed(self) -> None:
         """Take what is being typed into the card as if its field had been left."""
         typed_into = QApplication.focusWidget()

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, QUrl, Signal
 
 from app.memory import give_back
+from app.presenters.document.instant import pictured_from
 from app.presenters.files import left_behind, opening
 from app.presenters.files.demonstration import Demonstration
 from app.presenters.files.first_page import first_page
@@ -172,8 +173,10 @@ class Files(QObject):
         desk.scoring.truth_asked.connect(self._ask_truth)
         if not opening.is_unsaved_place(path):
             self._remembered.add_recent(path.resolve(), opened.document.recording.name)
+        self._window.workspace.show_whole()  # how another recording was zoomed says nothing here
         self._window.show_workspace()
         self._tell_oddities(opened)
+        desk.pictured = pictured_from(self._remembered.text("pictured"))
         desk.set_eyes(self._remembered.text("eyes", "both"))
         self._whereabouts.begin(desk, path, from_start)
 
@@ -280,6 +283,7 @@ class Files(QObject):
             self.detectors.close()
             if desk.document.recording.is_stereo:  # one camera leaves nothing to choose
                 self._remembered.set_text("eyes", desk.eyes)
+            self._remembered.set_text("pictured", desk.pictured.lasting)
             self._whereabouts.end()
             desk.close()
             desk.deleteLater()

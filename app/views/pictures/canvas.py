@@ -23,14 +23,16 @@ from app.views.widgets.abstract import AbstractQt
 
 _ZOOM_PER_NOTCH = 1.2
 _NOTCH = 120.0
+_AS_FITTED = 0.01
+"""Share of the scale: zoomed in and out again a view is as good as fitted."""
 
 
 class Canvas(QWidget, metaclass=AbstractQt):
     """A zoomable drawing of some content.
 
-    The wheel zooms at the cursor, dragging (any place, left or middle button) pans, a double
-    click or the key 0 fits, + and - zoom. A click without a drag is given to :meth:`clicked_at`;
-    a drag that begins at something that can be moved goes to :meth:`drag_to`.
+    The wheel zooms at the cursor, dragging (any place, left or middle button) pans a zoomed view,
+    a double click or the key 0 fits, + and - zoom. A click without a drag is given to
+    :meth:`clicked_at`; a drag that begins at something that can be moved goes to :meth:`drag_to`.
 
     Signals:
         menu_asked(int, QPoint): a right click on a track (0: on none), or the menu key (-1: on who
@@ -140,6 +142,10 @@ class Canvas(QWidget, metaclass=AbstractQt):
         if content.isEmpty():
             return
         scale = self._viewport.scale * factor
+        whole = Viewport.fitting(content, self._area()).scale
+        if abs(scale / whole - 1.0) < _AS_FITTED:
+            self.fit()
+            return
         widest = 0.1 * min(self.width() / content.width(), self.height() / content.height())
         if widest <= scale <= 400 * widest * 10:
             self._look(self._viewport.zoomed(at or QRectF(self.rect()).center(), factor))
@@ -192,6 +198,8 @@ class Canvas(QWidget, metaclass=AbstractQt):
         self._panning = True
         if self._holding:
             self.drag_to(event.position())
+            return
+        if self._fitted:  # all of it is in sight: a slip of the mouse is no choice of a view
             return
         self._look(self._viewport.moved(QPointF(moved)))
         self._pressed_at = at

@@ -81,9 +81,9 @@ class OverheadView(Canvas):
 
     def show_scene(self, scene: OverheadScene) -> None:
         """Draw another instant."""
-        before = self._scene
+        before = self.content()
         self._scene = scene
-        if before is None or (before.bounds != scene.bounds and self._fitted):
+        if self._fitted and self.content() != before:
             self.fit()
         self.update()
 

@@ -150,7 +150,7 @@ class ReviewPanel(Panel):
 
     def show_scene(self, scene: ReviewScene) -> None:
         """Show the queue as it stands."""
-        self._scene = scene
+        before, self._scene = self._scene, scene
         listed = bool(scene.items)
         self._model.take(scene.items)
         self._left.setText(self.tr("{0} left").format(scene.left) if scene.left else "")
@@ -160,6 +160,8 @@ class ReviewPanel(Panel):
         self._orders.setCurrentIndex(self._orders.findData(scene.order.value))
         for widget in (self._list, self._kinds, self._orders, *self._tools):
             widget.setVisible(listed)
+        if listed and not before.items:  # a hidden list keeps its place, that of another session
+            self._list.scrollToTop()
         self._also.setText(scene.also)
         self._also.setVisible(listed and bool(scene.also))  # else the rows have its room
         self._say(self._title, "" if listed else scene.title)

@@ -56,7 +56,7 @@ def best_commands(typed: str, items: tuple[CommandItem, ...]) -> list[CommandIte
         return list(items)
     found: list[tuple[tuple[int, bool, float], CommandItem]] = []
     for item in items:
-        text = f"{item.title} {item.menu}"
+        text = f"{item.title} {item.menu} {item.also}".rstrip()
         likeness = _likeness(typed, text)
         if likeness is not None:
             score = match_score(typed, text) or 0.0

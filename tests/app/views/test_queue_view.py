@@ -148,3 +148,22 @@ def test_however_long_the_words_below_are_rows_keep_clear_of_the_buttons(qtbot, 
     assert panel._meter.height() >= panel._meter.heightForWidth(panel._meter.width())
     assert panel._list.geometry().bottom() < panel._also.geometry().top()
     assert panel._also.geometry().bottom() < panel._tools[0].geometry().top()
+
+
+def test_the_queue_of_another_session_begins_at_its_top(qtbot, dark):
+    panel = shown(qtbot, ReviewScene(items=ITEMS, left=40))
+    bar = panel._list.verticalScrollBar()
+    bar.setValue(bar.maximum() // 2)
+    panel.show_scene(ReviewScene())  # nothing is open
+    panel.show_scene(ReviewScene(items=tuple(ITEMS[:30]), left=30))
+    qtbot.wait(1)
+    assert panel._list.verticalScrollBar().value() == 0
+
+
+def test_the_queue_keeps_its_place_as_an_edit_changes_it(qtbot, dark):
+    panel = shown(qtbot, ReviewScene(items=ITEMS, left=40))
+    bar = panel._list.verticalScrollBar()
+    bar.setValue(9)
+    panel.show_scene(ReviewScene(items=tuple(ITEMS[:39]), left=39))
+    qtbot.wait(1)
+    assert bar.value() == 9

@@ -64,6 +64,7 @@ VIEWING: dict[str, OnDesk] = {
     "view.left": lambda desk: desk.set_eyes("left"),
     "view.both": lambda desk: desk.set_eyes("both"),
     "view.anaglyph": lambda desk: desk.set_eyes("anaglyph"),
+    "view.whole": lambda desk: desk.window_page.show_whole(),
     "view.grid": _toggle("grid"),
     "view.particles": _toggle("particles"),
     "view.trails": _toggle("trails"),
