@@ -121,6 +121,38 @@ def test_a_journal_that_is_lost_is_put_on_disk_anew(
     goes_on(session, tmp_path)
 
 
+def test_what_a_lost_journal_had_is_saved_at_closing(session: Session) -> None:
+    path, state = session.path, state_of(session)
+    assert path is not None
+    shutil.rmtree(companions(path))
+    session.close()
+    again = Session.open(path)
+    assert (state_of(again), again.recovered, again.damage) == (state, 0, ())
+    again.close()
+
+
+def test_discarded_edits_of_a_lost_journal_are_not_saved(session: Session) -> None:
+    path = session.path
+    assert path is not None
+    before = path.read_bytes()
+    shutil.rmtree(companions(path))
+    session.close(discard=True)
+    assert path.read_bytes() == before
+
+
+def test_edits_that_are_out_of_reach_at_closing_are_told_and_wait_there(
+    session: Session, disk: Path, tmp_path: Path
+) -> None:
+    state = state_of(session)
+    disk.rename(tmp_path / "away")
+    with pytest.raises(OutputError, match=r"may be lost: .*its folder has vanished") as told:
+        session.close()
+    assert "\n" not in str(told.value)
+    again = Session.open(tmp_path / "away" / "s.h5")
+    assert (state_of(again), again.recovered) == (state, 1)
+    again.close()
+
+
 def test_what_another_program_did_meanwhile_is_not_written_over(
     session: Session, disk: Path, tmp_path: Path
 ) -> None:
@@ -160,7 +192,8 @@ def test_a_lock_that_another_program_took_is_not_taken_away(
     shutil.copytree(tmp_path / "away", disk)
     assert session.path is not None
     other = Session.open(session.path)
-    session.close()
+    with pytest.raises(SessionError, match=r"may be lost: .* is open in process"):
+        session.close()
     third = Session.open(session.path)
     assert third.read_only
     other.close()

@@ -114,8 +114,16 @@ class Session(OnDisk):
         return session
 
     def close(self, *, discard: bool = False) -> None:
-        """Let go of the file. Edits not saved stay in the journal unless they are discarded."""
-        self._let_go(keep_journal=self.dirty and not discard)
+        """Let go of the file. Edits not saved stay in the journal unless they are discarded.
+
+        Where the journal has vanished meanwhile, they are saved. Raises OutputError or SessionError
+        where that is not possible, once all is let go of.
+        """
+        try:
+            if self.dirty and not discard:
+                self._keep_unsaved()
+        finally:
+            self._let_go(keep_journal=self.dirty and not discard)
 
     # Changing
 

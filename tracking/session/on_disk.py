@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from tracking.editing import Entry
-from tracking.errors import SessionError
+from tracking.errors import OutputError, SessionError
 from tracking.owned_files import real_path
 from tracking.session.findings import Finding
 from tracking.session.held import Held
@@ -80,6 +80,24 @@ class OnDisk(Held):
             found, kept = self._findings[self._unkept], keep_damaged(path).name
             self._findings[self._unkept] = replace(found, kept=kept)
             self._unkept = None
+
+    def _keep_unsaved(self) -> None:
+        """Save edits that were put into a journal which is there no more."""
+        store = self._store
+        if store is None or self._pending is not None:
+            return
+        if self._saved >= 0 and store.has_its_journal:
+            return
+        try:
+            if not store.make_sure(self._is_own_file):
+                self._saved, self._base = -1, self._content
+            if self._saved < 0:
+                self.save()
+        except (OutputError, SessionError) as why:
+            lost = f"edits made after {self._path} was saved last may be lost: {why.reason}"
+            raise type(why)(lost, why.to_do) from why
+        if store.others_aside is not None:
+            tell(f"edits of another program are kept aside as {store.others_aside}")
 
     def _refuse_read_only(self) -> None:
         if self.read_only:

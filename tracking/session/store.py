@@ -122,6 +122,11 @@ class Store:
             self._doubted = True
             raise
 
+    @property
+    def has_its_journal(self) -> bool:
+        """Whether the journal that was written to, if any was, still is the one at its path."""
+        return self.journal is None or self.journal.is_in_place
+
     def _is_in_place(self) -> bool:
         journal = self.journal
         known = (

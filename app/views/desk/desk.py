@@ -24,6 +24,7 @@ from app.views.pictures.overlaying import Overlaying
 from app.views.playing.playback import Playback
 from app.views.reviewing.reviewing import Reviewing
 from app.views.scoring.scoring import Scoring
+from tracking.errors import TrackwrightError
 
 
 class Desk(QObject):
@@ -113,8 +114,11 @@ class Desk(QObject):
         self.counting.close()
         self.scoring.close()
         self.playback.close()
-        if self.document.session is not None:
-            self.document.session.close()
+        try:
+            if self.document.session is not None:
+                self.document.session.close()
+        except TrackwrightError as error:  # its folder has vanished
+            self.failed.emit(error)
         self.document.recording.close()
 
     @property

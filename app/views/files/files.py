@@ -265,8 +265,8 @@ class Files(QObject):
     def close_recording(self) -> None:
         """Close what is open and go back to the first page."""
         if self.may_leave(self.close_recording):
-            self.close()
             self._window.notice.hide()
+            self.close()
             self._window.show_welcome()
 
     def quit(self) -> None:

@@ -9,6 +9,7 @@ import sys
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSocketNotifier, Signal
 
+from app.presenters.explaining import explain
 from app.views.window.main_window import MainWindow
 
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")  # the last one is unknown to Windows
@@ -69,6 +70,7 @@ class EndBySignal(QObject):
     def _close(self) -> None:
         self._window.workspace.take_typed()
         lines = self._window.files.told_at_end()
+        self._window.files.failed.connect(lambda error: lines.append(explain(error)))
         self._window.files.close_without_asking()
         self._window.close()
         # The terminal may be gone, closed, or be none.

@@ -1,6 +1,7 @@
 """What is not saved is asked for by itself, kept while other work goes on, or let go whole."""
 
 import gc
+import shutil
 import threading
 import weakref
 
@@ -8,6 +9,8 @@ import pytest
 from patient import PATIENCE_S
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QMessageBox
+
+from tracking.session.saving import companions
 
 _BUTTON = QMessageBox.StandardButton
 
@@ -207,3 +210,13 @@ def test_opening_another_recording_lets_the_first_one_go(
     gc.collect()
     assert let_go[0]() is None
     assert let_go[1]() is not None
+
+
+def test_edits_whose_folder_vanished_are_told_when_the_recording_is_closed(window, desk, tmp_path):
+    _rename(desk, "first")
+    path = desk.document.session.path
+    shutil.rmtree(companions(path))
+    path.rename(tmp_path / "elsewhere.h5")
+    window.files.close_without_asking()
+    assert window.desk is None
+    assert "may be lost" in window.notice.text
