@@ -13,7 +13,8 @@ from app.cli.recordings import opened
 from tracking.formats import people_in_mot
 from tracking.recording import Recording
 
-_LONGEST = 60
+_LONGEST, _LONGEST_FACT = 60, 4096
+"""Letters of a setting, and of a line: the longest path of a file fits."""
 
 
 def run_info(path: Path | None, bare: Bare, *, as_json: bool) -> None:
@@ -27,7 +28,7 @@ def run_info(path: Path | None, bare: Bare, *, as_json: bool) -> None:
         print_json(facts)
     else:
         facts.pop("damage", None)  # told on stderr
-        print_table(list(_rows(facts)))
+        print_table([(name, _short(text, _LONGEST_FACT)) for name, text in _rows(facts)])
 
 
 def _of_recording(recording: Recording) -> dict[str, Any]:
@@ -95,9 +96,9 @@ def _run(run: Mapping[str, Any]) -> str:
     return ", ".join(said)
 
 
-def _short(text: str) -> str:
+def _short(text: str, longest: int = _LONGEST) -> str:
     """Outlines of occluders, as a setting, are longer than anybody reads."""
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+    return text if len(text) <= longest else f"{text[: longest - 1]}…"
 
 
 def _shown(value: Any) -> str:

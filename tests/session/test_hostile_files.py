@@ -49,6 +49,7 @@ def refused(path: Path, why: str) -> None:
         Session.open(path)
     assert str(path) in str(told.value)
     assert "\n" not in str(told.value)
+    assert len(str(told.value)) < len(str(path)) + 600
     assert sorted(path.parent.iterdir()) == before
 
 
@@ -121,6 +122,9 @@ def virtual(file: h5py.File) -> None:
     file.create_virtual_dataset("samples/x", layout)
 
 
+LONG = "9" * 2_000_000
+
+
 def circle(file: h5py.File) -> None:
     file["samples/again"] = file["samples"]
 
@@ -177,6 +181,15 @@ def circle(file: h5py.File) -> None:
         (nested, "nested deeper"),
         (circle, "nested deeper"),
         (lambda file: file["samples"].attrs.create("x", np.zeros(4, "S4")), "attribute 'x'"),
+        (
+            lambda file: file["recording"].attrs.__setitem__("name", LONG),
+            "an attribute 'name' like",
+        ),
+        (lambda file: file["runs/0"].attrs.create("x", [LONG[:800]] * 2000), "an attribute 'x'"),
+        (
+            lambda file: file.attrs.__setitem__("format_version", f"1.x{LONG[:60_000]}"),
+            "names '1.x9",
+        ),
         (lambda file: file["recording"].attrs.__setitem__("fps", np.nan), "fps is nan"),
         (lambda file: file["recording"].attrs.__setitem__("frame_count", 10**15), "frame_count"),
         (lambda file: file["recording"].attrs.__setitem__("width", -1), "width is -1"),

@@ -21,6 +21,10 @@ _MOST_OBJECTS = 20_000
 _LARGEST_CHUNK = 64 << 20
 _LARGEST_ATTRIBUTE = 16 << 20
 _MOST_ATTRIBUTES = 64
+_MOST_TEXTS, _LONGEST_TEXT = 10_000, 1 << 20
+"""Of an attribute that is text: how many it has, and their letters together."""
+_LONGEST_WHY, _TOLD = 400, 40
+"""Letters of a message, which may hold names of a file's parts, and of a text in one."""
 _BEST_RATIO = 1100
 """DEFLATE packs at most 1032 bytes into one."""
 _FILTERS = frozenset({h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE})
@@ -41,8 +45,8 @@ class Refused(Exception):  # noqa: N818 - a verdict, told to whoever asked
     """
 
     def __init__(self, why: str, held: str = "") -> None:
-        super().__init__(why)
-        self.held = held
+        super().__init__(why if len(why) <= _LONGEST_WHY else f"{why[: _LONGEST_WHY - 1]}…")
+        self.held = held[:_TOLD]
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,8 +98,9 @@ def version_of(file: h5py.File, kind: Kind) -> tuple[int, int]:
         major, minor = (int(part) for part in said.split("."))
     except ValueError:
         raise Refused(
-            f"names {said!r} as its format version, not like 1.0; {kind.choose}", held
+            f"names {said[:_TOLD]!r} as its format version, not like 1.0; {kind.choose}", held
         ) from None
+    said = said[:_TOLD]
     if major > kind.version[0]:
         raise Refused(f"has format {said}, made by a newer trackwright; update to open it", held)
     if major < 1:
@@ -203,10 +208,10 @@ def attribute_of(node: h5py.Group | h5py.Dataset, name: str) -> Any:
         return None
     attribute = node.attrs.get_id(name)
     text = h5py.check_string_dtype(attribute.dtype) is not None
-    if attribute.get_storage_size() > _LARGEST_ATTRIBUTE or not (
-        text or attribute.dtype.kind in "iufb"
-    ):
-        raise Refused(f"has an attribute {name!r} that is neither numbers nor text")
+    if not (text or attribute.dtype.kind in "iufb") or not _is_small(node, name):
+        raise Refused(
+            f"has an attribute {name[:_TOLD]!r} that is neither numbers nor text, or too large"
+        )
     return node.attrs[name]
 
 
@@ -216,7 +221,26 @@ def check_attributes(node: h5py.Group | h5py.Dataset, kind: Kind) -> None:
         raise Refused(f"has more attributes than any {kind.name}")
     for name in node.attrs:
         attribute = node.attrs.get_id(name)
-        if attribute.get_storage_size() > _LARGEST_ATTRIBUTE or attribute.dtype.kind not in "iufbO":
-            raise Refused(f"has an attribute {name!r} like no {kind.name}'s")
-        if attribute.dtype.kind == "O" and h5py.check_string_dtype(attribute.dtype) is None:
-            raise Refused(f"has an attribute {name!r} like no {kind.name}'s")
+        held = attribute.dtype.kind
+        text = held == "O" and h5py.check_string_dtype(attribute.dtype) is not None
+        if not (text or held in "iufb") or not _is_small(node, name):
+            raise Refused(f"has an attribute {name[:_TOLD]!r} like no {kind.name}'s")
+
+
+def _is_small(node: h5py.Group | h5py.Dataset, name: str) -> bool:
+    """Whether an attribute, numbers or text, is no larger than any that is read.
+
+    Of text of any length a file says only where it lies: it is read, which is why looking a file
+    over has limits of its own.
+    """
+    attribute = node.attrs.get_id(name)
+    if attribute.get_storage_size() > _LARGEST_ATTRIBUTE:
+        return False
+    if attribute.dtype.kind != "O":
+        return True
+    if np.prod(attribute.shape or (), dtype=float) > _MOST_TEXTS:
+        return False
+    texts = node.attrs[name]
+    if isinstance(texts, np.ndarray):
+        return sum(map(len, texts.ravel())) <= _LONGEST_TEXT
+    return isinstance(texts, h5py.Empty) or len(texts) <= _LONGEST_TEXT

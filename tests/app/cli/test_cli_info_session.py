@@ -7,6 +7,7 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
+import h5py
 from command_line import Trackwright
 
 from tracking.editing import plan_label_part
@@ -38,3 +39,18 @@ def test_runs_and_labels_have_lines_of_their_own(
     assert lines["hip-leg labels"] == "on 0, off 0, unsure 1"
     assert lines["reviewed ranges"] == "0"
     assert lines["size"] == "320 x 240"
+
+
+def test_a_long_name_in_a_session_is_cut(
+    trackwright: Trackwright, footage: Path, tiny_run: Run, tmp_path: Path
+) -> None:
+    place = tmp_path / "s.h5"
+    with open_recording(footage) as recording:
+        Session.create(recording, [tiny_run], place).close()
+    with h5py.File(place, "a") as file:
+        file["recording"].attrs["name"] = "n" * 60_000
+        file["runs/0"].attrs["tracker"] = "t" * 60_000
+    status, said, _ = trackwright("info", place)
+    assert status == 0
+    assert max(map(len, said.splitlines())) < 5000
+    assert said.count("…") == 2
