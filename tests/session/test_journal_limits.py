@@ -315,6 +315,6 @@ def test_a_session_error_names_the_journal_and_not_its_copy(left: Path) -> None:
     with sqlite3.connect(journal_of(left)) as base:
         base.execute("INSERT INTO origin VALUES ('a', 'b')")
     base.close()
-    with pytest.raises(SessionError) as told, waiting._copied(left):
+    with pytest.raises(SessionError) as told, waiting._copied(journal_of(left)):
         pass
     assert str(told.value).startswith(f"{journal_of(left)}: ")

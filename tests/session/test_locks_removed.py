@@ -39,6 +39,39 @@ def texts_beside(path: Path) -> list[str]:
     return found
 
 
+def test_edits_kept_aside_are_told_to_whoever_opens_the_session_next(session: Session) -> None:
+    edit(session, swaps=2)
+    path = session.path
+    assert path is not None
+    other = other_program(session)
+    other.apply(plan_rename(other.tracks, other.labels, 1, "red coat"))
+    other.close()
+    with pytest.raises(SessionError, match="another program edited this session"):
+        session.save()
+    session._let_go(keep_journal=True)  # it is killed
+    for look in (Session.look_into, Session.open):
+        opened = look(path)
+        told = [note for note in opened.notes if "kept-aside-1.sqlite" in note]
+        opened.close()
+        assert len(told) == 1
+        assert told[0].startswith("3 edits made after the last save of ")
+
+
+def test_a_save_after_edits_were_kept_aside_keeps_that_told(session: Session) -> None:
+    path = session.path
+    assert path is not None
+    other = other_program(session)
+    other.apply(plan_rename(other.tracks, other.labels, 1, "red coat"))
+    other.close()
+    with pytest.raises(SessionError, match="another program edited this session"):
+        session.save()
+    session.save()
+    session.close()
+    again = Session.open(path)
+    assert [True for note in again.notes if "another program edited" in note] == [True]
+    again.close()
+
+
 @pytest.mark.parametrize("edits_before", [0, 2])
 def test_an_edit_of_the_second_program_is_kept_aside_and_told(
     session: Session, edits_before: int, tmp_path: Path

@@ -89,6 +89,7 @@ class Session(OnDisk):
                 return cls.open(path, author=author)
             if session._store.has_files_of_journal:
                 session._recover(session._store)
+            session._tell_of_kept(path)
             session._begin_journal()
         except (SessionError, OutputError) as why:
             session._give_up_writing(str(why))
@@ -110,6 +111,7 @@ class Session(OnDisk):
         session._edited, session._recovered = read.edited, read.waiting
         session._damage += read.damage
         session._notes += read.damage
+        session._tell_of_kept(path)
         session._why_read_only = "it was opened to be read only"
         return session
 

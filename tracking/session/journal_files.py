@@ -90,6 +90,14 @@ def finish_replacing(folder: Path) -> Path | None:
     return aside
 
 
+def kept_aside(folder: Path, most: int) -> list[Path]:
+    """So many journals that were kept aside, the latest; [] where nobody can tell."""
+    with contextlib.suppress(OSError):
+        kept = folder.glob(f"{_ASIDE}*.sqlite")
+        return sorted(kept, key=lambda file: look_at(file).st_mtime_ns)[-most:]
+    return []
+
+
 def remove(folder: Path) -> None:
     """Take away what may be taken away; what stays says which save it builds on."""
     with contextlib.suppress(OSError):

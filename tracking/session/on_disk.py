@@ -19,7 +19,7 @@ from tracking.session.recovery import recover
 from tracking.session.saving import companions, keep_damaged
 from tracking.session.stamping import now
 from tracking.session.store import Store
-from tracking.session.waiting import edits_wait
+from tracking.session.waiting import edits_wait, notes_on_kept
 
 
 class OnDisk(Held):
@@ -30,11 +30,12 @@ class OnDisk(Held):
         if not store.make_sure(self._is_own_file):
             self._saved, self._base = -1, self._content  # what no journal holds goes into the file
         if store.others_aside is not None:
-            raise SessionError(
-                f"{self._path}: another program edited this session meanwhile; its edits are kept "
-                f"aside as {store.others_aside}",
-                "do it again to go on without them",
+            what = (
+                "another program edited this session meanwhile; its edits are kept aside as "
+                f"{store.others_aside}"
             )
+            self._findings.append(Finding(now(), self._without_folder(what)))
+            raise SessionError(f"{self._path}: {what}", "do it again to go on without them")
 
     def _is_own_file(self) -> bool:
         """Whether the file under the session's name is what this session saved last."""
@@ -69,6 +70,12 @@ class OnDisk(Held):
         self._findings += [Finding(now(), self._without_folder(note)) for note in found.damage]
         if found.failed is not None:
             raise found.failed
+
+    def _tell_of_kept(self, path: Path) -> None:
+        """Tell of edits that this session lacks, which journals kept aside still hold."""
+        said = "\n".join(self._notes)
+        notes = notes_on_kept(path, self._stamps, self._edited.history)
+        self._notes += [tell(note) for kept, note in notes.items() if str(kept) not in said]
 
     def _without_folder(self, note: str) -> str:
         """A note with names of files beside the session alone: the session travels."""

@@ -14,10 +14,11 @@ from pathlib import Path
 from tracking.editing import History
 from tracking.errors import EditError, OutputError, SessionError, UnsafeFileError, told_by_system
 from tracking.owned_files import check_folder, open_file
+from tracking.recording.wording import counted
 from tracking.session.edited import Edited
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.journal import ENDINGS, Journal, Step
-from tracking.session.journal_files import JOURNAL, NEXT, are_there, present
+from tracking.session.journal_files import JOURNAL, NEXT, are_there, kept_aside, present
 from tracking.session.journal_limits import MOST_BYTES, MOST_COUNT_BYTES
 from tracking.session.journal_sizes import files_to_copy
 from tracking.session.notes import MAY_MISS, tell_damage
@@ -25,6 +26,8 @@ from tracking.session.reading import read_session
 from tracking.session.recovery import Missing, do_not_fit, missing_steps
 from tracking.session.saving import companions, file_state
 
+_MOST_KEPT = 5
+"""Journals kept aside that are looked through when a session is opened."""
 _TRIES = 5
 """Looks at a journal that another program is writing to, before it counts as damaged."""
 
@@ -43,6 +46,30 @@ class ReadSession:
     edited: Edited
     waiting: int = 0
     damage: tuple[str, ...] = ()
+
+
+def notes_on_kept(path: Path, stamps: Stamps, history: History) -> dict[Path, str]:
+    """A line for each journal kept aside that holds edits of this save that the history lacks.
+
+    Of a journal that cannot be read nothing is said: that was told when it was kept aside.
+    """
+    beside = kept_aside(companions(path), _MOST_KEPT)
+    known = {(one.id, one.time, one.author, one.text) for one in history} if beside else set()
+    notes: dict[Path, str] = {}
+    for kept in beside:
+        with (
+            contextlib.suppress(SessionError, OutputError, OSError),
+            _copied(kept) as journal,
+        ):
+            made = [one.entry for one in missing_steps(journal, stamps).steps if one.act == "apply"]
+            lost = sum((one.id, one.time, one.author, one.text) not in known for one in made)
+            if lost:
+                verb = "is" if lost == 1 else "are"
+                notes[kept] = (
+                    f"{counted(lost, 'edit')} made after the last save of {path} {verb} not in it, "
+                    f"but kept aside as {kept}"
+                )
+    return notes
 
 
 def read_with_waiting(path: Path) -> ReadSession:
@@ -107,7 +134,7 @@ def edits_wait(path: Path) -> bool:
         check_folder(companions(path))
         if not are_there(companions(path)):
             return False
-        with _copied(path) as journal:
+        with _copied(present(companions(path))) as journal:
             return journal.may_have_steps
     except FileNotFoundError:
         return False
@@ -137,7 +164,7 @@ def _missing(path: Path, stamps: Stamps) -> Missing:
         return Missing()
     if not are_there(beside):
         return Missing()
-    with _copied(path) as journal:
+    with _copied(present(beside)) as journal:
         return missing_steps(journal, stamps)
 
 
@@ -149,11 +176,9 @@ def _states(path: Path) -> list[tuple[int, int, int] | None]:
 
 
 @contextmanager
-def _copied(path: Path) -> Iterator[Journal]:
-    """A copy of the session's journal: reading the journal itself would write beside it."""
-    beside = companions(path)
-    check_folder(beside)
-    main = present(beside)
+def _copied(main: Path) -> Iterator[Journal]:
+    """A copy of a journal beside a session: reading the journal itself would write beside it."""
+    check_folder(main.parent)
     endings = files_to_copy(main)
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / JOURNAL
