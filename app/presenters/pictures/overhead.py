@@ -18,6 +18,7 @@ from tracking.tracks import Columns
 Floats = NDArray[np.float64]
 
 _LOOKS_DOWN_DEG = 75.0
+_CAMERA = (0.0, 0.0)
 _NO_TRAIL: Floats = np.zeros((0, 2))
 
 
@@ -36,7 +37,7 @@ class OverheadPresenter:
         self._seen: Bounds = (-5.0, -1.0, 5.0, 9.0)
         if recording.view is not None:
             self._field_of_view = recording.view.field_of_view(self._reach_m)
-            self._seen = _bounds(self._field_of_view)
+            self._seen = _bounds(np.vstack((self._field_of_view, _CAMERA)))
             self._message = ""
             self._looks_down = recording.view.ground.tilt_deg > _LOOKS_DOWN_DEG
         self._bounds = self._seen
@@ -66,7 +67,7 @@ class OverheadPresenter:
             measured=floor_points(measured),
             people=self._people(instant),
             field_of_view=self._field_of_view,
-            camera=(0.0, 0.0),
+            camera=_CAMERA,
             bounds=self._bounds,
             preview=instant.preview,
             message=self._message,

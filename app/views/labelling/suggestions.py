@@ -85,6 +85,7 @@ class SuggestionsList(QWidget):
         rows.setContentsMargins(0, 4, 0, 0)
         rows.setSpacing(4)
         self._title = heading("", self)
+        self._title.setWordWrap(True)
         self._told = quiet("", self)
         self._told.setWordWrap(True)
         self._model = SuggestionsModel(self)

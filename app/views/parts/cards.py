@@ -14,7 +14,7 @@ from app.views.parts.signs import draw_off, draw_on
 from app.views.pictures.free_place import free_place
 from app.views.pictures.viewport import Viewport
 
-_PAD, _BAR_PX, _GAP = 5.0, 4.0, 5.0
+_PAD, _BAR_PX, _GAP, _APART_PX = 5.0, 4.0, 5.0, 8.0
 _CASING = QColor(0, 0, 0, 150)
 _FOOT = 0.86
 _GROUND = 0.92
@@ -121,15 +121,31 @@ def _draw_leaders(
     painter: QPainter, card: PartCard, rects: Sequence[QRectF], place: QRectF
 ) -> None:
     """From each line of words to the rectangle it speaks of, in the person's colour."""
-    height = QFontMetricsF(painter.font()).height()
-    lines = []
-    for row, rect in enumerate(rects):
-        y = place.top() + _PAD + (row + 0.5) * height
-        left = place.center().x() > rect.center().x()
-        near = QPointF(place.left() if left else place.right(), y)
-        lines.append(
-            QLineF(near, QPointF(rect.right() if left else rect.left(), rect.center().y()))
-        )
+    lines = leaders(place, rects, QFontMetricsF(painter.font()).height())
     for pen in (QPen(_CASING, 2.8), QPen(QColor(*card.colour), 1.2)):
         painter.setPen(pen)
         painter.drawLines(lines)
+
+
+def leaders(place: QRectF, rects: Sequence[QRectF], height: float) -> list[QLineF]:
+    """A line from the edge of a card to the near edge of each rectangle that it does not cover.
+
+    Args:
+        place: of the card, whose rows are so high. rects: one a row.
+    """
+    lines = []
+    for row, rect in enumerate(rects):
+        y = place.top() + _PAD + (row + 0.5) * height
+        middle, apart = rect.center(), (row - (len(rects) - 1) / 2) * _APART_PX
+        above = place.bottom() <= rect.top()
+        if place.left() >= rect.right():
+            lines.append(QLineF(place.left(), y, rect.right(), middle.y()))
+        elif place.right() <= rect.left():
+            lines.append(QLineF(place.right(), y, rect.left(), middle.y()))
+        elif above or place.top() >= rect.bottom():
+            # From the edge that faces the rectangle: from a side it would run along the card.
+            x = min(max(middle.x() + apart, place.left()), place.right())
+            near, far = place.bottom() if above else place.top(), rect.top()
+            end = min(max(x, rect.left()), rect.right())
+            lines.append(QLineF(x, near, end, far if above else rect.bottom()))
+    return lines

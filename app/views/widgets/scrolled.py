@@ -32,9 +32,11 @@ class ScrolledPanel(QFrame):
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """As high as the content is at this width."""
         hint, layout = self.content.sizeHint(), self.content.layout()
+        edges = self.contentsMargins()
+        across, down = edges.left() + edges.right(), edges.top() + edges.bottom()
         if layout is not None and layout.hasHeightForWidth():
-            hint.setHeight(layout.totalHeightForWidth(max(self.width(), 1)))
-        return hint
+            hint.setHeight(layout.totalHeightForWidth(max(self.width() - across, 1)))
+        return hint + QSize(across, down)
 
     def minimumSizeHint(self) -> QSize:  # noqa: N802
         """As wide as the content; a few lines of it are seen."""

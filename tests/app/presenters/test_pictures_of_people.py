@@ -1,3 +1,5 @@
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import two_people
@@ -7,7 +9,8 @@ from app.presenters.document.document import Document
 from app.presenters.document.instant import Instant, Pictured
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.panels import track_card
-from app.presenters.pictures.overhead import relative_weights
+from app.presenters.pictures.extent import MARGIN_M
+from app.presenters.pictures.overhead import OverheadPresenter, relative_weights
 from app.presenters.scenes import Eye
 from tracking.recording import open_recording
 from tracking.session import Session
@@ -148,3 +151,13 @@ def test_the_card_tells_of_the_selected_track(document):
     assert card.track == track
     assert card.frames_seen + card.frames_predicted == len(rows["frame"])
     assert (card.first_frame, card.last_frame) == (rows["frame"][0], rows["frame"][-1])
+
+
+def test_the_floor_worth_showing_holds_the_camera_also_where_it_sees_none_near_it():
+    seen = np.array([(-2.0, 3.0), (2.0, 3.0), (6.0, 12.0), (-6.0, 12.0)])
+    ground = SimpleNamespace(height_m=2.4, tilt_deg=10.0)
+    view = SimpleNamespace(ground=ground, field_of_view=lambda _: seen)
+    presenter = OverheadPresenter(SimpleNamespace(fps=20.0, view=view))
+    left, bottom, right, top = presenter.bounds
+    assert (left, right) == (-6 - MARGIN_M, 6 + MARGIN_M)
+    assert (bottom, top) == (-MARGIN_M, 12 + MARGIN_M)

@@ -9,13 +9,14 @@ import pytest
 from drawn_scenes import person, picture
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QRectF, QSizeF
+from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
 from app.presenters.parts.part_curve import LaneScore, PartCurve
 from app.presenters.parts.parts_scene import CardLine, PartBox, PartCard, PicturedParts, Verdict
 from app.presenters.scenes import Eye
 from app.views.look.theme import contrast, current_theme
+from app.views.parts.cards import leaders
 from app.views.pictures import box_names
 from app.views.pictures import picture as picture_view
 from app.views.pictures.picture import PictureView
@@ -91,6 +92,28 @@ def test_cards_of_others_are_left_out_of_a_low_picture(qtbot, dark, monkeypatch)
         view.resize(400, height)
         view.grab()
     assert [[one.track for one in cards] for cards in (shown[0], shown[-1])] == [[1, 2], [1]]
+
+
+@given(st.integers(0, 320), st.integers(0, 220))
+def test_each_line_of_a_card_goes_straight_from_it_to_its_rectangle(left, top):
+    parts = [QRectF(150 + 4 * at, 80 + 30 * at, 20, 26) for at in range(3)]
+    card = QRectF(left, top, 170, 60)
+    lines = leaders(card, parts, 16)
+    assert len(lines) == sum(not card.intersects(part) for part in parts)
+    for line in lines:
+        middle = line.pointAt(0.5)
+        assert card.contains(line.p1())
+        assert not card.adjusted(0.5, 0.5, -0.5, -0.5).contains(middle)
+        assert any(part.contains(line.p2()) for part in parts)
+        assert not any(part.adjusted(1, 1, -1, -1).contains(line.p2()) for part in parts)
+
+
+def test_lines_of_a_card_below_somebody_leave_it_upwards_not_at_the_edge_of_the_picture():
+    head, torso = QRectF(150, 10, 20, 20), QRectF(145, 40, 30, 40)
+    card = QRectF(30, 100, 170, 60)  # to the picture's right edge
+    lines = leaders(card, (head, torso), 16)
+    assert [line.p1() for line in lines] == [QPointF(156, 100), QPointF(164, 100)]
+    assert [line.p2() for line in lines] == [QPointF(156, 30), QPointF(164, 80)]
 
 
 @given(st.lists(st.floats(-50, 50), min_size=1))

@@ -46,3 +46,11 @@ def test_without_room_it_scrolls_and_the_window_stays_low(column, qtbot):
     qtbot.waitUntil(lambda: panel.height() <= 160)
     assert whole.height() == 160
     assert panel._area.verticalScrollBar().maximum() > 0
+
+
+def test_with_room_a_panel_with_a_border_has_no_scroll_bar(column, qtbot):
+    _, panel, words = column
+    panel.setStyleSheet("ScrolledPanel { border: 1px solid red }")
+    words.setText("few")
+    qtbot.waitUntil(lambda: panel.height() < 100)
+    assert panel._area.verticalScrollBar().maximum() == 0
