@@ -132,6 +132,27 @@ def test_a_large_text_is_read_in_memory_by_its_rows(tmp_path: Path) -> None:
     assert ((peak_mib - least_mib) << 20) / 400_000 < 220
 
 
+@pytest.mark.parametrize("with_classes", [False, True])
+def test_rows_of_viame_are_read_in_memory_by_their_numbers(
+    tmp_path: Path, *, with_classes: bool
+) -> None:
+    row = b"%d,,%d,1,2,3,4,0.5,-1" + b",car,0.5" * with_classes + b"\n"
+    few, many = tmp_path / "few.csv", tmp_path / "many.csv"
+    for path, frames in ((few, 100), (many, 8_000)):
+        rows = (row % (person, frame) for frame in range(frames) for person in range(1, 26))
+        path.write_bytes(b"".join(rows))
+    (_, least_mib), (said, peak_mib) = outcome("viame", few), outcome("viame", many)
+    assert said == "200000 rows"
+    assert ((peak_mib - least_mib) << 20) / 200_000 < 220
+
+
+def test_a_file_of_viame_with_an_id_a_row_is_refused(tmp_path: Path) -> None:
+    path = written(tmp_path, b"", b"".join(b"%d,,0,1,2,3,4,1,-1,c,1\n" % n for n in range(1 << 18)))
+    said, peak_mib = outcome("viame", path)
+    assert "has more than 200000 tracks" in said
+    assert peak_mib < MOST_MIB + 50
+
+
 def test_people_of_a_large_text_are_counted_without_its_rows(tmp_path: Path) -> None:
     few, many = tmp_path / "few.txt", tmp_path / "many.txt"
     few.write_bytes(rows_of_mot(2_000, 40))

@@ -147,13 +147,13 @@ class _File:
     def imported(self) -> Imported:
         """The tracks."""
         self._check()
-        at, image, track, kind = np.array(self._whole, np.int64).reshape(-1, 4).T
+        at, image, track, kind = np.asarray(self._whole, np.int64).reshape(-1, 4).T
         frame = np.array([self._images.get(number, -1) for number in image.tolist()], np.int64)
         known = frame >= 0
         for row in np.flatnonzero(~known).tolist():
             what = "has no image of the file" if self._images else "is of a file without images"
             self._reading.bad(f"annotations[{at[row]}]", what)
-        boxes = np.array(self._boxes).reshape(-1, len(BOX))[known]
+        boxes = np.asarray(self._boxes).reshape(-1, len(BOX))[known]
         rows: dict[str, NDArray[Any]] = {
             "frame": frame[known],
             "track": self._reading.ids_from_zero(track[known]),

@@ -126,8 +126,8 @@ class _File:
                 f"{self._people}; export it again"
             )
         self._reading.notes.append("boxes have no size: PeTrack's file tells points of heads alone")
-        frame, track, line = np.array(self._whole, np.int64).reshape(-1, 3).T
-        x, y, confidence = np.array(self._numbers).reshape(-1, 3).T
+        frame, track, line = np.asarray(self._whole, np.int64).reshape(-1, 3).T
+        x, y, confidence = np.asarray(self._numbers).reshape(-1, 3).T
         rows: dict[str, NDArray[Any]] = {
             "frame": frame,
             "track": track,

@@ -97,8 +97,8 @@ class _Table:
 
     def imported(self) -> Imported:
         """The tracks."""
-        line, frame, held = np.array(self._whole, np.int64).reshape(-1, 3).T
-        numbers = np.array(self._numbers).reshape(-1, 5)
+        line, frame, held = np.asarray(self._whole, np.int64).reshape(-1, 3).T
+        numbers = np.asarray(self._numbers).reshape(-1, 5)
         track = self._ids(frame, held)
         kept = track > 0
         self._reading.notes.append(AROUND_POINTS)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError
 from tracking.formats.cvat_track import kept_visibility
 from tracking.formats.delimited import TRIED_ROWS
+from tracking.formats.filled_rows import MOST_TRACKS
 from tracking.formats.line_survey import MOST_ROWS, too_many
 from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
@@ -38,7 +39,6 @@ _LEAST = 9
 """Values before classes and attributes."""
 _OCCLUDED = "occluded"
 _MOST_COMMENTS = 10_000
-_MOST_TRACKS = 1_000_000
 _MOST_ATTRIBUTES = 65
 """Of a track; its name is one of them."""
 
@@ -68,6 +68,7 @@ class _File:
             array("q"),
             array("d"),
         )  # line, frame, id; box, confidence, seen
+        self._tracks: set[int] = set()
         self._kinds: dict[int, str] = {}
         self._said: dict[int, dict[str, str]] = {}
         self._fps: float | None = None
@@ -92,8 +93,8 @@ class _File:
             self._reading.notes.append(
                 "what the file says of single frames ((atr), (kp), (poly), (note)) is left out"
             )
-        line, frame, said = np.array(self._whole, np.int64).reshape(-1, 3).T
-        numbers = np.array(self._numbers).reshape(-1, 6)
+        line, frame, said = np.asarray(self._whole, np.int64).reshape(-1, 3).T
+        numbers = np.asarray(self._numbers).reshape(-1, 6)
         left, top, right, bottom = numbers[:, :4].T
         track = self._reading.ids_from_zero(said)
         rows: dict[str, NDArray[Any]] = {
@@ -103,7 +104,8 @@ class _File:
             "confidence": numbers[:, 4],
             "visibility": np.where(self._tells_hidden, numbers[:, 5], np.nan),
         }
-        labels = self._labels(dict(zip(said.tolist(), track.tolist(), strict=True)))
+        ids, first = np.unique(said, return_index=True)
+        labels = self._labels(dict(zip(ids.tolist(), track[first].tolist(), strict=True)))
         return self._reading.imported(
             rows,
             lambda row: f"line {line[row]}",
@@ -137,6 +139,7 @@ class _File:
             return "its confidence is not a number"
         if confidence < 0 and confidence != _UNKNOWN:
             return f"its confidence is {confidence:g}, below 0; {_UNKNOWN:g} stands for unknown"
+        self._count(track)
         best = max(pairs, key=lambda pair: pair[1], default=("", -1.0))
         confidence = confidence if confidence >= 0 else best[1]
         if best[0]:
@@ -151,6 +154,12 @@ class _File:
         if self._reading.good > MOST_ROWS:
             raise too_many(self._reading.path)
         return ""
+
+    def _count(self, track: int) -> None:
+        """Raise FormatError where a file has far more ids than people."""
+        self._tracks.add(track)
+        if len(self._tracks) > MOST_TRACKS:
+            raise FormatError(f"{self._reading.path} has more than {MOST_TRACKS} tracks; split it")
 
     def _try(self) -> None:
         """Raise FormatError where the first rows are such that the file is refused in the end."""
@@ -170,7 +179,7 @@ class _File:
                 self._tells_hidden |= is_occluded
                 occluded |= is_occluded and found[2].strip().lower() == "true"
                 self._left_out += not is_occluded
-            elif track in self._said or len(self._said) < _MOST_TRACKS:
+            else:
                 kept = self._said.setdefault(track, {})
                 if found[1] in kept or len(kept) < _MOST_ATTRIBUTES:
                     kept[found[1]] = found[2]

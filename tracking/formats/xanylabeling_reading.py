@@ -83,11 +83,12 @@ class _Folder:
             )
         if self._no_areas:
             notes.append(left_out(self._no_areas, "point or line", "points and lines"))
-        file, shape, group = np.array(self._whole, np.int64).reshape(-1, 3).T
-        numbers = np.array(self._numbers).reshape(-1, len(BOX) + 1)
+        file, shape, group = np.asarray(self._whole, np.int64).reshape(-1, 3).T
+        numbers = np.asarray(self._numbers).reshape(-1, len(BOX) + 1)
         frame = np.array([each.frame for each in self._files], np.int64)
         track = self._reading.ids_from_zero(group)
-        ids = dict(zip(group.tolist(), track.tolist(), strict=True))
+        said, first = np.unique(group, return_index=True)
+        ids = dict(zip(said.tolist(), track[first].tolist(), strict=True))
         rows: dict[str, NDArray[Any]] = {
             "frame": frame[file],
             "track": track,
