@@ -35,5 +35,10 @@ def end_at_once() -> None:
 
 
 def _end(*_: object) -> None:
-    os.write(sys.__stderr__.fileno() if sys.__stderr__ else 2, f"trackwright: {STOPPED}\n".encode())
-    os._exit(INTERRUPTED)
+    try:
+        if sys.__stderr__ is not None:  # else its number may be that of a file
+            os.write(sys.__stderr__.fileno(), f"trackwright: {STOPPED}\n".encode())
+    except (OSError, ValueError):  # nobody reads it any more
+        pass
+    finally:
+        os._exit(INTERRUPTED)

@@ -239,3 +239,13 @@ def test_an_error_of_the_unfinished_output_is_told_of_the_output(
 
     with pytest.raises(OutputError, match=r"cannot write .*/out: No space left"):
         fails()
+
+
+def test_every_folder_that_is_made_above_a_new_one_lasts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    synced: list[Path] = []
+    monkeypatch.setattr("tracking.replacing.sync_folder", synced.append)
+    with replacing_folder(tmp_path / "a" / "b" / "made") as folder:
+        (folder / "c").write_text("c")
+    assert {tmp_path, tmp_path / "a", tmp_path / "a" / "b"} <= set(synced)

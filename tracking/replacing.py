@@ -116,6 +116,8 @@ def replacing_folder(path: Path) -> Iterator[Path]:
         part.chmod(_PRIVATE_FOLDER)
         yield part
         _finish_folder(part, path, allowed)
+        for folder in missing:
+            sync_folder(folder.parent)
     except OSError as error:
         if not _is_of(error, part, path):
             raise
