@@ -66,7 +66,7 @@ def _session(recording: Path, place: Path) -> Path:
 
 def _is_worked_on(place: Path) -> bool:
     with closing(Session.open(place)) as session:
-        return has_work(session)
+        return has_work(session) or bool(session.damage)
 
 
 def _picture(session: Path, place: Path) -> Path:

@@ -226,6 +226,8 @@ def _lost_with(out: Path) -> str:
         with closing(Session.look_into(out)) as session:
             if has_work(session):
                 return "what somebody did in it"
+            if session.damage:
+                return "what somebody may have done in it (it is damaged)"
             if any(session.runs.tracker_of(run) == IMPORTED for run in range(len(session.runs))):
                 return "the tracks that were imported"
             return "one of its runs" if len(session.runs) > 1 else ""

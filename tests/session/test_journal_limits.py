@@ -318,3 +318,11 @@ def test_a_session_error_names_the_journal_and_not_its_copy(left: Path) -> None:
     with pytest.raises(SessionError) as told, waiting._copied(journal_of(left)):
         pass
     assert str(told.value).startswith(f"{journal_of(left)}: ")
+
+
+def test_edits_that_a_slow_disk_does_not_give_in_time_are_not_left_out(
+    emptied: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tracking.session.journal_limits.DISK_S", -1.0)
+    with pytest.raises(OutputError, match="takes too long"):
+        Session.look_into(emptied)

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import errno
+from pathlib import Path
+
 import pytest
 
 from tracking.editing import plan_delete, plan_swap
-from tracking.errors import SessionError
-from tracking.session import Session, describe
+from tracking.errors import OutputError, SessionError
+from tracking.session import Session, describe, waiting
 from tracking.session.saving import companions
+from tracking.session.waiting import edits_wait
 
 
 def edit(session: Session, *, swaps: int = 1) -> None:
@@ -69,3 +73,33 @@ def test_looking_into_a_session_changes_nothing_beside_it(
     kept = sorted(companions(path).iterdir())
     Session.look_into(path).close()
     assert sorted(companions(path).iterdir()) == kept
+
+
+def test_edits_that_cannot_be_copied_anywhere_wait_all_the_same(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def nowhere(*_: object) -> None:
+        raise FileNotFoundError(errno.ENOENT, "No usable temporary directory found")
+
+    path = session.save()
+    edit(session)
+    monkeypatch.setattr("tracking.session.waiting.tempfile.TemporaryDirectory", nowhere)
+    assert edits_wait(path)
+    with pytest.raises(OutputError, match=r"cannot be read .No usable temporary directory"):
+        describe(path)
+
+
+def test_a_journal_that_goes_while_it_is_read_is_no_failing_disk(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = session.save()
+    edit(session)
+    copied = waiting.files_to_copy
+
+    def saved_meanwhile(main: Path) -> list[str]:
+        monkeypatch.setattr(waiting, "files_to_copy", copied)
+        session.save()
+        raise FileNotFoundError(errno.ENOENT, "it was there a moment ago")
+
+    monkeypatch.setattr(waiting, "files_to_copy", saved_meanwhile)
+    assert len(Session.look_into(path).history) == 1

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.editing import History
-from tracking.errors import EditError, OutputError, SessionError, UnsafeFileError, told_by_system
+from tracking.errors import EditError, OutputError, SessionError, UnsafeFileError
 from tracking.owned_files import check_folder, open_file
 from tracking.recording.wording import counted
 from tracking.session.edited import Edited
@@ -75,11 +75,17 @@ def notes_on_kept(path: Path, stamps: Stamps, history: History) -> dict[Path, st
 def read_with_waiting(path: Path) -> ReadSession:
     """The session as it would open now; another program may have it open meanwhile.
 
-    Raises SessionError where the session itself cannot be read.
+    Raises SessionError where the session itself cannot be read, OutputError where the disk refuses
+    to give the edits that wait, or to take a copy of them: that is no damage.
     """
-    for _ in range(_TRIES):
+    for tries_left in reversed(range(_TRIES)):
         before = _states(path)
-        read = _read(path)
+        try:
+            read = _read(path)
+        except OutputError:
+            if not tries_left or _states(path) == before:
+                raise
+            continue
         if not read.damage or _states(path) == before:  # else another program just wrote there
             break
     for note in read.damage:
@@ -101,10 +107,13 @@ def _read(path: Path) -> ReadSession:
         note = f"the journal of edits is damaged ({problem}): {MAY_MISS}" if problem else ""
     except EditError as why:
         note = f"{do_not_fit(steps[made:])} ({why}): {MAY_MISS}"
-    except (SessionError, OutputError) as why:
+    except SessionError as why:
         note = f"{why.reason}: {MAY_MISS}"
     except OSError as why:
-        note = f"{told_by_system(why) or why}: {MAY_MISS}"
+        raise OutputError(
+            f"{path}: the edits that wait in its journal cannot be read ({why.strerror or why})",
+            "make room in the folder for temporary files, then try again",
+        ) from why
     return ReadSession(snapshot, edited, made, (note,) if note else ())
 
 
@@ -120,7 +129,7 @@ def may_wait(path: Path, stamps: Stamps) -> bool:
 def read_history(path: Path) -> History:
     """The log of edits as the session would open now, whoever has it open.
 
-    Raises SessionError where the session cannot be read.
+    Raises SessionError and OutputError as `read_with_waiting`.
     """
     return read_with_waiting(path).edited.history
 
@@ -131,13 +140,10 @@ def edits_wait(path: Path) -> bool:
     They may, too, where the folder there is another user's, or a link, which nobody follows.
     """
     try:
-        check_folder(companions(path))
-        if not are_there(companions(path)):
+        if not _lies_beside(path):
             return False
         with _copied(present(companions(path))) as journal:
             return journal.may_have_steps
-    except FileNotFoundError:
-        return False
     except (SessionError, OutputError, OSError):
         return True
 
@@ -157,15 +163,19 @@ def _written_s(file: Path) -> float:
 
 def _missing(path: Path, stamps: Stamps) -> Missing:
     """The steps that wait. Raises SessionError, OutputError or OSError where nobody can tell."""
-    beside = companions(path)
-    try:
-        check_folder(beside)
-    except FileNotFoundError:
+    if not _lies_beside(path):
         return Missing()
-    if not are_there(beside):
-        return Missing()
-    with _copied(present(beside)) as journal:
+    with _copied(present(companions(path))) as journal:
         return missing_steps(journal, stamps)
+
+
+def _lies_beside(path: Path) -> bool:
+    """Whether files of a journal lie beside a session, in a folder of the user's own."""
+    try:
+        check_folder(companions(path))
+    except FileNotFoundError:
+        return False
+    return are_there(companions(path))
 
 
 def _states(path: Path) -> list[tuple[int, int, int] | None]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+import sqlite3
 from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
@@ -186,3 +187,17 @@ def test_damage_is_told_after_a_save_until_it_is_accepted(
     assert (status, json.loads(out)["accepted"]) == (0, 0)
     assert "no damage of it is known" in told
     assert trackwright("restore", damaged, "--accept-damage", "--list")[0] == 2
+
+
+def test_a_session_whose_only_edits_wait_in_a_damaged_journal_is_not_tracked_over(
+    trackwright: Trackwright, session: Path, footage: Path
+) -> None:
+    with closing(Session.open(session)) as opened:
+        first, second = opened.tracks.track_ids[:2]
+        opened.apply(plan_swap(opened.tracks, first, second, 10))
+    with closing(sqlite3.connect(companions(session) / JOURNAL)) as journal, journal:
+        journal.execute("UPDATE steps SET text = 'x'")
+    before = session.read_bytes()
+    status, _, said = trackwright("track", footage, "-o", session, "--frames", "0:2")
+    assert (status, session.read_bytes()) == (1, before)
+    assert "what somebody may have done in it (it is damaged) would be lost" in said

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 from contextlib import closing
 from pathlib import Path
 
@@ -113,3 +115,25 @@ def test_a_damaged_session_with_nothing_older_ends_in_what_to_do(
     status, _, said = trackwright("restore", session)
     assert (status, said.count("\n")) == (1, 1)
     assert "track the recording again" in said
+
+
+@pytest.mark.parametrize(
+    "words",
+    [("log",), ("export", "-o", "out.txt", "--format", "mot"), ("count", "--line", "door:0,0:1,1")],
+)
+def test_edits_that_cannot_be_copied_to_a_full_temporary_folder_are_not_left_out(
+    trackwright: Trackwright,
+    edited: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    words: tuple[str, ...],
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("tracking.session.waiting.shutil.copyfileobj", full)
+    status, printed, said = trackwright(words[0], edited, *words[1:])
+    assert (status, printed, len(said.splitlines())) == (1, "", 1)
+    assert "edits that wait in its journal cannot be read (No space left on device)" in said
+    assert not (tmp_path / "out.txt").exists()
