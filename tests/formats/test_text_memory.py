@@ -37,6 +37,7 @@ TREES_ARE_REFUSED = [
     ("cvat", b"<annotations><track id='1'>", b"<x/>", b"</track></annotations>", "without boxes"),
     ("cvat", b"<annotations>", b'<image id="1"/>', b"</annotations>", "CVAT for images"),
     ("cvat", b"<annotations><track id='1' label='person'>", CVAT_BOX, b"<box", "is cut short"),
+    ("cvat", b"<annotations><track id='1' label='person'>", CVAT_BOX, b"", "is cut short"),
     ("coco", b'{"images":[],', b'"a":1,', b'"z":1}', "more members"),
     ("coco", b'{"videos":[', b'{"id":1},', b'{"id":2}]}', "more than 10000 videos"),
     ("coco", b'{"annotations":[', COCO_BOX, b'{"id":', "is cut short"),

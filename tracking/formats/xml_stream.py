@@ -6,6 +6,7 @@ text and attributes are short. Nothing of the file is kept but what the caller k
 
 from __future__ import annotations
 
+import re
 import zipfile
 import zlib
 from collections.abc import Mapping
@@ -26,6 +27,8 @@ MOST_BYTES = 4 << 30
 """So much the longest sessions take: a box has 100 to 200 bytes. Nothing of the file is held."""
 _TAIL = 1 << 16
 """Bytes at the end, which tell a file that was cut short before all of it is read."""
+_COMMENT = re.compile(rb"<!--.*?-->|<\?.*?\?>", re.DOTALL)
+_ROOT = re.compile(rb"<([A-Za-z_][\w.:-]*)")
 _PIECE = 1 << 18
 _DEEPEST = 32
 _LONGEST = 1 << 16
@@ -92,8 +95,10 @@ def _opened(path: Path, member: str) -> tuple[AbstractContextManager[IO[bytes]],
         if stream.read(len(ZIP)) != ZIP:
             size = path.stat().st_size
             if size > _TAIL:
+                stream.seek(0)
+                head = stream.read(_TAIL)
                 stream.seek(size - _TAIL)
-                if not stream.read(_TAIL).rstrip(b" \t\r\n\0").endswith(b">"):
+                if not _is_ended(head, stream.read(_TAIL)):
                     raise FormatError(
                         f"{path} is cut short: it ends within its XML; export it again"
                     )
@@ -105,6 +110,17 @@ def _opened(path: Path, member: str) -> tuple[AbstractContextManager[IO[bytes]],
         raise FormatError(
             f"{path} is an archive without a {member} that can be read; unpack it and name that"
         ) from error
+
+
+def _is_ended(head: bytes, tail: bytes) -> bool:
+    """Whether the last bytes hold the end of the element that the first ones begin with.
+
+    Zero bytes, as wider letters have, and comments count for nothing.
+    """
+    head, tail = (_COMMENT.sub(b"", part.replace(b"\0", b"")) for part in (head, tail))
+    root = _ROOT.search(head)
+    ended = b">" if root is None else rb"</" + re.escape(root[1]) + rb"\s*>"
+    return re.search(ended + rb"\s*\Z", tail) is not None
 
 
 class _Text(ContentHandler):
