@@ -193,6 +193,13 @@ def test_a_region_without_keyframes_is_passed_over(tmp_path: Path, other: dict[s
         assert lefts(imported(tmp_path, [task(*regions)])) == {(1, 1): 64}
 
 
+def test_a_sequence_that_is_no_list_is_told(tmp_path: Path) -> None:
+    wrong = {"id": "b", "type": "videorectangle", "value": {"sequence": {"frame": 1}}}
+    found = imported(tmp_path, [task(region(key(2, False)), wrong)])
+    assert lefts(found) == {(1, 1): 64}
+    assert [bad.reason for bad in found.bad_rows] == ["its sequence is no list"]
+
+
 def test_percent_without_the_size_of_the_picture_are_refused(tmp_path: Path) -> None:
     with pytest.raises(FormatError, match="import it with its recording"):
         imported(tmp_path, [task(region(key(1)))], Filmed())

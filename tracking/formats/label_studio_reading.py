@@ -153,14 +153,16 @@ class _File:
 
     def _take_region(self, owner: JsonPath, place: JsonPath, inner: JsonPath, value: Any) -> None:
         if inner[0] == "sequence" and len(inner) == 2:
-            self._take_keyframe(self._region(owner, place), inner[1], value)
+            if isinstance(inner[1], int):
+                self._take_keyframe(self._region(owner, place), inner[1], value)
+            else:
+                self._reading.bad(_named(place), "its sequence is no list")
         elif len(inner) == 1 and inner[0] in _KEPT:
             region = self._region(owner, place)
             held = region.value if inner[0] in ("labels", "framesCount") else region.said
             held[str(inner[0])] = value
 
-    def _take_keyframe(self, region: Region, number: str | int, value: Any) -> None:
-        assert isinstance(number, int)
+    def _take_keyframe(self, region: Region, number: int, value: Any) -> None:
         self._keyframes += 1
         if self._keyframes > _MOST_KEYFRAMES:
             raise FormatError(f"{self._reading.path} has more than {_MOST_KEYFRAMES} keyframes")

@@ -27,8 +27,7 @@ MOST_BYTES = 4 << 30
 """So much the longest sessions take: a box has 100 to 200 bytes. Nothing of the file is held."""
 _TAIL = 1 << 16
 """Bytes at the end, which tell a file that was cut short before all of it is read."""
-_COMMENT = re.compile(rb"<!--.*?-->|<\?.*?\?>", re.DOTALL)
-_ROOT = re.compile(rb"<([A-Za-z_][\w.:-]*)")
+_NAME = re.compile(rb"[A-Za-z_][\w.:-]*")
 _PIECE = 1 << 18
 _DEEPEST = 32
 _LONGEST = 1 << 16
@@ -117,10 +116,16 @@ def _is_ended(head: bytes, tail: bytes) -> bool:
 
     Zero bytes, as wider letters have, and comments count for nothing.
     """
-    head, tail = (_COMMENT.sub(b"", part.replace(b"\0", b"")) for part in (head, tail))
-    root = _ROOT.search(head)
-    ended = b">" if root is None else rb"</" + re.escape(root[1]) + rb"\s*>"
-    return re.search(ended + rb"\s*\Z", tail) is not None
+    head, tail = head.replace(b"\0", b""), tail.replace(b"\0", b"")
+    at = head.find(b"<")
+    while (what := head[at : at + 2]) in (b"<!", b"<?"):
+        end = head.find(b"-->" if what == b"<!" else b"?>", at)
+        at = head.find(b"<", end) if end >= 0 else -1
+    root = _NAME.match(head, at + 1) if at >= 0 else None
+    if root is None:
+        return tail.rstrip().endswith(b">")
+    last = tail[tail.rfind(b"</" + root[0]) :]
+    return last.startswith(b"</") and b">" in last and b"<" not in last[1:].replace(b"<!--", b"")
 
 
 class _Text(ContentHandler):
