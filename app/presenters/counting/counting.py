@@ -111,7 +111,7 @@ class CountingPresenter:
             so_far = self._so_far(number, instant.frame)
             if so_far is None:
                 return ""
-            return tr("{ahead} forward, {back} back", ahead=so_far[0], back=so_far[1])
+            return tr("{ahead} forward, {back} backward", ahead=so_far[0], back=so_far[1])
         regions = self.labels.regions
         if tool is not Tool.REGIONS or number >= len(regions):
             return ""
@@ -181,7 +181,8 @@ class CountingPresenter:
             for now, most in zip(so_far, whole, strict=True)
         ]
         hint = tr(
-            "{name}: {ahead} of {all_ahead} have passed forward so far, {back} of {all_back} back",
+            "{name}: {ahead} of {all_ahead} have passed forward so far, "
+            "{back} of {all_back} backward",
             name=line.name,
             ahead=so_far[0],
             back=so_far[1],

@@ -91,7 +91,7 @@ FIGURES: Final = (
         lambda score: score.clear.fragmentations,
         "{:.0f}",
         -1,
-        "Fragments",
+        "Frag.",
     ),
     Figure(
         "Misses",
@@ -106,6 +106,7 @@ FIGURES: Final = (
         lambda score: score.clear.false_positives,
         "{:.0f}",
         -1,
+        "False",
     ),
     Figure("DetA", "How well people are found, part of HOTA", lambda score: score.hota.deta),
     Figure("AssA", "How well ids are kept, part of HOTA", lambda score: score.hota.assa),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QColor, QResizeEvent
@@ -20,7 +21,8 @@ from app.views.widgets.table_cells import write_cell
 
 _COLUMNS, _MOST_GROUPS = 4, 3
 _WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +88.888"
-_PAD_PX = 28
+_PAD_PX, _TIGHT_PAD_PX = 28, 22
+"""Beside a figure; tight where three stand side by side."""
 
 
 class FiguresTable(QTableWidget):
@@ -28,7 +30,7 @@ class FiguresTable(QTableWidget):
 
     A group has the columns name, all frames, frames shown and last edits; where there are several,
     names and titles are short, and of a move there is the arrow; three have no room for the frames
-    shown. Tooltips say it in full.
+    shown, and for arrows only where names have theirs. Tooltips say it in full.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -64,6 +66,7 @@ class FiguresTable(QTableWidget):
             if number >= len(self._rows) or self._rows[number] != row:
                 self._write(number, row)
         self._rows = scene.rows
+        self._give_names_room(scene.rows)
 
     # arranging
 
@@ -105,7 +108,8 @@ class FiguresTable(QTableWidget):
             self.setColumnHidden(column, part == 2 and self.groups == _MOST_GROUPS)
             if part:
                 px = max(width(names[part]), width(widest[part - 1]))
-                self.setColumnWidth(column, px + _PAD_PX)
+                tight = self.groups == _MOST_GROUPS
+                self.setColumnWidth(column, px + (_TIGHT_PAD_PX if tight else _PAD_PX))
 
     def _tell_frames(self) -> None:
         scene = self._scene
@@ -124,6 +128,18 @@ class FiguresTable(QTableWidget):
             self._tell_frames()
             for number, row in enumerate(self._rows):
                 self._write(number, row)
+        self._give_names_room(self._rows)
+
+    def _give_names_room(self, rows: Sequence[ScoreRow]) -> None:
+        """Three figures side by side: rather no arrows, which tooltips tell, than cut names."""
+        if self.groups < _MOST_GROUPS:
+            return
+        letters = self.fontMetrics().horizontalAdvance
+        arrow = letters("\u25b2") + _TIGHT_PAD_PX  # a hidden column has no width
+        widest = max((letters(row.short or row.name) for row in rows), default=0) + _TIGHT_PAD_PX
+        each = self.viewport().width() // self.groups - self.columnWidth(1)
+        for group in range(self.groups):
+            self.setColumnHidden(group * _COLUMNS + 3, each - arrow < widest)
 
     # writing
 

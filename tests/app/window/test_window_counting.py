@@ -91,7 +91,7 @@ def test_counters_stand_at_lines_and_regions_for_the_frame_shown(window, counted
         for number, line in enumerate((GATE, SCREEN)):
             part = found.of_line(number)
             ahead, back = part.rows(part.frame <= frame).totals
-            assert told[line.name] == f"{ahead} forward, {back} back"
+            assert told[line.name] == f"{ahead} forward, {back} backward"
         assert said_on(window.workspace.overhead).keys() == {"gate", "hall"}
     here = columns["frame"] == frame
     within = (np.abs(columns["x"]) < 3) & (columns["y"] > 2) & (columns["y"] < 6) & here
