@@ -186,6 +186,7 @@ def test_while_another_person_is_waited_for_a_drag_pans(hands, someone):
 
 def test_dragging_beside_the_selected_box_pans_and_edits_nothing(hands, someone):
     view = hands.window.workspace.left
+    view.zoom(2.0, hands.box_on(someone).center())
     hands.click(view, hands.box_on(someone).center())
     before = view.viewport
     corner = QPointF(view.rect().bottomRight()) - QPointF(12, 12)
