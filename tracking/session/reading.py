@@ -106,7 +106,7 @@ def _version(verdict: Mapping[str, Any]) -> tuple[int, int]:
 
 def _damage_of(path: Path, version: tuple[int, int]) -> str:
     """What is damaged of a file that is safe to read, in a line; "" where nothing is known."""
-    if version >= _ALL_SEALED and is_missing(path):
+    if _ALL_SEALED <= version <= VERSION and is_missing(path):  # a later one may seal otherwise
         return without_seal(path)
     return changed(path) if is_changed(path) else ""
 
