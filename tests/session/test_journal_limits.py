@@ -104,6 +104,25 @@ def test_a_log_that_is_none_is_not_copied(left: Path, copied: list[str]) -> None
     assert set(copied) == {"-count", ""}
 
 
+def test_a_journal_whose_log_was_emptied_halfway_is_read_with_the_log(
+    session: Session, tmp_path: Path
+) -> None:
+    edit(session, swaps=30)
+    left = crashed(session, tmp_path / "after")
+    log, file = journal_of(left, "-wal").read_bytes(), journal_of(left)
+    page = int.from_bytes(log[8:12], "big")
+    frames = [log[at : at + 24 + page] for at in range(32, len(log), 24 + page)]
+    first = [frame for frame in frames if int.from_bytes(frame[:4], "big") == 1]
+    whole = file.read_bytes()  # the first page says how many there are; the new ones lack still
+    file.write_bytes(first[-1][24:] + whole[page:])
+    base = sqlite3.connect(f"{file.as_uri()}?mode=ro&immutable=1", uri=True)
+    with pytest.raises(sqlite3.DatabaseError, match="malformed"):
+        base.execute("SELECT count(*) FROM steps").fetchone()
+    base.close()
+    told = describe(left)
+    assert (told["edits_waiting_in_journal"], told["damage"]) == (30, [])
+
+
 def test_a_count_of_more_than_a_line_is_not_copied(left: Path, copied: list[str]) -> None:
     journal_of(left, "-count").write_bytes(b"9" * 5000)
     assert describe(left)["edits_waiting_in_journal"] == 5

@@ -109,6 +109,13 @@ def test_a_key_that_others_may_read_is_none(copy, tmp_path, monkeypatch):
     assert not seal.is_changed(session.path)
 
 
+@pytest.mark.skipif(os.name == "nt", reason="owners of files are another matter there")
+def test_a_key_of_another_user_is_none(copy, tmp_path, monkeypatch):
+    assert seal.holds(copy)
+    monkeypatch.setattr(os, "geteuid", lambda: os.getuid() + 1)
+    assert not seal.holds(copy)
+
+
 @pytest.mark.parametrize("left", [b"", b"short", bytes(32), b"x" * 33, None])
 def test_what_a_power_cut_left_of_a_key_is_no_key_and_a_new_one_is_made(
     left, tmp_path, monkeypatch

@@ -220,7 +220,10 @@ def _read_key(file: Path) -> bytes:
 
 
 def _others_may_read(file: Path) -> bool:
-    return sys.platform != "win32" and bool(file.stat().st_mode & 0o077)
+    if sys.platform == "win32":
+        return False
+    state = file.stat()
+    return bool(state.st_mode & 0o077) or state.st_uid != os.geteuid()
 
 
 def _make_key(file: Path) -> None:
