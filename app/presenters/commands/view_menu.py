@@ -23,6 +23,7 @@ COMMANDS: Final = (
         ("B",),
         lambda now: two_eyes(now) or floor(now),
         True,
+        submenu="What the tracker sees",
     ),
     Command(
         "view.disparity",
@@ -31,6 +32,7 @@ COMMANDS: Final = (
         ("D",),
         lambda now: two_eyes(now) or floor(now),
         True,
+        submenu="What the tracker sees",
     ),
     Command("view.labels", "View", "Labels on the picture", ("U",), recording, True),
     Command(
