@@ -100,13 +100,17 @@ def in_child(work: Callable[[], int], folder: Path, longest_s: float = LONGEST_S
 def begin(work: Callable[[], int], said: tuple[Path, Path]) -> int:
     """Fork off the work; gives the process, which leads a group of its own."""
     sys.stdout.flush()
+    handles = _handles(said)
     pid = os.fork()
     if pid:
+        for handle in handles:
+            os.close(handle)
         return pid
     status = 99
     try:
         os.setsid()
-        _redirect(said)
+        for number, handle in enumerate(handles):
+            os.dup2(handle, number)
         _limit()
         signal.signal(signal.SIGTERM, signal.default_int_handler)
         status = work()
@@ -161,10 +165,11 @@ def _raw(outcome: Outcome) -> bool:
     return any(_CONTROLS.search(line) for line in lines)
 
 
-def _redirect(said: tuple[Path, Path]) -> None:
-    for handle, file in ((1, said[0]), (2, said[1])):
-        os.dup2(os.open(file, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), handle)
-    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
+def _handles(said: tuple[Path, Path]) -> tuple[int, int, int]:
+    """The process's input and outputs, opened where no fault is put into the calls."""
+    written = os.O_WRONLY | os.O_CREAT | os.O_TRUNC
+    outputs = (os.open(file, written, 0o600) for file in said)
+    return os.open(os.devnull, os.O_RDONLY), *outputs
 
 
 def _limit() -> None:
