@@ -29,16 +29,22 @@ _OF_NO_FILE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO, 
 """What the system says of writing without naming the file, and is no mistake of the program."""
 
 
+_BEGINNING, _END = 2000, 900
+"""Letters that a reason keeps where it is longer than both: a file may hold a value of any size."""
+
+
 class TrackwrightError(Exception):
     """Root of all errors a user can do something about.
 
     Attributes:
-        reason: what is wrong, and where.
+        reason: what is wrong, and where; the middle of a very long one is left out.
         to_do: what to do about it, for whoever knows another way; "" where the reason says it all.
     """
 
     def __init__(self, reason: str = "", to_do: str = "") -> None:
         """The message is the reason, then what to do."""
+        if len(reason) > _BEGINNING + _END:
+            reason = f"{reason[:_BEGINNING]} ... {reason[-_END:]}"
         super().__init__(f"{reason}; {to_do}" if to_do else reason)
         self.reason, self.to_do = reason, to_do
 

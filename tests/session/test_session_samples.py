@@ -15,6 +15,7 @@ from tracking.editing import plan_label_part, plan_swap
 from tracking.errors import SessionError
 from tracking.failure import FEATURE_NAMES, Samples, samples_of
 from tracking.session import Session, places_of, samples_with_boxes, session_samples
+from tracking.session.notes import LOGGER
 from tracking.tracks import PART_COLUMNS, PartLabel
 
 
@@ -110,6 +111,24 @@ def test_samples_that_cannot_be_made_are_logged_and_the_session_is_saved(
     with h5py.File(path) as file:
         assert len(file["samples/label"]) == 1
     again.close()
+
+
+def test_a_damaged_run_whose_samples_cannot_be_made_is_told_without_a_traceback(
+    session: Session, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def damaged(*_: object) -> None:
+        raise SessionError("s.h5: the file is damaged")
+
+    frame = frames_of_both(session)[20]
+    session.apply(plan_label_part(session.labels, label(session, frame, 1, 1, False)))
+    with monkeypatch.context() as broke:
+        broke.setattr("tracking.session.samples.samples_of", damaged)
+        path = session.save()
+    (told,) = [record for record in caplog.records if "could not be made" in record.message]
+    assert told.message.endswith("the file has none: s.h5: the file is damaged")
+    assert (told.name, told.exc_info) == (LOGGER, None)
+    with h5py.File(path) as file:
+        assert not len(file["samples"])
 
 
 def test_samples_are_made_anew_only_where_labels_or_tracks_changed(

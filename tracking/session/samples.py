@@ -8,12 +8,15 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.errors import TrackwrightError
 from tracking.failure import Samples, no_samples, part_states, samples_of
 from tracking.session.belonging import parts_by_now
+from tracking.session.notes import tell_damage
 from tracking.tracks import Columns, Labels, PartKey, PartLabel, Run, TrackTable
 from tracking.tracks.part_labels import PartLabels
 
 _log = logging.getLogger(__name__)
+_WITHOUT = "samples of the part labels could not be made; the file has none"
 
 Boxes = NDArray[np.float64]
 
@@ -113,7 +116,7 @@ class KeptSamples:
         run: Callable[[], Run | None],
         recording: tuple[float, str],
     ) -> Samples:
-        """The samples of a session's state; errors are logged.
+        """The samples of a session's state; a run that cannot be read is told.
 
         Args:
             tracks: the session's table, or a snapshot of it.
@@ -127,8 +130,11 @@ class KeptSamples:
             return self._samples
         try:
             samples = samples_from(labels, tracks, run(), *recording)
+        except TrackwrightError as error:
+            tell_damage(f"{_WITHOUT}: {error}")
+            return no_samples()
         except Exception:
-            _log.exception("samples of the part labels could not be made; the file has none")
+            _log.exception(_WITHOUT)
             return no_samples()
         self._labels, self._revision, self._samples = labels.parts, tracks.revision, samples
         return samples
